@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One user action = one transaction = one line in the recorded macro, a call of the public API."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from freecad.sheetmorph.qt import QtCore, QtWidgets
+
+API = "freecad.sheetmorph.api"
+FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
+
+
+def name(obj) -> str:
+    """How a macro line addresses a document object."""
+    return f"App.ActiveDocument.getObject({obj.Name!r})"
+
+
+def vertices(ids) -> str:
+    """How a macro line writes vertex ids: plain integers, no numpy."""
+    return "[" + ", ".join(str(int(i)) for i in ids) + "]"
+
+
+def call(function: str, *arguments: str, **keywords: str) -> str:
+    """The text of an API call; arguments are already source text."""
+    texts = list(arguments) + [f"{key}={value}" for key, value in keywords.items()]
+    return f"{API}.{function}({', '.join(texts)})"
+
+
+def record(*lines: str) -> None:
+    """Runs lines and writes them to the macro being recorded, without a transaction.
+
+    The import is written every time: FreeCAD's addModule does so once a session, too early for
+    a macro whose recording starts later.
+    """
+    for line in (f"import {API}", *lines):
+        Gui.doCommand(line)
+
+
+def run(title: str, *lines: str, document=None) -> None:
+    """Runs lines as one undo step called ``title``; on an error nothing has happened."""
+    document = document or App.ActiveDocument
+    App.setActiveDocument(document.Name)
+    document.openTransaction(title)
+    try:
+        with waiting():
+            record(*lines, "App.ActiveDocument.recompute()")
+    except FAULTS:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+
+
+def attempt(title: str, *lines: str, document=None) -> bool:
+    """As :func:`run`; an error is told to the user, and False is returned."""
+    try:
+        run(title, *lines, document=document)
+    except FAULTS as error:
+        tell(title, error)
+        return False
+    return True
+
+
+def tell(title: str, error) -> None:
+    """Tells the user what went wrong, in the report view and in a box."""
+    App.Console.PrintError(f"SheetMorph: {error}\n")
+    QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, str(error))
+
+
+class waiting:
+    """Context with the waiting cursor."""
+
+    def __enter__(self):
+        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+
+    def __exit__(self, *_):
+        QtWidgets.QApplication.restoreOverrideCursor()

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scripting interface of SheetMorph: everything the workbench does, without a window.
+
+Lengths in mm, angles in degrees, vectors and points in the global coordinates a user sees,
+vertices as indices into the mesh of their part. No call recomputes: say `document.recompute()`
+when the objects are as wanted. Bad arguments raise ValueError with one sentence that says what
+to do, and change nothing.
+"""
+
+from freecad.sheetmorph.api.assemblies import (
+    add_part,
+    create_assembly,
+    remove,
+    set_energy,
+    set_primary,
+)
+from freecad.sheetmorph.api.contacts import (
+    add_contact,
+    contact_vertices,
+    set_active,
+    set_contact_type,
+    set_contact_vertices,
+    touching_vertices,
+)
+from freecad.sheetmorph.api.files import (
+    export_recipe,
+    import_part,
+    import_recipe,
+    write_parts,
+)
+from freecad.sheetmorph.api.motions import (
+    deform,
+    pivot,
+    reset_motion,
+    set_motion,
+    set_rotation,
+)
+from freecad.sheetmorph.api.picking import (
+    global_frame,
+    hole_rim,
+    hole_rims,
+    rest_mesh,
+    vertices_of_facets,
+)
+from freecad.sheetmorph.api.propagations import (
+    control_mesh,
+    propagation,
+    set_mode,
+    set_propagation,
+)
+from freecad.sheetmorph.api.regions import (
+    add_feature,
+    add_fixed,
+    add_follower,
+    add_handle,
+    set_vertices,
+    vertices,
+)
+
+__all__ = [
+    "add_contact",
+    "add_feature",
+    "add_fixed",
+    "add_follower",
+    "add_handle",
+    "add_part",
+    "contact_vertices",
+    "control_mesh",
+    "create_assembly",
+    "deform",
+    "export_recipe",
+    "global_frame",
+    "hole_rim",
+    "hole_rims",
+    "import_part",
+    "import_recipe",
+    "pivot",
+    "propagation",
+    "remove",
+    "reset_motion",
+    "rest_mesh",
+    "set_active",
+    "set_contact_type",
+    "set_contact_vertices",
+    "set_energy",
+    "set_mode",
+    "set_motion",
+    "set_primary",
+    "set_propagation",
+    "set_rotation",
+    "set_vertices",
+    "touching_vertices",
+    "vertices",
+    "vertices_of_facets",
+    "write_parts",
+]

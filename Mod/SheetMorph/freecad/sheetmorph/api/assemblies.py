@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Assemblies and their parts."""
+
+from __future__ import annotations
+
+from freecad.sheetmorph import conversion
+from freecad.sheetmorph.api.checks import require_assembly, require_part_of
+from freecad.sheetmorph.objects import (
+    assembly_of,
+    contacts,
+    deformation_of,
+    kind,
+    model,
+    parts,
+    regions,
+)
+from freecad.sheetmorph.objects.assembly import ENERGIES, AssemblyProxy, follow_group
+from freecad.sheetmorph.objects.deformation import DeformationProxy
+from freecad.sheetmorph.objects.part import PartProxy
+
+
+def create_assembly(document, label: str = "Morph"):
+    """Create an empty assembly in a document and return it, a group.
+
+    `label` is what the user sees; FreeCAD makes it unique.
+    """
+    assembly = document.addObject("App::DocumentObjectGroupPython", "Morph")
+    AssemblyProxy(assembly)
+    assembly.Label = label
+    deformation = document.addObject("App::FeaturePython", "Deformation")
+    DeformationProxy(deformation)
+    assembly.addObject(deformation)
+    return assembly
+
+
+def add_part(assembly, source, label: str | None = None):
+    """Add a mesh to an assembly and return the part, the object that shows it deformed.
+
+    `source`: a Mesh::Feature of the same document, anywhere in it; it is hidden and never
+    changed. The first part becomes the primary. `label`: default the source's and "morphed".
+    Raises ValueError: no mesh, empty, of another document, already in this assembly.
+    """
+    require_assembly(assembly)
+    check_source(assembly, source)
+    part = assembly.Document.addObject("Mesh::FeaturePython", "Part")
+    PartProxy(part)
+    part.Label = label or f"{source.Label} morphed"
+    part.Source = source
+    part.Deformation = deformation_of(assembly)
+    assembly.addObject(part)
+    if assembly.Primary is None:
+        assembly.Primary = part
+    part.Mesh = conversion.copy_at(source.Mesh, conversion.result_placement(part))
+    source.Visibility = False
+    follow_group(assembly)
+    return part
+
+
+def check_source(assembly, source) -> None:
+    """Raise ValueError if `source` cannot become a part of `assembly`."""
+    label = getattr(source, "Label", repr(source))
+    if not (hasattr(source, "isDerivedFrom") and source.isDerivedFrom("Mesh::Feature")):
+        raise ValueError(f"'{label}' is no mesh; create a mesh from it first (workbench Mesh).")
+    if source.Document != assembly.Document:
+        raise ValueError(f"'{label}' is in another document; copy it into this one first.")
+    if source.Mesh.CountFacets == 0:
+        raise ValueError(f"The mesh '{label}' has no triangles; choose another one.")
+    if any(source in (part, part.Source) for part in parts(assembly)):
+        raise ValueError(f"'{label}' already is in the morph '{assembly.Label}'.")
+    if deformation_of(assembly) in source.OutListRecursive:
+        raise ValueError(f"'{label}' depends on the morph '{assembly.Label}'; choose another mesh.")
+
+
+def set_primary(assembly, part) -> None:
+    """Make `part` of `assembly` the one that handles move; the others follow it."""
+    require_part_of(assembly, part)
+    assembly.Primary = part
+
+
+def set_energy(assembly, energy: str) -> None:
+    """Choose the bending energy: `neumann` (free edges bend freely) or `paper`."""
+    require_assembly(assembly)
+    if energy not in ENERGIES:
+        raise ValueError(f"The energy '{energy}' does not exist; choose {' or '.join(ENERGIES)}.")
+    assembly.Energy = energy
+
+
+def remove(obj) -> None:
+    """Delete a region, a contact, a part with its regions and contacts, or a whole assembly.
+
+    The source meshes stay and are shown again. Raises ValueError for any other object.
+    """
+    what = kind(obj)
+    if what == model.ASSEMBLY:
+        remove_assembly(obj)
+    elif what == model.PART:
+        remove_part(obj)
+    elif what in (model.REGION, model.CONTACT):
+        obj.Document.removeObject(obj.Name)
+    else:
+        raise ValueError(
+            f"'{obj.Label}' is no assembly, part, region or contact; delete it yourself."
+        )
+
+
+def remove_assembly(assembly) -> None:
+    """Delete an assembly and everything in its group that is ours."""
+    document = assembly.Document
+    for part in parts(assembly):
+        remove_part(part)
+    for member in [obj for obj in assembly.Group if kind(obj)]:
+        document.removeObject(member.Name)
+    document.removeObject(assembly.Name)
+
+
+def remove_part(part) -> None:
+    """Delete a part, its regions and contacts, and show its source."""
+    document, assembly = part.Document, assembly_of(part)
+    source, deformation = part.Source, part.Deformation
+    if assembly is not None:
+        for user in regions(assembly, part) + contacts(assembly, part):
+            document.removeObject(user.Name)
+    document.removeObject(part.Name)
+    if source is not None and not any(kind(user) == model.PART for user in source.InList):
+        source.Visibility = True
+    if assembly is None and deformation is not None and not deformation.InList:
+        document.removeObject(deformation.Name)
+    if assembly is not None:
+        if assembly.Primary is None and parts(assembly):
+            assembly.Primary = parts(assembly)[0]
+        follow_group(assembly)

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks of arguments at the door of the scripting interface."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import FreeCAD
+import numpy as np
+
+from freecad.sheetmorph.objects import assembly_of, deformation_of, kind, model
+
+
+def require_kind(obj, wanted: str, word: str) -> None:
+    """Raise ValueError unless `obj` is an object of ours of the wanted kind."""
+    if kind(obj) != wanted:
+        label = getattr(obj, "Label", repr(obj))
+        raise ValueError(f"'{label}' is no {word} of SheetMorph; pass a {word}.")
+
+
+def require_assembly(obj) -> None:
+    """Raise ValueError unless `obj` is a complete assembly."""
+    require_kind(obj, model.ASSEMBLY, "assembly")
+    if deformation_of(obj) is None:
+        raise ValueError(
+            f"The morph '{obj.Label}' has lost its hidden object 'Deformation'; "
+            "undo its deletion or create the morph again."
+        )
+
+
+def require_part_of(assembly, part) -> None:
+    """Raise ValueError unless `part` is a part of `assembly`."""
+    require_assembly(assembly)
+    require_kind(part, model.PART, "part")
+    if assembly_of(part) != assembly:
+        raise ValueError(
+            f"Part '{part.Label}' is not in the morph '{assembly.Label}'; pass one of its parts."
+        )
+
+
+def require_role(region, role: str) -> None:
+    """Raise ValueError unless `region` is a region of that role."""
+    require_kind(region, model.REGION, "region")
+    if region.Role != role:
+        raise ValueError(f"Region '{region.Label}' is {region.Role}, not {role}; pass a {role}.")
+
+
+def vertex_count(part) -> int:
+    """Return the number of vertices of a part's mesh; raises ValueError if its source is lost."""
+    if part.Source is None:
+        raise ValueError(
+            f"Part '{part.Label}' has lost its source mesh: undo its deletion or delete the part."
+        )
+    return part.Source.Mesh.CountPoints
+
+
+def vector(values: Sequence[float], word: str) -> FreeCAD.Vector:
+    """Return three finite numbers as a vector, or raise ValueError."""
+    numbers = np.asarray(list(values), dtype=float)
+    if numbers.shape != (3,) or not np.isfinite(numbers).all():
+        raise ValueError(f"The {word} must be three finite numbers, not {list(values)}.")
+    return FreeCAD.Vector(*numbers.tolist())
+
+
+def direction(values: Sequence[float], word: str) -> FreeCAD.Vector:
+    """Return a vector that is not zero, or raise ValueError."""
+    found = vector(values, word)
+    if found.Length == 0.0:
+        raise ValueError(f"The {word} is zero; give it a direction, such as (0, 0, 1).")
+    return found
+
+
+def number(value: float, word: str) -> float:
+    """Return a finite number, or raise ValueError."""
+    found = float(value)
+    if not np.isfinite(found):
+        raise ValueError(f"The {word} must be a finite number, not {value}.")
+    return found
+
+
+def indices(values: Iterable[int], count: int, word: str) -> np.ndarray:
+    """Return indices (k,) int64, sorted, once each; ValueError if none or outside 0 .. count-1.
+
+    `word` is what they count, `vertex` or `facet`.
+    """
+    given = np.asarray(list(values))
+    if given.size == 0:
+        raise ValueError(f"No {word} was given; pick at least one.")
+    if not np.issubdtype(given.dtype, np.integer) or given.ndim != 1:
+        raise ValueError(f"Every {word} is a whole number, its index in the mesh; pass those.")
+    outside = given[(given < 0) | (given >= count)]
+    if outside.size:
+        raise ValueError(
+            f"There is no {word} {outside[0]}, the mesh has 0 .. {count - 1}; pick again."
+        )
+    return np.unique(given.astype(np.int64))

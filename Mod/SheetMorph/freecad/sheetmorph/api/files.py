@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files: parts read and written in double, and whole morphs as recipes."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+
+from freecad.sheetmorph import conversion, kernel, session, written
+from freecad.sheetmorph.api.assemblies import add_part, create_assembly, set_energy, set_primary
+from freecad.sheetmorph.api.checks import require_assembly
+from freecad.sheetmorph.api.loading import (
+    add_contacts,
+    add_regions,
+    apply_pose,
+    apply_propagation,
+    keep_extras,
+    with_names,
+)
+from freecad.sheetmorph.api.propagations import set_mode
+from freecad.sheetmorph.rest import write_rest_data
+
+
+def import_part(assembly, path: str | os.PathLike, label: str | None = None):
+    """Read a mesh file into an assembly and return the part; its positions are kept in double.
+
+    Formats: what `sheetmorph.read_part` reads (OBJ, OFF, PLY, STL, Nastran, VTK, ...). The file
+    is kept in the document, so that `write_parts` can write it again with other coordinates.
+    Raises ValueError or OSError if the file cannot be read.
+    """
+    require_assembly(assembly)
+    path = Path(path)
+    mesh = kernel.load().read_part(path).mesh
+    if len(mesh.triangles) == 0:
+        raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
+    part = add_mesh(assembly, mesh, label or path.stem)
+    part.FileName = path.name
+    part.FileData = str(path.absolute())
+    return part
+
+
+def add_mesh(assembly, mesh, label: str):
+    """Add a mesh of the package, a sheetmorph.PartMesh, as a part that keeps its doubles."""
+    origin = conversion.near_origin(mesh.points)
+    source = assembly.Document.addObject("Mesh::Feature", "Rest")
+    source.Label = f"{label} at rest"
+    source.Mesh = conversion.MeshWriter(mesh.triangles).mesh(
+        mesh.points - origin, conversion.shift(origin)
+    )
+    part = add_part(assembly, source, label)
+    with conversion.temporary_folder() as folder:
+        stored = os.path.join(folder, "rest.npz")
+        write_rest_data(stored, mesh, origin)
+        part.RestData = stored
+    return part
+
+
+def write_parts(assembly, folder: str | os.PathLike) -> list[Path]:
+    """Write every part, deformed exactly, into `folder` and return the files and the report.
+
+    An imported part is written in its own format with only the coordinates changed, any other as
+    OBJ; coordinates are global, in double. `report.json` says how good the result is. Either all
+    files appear or none. Raises MorphError, ValueError, OSError.
+    """
+    require_assembly(assembly)
+    morph = session.read_morph(assembly)
+    cache = session.cache_of(assembly)
+    positions = session.deform(assembly)
+    report = cache.result(morph).report() if morph.is_held() else None
+    return written.write_parts(assembly, morph, positions, (Path(folder), report))
+
+
+def export_recipe(assembly, path: str | os.PathLike) -> Path:
+    """Write an assembly as a recipe, its parts at rest beside it, and return the path.
+
+    `python3 -m sheetmorph run` and `import_recipe` give the same morph again, to the last digit.
+    Raises MorphError, ValueError, OSError; then nothing is written.
+    """
+    require_assembly(assembly)
+    path = Path(path)
+    morph = session.read_morph(assembly)
+    if not morph.rests:
+        raise ValueError(f"The morph '{assembly.Label}' has no part yet; add one first.")
+    return written.write_recipe(assembly, morph, path)
+
+
+def import_recipe(document, path: str | os.PathLike):
+    """Build the assembly that a recipe file describes and return it.
+
+    Raises ValueError (sheetmorph.RecipeError) with every fault of the recipe, OSError if it
+    cannot be read; then the document is as before.
+    """
+    path = Path(path)
+    package = kernel.load()
+    recipe = read_recipe(path)
+    read = package.recipe.prepare(recipe, path.parent)
+    recipe = with_names(recipe)
+    assembly = create_assembly(document)
+    found = {}
+    for entry in recipe["parts"]:
+        found.update(add_entry(assembly, entry, path.parent / entry["file"], meshes=read.meshes))
+    ids = {name: mesh.ids for name, mesh in read.meshes.items()}
+    if "primary" in recipe:
+        set_primary(assembly, found[recipe["primary"]])
+    set_energy(assembly, recipe.get("energy", "neumann"))
+    apply_propagation(assembly, recipe)
+    regions = add_regions(assembly, recipe, found, ids)
+    add_contacts(assembly, recipe, found, ids)
+    apply_pose(regions, recipe)
+    keep_extras(assembly, recipe, regions, found)
+    assembly.Label = path.stem  # last: where labels clash, those of the parts stay
+    return assembly
+
+
+def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
+    """Add what one entry of a recipe's parts stands for; return parts by name in the recipe.
+
+    The parts of a split file become parts of their own, that know nothing of the file: only so
+    can each be exchanged, removed and written.
+    """
+    if entry.get("split"):
+        names = [name for name in meshes if name.startswith(f"{file.stem}/")]
+        added = {name: add_mesh(assembly, without_ids(meshes[name]), name) for name in names}
+    else:
+        added = {entry["name"]: import_part(assembly, file, entry["name"])}
+    for part in added.values():
+        set_mode(part, entry.get("mode", 0))
+    return added
+
+
+def without_ids(mesh):
+    """Return a sheetmorph.PartMesh whose vertices are called by their indices."""
+    return kernel.load().PartMesh(mesh.points, mesh.triangles, name=mesh.name)
+
+
+def read_recipe(path: Path) -> dict:
+    """Return the recipe in a JSON file; raises ValueError that says where the JSON is wrong."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except json.JSONDecodeError as error:
+        raise ValueError(
+            f"{path.name}, line {error.lineno}: this is no JSON ({error.msg}); correct the file."
+        ) from error
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path.name}: this is no text; choose a recipe (JSON).") from error

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A recipe's regions and pose as document objects; the recipe has been validated before."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+
+from freecad.sheetmorph.api.contacts import add_contact
+from freecad.sheetmorph.api.motions import set_motion, set_rotation
+from freecad.sheetmorph.api.propagations import set_propagation
+from freecad.sheetmorph.api.regions import add_feature, add_fixed, add_follower, add_handle
+from freecad.sheetmorph.objects.assembly import LOCAL
+from freecad.sheetmorph.objects.contact import CONTROL_MESH
+
+
+WORDS = (
+    ("parts", "part"),
+    ("fixed", "fixed"),
+    ("handles", "handle"),
+    ("features", "feature"),
+    ("points", "point"),
+    ("regions", "region"),
+    ("contacts", "contact"),
+)
+"""What the entries of a list in a recipe are called that have no name: fixed0, fixed1, ..."""
+ADDERS = (
+    ("fixed", add_fixed),
+    ("handles", add_handle),
+    ("features", add_feature),
+    ("regions", add_follower),
+)
+
+
+def with_names(recipe: dict) -> dict:
+    """Return a recipe whose entries all have the names that others may call them."""
+    named = dict(recipe)
+    for key, word in WORDS:
+        entries = recipe.get(key, [])
+        named[key] = [{"name": f"{word}{k}", **entry} for k, entry in enumerate(entries)]
+    return named
+
+
+def add_regions(assembly, recipe: dict, parts: dict, ids: dict) -> dict:
+    """Add all regions of a recipe and return them by their name in it.
+
+    `recipe`: from `with_names`; by name of the part in the recipe: `parts` and the file `ids`
+    (n,) of its vertices, None for their indices.
+    """
+    added = {}
+    for key, add in ADDERS:
+        for entry in recipe[key]:
+            if "vertices" not in entry:
+                continue  # a handle that is a point on a triangle: kept as an extra
+            name = entry["part"]
+            vertices = indices_of(entry["vertices"], ids[name])
+            added[entry["name"]] = add(assembly, parts[name], vertices, entry["name"])
+    return added
+
+
+def add_contacts(assembly, recipe: dict, parts: dict, ids: dict) -> None:
+    """Add all contacts of a recipe; arguments as for `add_regions`."""
+    for entry in recipe["contacts"]:
+        a, b = (
+            (parts[side["part"]], indices_of(side["vertices"], ids[side["part"]]))
+            for side in (entry["a"], entry["b"])
+        )
+        kind = entry.get("type", CONTROL_MESH)
+        add_contact(assembly, a, b, label=entry["name"], type=kind)
+
+
+def apply_propagation(assembly, recipe: dict) -> None:
+    """Set how the motion reaches the other parts as a recipe has it."""
+    wanted = recipe.get("propagation", {})
+    set_propagation(
+        assembly,
+        wanted.get("type", LOCAL),
+        levels=wanted.get("levels"),
+        smoothness=wanted.get("smoothness"),
+    )
+
+
+def indices_of(file_ids: list[int], ids: np.ndarray | None) -> np.ndarray:
+    """Return the indices (k,) of vertices with these ids in their file."""
+    wanted = np.asarray(file_ids, dtype=np.int64)
+    if ids is None:
+        return wanted
+    order = np.argsort(ids)
+    return order[np.searchsorted(ids, wanted, sorter=order)]
+
+
+def apply_pose(regions: dict, recipe: dict) -> None:
+    """Set motions of handles and rotations of features as a recipe and its pose have them."""
+    pose = recipe.get("pose", {})
+    for entry in recipe["handles"]:
+        region = regions.get(entry["name"])
+        if region is not None:
+            apply_motion(region, {**pick(entry, "pivot"), **pose.get(entry["name"], {})})
+    for entry in recipe["features"]:
+        merged = {**pick(entry, "rotation"), **pose.get(entry["name"], {})}
+        apply_rotation(regions[entry["name"]], merged.get("rotation", "interpolated"))
+
+
+def pick(entry: dict, key: str) -> dict:
+    """Return a dict with `key` alone, empty if the entry lacks it."""
+    return {key: entry[key]} if key in entry else {}
+
+
+def apply_motion(handle, motion: dict) -> None:
+    """Set one handle's motion from its pose entry."""
+    set_motion(handle, motion.get("translation"), pivot=motion.get("pivot"))
+    rotation = motion.get("rotation")
+    if rotation is not None and rotation["degrees"] != 0:
+        set_motion(handle, axis=rotation["axis"], angle=rotation["degrees"])
+
+
+def apply_rotation(feature, rotation: str | dict) -> None:
+    """Set one feature's rotation from its entry in a recipe or a pose."""
+    if isinstance(rotation, dict):
+        degrees = rotation["degrees"]
+        axis = rotation["axis"] if degrees != 0 else (0, 0, 1)
+        set_rotation(feature, (axis, degrees))
+    else:
+        set_rotation(feature, rotation)
+
+
+def keep_extras(assembly, recipe: dict, regions: dict, parts: dict) -> None:
+    """Keep in the document what a recipe says beyond regions: points, and what moves them."""
+    point_handles = [entry for entry in recipe["handles"] if "vertices" not in entry]
+    extras = {
+        key: [{**entry, "part": parts[entry["part"]].Name} for entry in entries]
+        for key, entries in (("points", recipe["points"]), ("handles", point_handles))
+        if entries
+    }
+    pose = {name: move for name, move in recipe.get("pose", {}).items() if name not in regions}
+    if extras or pose:
+        assembly.Extras = json.dumps({"recipe": extras, "pose": pose})

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all commands share: resources, a cheap and safe IsActive, errors told to the user."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions, kernel, paths
+
+
+class Command:
+    """A command; subclasses give the texts, ``possible`` and ``execute``."""
+
+    name = ""
+    text = ""
+    tooltip = ""
+    alters = True
+    needs_kernel = True
+    _kernel_works: bool | None = None
+
+    def GetResources(self) -> dict:
+        """Texts and icon; the icon carries the command's name."""
+        return {
+            "Pixmap": paths.icon(self.name.split("_", 1)[1]),
+            "MenuText": self.text,
+            "ToolTip": self.tooltip,
+            "StatusTip": self.tooltip,
+            "CmdType": "AlterDoc" if self.alters else "ForEdit",
+        }
+
+    def IsActive(self) -> bool:
+        """Asked all the time: never raises."""
+        try:
+            if Gui.Control.activeDialog() or (self.needs_kernel and not Command.kernel_works()):
+                return False
+            return bool(self.possible())
+        except (AttributeError, RuntimeError, ReferenceError):
+            return False
+
+    @staticmethod
+    def kernel_works() -> bool:
+        """Whether the kernel can be used; asked once, a restart is needed to mend it."""
+        if Command._kernel_works is None:
+            Command._kernel_works = kernel.is_available()
+        return Command._kernel_works
+
+    def Activated(self, _index: int = 0) -> None:
+        """Runs the command; what goes wrong is told in words."""
+        try:
+            self.execute()
+        except actions.FAULTS as error:
+            actions.tell(self.text, error)
+
+    def possible(self) -> bool:
+        """Whether the command makes sense now."""
+        return App.ActiveDocument is not None
+
+    def execute(self) -> None:
+        """What the command does."""
+        raise TypeError(f"{self.name} has nothing to execute")

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands about what makes one part follow another."""
+
+from freecad.sheetmorph import actions
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.commands import context
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+
+
+class MarkContact(Command):
+    """Opens the panel that joins two parts."""
+
+    name = "SheetMorph_MarkContact"
+    text = QT_TRANSLATE_NOOP("SheetMorph_MarkContact", "Mark Contact…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_MarkContact",
+        "Joins two parts where they touch, so that one follows the other; select both, or click "
+        "on them in the panel",
+    )
+
+    def possible(self) -> bool:
+        """With a morph of two parts or more."""
+        owner = context.assembly()
+        return owner is not None and len(context.parts(owner)) > 1
+
+    def execute(self) -> None:
+        """Opens the panel; the contact comes into being when the user says OK."""
+        from freecad.sheetmorph.panels import contact_panel
+
+        owner = context.assembly()
+        mine = context.parts(owner)
+        contact_panel.create(owner, [p for p in context.selected(context.PART) if p in mine])
+
+
+class Propagation(Command):
+    """Opens the panel that shows how parts follow."""
+
+    name = "SheetMorph_Propagation"
+    text = QT_TRANSLATE_NOOP("SheetMorph_Propagation", "Propagation…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_Propagation",
+        "Shows how the motion goes from the primary part through the contacts to the others",
+    )
+
+    def possible(self) -> bool:
+        """With a part."""
+        owner = context.assembly()
+        return owner is not None and bool(context.parts(owner))
+
+    def execute(self) -> None:
+        """Opens the panel."""
+        from freecad.sheetmorph.panels import propagation_panel
+
+        propagation_panel.open_panel(context.assembly())
+
+
+class SetPrimary(Command):
+    """Makes the selected part the primary."""
+
+    name = "SheetMorph_SetPrimary"
+    text = QT_TRANSLATE_NOOP("SheetMorph_SetPrimary", "Set as Primary")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_SetPrimary",
+        "Makes the selected part the primary: it is deformed first, the others follow it",
+    )
+
+    def possible(self) -> bool:
+        """With one part selected that is not the primary."""
+        chosen = context.selected(context.PART)
+        owner = context.assembly_of(chosen[0]) if len(chosen) == 1 else None
+        return owner is not None and owner.Primary != chosen[0]
+
+    def execute(self) -> None:
+        """One undo step."""
+        (chosen,) = context.selected(context.PART)
+        line = call("set_primary", name(context.assembly_of(chosen)), name(chosen))
+        actions.attempt("Set as Primary", line)

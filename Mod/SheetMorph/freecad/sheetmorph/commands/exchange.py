@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that exchange parts and recipes with files, and open the examples."""
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions, paths
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.commands import context
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore, QtWidgets
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+RECIPES = "Recipes (*.json)"
+
+
+def open_recipe(path: str, document_name: str = "") -> bool:
+    """Opens a recipe in a new document, or in the active one; False if it could not be read."""
+    if document_name or App.ActiveDocument is None:
+        Gui.doCommand(f"App.newDocument({document_name!r})")
+    done = actions.attempt("Import Recipe", call("import_recipe", "App.ActiveDocument", repr(path)))
+    if done:
+        Gui.activeDocument().activeView().viewIsometric()
+        Gui.SendMsgToActiveView("ViewFit")
+    return done
+
+
+def example_recipes() -> dict[str, str]:
+    """Recipe files of the examples by title, e.g. ``{"Door Mirror": ".../recipe.json"}``."""
+    folder = paths.examples()
+    found = {}
+    for entry in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
+        recipe = os.path.join(folder, entry, "recipe.json")
+        if os.path.isfile(recipe):
+            found[entry.replace("_", " ").title()] = recipe
+    return found
+
+
+class ExportParts(Command):
+    """Writes the deformed parts, each in the format it came in."""
+
+    name = "SheetMorph_ExportParts"
+    text = QT_TRANSLATE_NOOP("SheetMorph_ExportParts", "Export Parts…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_ExportParts",
+        "Writes all deformed parts into a folder, each in its own file format",
+    )
+    alters = False
+
+    def possible(self) -> bool:
+        """With a morph."""
+        return context.assembly() is not None
+
+    def execute(self) -> None:
+        """Asks for a folder and writes."""
+        owner = context.assembly()
+        window = Gui.getMainWindow()
+        folder = QtWidgets.QFileDialog.getExistingDirectory(window, "Export Parts")
+        if folder:
+            with actions.waiting():
+                actions.record(call("write_parts", name(owner), repr(folder)))
+            App.Console.PrintMessage(f"SheetMorph: parts written to {folder}\n")
+
+
+class ExportRecipe(Command):
+    """Writes the morph as a recipe."""
+
+    name = "SheetMorph_ExportRecipe"
+    text = QT_TRANSLATE_NOOP("SheetMorph_ExportRecipe", "Export Recipe…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_ExportRecipe", "Writes the morph as a recipe that also runs without FreeCAD"
+    )
+    alters = False
+
+    def possible(self) -> bool:
+        """With a morph."""
+        return context.assembly() is not None
+
+    def execute(self) -> None:
+        """Asks for a file and writes."""
+        window = Gui.getMainWindow()
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            window, "Export Recipe", "recipe.json", RECIPES
+        )
+        if path:
+            actions.record(call("export_recipe", name(context.assembly()), repr(path)))
+
+
+class ImportRecipe(Command):
+    """Reads a morph from a recipe."""
+
+    name = "SheetMorph_ImportRecipe"
+    text = QT_TRANSLATE_NOOP("SheetMorph_ImportRecipe", "Import Recipe…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_ImportRecipe", "Creates a morph from a recipe and the mesh files it names"
+    )
+
+    def possible(self) -> bool:
+        """Always: without a document one is made."""
+        return True
+
+    def execute(self) -> None:
+        """Asks for a file and reads it."""
+        window = Gui.getMainWindow()
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(window, "Import Recipe", "", RECIPES)
+        if path:
+            open_recipe(path)
+
+
+class OpenExample(Command):
+    """Opens one of the examples, with its regions already marked."""
+
+    name = "SheetMorph_OpenExample"
+    text = QT_TRANSLATE_NOOP("SheetMorph_OpenExample", "Open Example…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_OpenExample",
+        "Opens an example assembly whose regions are marked, ready to move",
+    )
+
+    def possible(self) -> bool:
+        """Always; a missing example is told when asked for."""
+        return True
+
+    def execute(self) -> None:
+        """Asks which one, then opens it in a new document."""
+        recipes = example_recipes()
+        if not recipes:
+            raise RuntimeError(
+                f"There are no examples in {paths.examples()}; build the add-on again."
+            )
+        title, chosen = QtWidgets.QInputDialog.getItem(
+            Gui.getMainWindow(), "Open Example", "Example", list(recipes), 0, False
+        )
+        if chosen:
+            open_recipe(recipes[title], title.replace(" ", ""))

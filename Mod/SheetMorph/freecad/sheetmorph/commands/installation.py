@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Check Installation: what works, what does not, and what to do, as text to copy."""
+
+import FreeCAD as App
+
+from freecad.sheetmorph import kernel
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+
+
+class CheckInstallation(Command):
+    """Shows the report about the kernel."""
+
+    name = "SheetMorph_CheckInstallation"
+    text = QT_TRANSLATE_NOOP("SheetMorph_CheckInstallation", "Check Installation")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_CheckInstallation",
+        "Shows whether the deformation kernel works, as a report to copy",
+    )
+    alters = False
+    needs_kernel = False
+
+    def possible(self) -> bool:
+        """Always: it helps when nothing else works."""
+        return True
+
+    def execute(self) -> None:
+        """Opens the report."""
+        from freecad.sheetmorph.panels import report_dialog
+
+        report_dialog.show()
+
+
+def warn_once(workbench) -> None:
+    """Says on the first activation, in one sentence, if the kernel cannot be used."""
+    try:
+        kernel.load()
+    except kernel.KernelError as error:
+        if not getattr(workbench, "has_warned", False):
+            workbench.has_warned = True
+            App.Console.PrintWarning(f"SheetMorph: {error}\n")

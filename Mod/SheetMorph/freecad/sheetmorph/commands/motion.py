@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that move handles."""
+
+from freecad.sheetmorph import actions
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.commands import context
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+
+
+class MoveHandle(Command):
+    """Opens the panel with the handle's translation and rotation."""
+
+    name = "SheetMorph_MoveHandle"
+    text = QT_TRANSLATE_NOOP("SheetMorph_MoveHandle", "Move Handle…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_MoveHandle",
+        "Moves and turns a handle; the parts follow while you change the values",
+    )
+
+    def possible(self) -> bool:
+        """With a handle."""
+        return context.handle() is not None
+
+    def execute(self) -> None:
+        """Opens the panel."""
+        from freecad.sheetmorph.panels import move_panel
+
+        move_panel.open_panel(context.handle())
+
+
+class ResetMotion(Command):
+    """Puts handles back to rest."""
+
+    name = "SheetMorph_ResetMotion"
+    text = QT_TRANSLATE_NOOP("SheetMorph_ResetMotion", "Reset Motion")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_ResetMotion",
+        "Puts the selected handles, else all handles of the morph, back to rest",
+    )
+
+    def possible(self) -> bool:
+        """With a handle."""
+        return context.handle() is not None
+
+    def execute(self) -> None:
+        """One undo step for all of them."""
+        chosen = [r for r in context.selected(context.REGION) if r.Role == "handle"]
+        handles = chosen or context.regions(context.assembly(), "handle")
+        actions.attempt("Reset Motion", *[call("reset_motion", name(h)) for h in handles])

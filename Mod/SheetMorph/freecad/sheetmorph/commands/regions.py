@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that mark regions of a part by picking in the 3D view."""
+
+from freecad.sheetmorph.commands import context
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+
+
+class _Mark(Command):
+    """Opens the picking panel for one role."""
+
+    role = ""
+
+    def possible(self) -> bool:
+        """With a part to pick on."""
+        return context.part() is not None
+
+    def execute(self) -> None:
+        """Opens the panel; the region comes into being when the user says OK."""
+        from freecad.sheetmorph.panels import region_panel
+
+        region_panel.create(context.part(), self.role)
+
+
+class MarkFixed(_Mark):
+    """Marks what does not move."""
+
+    name = "SheetMorph_MarkFixed"
+    role = "fixed"
+    text = QT_TRANSLATE_NOOP("SheetMorph_MarkFixed", "Mark Fixed Region…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_MarkFixed", "Marks a region that stays where it is, by picking in the 3D view"
+    )
+
+
+class MarkHandle(_Mark):
+    """Marks what the user moves."""
+
+    name = "SheetMorph_MarkHandle"
+    role = "handle"
+    text = QT_TRANSLATE_NOOP("SheetMorph_MarkHandle", "Mark Handle…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_MarkHandle",
+        "Marks a region that is moved and turned as you say; the part follows",
+    )
+
+
+class MarkFeature(_Mark):
+    """Marks what keeps its shape."""
+
+    name = "SheetMorph_MarkFeature"
+    role = "form feature"
+    text = QT_TRANSLATE_NOOP("SheetMorph_MarkFeature", "Mark Form Features…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_MarkFeature",
+        "Marks holes and other form features that move but keep their shape",
+    )
+
+
+class MarkFollower(_Mark):
+    """Marks what goes with the control meshes of the part's contacts."""
+
+    name = "SheetMorph_MarkFollower"
+    role = "follower"
+    text = QT_TRANSLATE_NOOP("SheetMorph_MarkFollower", "Mark Follower…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_MarkFollower",
+        "Marks a region that goes with the control meshes of the part's contacts",
+    )

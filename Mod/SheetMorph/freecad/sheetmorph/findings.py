@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a recompute finds out beyond positions: propagation order and fidelity of contacts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from freecad.sheetmorph.objects import model
+
+NO_FIDELITY = (0.0, 0.0)
+UNREACHED = -1
+Step = tuple[str, int, list[str]]
+"""Object name of a part, its level, object names of the contacts that drive it."""
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What the document shows of a solved morph; empty if nothing was solved."""
+
+    order: tuple[str, ...] = ()  # names of parts as deformed
+    unreached: tuple[str, ...] = ()  # names of parts that nothing moves
+    fidelity: dict[str, tuple[float, float]] = field(default_factory=dict)
+    """By object name of a contact: change of the gap and deviation, mm."""
+
+
+def findings_of(session, result, contacts: dict[str, str]) -> Findings:
+    """Return the findings of a sheetmorph.Session and its result.
+
+    `contacts`: object names of the contacts by their name in the recipe.
+    """
+    fidelity = {
+        contacts[found.name]: (found.gap_change, found.deviation) for found in result.contacts
+    }
+    return Findings(tuple(session.order), tuple(session.unreached), fidelity)
+
+
+def steps_of(session, parts: dict[str, str], contacts: dict[str, str]) -> list[Step]:
+    """Return all parts in the order of propagation, those that nothing reaches last.
+
+    `parts`, `contacts`: object names by their name in the recipe.
+    """
+    levels = session.levels
+    driving: dict[str, list[str]] = {}
+    for contact, _source, target in session.directions:
+        driving.setdefault(target, []).append(contacts[contact])
+    steps = [(parts[name], levels[name], driving.get(name, [])) for name in session.order]
+    return steps + [(parts[name], UNREACHED, []) for name in session.unreached]
+
+
+def show(assembly, outcome) -> None:
+    """Set the read-only properties of an assembly and its contacts where they differ."""
+    found = outcome.findings
+    set_where_new(assembly, "Status", outcome.status)
+    set_where_new(assembly, "Order", list(found.order))
+    set_where_new(assembly, "Unreached", list(found.unreached))
+    for contact in model.contacts(assembly):
+        gap, deviation = found.fidelity.get(contact.Name, NO_FIDELITY)
+        set_length(contact, "GapChange", gap)
+        set_length(contact, "Deviation", deviation)
+
+
+def set_where_new(obj, name: str, value) -> None:
+    """Set a property that differs; setting it always would fill the undo steps."""
+    if getattr(obj, name) != value:
+        setattr(obj, name, value)
+
+
+def set_length(obj, name: str, value: float) -> None:
+    """Set a length, mm, that differs."""
+    if getattr(obj, name).Value != value:
+        setattr(obj, name, value)

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD runs at its start, with and without a window: light, and without the kernel."""
+
+import FreeCAD
+
+from freecad.sheetmorph.tests import MODULES
+from freecad.sheetmorph.watcher import SourceWatcher
+
+FreeCAD.__unit_test__ += list(MODULES)
+FreeCAD.addDocumentObserver(SourceWatcher())

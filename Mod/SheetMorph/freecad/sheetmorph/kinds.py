@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The kinds of our document objects; imports nothing, so that start-up may use it."""
+
+ASSEMBLY = "SheetMorph::Assembly"
+CONTACT = "SheetMorph::Contact"
+DEFORMATION = "SheetMorph::Deformation"
+PART = "SheetMorph::Part"
+REGION = "SheetMorph::Region"
+
+
+def kind(obj) -> str:
+    """Return the type of one of our objects, an empty string for any other."""
+    found = str(getattr(getattr(obj, "Proxy", None), "Type", ""))
+    return found if found in (ASSEMBLY, CONTACT, DEFORMATION, PART, REGION) else ""

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The assembly: the group a user sees, with what concerns all parts."""
+
+from __future__ import annotations
+
+from freecad.sheetmorph.objects.model import ASSEMBLY, contacts, deformation_of, parts, regions
+from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
+from freecad.sheetmorph.objects.proxy import ObjectProxy, is_settled, make_due
+
+ENERGIES = ["neumann", "paper"]
+LOCAL, SINGLE = "local", "single"
+PROPAGATION_DOC = (
+    "How the other parts follow the primary. Local: along the contacts, from part to part, each "
+    "contact with a control mesh of its own. Single: one control mesh around everything moves "
+    "all parts at once; contacts are ignored"
+)
+LEVELS_DOC = (
+    "How often control meshes are subdivided: more follows finer bends, at the cost of speed "
+    "(3 is right for most sheets)"
+)
+SMOOTHNESS_DOC = (
+    "How smooth control meshes stay: small follows the source closely, large evens out its "
+    "details (default 0.05)"
+)
+INPUTS = ("Group", "Primary", "Energy", "Extras", "Propagation", "Levels", "Smoothness")
+
+
+class AssemblyProxy(ObjectProxy):
+    """Proxy of the group; it keeps the links of the hidden deformation in step with the group."""
+
+    Type = ASSEMBLY
+    PROPERTIES = (
+        Property("Link", "Primary", "Morph", "The part that is deformed first"),
+        Property(
+            "Enumeration",
+            "Energy",
+            "Morph",
+            "Free edges bend freely (neumann) or as in the paper (paper)",
+            ENERGIES,
+        ),
+        Property("Enumeration", "Propagation", "Propagation", PROPAGATION_DOC, [LOCAL, SINGLE]),
+        Property("Integer", "Levels", "Propagation", LEVELS_DOC, 3),
+        Property("Float", "Smoothness", "Propagation", SMOOTHNESS_DOC, 0.05),
+        Property(
+            "StringList",
+            "Order",
+            "Propagation",
+            "Parts in the order in which they are deformed",
+            mode=READ_ONLY,
+            is_output=True,
+        ),
+        Property(
+            "StringList",
+            "Unreached",
+            "Propagation",
+            "Parts that no contact connects with the primary; they stay where they are",
+            mode=READ_ONLY,
+            is_output=True,
+        ),
+        Property(
+            "String",
+            "Status",
+            "Morph",
+            "How the last recompute went",
+            "",
+            READ_ONLY,
+            is_output=True,
+        ),
+        Property(
+            "String", "Extras", "Morph", "What a recipe held beyond regions, as JSON", "", HIDDEN
+        ),
+    )
+
+    def onChanged(self, obj, name: str) -> None:
+        """Pass on to the deformation what its results depend on."""
+        if name in INPUTS and is_settled(obj):
+            follow_group(obj)
+        elif name in INPUTS and obj.Document.Transacting:
+            make_due(deformation_of(obj))
+
+    def execute(self, _obj) -> None:
+        """Do nothing: a group has no result of its own."""
+
+
+def follow_group(assembly) -> None:
+    """Let the deformation of `assembly` depend on the regions, contacts, sources in the group.
+
+    The group itself cannot be a dependency, because it contains what depends on it.
+    """
+    deformation = deformation_of(assembly)
+    if deformation is None:
+        return
+    update_links(deformation, "Regions", regions(assembly))
+    update_links(deformation, "Contacts", contacts(assembly))
+    sources = [part.Source for part in parts(assembly) if part.Source is not None]
+    update_links(deformation, "Sources", sources)
+    deformation.touch()
+
+
+def update_links(obj, name: str, wanted: list) -> None:
+    """Set a list of links where it differs."""
+    if list(getattr(obj, name)) != wanted:
+        setattr(obj, name, wanted)

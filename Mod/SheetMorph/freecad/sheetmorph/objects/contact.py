@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A contact: where two parts are welded, bolted or glued, so that one follows the other."""
+
+from __future__ import annotations
+
+from freecad.sheetmorph.objects.model import CONTACT
+from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
+from freecad.sheetmorph.objects.proxy import ObjectProxy
+
+CONTROL_MESH, TIED, RIGID = "control mesh", "tied", "rigid"
+TYPES = [CONTROL_MESH, TIED, RIGID]
+TYPE_DOC = (
+    "Control mesh: the follower's side bends with the other side, smoothly. Tied: every vertex "
+    "keeps its place on the nearest triangle of the other side, as *TIE of simulation codes. "
+    "Rigid: both sides move as one stiff body, as at a bolt or a spot weld"
+)
+ACTIVE_DOC = "Off: the contact is kept but not used, as if the weld were open"
+GAP_DOC = "How much the gap between the two sides changed at the last recompute, at most"
+DEVIATION_DOC = (
+    "How far the follower's side is, at most, from where a stiff motion of the other side would "
+    "put it; what bends shows here"
+)
+
+
+class ContactProxy(ObjectProxy):
+    """Proxy of a contact between vertices of two parts; which of them leads is found out."""
+
+    Type = CONTACT
+    PROPERTIES = (
+        Property("Enumeration", "Type", "Contact", TYPE_DOC, TYPES),
+        Property("Bool", "Active", "Contact", ACTIVE_DOC, True),
+        Property("LinkHidden", "PartA", "Contact", "Part of the first side", mode=READ_ONLY),
+        Property("LinkHidden", "PartB", "Contact", "Part of the second side", mode=READ_ONLY),
+        Property("FloatList", "VerticesA", "Contact", "Vertices of the first side", mode=HIDDEN),
+        Property("FloatList", "VerticesB", "Contact", "Vertices of the second side", mode=HIDDEN),
+        Property("Distance", "GapChange", "Result", GAP_DOC, None, READ_ONLY, is_output=True),
+        Property("Distance", "Deviation", "Result", DEVIATION_DOC, None, READ_ONLY, is_output=True),
+    )
+
+    def execute(self, _obj) -> None:
+        """Do nothing: the deformation that depends on the contact reads it."""

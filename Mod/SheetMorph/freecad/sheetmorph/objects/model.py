@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Questions to the document objects of a morph; no proxy is imported here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DEFORMATION, PART, REGION, kind
+
+
+def assembly_of(obj):
+    """Return the assembly that `obj`, one of our objects, belongs to; None if none."""
+    if kind(obj) == ASSEMBLY:
+        return obj
+    return next((parent for parent in obj.InList if is_member(obj, parent)), None)
+
+
+def is_member(obj, assembly) -> bool:
+    """Whether `obj` lies in the group of `assembly`, an object of any kind."""
+    return kind(assembly) == ASSEMBLY and obj in assembly.Group
+
+
+def parts(assembly) -> list:
+    """Return the parts of an assembly in the order of its group."""
+    return [obj for obj in assembly.Group if kind(obj) == PART]
+
+
+def regions(assembly, part=None) -> list:
+    """Return the regions of an assembly, or those on one of its parts.
+
+    A region whose part was deleted belongs to none.
+    """
+    mine = [obj for obj in assembly.Group if kind(obj) == REGION]
+    return [obj for obj in mine if part is None or obj.Part == part]
+
+
+def contacts(assembly, part=None) -> list:
+    """Return the contacts of an assembly, or those that touch one of its parts."""
+    mine = [obj for obj in assembly.Group if kind(obj) == CONTACT]
+    return [obj for obj in mine if part is None or part in (obj.PartA, obj.PartB)]
+
+
+def deformation_of(assembly):
+    """Return the hidden object that solves for all parts of `assembly`; None if it is missing."""
+    return next((obj for obj in assembly.Group if kind(obj) == DEFORMATION), None)
+
+
+def vertices(region) -> np.ndarray:
+    """Return the vertices (k,) int64 of a region: indices into the rest mesh of its part."""
+    return to_ids(region.Vertices)
+
+
+def contact_vertices(contact, side: str) -> np.ndarray:
+    """Return the vertices (k,) int64 of side "a" or "b" of a contact, indices into its part."""
+    return to_ids(contact.VerticesA if side == "a" else contact.VerticesB)
+
+
+def set_vertices(region, ids: Iterable[int]) -> None:
+    """Store the vertex indices of a region, sorted and without repetition."""
+    region.Vertices = to_numbers(ids)
+
+
+def set_contact_vertices(contact, side: str, ids: Iterable[int]) -> None:
+    """Store the vertex indices of side "a" or "b", sorted and without repetition."""
+    setattr(contact, f"Vertices{side.upper()}", to_numbers(ids))
+
+
+def to_numbers(ids: Iterable[int]) -> list[float]:
+    """Return indices as a document keeps them, sorted and without repetition.
+
+    A list of floats is saved in binary; a list of integers would be XML, slow from 100,000 on.
+    """
+    return np.unique(np.asarray(list(ids), dtype=np.int64)).astype(float).tolist()
+
+
+def to_ids(numbers: list[float]) -> np.ndarray:
+    """Return indices (k,) int64 from what `to_numbers` made of them."""
+    return np.asarray(numbers, dtype=float).astype(np.int64)

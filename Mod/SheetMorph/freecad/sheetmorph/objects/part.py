@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A part: the deformed mesh of a source mesh that is never changed."""
+
+from __future__ import annotations
+
+from freecad.sheetmorph.objects.model import PART
+from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
+from freecad.sheetmorph.objects.proxy import ObjectProxy, make_due
+from freecad.sheetmorph.rest import MorphError
+
+
+MODES = ["automatic", "1 all by control mesh", "2 regions", "3 boundaries"]
+MODE_DOC = (
+    "How a part other than the primary follows. Automatic: chosen from its contacts and form "
+    "features. 1: every vertex goes with the control mesh; form features would lose their shape. "
+    "2: contacts and followers go with it, the rest bends like sheet and form features stay "
+    "exact. 3: as 2, with the free edges inside the control meshes"
+)
+
+
+class PartProxy(ObjectProxy):
+    """Proxy of a part; its mesh lies exactly over the source, whatever contains either."""
+
+    Type = PART
+    PROPERTIES = (
+        Property("LinkGlobal", "Source", "Part", "The mesh at rest, never changed", mode=READ_ONLY),
+        Property("Enumeration", "Mode", "Part", MODE_DOC, MODES),
+        Property("Link", "Deformation", "Part", "What the mesh depends on", mode=HIDDEN),
+        Property("String", "FileName", "Part", "File the part was read from", "", READ_ONLY),
+        Property("FileIncluded", "RestData", "Part", "Rest positions in double", mode=HIDDEN),
+        Property("FileIncluded", "FileData", "Part", "The file as it was read", mode=HIDDEN),
+    )
+
+    def __init__(self, obj):
+        super().__init__(obj)
+        protect_placement(obj)
+
+    def onDocumentRestored(self, obj) -> None:
+        super().onDocumentRestored(obj)
+        protect_placement(obj)
+
+    def onChanged(self, obj, name: str) -> None:
+        """Let a change of the mode reach the deformation, which is no dependant of its parts."""
+        if name == "Mode" and "Deformation" in obj.PropertiesList and not obj.Document.Restoring:
+            make_due(obj.Deformation)
+
+    def execute(self, obj) -> None:
+        """Take the deformed mesh; on an error the last mesh stays and FreeCAD shows the reason."""
+        if obj.Source is None:
+            raise MorphError(
+                f"Part '{obj.Label}' has lost its source mesh: undo that or delete the part."
+            )
+        if obj.Deformation is None:
+            raise MorphError(
+                f"Part '{obj.Label}' is in no morph: delete it and add its source to a morph."
+            )
+        obj.Mesh = obj.Deformation.Proxy.mesh_of(obj.Deformation, obj)
+
+
+def protect_placement(obj) -> None:
+    """Show the placement without letting it be edited: it follows the source."""
+    obj.setEditorMode("Placement", READ_ONLY)

@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel in which a contact between two parts is marked."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions, api, seen
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import contact_types
+from freecad.sheetmorph.panels.base import Panel, chip, say
+from freecad.sheetmorph.panels.pick_tools import PickTools
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.highlight import Highlight
+from freecad.sheetmorph.scene.pick_view import PickView
+from freecad.sheetmorph.scene.viewport import Viewport
+from freecad.sheetmorph.tools import picking
+from freecad.sheetmorph.tools.contact_sides import ContactSides, reach_that_touches
+from freecad.sheetmorph.tools.part_mesh import Ray
+
+WAYS = ("", "a", "b")  # of the combo box: by distance, by hand on side "a", on side "b"
+
+
+def create(assembly, chosen=()):
+    """Opens the panel for a new contact, up to two parts chosen; returns the panel."""
+    panel = ContactPanel(assembly)
+    Gui.Selection.clearSelection()  # its colour would cover ours
+    panel.begin(chosen)
+    panel.present()
+    return panel
+
+
+def edit(contact):
+    """Opens the panel for a contact that exists, returns it; ValueError if it lost a part."""
+    if None in (contact.PartA, contact.PartB):
+        raise ValueError(f"Contact '{contact.Label}' has lost a part; delete the contact.")
+    panel = ContactPanel(model.assembly_of(contact), contact)
+    panel.begin_with(contact)
+    panel.present()
+    return panel
+
+
+class ContactPanel(Panel):
+    """Finds or picks the vertices of both sides; the document changes when the user says OK."""
+
+    def __init__(self, assembly, contact=None):
+        super().__init__("contact", "MarkContact", "Contact")
+        self._assembly, self._contact = assembly, contact
+        self._parts = {part.Name: part for part in model.parts(assembly)}
+        with actions.waiting():
+            self._sides = ContactSides(seen.part_meshes(assembly))
+        self._views = {}
+        self._hovered = ""
+        self._hover = Highlight()
+        self._viewport = Viewport(Gui.activeDocument().activeView(), self)
+        self._tools = PickTools(self.form, None, self._refresh)
+        self._tools.choose(picking.FACE)
+        self._prepare_widgets()
+
+    def begin(self, chosen) -> None:
+        """Starts with up to two parts that were selected."""
+        for part in chosen[:2]:
+            self._sides.take(part.Name)
+        self._estimate_distance()
+        self._follow_parts()
+
+    def begin_with(self, contact) -> None:
+        """Starts with what a contact has."""
+        for side, part in (("a", contact.PartA), ("b", contact.PartB)):
+            self._sides.put(side, part.Name, model.contact_vertices(contact, side).tolist())
+            getattr(self.form, f"part_{side}").setEnabled(False)
+        self.form.way.setCurrentIndex(WAYS.index("a"))
+        self.form.active.setChecked(contact.Active)
+        self.form.type.setCurrentIndex(contact_types.TYPES.index(contact.Type))
+        self._follow_parts()
+
+    # -- the mouse in the 3D view
+
+    def on_move(self, pointer) -> None:
+        """Highlights the part, or the vertices, that a click would take."""
+        ray = None if pointer is None else Ray(pointer.origin, pointer.direction)
+        side = self._side_by_hand()
+        if side in self._views:
+            self._views[side].show_aimed(self._sides.pickers[side].aim(ray) if ray else ())
+        elif self._contact is None:
+            self._light(self._sides.part_at(ray) if ray else "")
+
+    def on_click(self, pointer) -> None:
+        """Takes a part, or vertices while a side is picked by hand."""
+        ray = Ray(pointer.origin, pointer.direction)
+        side = self._side_by_hand()
+        if side in self._views:
+            self._sides.pickers[side].click(ray, picking.mode_of(pointer.shift, pointer.control))
+            self._refresh()
+        elif self._contact is None and self._sides.take(self._sides.part_at(ray)):
+            self._light("")
+            self._estimate_distance()
+            self._follow_parts()
+
+    def on_escape(self) -> None:
+        """Escape in the view is Cancel."""
+        self.reject()
+
+    # -- the buttons of the task view
+
+    def accept(self) -> bool:
+        """OK: one undo step; as long as a side is empty the panel stays and says so."""
+        fault = self._fault()
+        if fault:
+            say(self.form.message, fault, True)
+            return False
+        try:
+            actions.run("Mark Contact", *self._lines(), document=self._assembly.Document)
+        except actions.FAULTS as error:
+            say(self.form.message, str(error), True)
+            return False
+        self._release()
+        return self.finish()
+
+    def reject(self) -> bool:
+        """Cancel: nothing has changed."""
+        self._release()
+        return self.finish()
+
+    def _fault(self) -> str:
+        """Why there is no contact yet, in words; empty if there is one."""
+        if not self._sides.are_chosen:
+            return "Choose two parts: click on one, then on the other."
+        if all(self._sides.picked(side) for side in "ab"):
+            return ""
+        if self._side_by_hand():
+            return "A side is empty: pick at least one vertex on each part."
+        return "The parts are farther apart than that: give a larger gap distance, or pick by hand."
+
+    def _lines(self) -> list[str]:
+        """The calls of the API that make the contact, or change what is different now."""
+        kind, active = contact_types.TYPES[self.form.type.currentIndex()], self._is_active()
+        picked = {side: self._sides.picked(side) for side in "ab"}
+        if self._contact is not None:
+            return self._changes(picked, kind, active)
+        ends = [
+            f"({name(self._parts[self._sides.parts[s]])}, {actions.vertices(picked[s])})"
+            for s in "ab"
+        ]
+        made = call("add_contact", name(self._assembly), *ends, type=repr(kind))
+        return [made if active else call("set_active", made, "False")]
+
+    def _changes(self, picked, kind: str, active: bool) -> list[str]:
+        contact, lines = self._contact, []
+        for side, vertices in picked.items():
+            if vertices != model.contact_vertices(contact, side).tolist():
+                wanted = actions.vertices(vertices)
+                lines.append(call("set_contact_vertices", name(contact), repr(side), wanted))
+        if kind != contact.Type:
+            lines.append(call("set_contact_type", name(contact), repr(kind)))
+        if active != contact.Active:
+            lines.append(call("set_active", name(contact), repr(active)))
+        return lines
+
+    def _release(self) -> None:
+        """Gives the mouse back and takes the drawing away."""
+        self._viewport.release()
+        self._tools.release()
+        self._hover.clear()
+        for view in self._views.values():
+            view.remove()
+
+    # -- the widgets
+
+    def _prepare_widgets(self) -> None:
+        form = self.form
+        for side in "ab":
+            getattr(form, f"chip_{side}").setText(chip(colours.SIDES[side]))
+            combo = getattr(form, f"part_{side}")
+            combo.addItem("Click on a part…", "")
+            for part in self._parts.values():
+                combo.addItem(part.Label, part.Name)
+            combo.activated.connect(lambda _index, s=side: self._choose_part(s))
+        form.distance.setProperty("unit", "mm")
+        form.distance.setProperty("minimum", 0.0)
+        form.distance.setProperty("rawValue", 2.0)
+        form.distance.valueChanged.connect(self._touch)
+        form.way.currentIndexChanged.connect(self._choose_way)
+        form.type.currentIndexChanged.connect(self._explain)
+        contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
+        say(form.message, "")
+
+    def _explain(self, index: int) -> None:
+        self.form.type_text.setText(contact_types.TYPE_TEXTS[index])
+
+    def _is_active(self) -> bool:
+        return self.form.active.isChecked()
+
+    def _side_by_hand(self) -> str:
+        """The side that is picked by hand, or an empty string."""
+        return WAYS[self.form.way.currentIndex()]
+
+    def _choose_part(self, side: str) -> None:
+        """A part was chosen in a list."""
+        self._sides.put(side, getattr(self.form, f"part_{side}").currentData())
+        self._estimate_distance()
+        self._follow_parts()
+
+    def _estimate_distance(self) -> None:
+        """A distance at which the parts touch; 2 mm where that is enough."""
+        if self._sides.are_chosen:
+            with actions.waiting():
+                reach = reach_that_touches(self._touching, self._sides.size())
+            self.form.distance.setProperty("rawValue", reach)
+
+    def _touching(self, distance: float) -> tuple:
+        first, second = (self._parts[self._sides.parts[side]] for side in "ab")
+        return api.touching_vertices(first, second, distance)
+
+    def _touch(self, *_) -> None:
+        """Takes the vertices within the gap distance, unless they are picked by hand."""
+        if self._sides.are_chosen and not self._side_by_hand():
+            with actions.waiting():
+                self._sides.pick(*self._touching(float(self.form.distance.property("rawValue"))))
+        self._refresh()
+
+    def _choose_way(self, *_) -> None:
+        self._light("")
+        self._follow_parts()
+
+    def _follow_parts(self) -> None:
+        """Shows both parts in the lists and gives each side its colour in the view."""
+        for view in self._views.values():
+            view.remove()
+        self._views = {}
+        for side, part in self._sides.parts.items():
+            combo = getattr(self.form, f"part_{side}")
+            combo.setCurrentIndex(combo.findData(part))
+            if part:
+                view, triangles = self._parts[part].ViewObject, self._sides.mesh(side).triangles
+                colour = colours.SIDES[side]
+                self._views[side] = PickView(view, triangles, colour, on_top=True)
+        by_hand = self._side_by_hand()
+        self._tools.use(self._sides.pickers[by_hand] if by_hand else None)
+        self.form.pick.setVisible(bool(by_hand))
+        self.form.distance.setEnabled(not by_hand)
+        self._touch()
+
+    def _light(self, part: str) -> None:
+        """Lights up the part under the mouse."""
+        part = "" if part in self._sides.parts.values() else part
+        if part == self._hovered:
+            return
+        self._hovered = part
+        self._hover.clear()
+        if part:
+            shown = self._parts[part]
+            self._hover.paint(shown.ViewObject, seen.triangles(shown), colours.HOVER)
+
+    def _refresh(self) -> None:
+        """Shows what is picked."""
+        for side in "ab":
+            picked = self._sides.picked(side)
+            getattr(self.form, f"count_{side}").setText(f"{len(picked)} vertices" if picked else "")
+            if side in self._views:
+                self._views[side].show_picked(picked)
+                self._views[side].show_aimed(())
+        self._tools.show_state()
+        fault = self._fault()
+        say(self.form.message, fault, self._sides.are_chosen and bool(fault))

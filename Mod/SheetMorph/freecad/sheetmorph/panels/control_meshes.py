@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which control meshes there are to show."""
+
+from freecad.sheetmorph.objects import model
+
+
+def collect(assembly, ask, chosen=()) -> list:
+    """The control meshes (vertices, triangles) of chosen contacts, else of all; or the single one.
+
+    ``ask(contact or None)`` answers as ``api.control_mesh`` does.
+    """
+    if assembly.Propagation == "single":
+        wanted = [None]
+    else:
+        wanted = list(chosen) or model.contacts(assembly)
+    found = [ask(contact) for contact in wanted]
+    return [mesh for mesh in found if mesh is not None]

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The fields of a motion in the Move Handle panel: between widgets and numbers."""
+
+from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.tools.motion import CENTROID, Motion
+
+DRIVEN = {
+    "translation_x": "TranslationX",
+    "translation_y": "TranslationY",
+    "translation_z": "TranslationZ",
+    "angle": "Angle",
+}
+
+
+class MotionFields(QtCore.QObject):
+    """Reads and writes the fields; ``changed`` is sent when the user changes one."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, form):
+        super().__init__()
+        self._form = form
+        self._is_writing = False
+        self._at_centroid = True
+        form.angle.setProperty("unit", "deg")
+        form.angle.setProperty("singleStep", 1.0)
+        form.angle.valueChanged.connect(self._send)
+        for c in "xyz":
+            shift = getattr(form, f"translation_{c}")
+            shift.setProperty("unit", "mm")
+            shift.setProperty("singleStep", 1.0)
+            shift.valueChanged.connect(self._send)
+            getattr(form, f"axis_{c}").valueChanged.connect(self._send)
+            getattr(form, f"pivot_{c}").valueChanged.connect(self._leave_centroid)
+            getattr(form, f"along_{c}").clicked.connect(lambda _=False, d=c: self._turn_about(d))
+        form.centre.clicked.connect(self._return_to_centroid)
+
+    def read(self) -> Motion:
+        """The motion the fields say."""
+        form = self._form
+        shift = tuple(float(getattr(form, f"translation_{c}").property("rawValue")) for c in "xyz")
+        axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
+        pivot = tuple(getattr(form, f"pivot_{c}").value() for c in "xyz")
+        angle = float(form.angle.property("rawValue"))
+        return Motion(shift, axis, angle, CENTROID if self._at_centroid else pivot)
+
+    def write(self, motion: Motion, pivot) -> None:
+        """Shows a motion without sending ``changed``; ``pivot`` (3,) mm: where the centroid is."""
+        self._is_writing = True
+        self._at_centroid = motion.pivot == CENTROID
+        shown = pivot if self._at_centroid else motion.pivot
+        for k, c in enumerate("xyz"):
+            getattr(self._form, f"translation_{c}").setProperty("rawValue", motion.translation[k])
+            getattr(self._form, f"axis_{c}").setValue(motion.axis[k])
+            getattr(self._form, f"pivot_{c}").setValue(shown[k])
+        self._form.angle.setProperty("rawValue", motion.angle)
+        self._form.centre.setEnabled(not self._at_centroid)
+        self._is_writing = False
+
+    def show_pivot(self, pivot) -> None:
+        """Shows where the pivot is, (3,) mm, when it is the centroid."""
+        if not self._at_centroid:
+            return
+        self._is_writing = True
+        for k, c in enumerate("xyz"):
+            getattr(self._form, f"pivot_{c}").setValue(pivot[k])
+        self._is_writing = False
+
+    def release(self) -> None:
+        """Lets go of the widgets; nothing is read or written any more."""
+        self._form = None
+
+    def lock(self, expressions: dict[str, str]) -> None:
+        """Fields that an expression drives cannot be typed into; ``expressions`` by property."""
+        for field, owner in DRIVEN.items():
+            text = expressions.get(owner, "")
+            widget = getattr(self._form, field)
+            widget.setEnabled(not text)
+            if text:
+                widget.setToolTip(f"Driven by the expression {text}")
+
+    def _send(self, *_) -> None:
+        if not self._is_writing:
+            self.changed.emit()
+
+    def _leave_centroid(self, *_) -> None:
+        if not self._is_writing:
+            self._at_centroid = False
+            self._form.centre.setEnabled(True)
+            self.changed.emit()
+
+    def _return_to_centroid(self) -> None:
+        self._at_centroid = True
+        self._form.centre.setEnabled(False)
+        self.changed.emit()
+
+    def _turn_about(self, direction: str) -> None:
+        self._is_writing = True
+        for c in "xyz":
+            getattr(self._form, f"axis_{c}").setValue(1.0 if c == direction else 0.0)
+        self._is_writing = False
+        self.changed.emit()

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that shows how the motion goes from part to part, and lets the user steer it."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions, api, seen
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import contact_types, control_meshes, propagation_tree
+from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.qt import QtWidgets
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.highlight import Highlight
+from freecad.sheetmorph.scene.wireframe import Wireframe
+
+KINDS = ("local", "single")
+
+
+def open_panel(assembly):
+    """Opens the panel for a morph; returns the panel."""
+    panel = PropagationPanel(assembly)
+    panel.present()
+    return panel
+
+
+class PropagationPanel(Panel):
+    """Every change is an undo step and a macro line of its own; there is nothing to cancel."""
+
+    width = 460  # for names in a tree
+
+    def __init__(self, assembly):
+        super().__init__("propagation", "Propagation", "Propagation")
+        self._assembly = assembly
+        self._chosen = None
+        self._steps = []
+        self._is_filling = False
+        self._highlight = Highlight()
+        self._wires = None
+        self._prepare_widgets()
+        self._fill()
+
+    def getStandardButtons(self) -> int:
+        """Only Close."""
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterSelection(self) -> bool:
+        """What is clicked in the panel is selected in the document."""
+        return True
+
+    def reject(self) -> bool:
+        """Close."""
+        self._highlight.clear()
+        self._show_meshes(False)
+        return self.finish()
+
+    # -- what the user changes
+
+    def _change(self, title: str, function: str, *arguments: str, **keywords: str) -> None:
+        """Does it as one undo step, and shows what has become of it."""
+        if not self._is_filling:
+            actions.attempt(
+                title, call(function, *arguments, **keywords), document=self._assembly.Document
+            )
+            self._fill()
+
+    def _change_propagation(self, *_) -> None:
+        form = self.form
+        self._change(
+            "Propagation",
+            "set_propagation",
+            name(self._assembly),
+            repr(KINDS[form.kind.currentIndex()]),
+            levels=repr(form.levels.value()),
+            smoothness=repr(round(form.smoothness.value(), 6)),
+        )
+
+    def _change_mode(self, mode: int) -> None:
+        self._change("Mode", "set_mode", name(self._chosen), repr(mode))
+
+    def _change_type(self, index: int) -> None:
+        kind = repr(contact_types.TYPES[index])
+        self._change("Contact Type", "set_contact_type", name(self._chosen), kind)
+
+    def _change_active(self, active: bool) -> None:
+        self._change("Use Contact", "set_active", name(self._chosen), repr(bool(active)))
+
+    def _make_primary(self, *_) -> None:
+        self._change("Set as Primary", "set_primary", name(self._assembly), name(self._chosen))
+
+    # -- what the user sees
+
+    def _fill(self) -> None:
+        """Shows the morph as it is in the document."""
+        self._is_filling = True
+        form = self.form
+        form.kind.setCurrentIndex(KINDS.index(self._assembly.Propagation))
+        form.levels.setValue(self._assembly.Levels)
+        form.smoothness.setValue(self._assembly.Smoothness)
+        try:
+            self._steps = api.propagation(self._assembly)
+            say(form.message, "")
+        except actions.FAULTS as error:
+            self._steps = []
+            say(form.message, str(error), True)
+        chosen = self._chosen.Name if self._chosen else ""
+        propagation_tree.fill(form.tree, self._assembly, self._steps)
+        form.tree.setCurrentItem(propagation_tree.row_of(form.tree, chosen) if chosen else None)
+        self._is_filling = False
+        say(form.hint, self._hint())
+        self._choose()
+
+    def _hint(self) -> str:
+        """What to do next, if anything."""
+        if not self._steps:
+            return "" if self.form.message.text() else "Mark a fixed region and a handle first."
+        if any(step.level < 0 for step in self._steps):
+            return propagation_tree.HINT
+        return ""
+
+    def _choose(self) -> None:
+        """Shows what belongs to the row that is chosen."""
+        if self._is_filling:
+            return
+        row = self.form.tree.currentItem()
+        found = row.data(0, propagation_tree.OBJECT) if row else None
+        self._chosen = self._assembly.Document.getObject(found) if found else None
+        self._show_details()
+        self._show_highlight()
+        self._draw_meshes()
+        Gui.Selection.clearSelection()
+        if self._chosen is not None:
+            Gui.Selection.addSelection(self._chosen)
+
+    def _show_details(self) -> None:
+        """The fields of a part or of a contact."""
+        form, chosen = self.form, self._chosen
+        kind = model.kind(chosen) if chosen else ""
+        self._is_filling = True
+        form.part_box.setVisible(kind == model.PART)
+        form.contact_box.setVisible(kind == model.CONTACT)
+        if kind == model.PART:
+            form.part_box.setTitle(chosen.Label)
+            is_primary = chosen == self._assembly.Primary
+            form.mode.setEnabled(not is_primary)
+            mode = chosen.getEnumerationsOfProperty("Mode").index(chosen.Mode)
+            form.mode.setCurrentIndex(mode)
+            form.mode_text.setText(contact_types.MODE_TEXTS[mode])
+            form.primary.setEnabled(not is_primary)
+        elif kind == model.CONTACT:
+            form.contact_box.setTitle(chosen.Label)
+            kind = contact_types.TYPES.index(chosen.Type)
+            form.type.setCurrentIndex(kind)
+            form.type_text.setText(contact_types.TYPE_TEXTS[kind])
+            form.active.setChecked(chosen.Active)
+        self._is_filling = False
+
+    def _contacts(self) -> list:
+        """The contacts of the row that is chosen: itself, or those that drive its part."""
+        if self._chosen is None:
+            return []
+        if model.kind(self._chosen) == model.CONTACT:
+            return [self._chosen]
+        return [c for step in self._steps if step.part == self._chosen for c in step.contacts]
+
+    def _show_highlight(self) -> None:
+        """Tints the parts, and colours both sides of the contacts."""
+        self._highlight.clear()
+        sides = [
+            (part, model.contact_vertices(contact, side), colours.SIDES[side])
+            for contact in self._contacts()
+            for side, part in (("a", contact.PartA), ("b", contact.PartB))
+            if part is not None
+        ]
+        tints = {part.Name: (part, colours.light(colour)) for part, _, colour in sides}
+        if self._chosen is not None and model.kind(self._chosen) == model.PART:
+            tints = {self._chosen.Name: (self._chosen, colours.HOVER)}
+        for part, tint in tints.values():
+            self._highlight.paint(part.ViewObject, seen.triangles(part), tint)
+        for part, vertices, colour in sides:
+            self._highlight.paint(part.ViewObject, seen.triangles(part), colour, vertices)
+
+    def _show_meshes(self, is_shown: bool) -> None:
+        """Control meshes in the view, or none."""
+        if self._wires is not None:
+            self._wires.remove()
+            self._wires = None
+        if is_shown:
+            view = Gui.getDocument(self._assembly.Document.Name).activeView()
+            self._wires = Wireframe(view)
+            self._draw_meshes()
+
+    def _draw_meshes(self) -> None:
+        """The control mesh of the contact that is chosen, else of all that have one."""
+        if self._wires is None:
+            return
+        try:
+            meshes = control_meshes.collect(
+                self._assembly, lambda c: api.control_mesh(self._assembly, c), self._contacts()
+            )
+        except actions.FAULTS as error:
+            meshes = []
+            say(self.form.message, str(error), True)
+        self._wires.show(meshes)
+
+    # -- the widgets
+
+    def _prepare_widgets(self) -> None:
+        form = self.form
+        contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
+        contact_types.fill(form.mode, contact_types.MODE_NAMES, contact_types.MODE_TEXTS)
+        form.kind.currentIndexChanged.connect(self._change_propagation)
+        form.levels.valueChanged.connect(self._change_propagation)
+        form.smoothness.valueChanged.connect(self._change_propagation)
+        form.tree.itemSelectionChanged.connect(self._choose)
+        form.mode.activated.connect(self._change_mode)
+        form.primary.clicked.connect(self._make_primary)
+        form.type.activated.connect(self._change_type)
+        form.active.clicked.connect(self._change_active)
+        form.meshes.toggled.connect(self._show_meshes)

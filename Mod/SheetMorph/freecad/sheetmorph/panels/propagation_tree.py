@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tree of the Propagation panel: parts under what they follow, contacts under their part."""
+
+from freecad.sheetmorph import paths
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
+
+OBJECT = QtCore.Qt.UserRole
+HINT = "Parts not reached stay at rest: mark a contact that joins them to a part above."
+ROW, LOW, HIGH = 18, 160, 420  # px: a row, and the tree at least and at most
+IDLE = "Contacts that move nothing: switched off, between parts not reached, or not needed."
+
+
+def fill(tree, assembly, steps) -> None:
+    """Shows the steps of ``api.propagation`` and, last, what is not reached or not used."""
+    tree.clear()
+    rows, used = {}, set()
+    for step in steps:
+        if step.level >= 0:
+            rows[step.part.Name] = (step.level, _add_part(tree, assembly, step, rows))
+            used.update(contact.Name for contact in step.contacts)
+    reached = set(rows)
+    rest = [part for part in model.parts(assembly) if part.Name not in reached]
+    _add_group(tree, "Not reached", rest, HINT)
+    idle = [contact for contact in model.contacts(assembly) if contact.Name not in used]
+    _add_group(tree, "Contacts not in use", idle, IDLE)
+    tree.expandAll()
+    tree.setMinimumHeight(min(max(ROW * (_count(tree.invisibleRootItem()) + 2), LOW), HIGH))
+    header = tree.header()
+    header.setStretchLastSection(False)
+    for column in range(tree.columnCount()):
+        fit = QtWidgets.QHeaderView.ResizeToContents
+        header.setSectionResizeMode(column, fit if column else QtWidgets.QHeaderView.Stretch)
+
+
+def row_of(tree, obj_name: str):
+    """The first row of an object, None if there is none."""
+    flags = QtWidgets.QTreeWidgetItemIterator.All
+    found = QtWidgets.QTreeWidgetItemIterator(tree, flags)
+    while found.value() is not None:
+        if found.value().data(0, OBJECT) == obj_name:
+            return found.value()
+        found += 1
+    return None
+
+
+def _count(row) -> int:
+    """How many rows are beneath a row."""
+    return sum(1 + _count(row.child(k)) for k in range(row.childCount()))
+
+
+def sources(step) -> list:
+    """The parts a step's part follows, in the order of its contacts."""
+    return [c.PartB if c.PartA == step.part else c.PartA for c in step.contacts]
+
+
+def _add_part(tree, assembly, step, rows):
+    above = [rows[source.Name] for source in sources(step) if source.Name in rows]
+    nearest = min(above, key=lambda found: found[0], default=(0, tree))
+    row = _row(nearest[1], step.part)
+    row.setText(1, f"level {step.level}" if step.level else "primary")
+    if step.part == assembly.Primary:
+        font = row.font(0)
+        font.setBold(True)
+        row.setFont(0, font)
+    for contact, source in zip(step.contacts, sources(step)):
+        _add_contact(row, contact, f"from {source.Label}")
+    return row
+
+
+def _add_contact(above, contact, origin: str) -> None:
+    row = _row(above, contact)
+    row.setText(1, contact.Type.replace("control ", "") if contact.Active else "off")
+    row.setToolTip(1, contact.Type if contact.Active else "not in use")
+    row.setText(2, _millimetres(contact.GapChange.Value) if contact.Active else "")
+    row.setToolTip(0, f"{contact.Label}, {origin}: {_parts_of(contact)}")
+    row.setToolTip(2, "How much the gap between both sides has changed, at most")
+
+
+def _add_group(tree, title: str, objects, hint: str) -> None:
+    """A row with others beneath; none if there are none."""
+    if not objects:
+        return
+    group = QtWidgets.QTreeWidgetItem(tree, [title])
+    group.setToolTip(0, hint)
+    group.setForeground(0, tree.palette().placeholderText())
+    for obj in objects:
+        if model.kind(obj) == model.CONTACT:
+            _add_contact(group, obj, "not in use")
+        else:
+            _row(group, obj).setToolTip(0, hint)
+
+
+def _row(above, obj):
+    row = QtWidgets.QTreeWidgetItem(above, [obj.Label])
+    row.setData(0, OBJECT, obj.Name)
+    icon = "MarkContact" if model.kind(obj) == model.CONTACT else "Part"
+    row.setIcon(0, QtGui.QIcon(paths.icon(icon)))
+    return row
+
+
+def _parts_of(contact) -> str:
+    return " – ".join(part.Label if part else "?" for part in (contact.PartA, contact.PartB))
+
+
+def _millimetres(value: float) -> str:
+    """A small length as a person reads it."""
+    return f"{value:.3f}" if value >= 0.0005 or value == 0.0 else "< 0.001"

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of Check Installation, ready to copy."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import kernel
+from freecad.sheetmorph.qt import QtGui, QtWidgets
+
+
+def show() -> None:
+    """Shows the report; Copy puts it on the clipboard."""
+    dialog = QtWidgets.QDialog(Gui.getMainWindow())
+    dialog.setObjectName("SheetMorphReport")
+    dialog.setWindowTitle("Check Installation")
+    dialog.resize(720, 420)
+    text = QtWidgets.QPlainTextEdit(kernel.report(), dialog)
+    text.setReadOnly(True)
+    text.setLineWrapMode(QtWidgets.QPlainTextEdit.WidgetWidth)
+    text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont))
+    buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close, dialog)
+    copy = buttons.addButton("Copy", QtWidgets.QDialogButtonBox.ActionRole)
+    clipboard = QtWidgets.QApplication.clipboard()
+    copy.clicked.connect(lambda: clipboard.setText(text.toPlainText()))
+    buttons.rejected.connect(dialog.reject)
+    column = QtWidgets.QVBoxLayout(dialog)
+    column.addWidget(text)
+    column.addWidget(buttons)
+    dialog.show()

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A morph as a recipe: reads the objects of a document, knows nothing of meshes or the kernel."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.part import MODES
+from freecad.sheetmorph.objects.region import (
+    FIXED,
+    FOLLOWER,
+    FORM_FEATURE,
+    HANDLE,
+    PRESCRIBED,
+)
+
+FORMAT = 1
+"""Version of the recipe's format."""
+
+KEYS = {FIXED: "fixed", HANDLE: "handles", FORM_FEATURE: "features", FOLLOWER: "regions"}
+"""Where a recipe lists the regions of a role."""
+
+
+def names_of(assembly) -> dict[str, str]:
+    """Return the recipe's name of every part, region and contact by document object name.
+
+    Labels, because the user reads them; an equal label gets the object's own name behind it.
+    """
+    names: dict[str, str] = {}
+    for objects in (model.parts(assembly), model.regions(assembly), model.contacts(assembly)):
+        taken: set[str] = set()
+        for obj in objects:
+            name = obj.Label if obj.Label not in taken else f"{obj.Label} ({obj.Name})"
+            taken.add(name)
+            names[obj.Name] = name
+    return names
+
+
+def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
+    """Return the recipe of `assembly` without its pose; raises ValueError for lost vertices.
+
+    `ids`: by object name of a part the ids (n,) of its vertices in its file. The parts have no
+    files; who writes a recipe adds them.
+    """
+    names = names_of(assembly)
+    found = model.parts(assembly)
+    recipe = {
+        "sheetmorph": FORMAT,
+        "parts": [part_entry(part, names) for part in found],
+        "primary": names[primary_of(assembly).Name] if found else "",
+        "energy": assembly.Energy,
+        "fixed": [],
+        "handles": [],
+        "features": [],
+        "regions": [],
+    }
+    if len(found) > 1:
+        recipe["propagation"] = propagation_of(assembly)
+    for region in model.regions(assembly):
+        if region.Part is None or region.Part.Name not in ids:
+            continue
+        recipe[KEYS[region.Role]].append(entry_of(region, names, ids[region.Part.Name]))
+    recipe["contacts"] = [contact_entry(c, names, ids) for c in used_contacts(assembly)]
+    for key, entries in extras_of(assembly).items():
+        named = [{**e, "part": names[e["part"]]} for e in entries if e["part"] in names]
+        recipe[key] = recipe.get(key, []) + named
+    return recipe
+
+
+def primary_of(assembly):
+    """Return the primary part: the chosen one, else the first; None without parts."""
+    found = model.parts(assembly)
+    if assembly.Primary in found:
+        return assembly.Primary
+    return found[0] if found else None
+
+
+def part_entry(part, names: dict[str, str]) -> dict:
+    """Return the recipe's entry of a part without its file."""
+    mode = MODES.index(part.Mode)
+    return {"name": names[part.Name], **({"mode": mode} if mode else {})}
+
+
+def propagation_of(assembly) -> dict:
+    """Return how the motion reaches the other parts, as a recipe has it."""
+    return {
+        "type": assembly.Propagation,
+        "levels": assembly.Levels,
+        "smoothness": assembly.Smoothness,
+    }
+
+
+def used_contacts(assembly) -> list:
+    """Return the contacts that are active and have both their parts."""
+    return [c for c in model.contacts(assembly) if c.Active and has_both_parts(c, assembly)]
+
+
+def has_both_parts(contact, assembly) -> bool:
+    """Whether both parts of a contact are in the assembly: neither deleted nor dragged out."""
+    found = model.parts(assembly)
+    return contact.PartA in found and contact.PartB in found
+
+
+def contact_entry(contact, names: dict[str, str], ids: dict[str, np.ndarray]) -> dict:
+    """Return the recipe's entry of one contact; raises ValueError for lost vertices."""
+    entry = {"name": names[contact.Name], "type": contact.Type}
+    for side, part in (("a", contact.PartA), ("b", contact.PartB)):
+        vertices = model.contact_vertices(contact, side)
+        chosen = ids_of(vertices, (f"Contact '{contact.Label}'", part), ids[part.Name])
+        entry[side] = {"part": names[part.Name], "vertices": chosen}
+    return entry
+
+
+def ids_of(vertices: np.ndarray, owner: tuple, ids: np.ndarray) -> list[int]:
+    """Return the file ids of vertices; `owner`: who has them, as text, and the part.
+
+    Raises ValueError if there are none, or one that the part has no longer.
+    """
+    word, part = owner
+    if len(vertices) == 0:
+        raise ValueError(f"{word} has no vertices; pick some or delete it.")
+    if vertices.max() >= len(ids):
+        raise ValueError(
+            f"{word}: vertex {vertices.max()} is no longer in part "
+            f"'{part.Label}', which has 0 .. {len(ids) - 1}; pick again."
+        )
+    return ids[vertices].tolist()
+
+
+def entry_of(region, names: dict[str, str], ids: np.ndarray) -> dict:
+    """Return the recipe's entry of one region; raises ValueError if it has lost its vertices."""
+    owner = (f"Region '{region.Label}'", region.Part)
+    entry = {
+        "name": names[region.Name],
+        "part": names[region.Part.Name],
+        "vertices": ids_of(model.vertices(region), owner, ids),
+    }
+    if region.Role == FOLLOWER:
+        entry["role"] = FOLLOWER
+    if region.Role == FORM_FEATURE:
+        # Only whether it is prescribed is structure; by how much is in the pose.
+        is_prescribed = region.Rotation == PRESCRIBED
+        entry["rotation"] = {"axis": [0, 0, 1], "degrees": 0} if is_prescribed else "interpolated"
+    return entry
+
+
+def pose_of(assembly, names: dict[str, str] | None = None) -> dict:
+    """Return the pose as a recipe has it: motions of handles, rotations of features."""
+    names = names or names_of(assembly)
+    pose = dict(extras_of(assembly, "pose"))
+    for region in model.regions(assembly):
+        if region.Part is None:
+            continue
+        if region.Role == HANDLE:
+            pose[names[region.Name]] = motion_of(region)
+        elif region.Role == FORM_FEATURE and region.Rotation == PRESCRIBED:
+            rotation = rotation_entry(region.RotationAxis, region.RotationAngle)
+            pose[names[region.Name]] = {"rotation": rotation}
+    return pose
+
+
+def motion_of(handle) -> dict:
+    """Return the pose entry of a handle: translation, and rotation and pivot where there is one."""
+    lengths = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
+    motion: dict = {"translation": [length.Value for length in lengths]}
+    if handle.Angle.Value != 0.0:
+        motion["rotation"] = rotation_entry(handle.Axis, handle.Angle)
+    if not handle.PivotAtCentroid:
+        motion["pivot"] = list(handle.Pivot)
+    return motion
+
+
+def rotation_entry(axis, angle) -> dict:
+    """Return a rotation as a recipe has it; a turn by nothing about no axis is none."""
+    if angle.Value == 0.0:
+        return {"axis": [0, 0, 1], "degrees": 0}
+    return {"axis": list(axis), "degrees": angle.Value}
+
+
+def extras_of(assembly, part: str = "recipe") -> dict:
+    """Return what an imported recipe held beyond regions, of the `recipe` or of its `pose`.
+
+    In a recipe those are lists of entries, such as points on triangles; their part is a document
+    object name.
+    """
+    return json.loads(assembly.Extras).get(part, {}) if assembly.Extras else {}

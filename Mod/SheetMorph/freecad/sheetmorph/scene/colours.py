@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The colours of the roles, the same in the 3D view, the icons and the legend."""
+
+Colour = tuple[float, float, float]
+
+ROLES = {
+    "fixed": (0.12, 0.44, 0.77),
+    "handle": (0.94, 0.54, 0.11),
+    "form feature": (0.06, 0.64, 0.49),
+    "follower": (0.53, 0.34, 0.72),
+}
+SIDES = {"a": (0.86, 0.16, 0.44), "b": (0.02, 0.66, 0.78)}
+HOVER = (1.0, 0.93, 0.45)
+SHEET = (0.80, 0.84, 0.88)
+WIRES = (0.36, 0.20, 0.58)
+
+
+def css(colour: Colour) -> str:
+    """A colour with components 0..1 as Qt style sheets write it, e.g. ``#1f70c4``."""
+    return "#" + "".join(f"{round(255 * c):02x}" for c in colour)
+
+
+def light(colour: Colour) -> Colour:
+    """The tint of a colour: for the part around what has the colour itself."""
+    return tuple(0.35 * c + 0.65 for c in colour)

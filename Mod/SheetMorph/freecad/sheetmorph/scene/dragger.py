@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Arrows and arcs in the 3D view that drag a handle: FreeCAD's own dragger, at the pivot."""
+
+import math
+
+from pivy import coin
+
+SIZE = 0.0065  # of the height of the view
+STEP_LENGTH = 0.1  # mm
+STEP_ANGLE = math.radians(1.0)
+
+
+class Dragger:
+    """Reports drags until ``remove`` is called.
+
+    Callbacks go through the view: pivy's own ones call Python without the interpreter's lock.
+    """
+
+    def __init__(self, view, on_drag, on_release):
+        """``on_drag(translation (3,) mm, axis (3,), angle degrees)``; ``on_release()``."""
+        self._view = view
+        self._on_drag, self._on_release = on_drag, on_release
+        self._is_placing = False
+        self._pivot = coin.SoTranslation()
+        made = coin.SoType.fromName("SoFCCSysDragger").createInstance()
+        self._dragger = coin.cast(made, "SoDragger")
+        self._root = coin.SoAnnotation()
+        self._root.addChild(self._pivot)
+        self._root.addChild(self._dragger)
+        self._view.getSceneGraph().addChild(self._root)
+        self._camera = view.getCameraNode()
+        self._sensor = coin.SoNodeSensor(self._resize, None)
+        self._sensor.attach(self._camera)
+        self._callbacks = {"addMotionCallback": self._moved, "addFinishCallback": self._released}
+        for kind, function in self._callbacks.items():
+            view.addDraggerCallback(self._dragger, kind, function)
+
+    def place(self, pivot, motion) -> None:
+        """Shows a motion (translation mm, axis, angle degrees) about a pivot (3,) mm."""
+        self._is_placing = True
+        self._pivot.translation.setValue(*pivot)
+        rotation = coin.SbRotation(coin.SbVec3f(*motion.axis), math.radians(motion.angle))
+        self._field("translation").setValue(*motion.translation)
+        self._field("rotation").setValue(rotation)
+        self._field("translationIncrement").setValue(STEP_LENGTH)
+        self._field("rotationIncrement").setValue(STEP_ANGLE)
+        self._resize()
+        self._is_placing = False
+
+    def remove(self) -> None:
+        """Takes the dragger out of the view; the view may be closed already."""
+        self._sensor.detach()
+        try:
+            for kind, function in self._callbacks.items():
+                self._view.removeDraggerCallback(self._dragger, kind, function)
+            self._view.getSceneGraph().removeChild(self._root)
+        except RuntimeError:
+            return
+
+    def _field(self, name: str):
+        return self._dragger.getField(name)
+
+    def _moved(self, _dragger) -> None:
+        if self._is_placing:
+            return
+        rotation = self._field("rotation").getValue()
+        axis, angle = rotation.getAxisAngle()
+        translation = tuple(rounded(v) for v in self._field("translation").getValue().getValue())
+        direction = tuple(rounded(v) for v in axis.getValue())
+        self._on_drag(translation, direction, rounded(math.degrees(angle)))
+
+    def _released(self, _dragger) -> None:
+        self._on_release()
+
+    def _resize(self, *_) -> None:
+        """The same size on the screen at every zoom; FreeCAD's own way is not for Python."""
+        width, height = self._view.getSize()
+        volume = self._camera.getViewVolume(width / max(height, 1))
+        place = self._pivot.translation.getValue() + self._field("translation").getValue()
+        self._field("draggerSize").setValue(volume.getWorldToScreenScale(place, SIZE))
+
+
+def rounded(value: float) -> float:
+    """Without the noise of single precision; 1e-4 mm or degrees is far finer than a mouse."""
+    return round(float(value), 4) + 0.0

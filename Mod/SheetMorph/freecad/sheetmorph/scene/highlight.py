@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whole parts, or some of their vertices, in colours for a while."""
+
+import numpy as np
+
+from freecad.sheetmorph.scene import nodes
+from freecad.sheetmorph.scene.patch import Patch
+
+
+class Highlight:
+    """What was painted stays until ``clear``; later paint lies over earlier."""
+
+    def __init__(self):
+        self._painted = []
+
+    def paint(self, view_object, triangles, colour, vertices=None) -> None:
+        """Colours ``vertices`` (ids), or tints all, of the part with ``triangles`` (m, 3)."""
+        is_tint = vertices is None
+        shown, width = nodes.coordinates(view_object), 0.0 if is_tint else 3.0
+        patch = Patch(shown, colour, width, on_top=not is_tint)
+        patch.show(triangles, np.unique(triangles) if is_tint else vertices)
+        view_object.RootNode.addChild(patch.node)
+        self._painted.append((view_object.RootNode, patch.node))
+
+    def clear(self) -> None:
+        """Takes all of it away."""
+        for root, node in self._painted:
+            if root.findChild(node) >= 0:
+                root.removeChild(node)
+        self._painted = []

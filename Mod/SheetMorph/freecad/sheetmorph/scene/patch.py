@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Vertices of a part drawn in one colour: facets between them, rims as lines, else points."""
+
+import numpy as np
+from pivy import coin
+
+# Maps depth a little nearer, so that what lies in the surface is drawn before it.
+NEARER = 0.9997
+BEHIND = 0.9999  # before the surface, behind what is NEARER
+
+
+class Patch:
+    """A coloured set of vertices; follows the coordinates node it is drawn with."""
+
+    def __init__(self, coordinates, colour, width: float = 4.0, transform=None, *, on_top=False):
+        """Nodes of the part; ``colour``: (r, g, b) 0..1; ``width`` of lines, px.
+
+        Without a width it is a tint: no lines to speak of, and other patches lie over it.
+        ``on_top``: its outline is seen through whatever hides it.
+        """
+        self.node = coin.SoSwitch()
+        self.node.whichChild = coin.SO_SWITCH_NONE
+        self._faces = coin.SoIndexedFaceSet()
+        self._lines = coin.SoIndexedLineSet()
+        self._points = coin.SoIndexedPointSet()
+        separator = coin.SoSeparator()
+        if transform is not None:
+            separator.addChild(transform)
+        for node in _appearance(colour, width):
+            separator.addChild(node)
+        flat = coin.SoLightModel()
+        flat.model = coin.SoLightModel.BASE_COLOR
+        for node in (coordinates, self._faces, flat):
+            separator.addChild(node)
+        outline = coin.SoAnnotation() if on_top else coin.SoGroup()
+        for node in (self._lines, self._points):
+            outline.addChild(node)
+        separator.addChild(outline)
+        self.node.addChild(separator)
+
+    def show(self, triangles: np.ndarray, vertices) -> None:
+        """Shows ``vertices`` (ids) of the mesh with ``triangles`` (m, 3); none hides the patch."""
+        faces, lines, points = pieces(triangles, vertices)
+        _set_index(self._faces, faces)
+        _set_index(self._lines, lines)
+        self._points.coordIndex.setNum(len(points))
+        if len(points):
+            self._points.coordIndex.setValues(0, len(points), [int(p) for p in points])
+        some = len(faces) + len(lines) + len(points) > 0
+        self.node.whichChild = coin.SO_SWITCH_ALL if some else coin.SO_SWITCH_NONE
+
+
+def group():
+    """An empty group to hang patches under."""
+    return coin.SoGroup()
+
+
+def pieces(triangles: np.ndarray, vertices):
+    """How a set of vertices is drawn: (f, 3) facets, (e, 2) edges that outline them, (p,) the rest.
+
+    A facet is drawn if all its vertices are in the set, an edge if both are and at most one
+    facet at it is drawn: so a rim without facets is a line of its own.
+    """
+    chosen = np.zeros(int(triangles.max(initial=-1)) + 1, bool)
+    ids = np.asarray(sorted(vertices), dtype=np.int64)
+    ids = ids[ids < len(chosen)]
+    chosen[ids] = True
+    inside = chosen[triangles] if len(triangles) else np.zeros((0, 3), bool)
+    faces = triangles[inside.all(axis=1)]
+    edges = _edges(triangles[inside.sum(axis=1) == 2])
+    rims = edges[chosen[edges].all(axis=1)]
+    drawn, count = np.unique(_edges(faces), axis=0, return_counts=True)
+    outline = np.unique(np.concatenate([drawn[count == 1], rims]), axis=0)
+    used = np.zeros(len(chosen), bool)
+    used[outline.ravel()] = True
+    used[faces.ravel()] = True
+    return faces, outline, ids[~used[ids]]
+
+
+def _edges(triangles: np.ndarray) -> np.ndarray:
+    """The edges (3m, 2) of triangles, smaller vertex first."""
+    ends = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    return np.sort(ends, axis=1)
+
+
+def _appearance(colour, width):
+    style = coin.SoPickStyle()
+    style.style = coin.SoPickStyle.UNPICKABLE
+    depth = coin.SoDepthBuffer()
+    depth.range.setValue(0.0, NEARER if width else BEHIND)
+    material = coin.SoMaterial()
+    material.diffuseColor = colour
+    material.emissiveColor = tuple(0.2 * c for c in colour)
+    material.specularColor = (0.1, 0.1, 0.1)
+    binding = coin.SoMaterialBinding()
+    binding.value = coin.SoMaterialBinding.OVERALL
+    normals = coin.SoNormalBinding()
+    normals.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.creaseAngle = 0.5
+    draw = coin.SoDrawStyle()
+    draw.pointSize = width + 2.0
+    draw.lineWidth = width or 1.0
+    return style, depth, material, binding, normals, hints, draw
+
+
+def _set_index(node, rows: np.ndarray) -> None:
+    """Writes rows of indices, each closed by -1."""
+    flat = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
+    flat[:, :-1] = rows
+    node.coordIndex.setNum(flat.size)
+    if flat.size:
+        node.coordIndex.setValues(0, flat.size, flat.ravel().tolist())

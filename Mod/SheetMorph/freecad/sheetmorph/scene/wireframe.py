@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Control meshes as wires in the 3D view; they move at every call of ``show``."""
+
+import numpy as np
+from pivy import coin
+
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.tools import wires
+
+NAME = "SheetMorphControlMeshes"
+
+
+class Wireframe:
+    """The wires of some meshes, global mm, until ``remove`` is called."""
+
+    def __init__(self, view):
+        self._view = view
+        self._topology = []
+        self._coordinates = coin.SoCoordinate3()
+        self._lines = coin.SoIndexedLineSet()
+        self._root = coin.SoSeparator()
+        self._root.setName(NAME)
+        style = coin.SoPickStyle()
+        style.style = coin.SoPickStyle.UNPICKABLE
+        flat = coin.SoLightModel()
+        flat.model = coin.SoLightModel.BASE_COLOR
+        colour = coin.SoBaseColor()
+        colour.rgb = colours.WIRES
+        draw = coin.SoDrawStyle()
+        draw.lineWidth = 1.0
+        for node in (style, flat, colour, draw, self._coordinates, self._lines):
+            self._root.addChild(node)
+        view.getSceneGraph().addChild(self._root)
+
+    def show(self, meshes) -> None:
+        """Shows meshes: a list of vertices (m, 3) mm and triangles (t, 3); none shows nothing."""
+        points = np.concatenate([np.zeros((0, 3))] + [mesh[0] for mesh in meshes])
+        self._coordinates.point.setNum(len(points))
+        if len(points):
+            self._coordinates.point.setValues(0, len(points), points.astype(np.float32))
+        topology = [mesh[1] for mesh in meshes]
+        if not same(topology, self._topology):
+            self._topology = topology
+            self._connect(wires.of_all(meshes))
+
+    def positions(self) -> np.ndarray:
+        """The vertices that are in the view: (m, 3) mm, in single precision."""
+        found = [value.getValue() for value in self._coordinates.point.getValues()]
+        return np.array(found, dtype=float).reshape(-1, 3)
+
+    def remove(self) -> None:
+        """Takes the wires out of the view, which may be closed already."""
+        try:
+            self._view.getSceneGraph().removeChild(self._root)
+        except RuntimeError:
+            return
+
+    def _connect(self, edges: np.ndarray) -> None:
+        index = np.full((len(edges), 3), -1, np.int32)
+        index[:, :2] = edges
+        self._lines.coordIndex.setNum(index.size)
+        if index.size:
+            self._lines.coordIndex.setValues(0, index.size, index.ravel().tolist())
+
+
+def same(some: list, others: list) -> bool:
+    """Whether two lists of arrays are equal."""
+    return len(some) == len(others) and all(map(np.array_equal, some, others))

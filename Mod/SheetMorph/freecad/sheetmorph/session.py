@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sessions of the kernel, kept between recomputes and found again by content.
+
+A session is rebuilt only when meshes, regions, contacts or the energy change, and then takes over
+from the one before what did not change. A pose needs none; an undo that brings back an earlier
+state finds its session and its result again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from freecad.sheetmorph import conversion, kernel, recipes
+from freecad.sheetmorph.findings import Findings, Step, findings_of, steps_of
+from freecad.sheetmorph.objects import assembly_of, deformation_of, model
+from freecad.sheetmorph.rest import MorphError, RestPart, read_rest
+
+ControlMesh = tuple[np.ndarray, np.ndarray]
+"""Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
+Progress = Callable[[float, str], bool]
+FAILURES = (ValueError, RuntimeError, OSError)
+"""What the kernel, its package and the document raise for the person to read."""
+
+__all__ = ["LiveSession", "MorphError", "Outcome", "SessionCache", "cache_of", "live", "read_morph"]
+
+
+@dataclass(frozen=True, eq=False)
+class Morph:
+    """All of an assembly that decides the result, read from the document."""
+
+    recipe: dict  # without pose
+    pose: dict
+    rests: dict[str, RestPart]  # by document object name
+    names: dict[str, str]  # document object name -> name in the recipe
+    contacts: dict[str, str]  # name in the recipe -> document object name
+
+    @cached_property
+    def key(self) -> str:
+        """A fingerprint of everything but the pose."""
+        state = hashlib.blake2b(repr(self.recipe).encode(), digest_size=16)
+        for rest in self.rests.values():
+            state.update(rest.digest.encode())
+        return state.hexdigest()
+
+    def is_held(self) -> bool:
+        """Whether anything is fixed or moved, so that there is something to solve."""
+        return any(self.recipe.get(kind) for kind in ("fixed", "handles", "points"))
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What a recompute found: positions of all parts, or why there are none."""
+
+    failure: str = ""
+    status: str = ""
+    morph: Morph | None = None
+    positions: dict[str, np.ndarray] = field(default_factory=dict)  # global, by object name
+    findings: Findings = Findings()
+
+
+def read_morph(assembly) -> Morph:
+    """Read an assembly from its document; raises MorphError if a part has no usable mesh."""
+    rests = {part.Name: read_rest(part) for part in model.parts(assembly)}
+    ids = {name: rest.file_ids() for name, rest in rests.items()}
+    recipe, pose = recipes.recipe_of(assembly, ids), recipes.pose_of(assembly)
+    names = recipes.names_of(assembly)
+    contacts = {names[contact.Name]: contact.Name for contact in model.contacts(assembly)}
+    return Morph(recipe, pose, rests, names, contacts)
+
+
+class SessionCache:
+    """The latest sessions and results of one assembly, found by content."""
+
+    KEPT = 2
+
+    def __init__(self) -> None:
+        self._sessions: OrderedDict[str, Any] = OrderedDict()
+        self._results: OrderedDict[tuple, Any] = OrderedDict()
+        self._writers: dict[str, tuple] = {}
+
+    def session(self, morph: Morph, progress: Progress | None = None):
+        """Return the sheetmorph.Session of `morph`, building it if it is not kept."""
+        key = morph.key
+        if key not in self._sessions:
+            package = kernel.load()
+            meshes = {
+                morph.names[name]: package.PartMesh(
+                    rest.points, rest.triangles, ids=rest.ids, name=rest.label
+                )
+                for name, rest in morph.rests.items()
+            }
+            recipe = {**morph.recipe, "pose": {}}
+            previous = next(reversed(self._sessions.values()), None)
+            found = package.Session(recipe, meshes, progress, previous=previous)
+            self._keep(self._sessions, key, found)
+        self._sessions.move_to_end(key)
+        return self._sessions[key]
+
+    def result(self, morph: Morph, exact: bool = True):
+        """Return the sheetmorph.Result of `morph` in its pose, solving if it is not kept."""
+        key = (morph.key, repr(morph.pose), exact)
+        if key not in self._results:
+            found = self.session(morph).deform(morph.pose, exact=exact)
+            self._keep(self._results, key, found)
+        self._results.move_to_end(key)
+        return self._results[key]
+
+    def positions(self, morph: Morph, exact: bool = True) -> dict[str, np.ndarray]:
+        """Return the global positions (n, 3) of every part by object name; rest if none is held."""
+        if not morph.is_held():
+            return {name: rest.points for name, rest in morph.rests.items()}
+        found = self.result(morph, exact).positions
+        return {name: found[morph.names[name]] for name in morph.rests}
+
+    def solve(self, assembly) -> Outcome:
+        """Read and solve `assembly`; what goes wrong is told in the outcome."""
+        try:
+            morph = read_morph(assembly)
+            positions = self.positions(morph)
+            status = self._status(assembly, morph)
+            found = self.findings(morph)
+        except FAILURES as error:
+            sentence = one_sentence(error)
+            return Outcome(failure=sentence, status=sentence)
+        return Outcome("", status, morph, positions, found)
+
+    def findings(self, morph: Morph) -> Findings:
+        """Return what a recompute tells beyond positions; nothing while nothing is held."""
+        if not morph.is_held():
+            return Findings()
+        return findings_of(self.session(morph), self.result(morph), morph.contacts)
+
+    def steps(self, morph: Morph) -> list[Step]:
+        """Return the parts in the order of propagation; nothing while nothing is held."""
+        if not morph.is_held():
+            return []
+        parts = {morph.names[name]: name for name in morph.rests}
+        return steps_of(self.session(morph), parts, morph.contacts)
+
+    def control_mesh(self, morph: Morph, contact: str | None) -> ControlMesh | None:
+        """Return the control mesh of a contact, by object name, in the pose of `morph`."""
+        if not morph.is_held():
+            return None
+        return shown_control_mesh(self.result(morph), morph, contact)
+
+    def _status(self, assembly, morph: Morph) -> str:
+        if not morph.rests:
+            return "Add a part."
+        if not morph.is_held():
+            return "At rest: mark a fixed region and a handle."
+        lost = [r.Label for r in model.regions(assembly) if r.Part is None]
+        lost += [
+            c.Label for c in model.contacts(assembly) if not recipes.has_both_parts(c, assembly)
+        ]
+        notes = [f"Without a part and ignored: {', '.join(lost)}."] if lost else []
+        unreached = list(self.session(morph).unreached)
+        if unreached:
+            notes.append(f"Not reached from the primary, left at rest: {', '.join(unreached)}.")
+        return " ".join(notes) or "Up to date."
+
+    def mesh(self, outcome: Outcome, part):
+        """Return the FreeCAD mesh of `part` in an outcome without failure."""
+        rest = outcome.morph.rests.get(part.Name)
+        if rest is None:
+            raise MorphError(f"Part '{part.Label}' is in no morph: drag it back into its group.")
+        kept = self._writers.get(part.Name)
+        if kept is None or not np.array_equal(kept[0], rest.triangles):
+            kept = (rest.triangles, conversion.MeshWriter(rest.triangles))
+            self._writers[part.Name] = kept
+        local = rest.frame.to_local(outcome.positions[part.Name])
+        return kept[1].mesh(local, conversion.result_placement(part))
+
+    def _keep(self, store: OrderedDict, key, value) -> None:
+        store[key] = value
+        while len(store) > self.KEPT:
+            store.popitem(last=False)
+
+
+class LiveSession:
+    """A session for dragging: the pose changes, meshes and regions do not."""
+
+    def __init__(self, assembly, progress: Progress | None = None):
+        """Build or find the session of `assembly`; raises MorphError, one sentence."""
+        self._assembly = assembly
+        self._shown: Any = None
+        cache = cache_of(assembly)
+        try:
+            self._morph = read_morph(assembly)
+            self._session = cache.session(self._morph, progress) if self._morph.is_held() else None
+        except FAILURES as error:
+            raise MorphError(one_sentence(error)) from error
+
+    @property
+    def parts(self) -> dict[str, RestPart]:
+        """The parts at rest by document object name."""
+        return self._morph.rests
+
+    def deform(self, overrides: dict | None = None, exact: bool = False) -> dict[str, np.ndarray]:
+        """Return local positions (n, 3) mm of every part, by document object name.
+
+        The pose is the document's; `overrides` replaces entries of it: document object name of a
+        region -> entry of a recipe's pose. Not `exact` is 1e-6 of the size. Raises MorphError.
+        """
+        rests = self.parts
+        if self._session is None:
+            return {name: rest.frame.to_local(rest.points) for name, rest in rests.items()}
+        names = self._morph.names
+        pose = recipes.pose_of(self._assembly, names)
+        pose.update({names[name]: entry for name, entry in (overrides or {}).items()})
+        try:
+            self._shown = self._session.deform(pose, exact=exact)
+        except FAILURES as error:
+            raise MorphError(one_sentence(error)) from error
+        found = self._shown.positions
+        return {name: rest.frame.to_local(found[names[name]]) for name, rest in rests.items()}
+
+    def control_mesh(self, contact=None) -> ControlMesh | None:
+        """Return the control mesh of a contact object in the pose of the last `deform`, global.
+
+        Without contact: the single one around everything. None: there is no such control mesh.
+        """
+        if self._session is None:
+            return None
+        if self._shown is None:
+            self.deform()
+        return shown_control_mesh(self._shown, self._morph, contact and contact.Name)
+
+
+def live(assembly, progress: Progress | None = None) -> LiveSession:
+    """Return a session for dragging handles of `assembly`.
+
+    To commit, set the handles' properties in a transaction and recompute: that solves exactly,
+    with the session built here. `progress(fraction, task)` may return False to cancel.
+    """
+    return LiveSession(assembly, progress)
+
+
+def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
+    """Return global positions (n, 3) mm of every part by object name; raises MorphError."""
+    try:
+        found = cache_of(assembly).positions(read_morph(assembly), exact)
+    except FAILURES as error:
+        raise MorphError(one_sentence(error)) from error
+    return {name: np.array(points) for name, points in found.items()}
+
+
+def shown_control_mesh(result, morph: Morph, contact: str | None) -> ControlMesh | None:
+    """Return the control mesh in a sheetmorph.Result of a contact, by object name, or the one."""
+    if contact is None:
+        return result.control_mesh(None)
+    used = {entry["name"] for entry in morph.recipe["contacts"]}
+    name = morph.names.get(contact)
+    return result.control_mesh(name) if name in used else None
+
+
+def steps(assembly) -> list[Step]:
+    """Return the parts in the order of propagation; raises MorphError."""
+    try:
+        return cache_of(assembly).steps(read_morph(assembly))
+    except FAILURES as error:
+        raise MorphError(one_sentence(error)) from error
+
+
+def control_mesh(assembly, contact=None) -> ControlMesh | None:
+    """Return the control mesh of a contact in the document's pose, global; raises MorphError."""
+    try:
+        name = None if contact is None else contact.Name
+        return cache_of(assembly).control_mesh(read_morph(assembly), name)
+    except FAILURES as error:
+        raise MorphError(one_sentence(error)) from error
+
+
+def cache_of(obj) -> SessionCache:
+    """Return the cache of the assembly that `obj` is or belongs to; raises MorphError."""
+    assembly = assembly_of(obj)
+    deformation = deformation_of(assembly) if assembly is not None else None
+    if deformation is None:
+        raise MorphError(f"'{obj.Label}' is no complete morph: pass one, or undo a deletion in it.")
+    return deformation.Proxy.cache()
+
+
+def one_sentence(error: Exception) -> str:
+    """Return the first fault of an error, and how many more there are."""
+    faults = [line for line in str(error).splitlines() if line.strip()]
+    if not faults:
+        return f"{type(error).__name__} without a message."
+    more = f" (and {len(faults) - 1} more)" if len(faults) > 1 else ""
+    return faults[0] + more

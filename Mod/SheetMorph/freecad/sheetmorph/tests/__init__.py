@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tests that run inside FreeCAD, with and without a window: `freecadcmd -t MODULE`."""
+
+MODULES = tuple(
+    f"freecad.sheetmorph.tests.test_{name}"
+    for name in (
+        "conversion",
+        "kernel",
+        "objects",
+        "regions",
+        "motions",
+        "placements",
+        "documents",
+        "undo",
+        "failures",
+        "contacts",
+        "propagation",
+        "welded",
+        "files",
+        "recipes",
+        "examples",
+        "registration",
+        "live",
+        "scripting",
+    )
+)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Dragging: positions for the screen without touching the document."""
+
+import unittest
+
+import numpy as np
+
+from freecad.sheetmorph import api, session
+from freecad.sheetmorph.tests import support
+
+
+class TestLive(support.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        source = self.add_source()
+        source.Placement = support.placement((500, -40, 70), (1, 2, 3), 75)
+        self.assembly, self.part, self.handle = self.add_morph(source)
+        self.document.recompute()
+        self.live = session.live(self.assembly)
+
+    def test_positions_are_local_and_become_those_of_the_recompute(self):
+        api.set_motion(self.handle, (1, 2, 30), (0, 1, 0), 20)
+        dragged = self.live.deform()[self.part.Name]
+        exact = self.live.deform(exact=True)[self.part.Name]
+        self.document.recompute()
+        shown = support.local_points(self.part)
+        self.assertLess(support.largest(dragged - shown), 1e-3)
+        self.assertLess(support.largest(exact - shown), 1e-4)
+
+    def test_overrides_replace_the_pose_of_the_document(self):
+        moved = {self.handle.Name: {"translation": [0.0, 0.0, 30.0]}}
+        dragged = self.live.deform(moved)[self.part.Name]
+        self.assertEqual(self.handle.TranslationZ.Value, 0.0)
+        self.assert_up_to_date(self.document)
+        api.set_motion(self.handle, (0, 0, 30))
+        np.testing.assert_array_equal(self.live.deform()[self.part.Name], dragged)
+
+    def test_a_drag_and_its_commit_use_one_session(self):
+        cache = session.cache_of(self.assembly)
+        before = cache.session(session.read_morph(self.assembly))
+        api.set_motion(self.handle, (0, 0, 30))
+        self.live.deform()
+        self.document.recompute()
+        self.assertIs(cache.session(session.read_morph(self.assembly)), before)
+
+    def test_the_rest_is_known_in_global_coordinates(self):
+        points, triangles = api.rest_mesh(self.part)
+        rest = self.live.parts[self.part.Name]
+        np.testing.assert_array_equal(rest.points, points)
+        np.testing.assert_array_equal(rest.triangles, triangles)
+
+    def test_a_morph_without_regions_is_at_rest(self):
+        assembly = api.create_assembly(self.document)
+        part = api.add_part(assembly, self.add_source("Other"))
+        found = session.live(assembly).deform()[part.Name]
+        self.assertEqual(support.largest(found - support.local_points(part.Source)), 0.0)
+
+    def test_building_a_session_reports_progress_and_can_be_cancelled(self):
+        api.add_fixed(self.assembly, self.part, [150])
+        with self.assertRaises(session.MorphError):
+            session.live(self.assembly, progress=lambda fraction, task: False)
+        seen: list[float] = []
+
+        def follow(fraction: float, _task: str) -> bool:
+            seen.append(fraction)
+            return True
+
+        session.live(self.assembly, follow)
+        self.assertGreater(len(seen), 0)
+        self.assertTrue(all(0.0 <= fraction <= 1.0 for fraction in seen))
+
+    def test_errors_are_one_sentence(self):
+        with self.assertRaises(session.MorphError) as raised:
+            self.live.deform({self.handle.Name: {"rotation": {"axis": [0, 0, 0], "degrees": 9}}})
+        self.assertNotIn("\n", str(raised.exception))
+        with self.assertRaisesRegex(session.MorphError, "no complete morph"):
+            session.live(self.part.Source)
+
+
+if __name__ == "__main__":
+    unittest.main()

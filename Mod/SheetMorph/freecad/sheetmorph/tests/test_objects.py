@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Assemblies, parts and regions behave like any other document objects."""
+
+import unittest
+
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.region import MOTION, ROTATION
+from freecad.sheetmorph.tests import support
+
+HIDDEN = "Hidden"
+
+
+class TestCreation(support.DocumentTest):
+    def test_an_empty_assembly_says_what_to_do(self):
+        assembly = api.create_assembly(self.document, "Mirror")
+        self.document.recompute()
+        self.assertEqual(assembly.Label, "Mirror")
+        self.assertEqual(assembly.Energy, "neumann")
+        self.assertEqual(assembly.Status, "Add a part.")
+        self.assertEqual(objects.parts(assembly), [])
+
+    def test_a_new_part_shows_its_source_at_rest_and_hides_it(self):
+        source = self.add_source()
+        assembly = api.create_assembly(self.document)
+        part = api.add_part(assembly, source)
+        self.assertEqual(part.Label, "Sheet morphed")
+        self.assertEqual(assembly.Primary, part)
+        self.assertFalse(source.Visibility)
+        self.assertEqual(
+            support.largest(support.seen_points(part) - support.seen_points(source)), 0
+        )
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertEqual(
+            support.largest(support.seen_points(part) - support.seen_points(source)), 0
+        )
+        self.assertIn("At rest", assembly.Status)
+
+    def test_kinds_and_owners_are_known(self):
+        assembly, part, handle = self.add_morph()
+        self.assertEqual(model.kind(assembly), model.ASSEMBLY)
+        self.assertEqual(model.kind(part), model.PART)
+        self.assertEqual(model.kind(handle), model.REGION)
+        self.assertEqual(model.kind(part.Source), "")
+        for obj in assembly.Group:
+            self.assertEqual(objects.assembly_of(obj), assembly)
+        self.assertEqual([r.Label for r in objects.regions(assembly, part)], ["Clamp", "Tip"])
+
+    def test_unsuitable_sources_are_refused_and_nothing_is_added(self):
+        assembly, part, _ = self.add_morph()
+        empty = self.document.addObject("Mesh::Feature", "Empty")
+        other = self.add_source(document=self.new_document())
+        count = len(self.document.Objects)
+        for source, words in (
+            (part.Source, "already is"),
+            (part, "already is"),
+            (empty, "no triangles"),
+            (assembly, "no mesh"),
+            (None, "no mesh"),
+            (other, "another document"),
+        ):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                api.add_part(assembly, source)
+        self.assertEqual(len(self.document.Objects), count)
+
+    def test_only_an_assembly_takes_parts(self):
+        source = self.add_source()
+        with self.assertRaisesRegex(ValueError, "no assembly"):
+            api.add_part(source, source)
+
+
+class TestProperties(support.DocumentTest):
+    def test_a_region_shows_the_properties_of_its_role(self):
+        _, _, handle = self.add_morph()
+        self.assertNotIn(HIDDEN, handle.getEditorMode("TranslationX"))
+        self.assertIn(HIDDEN, handle.getEditorMode("RotationAxis"))
+        self.assertIn("ReadOnly", handle.getEditorMode("Pivot"))
+        handle.Role = "form feature"
+        for row in MOTION:
+            self.assertIn(HIDDEN, handle.getEditorMode(row.name))
+        self.assertNotIn(HIDDEN, handle.getEditorMode("Rotation"))
+        handle.Role = "fixed"
+        for row in MOTION + ROTATION:
+            self.assertIn(HIDDEN, handle.getEditorMode(row.name))
+
+    def test_a_role_changed_in_the_editor_counts(self):
+        assembly, part, handle = self.add_morph()
+        api.set_motion(handle, (0, 0, 10))
+        self.document.recompute()
+        handle.Role = "fixed"
+        self.document.recompute()
+        difference = support.seen_points(part) - support.seen_points(part.Source)
+        self.assertEqual(support.largest(difference), 0.0)
+        handle.Role = "handle"
+        self.document.recompute()
+        difference = support.seen_points(part) - support.seen_points(part.Source)
+        self.assertGreater(support.largest(difference), 9.9)
+
+    def test_missing_properties_come_back_when_a_document_is_opened(self):
+        assembly, part, handle = self.add_morph()
+        for obj, name in ((assembly, "Energy"), (part, "FileName"), (handle, "Pivot")):
+            obj.removeProperty(name)
+        names = [assembly.Name, part.Name, handle.Name]
+        opened = self.reopen(self.document)
+        assembly, part, handle = (opened.getObject(name) for name in names)
+        self.assertEqual(assembly.Energy, "neumann")
+        self.assertEqual(part.FileName, "")
+        self.assertEqual(tuple(handle.Pivot), (0.0, 0.0, 0.0))
+        self.assertEqual(handle.SchemaVersion, 1)
+
+    def test_the_energy_is_part_of_the_result(self):
+        assembly, part, handle = self.add_morph()
+        api.set_motion(handle, (0, 0, 30), (0, 1, 0), 20)
+        self.document.recompute()
+        neumann = support.seen_points(part)
+        api.set_energy(assembly, "paper")
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertGreater(support.largest(support.seen_points(part) - neumann), 1e-3)
+        with self.assertRaisesRegex(ValueError, "natural"):
+            api.set_energy(assembly, "natural")
+
+
+class TestDeletion(support.DocumentTest):
+    def test_a_deleted_region_no_longer_acts(self):
+        assembly, part, handle = self.add_morph()
+        api.set_motion(handle, (0, 0, 10))
+        self.document.recompute()
+        api.remove(handle)
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        difference = support.seen_points(part) - support.seen_points(part.Source)
+        self.assertEqual(support.largest(difference), 0.0)
+
+    def test_removing_a_part_takes_its_regions_and_shows_its_source(self):
+        assembly, part, _ = self.add_morph()
+        source = part.Source
+        other = api.add_part(assembly, self.add_source("Other"), "Second")
+        api.remove(part)
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertTrue(source.Visibility)
+        self.assertEqual(objects.regions(assembly), [])
+        self.assertEqual(assembly.Primary, other)
+
+    def test_regions_whose_part_was_deleted_by_hand_are_ignored_and_named(self):
+        assembly, part, _ = self.add_morph()
+        second = self.add_source("Other")
+        other = api.add_part(assembly, second, "Second")
+        api.add_fixed(assembly, other, [0, 1, 2], "Hold")
+        self.document.removeObject(part.Name)
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertIn("Clamp, Tip", assembly.Status)
+
+    def test_a_deleted_source_is_named_and_the_mesh_stays(self):
+        _, part, handle = self.add_morph()
+        api.set_motion(handle, (0, 0, 10))
+        self.document.recompute()
+        before = support.local_points(part)
+        self.document.removeObject(part.Source.Name)
+        self.document.recompute()
+        self.assertIn("Part 'Strip' has lost its source mesh", part.getStatusString())
+        self.assertEqual(support.largest(support.local_points(part) - before), 0.0)
+
+    def test_removing_an_assembly_leaves_the_sources_alone(self):
+        assembly, part, _ = self.add_morph()
+        source = part.Source
+        api.remove(assembly)
+        self.assertEqual([obj.Name for obj in self.document.Objects], [source.Name])
+        self.assertTrue(source.Visibility)
+        with self.assertRaisesRegex(ValueError, "no assembly, part, region or contact"):
+            api.remove(source)
+
+    def test_a_group_deleted_by_hand_leaves_parts_that_say_so(self):
+        assembly, part, _ = self.add_morph()
+        self.document.removeObject(assembly.Name)
+        part.touch()
+        self.document.recompute()
+        self.assertIn("morph of this part was deleted", part.getStatusString())
+        for obj in [obj for obj in self.document.Objects if model.kind(obj) == model.REGION]:
+            api.remove(obj)
+        api.remove(part)
+        self.assertEqual([obj.Label for obj in self.document.Objects], ["Sheet"])
+
+    def test_a_source_in_two_morphs_stays_hidden_until_both_are_gone(self):
+        first, part, _ = self.add_morph()
+        source = part.Source
+        second, _, _ = self.add_morph(source)
+        api.remove(first)
+        self.assertFalse(source.Visibility)
+        api.remove(second)
+        self.assertTrue(source.Visibility)
+
+    def test_a_mesh_that_depends_on_a_morph_is_refused_as_its_source(self):
+        assembly, part, _ = self.add_morph()
+        other, further, _ = self.add_morph(part)
+        with self.assertRaisesRegex(ValueError, "depends on the morph"):
+            api.add_part(assembly, further)
+
+    def test_a_part_dragged_out_of_its_group_says_so(self):
+        assembly, part, _ = self.add_morph()
+        self.document.recompute()
+        assembly.removeObject(part)
+        part.touch()
+        self.document.recompute()
+        self.assertIn("Part 'Strip'", part.getStatusString())
+        assembly.addObject(part)
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A morph goes through a recipe file and comes back to the last digit."""
+
+import json
+import os
+import subprocess
+import unittest
+
+import numpy as np
+
+from freecad.sheetmorph import api, kernel, objects, recipes, session
+from freecad.sheetmorph.tests import support
+
+
+class RecipeTest(support.DocumentTest):
+    def path(self, *names: str) -> str:
+        return os.path.join(self.folder, *names)
+
+    def rich_morph(self):
+        """Return a morph with every kind of region, a moved source and an imported part."""
+        source = self.add_source()
+        source.Placement = support.placement((500, -40, 70), (1, 2, 3), 75)
+        assembly, part, handle = self.add_morph(source)
+        rims = api.hole_rims(part)
+        api.add_feature(assembly, part, rims[0], "Hole")
+        api.add_feature(assembly, part, rims[1], "Turned hole", rotation=((1, 2, 3), 20))
+        api.set_motion(handle, (1 / 3, 2, 30), (0, 1, 0), 400, pivot=(300, 50, 1 / 7))
+        api.set_energy(assembly, "paper")
+        points, triangles = support.strip()
+        support.write_obj(self.path("Second.obj"), points + 1 / 3, triangles)
+        second = api.import_part(assembly, self.path("Second.obj"))
+        api.add_fixed(assembly, second, support.left_edge(points), "Second clamp")
+        return assembly
+
+    def exported(self, assembly) -> str:
+        os.makedirs(self.path("recipe"), exist_ok=True)
+        return str(api.export_recipe(assembly, self.path("recipe", "morph.json")))
+
+
+class TestRoundTrip(RecipeTest):
+    def test_positions_are_identical(self):
+        assembly = self.rich_morph()
+        again = api.import_recipe(self.new_document(), self.exported(assembly))
+        expected, found = api.deform(assembly), api.deform(again)
+        for one, other in zip(objects.parts(assembly), objects.parts(again)):
+            np.testing.assert_array_equal(found[other.Name], expected[one.Name])
+
+    def test_regions_pose_primary_and_energy_come_back(self):
+        assembly = self.rich_morph()
+        again = api.import_recipe(self.new_document(), self.exported(assembly))
+        self.assertEqual(recipes.pose_of(again), recipes.pose_of(assembly))
+        one, other = session.read_morph(assembly).recipe, session.read_morph(again).recipe
+        self.assertEqual(other, one)
+
+    def test_a_second_export_is_the_same_text(self):
+        path = self.exported(self.rich_morph())
+        with open(path, encoding="utf-8") as file:
+            first = file.read()
+        again = api.import_recipe(self.new_document(), path)
+        with open(self.exported(again), encoding="utf-8") as file:
+            self.assertEqual(file.read(), first)
+
+    def test_the_package_runs_what_was_exported_to_the_same_positions(self):
+        assembly = self.rich_morph()
+        kernel.load().run(self.exported(assembly), self.path("out"))
+        expected = api.deform(assembly)
+        part = objects.parts(assembly)[0]
+        found = kernel.load().read_part(self.path("out", f"{part.Label}.obj")).mesh.points
+        np.testing.assert_array_equal(found, expected[part.Name])
+
+    def test_a_recipe_of_the_command_line_is_valid(self):
+        path = self.exported(self.rich_morph())
+        package = os.path.dirname(kernel.package_folder())
+        result = subprocess.run(
+            ["/usr/bin/python3", "-m", "sheetmorph", "check", path],
+            env={**os.environ, "PYTHONPATH": package},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+
+class TestNodeIds(RecipeTest):
+    def deck_morph(self):
+        """Return a morph of a Nastran deck with node ids 5001, 5004, ... in falling order."""
+        points, triangles = support.strip()
+        ids = 5001 + 3 * np.arange(len(points))[::-1]
+        support.write_deck(self.path("deck.nas"), points, (triangles, ids))
+        assembly = api.create_assembly(self.document)
+        part = api.import_part(assembly, self.path("deck.nas"))
+        found, _ = api.rest_mesh(part)
+        api.add_fixed(assembly, part, support.left_edge(found), "Clamp")
+        handle = api.add_handle(assembly, part, support.right_edge(found), "Tip")
+        api.set_motion(handle, (0, 0, 30))
+        return assembly
+
+    def test_a_recipe_of_a_deck_speaks_its_node_ids(self):
+        assembly = self.deck_morph()
+        with open(self.exported(assembly), encoding="utf-8") as file:
+            vertices = json.load(file)["fixed"][0]["vertices"]
+        self.assertTrue(all(k > 5000 and k % 3 == 0 for k in vertices))
+        again = api.import_recipe(self.new_document(), self.path("recipe", "morph.json"))
+        expected = api.deform(assembly)[assembly.Primary.Name]
+        np.testing.assert_array_equal(api.deform(again)[again.Primary.Name], expected)
+
+    def test_the_deck_is_written_with_its_node_ids(self):
+        assembly = self.deck_morph()
+        api.write_parts(assembly, self.path("out"))
+        written = kernel.load().read_part(self.path("out", "deck.nas")).mesh
+        original = kernel.load().read_part(self.path("deck.nas")).mesh
+        np.testing.assert_array_equal(written.ids, original.ids)
+        moved = written.points - api.deform(assembly)[assembly.Primary.Name]
+        self.assertLess(support.largest(moved), 1e-3)
+
+
+class TestImport(RecipeTest):
+    def write_recipe(self, **changes) -> str:
+        points, triangles = support.strip()
+        support.write_obj(self.path("cover.obj"), points, triangles)
+        recipe = {
+            "sheetmorph": 1,
+            "parts": [{"name": "cover", "file": "cover.obj"}],
+            "fixed": [{"part": "cover", "vertices": support.left_edge(points)}],
+            "handles": [
+                {
+                    "name": "tip",
+                    "part": "cover",
+                    "vertices": support.right_edge(points),
+                    "pivot": [300, 0, 0],
+                }
+            ],
+            "pose": {"tip": {"translation": [0, 0, 20]}},
+        }
+        recipe.update(changes)
+        with open(self.path("morph.json"), "w", encoding="utf-8") as file:
+            json.dump(recipe, file)
+        return self.path("morph.json")
+
+    def test_a_hand_written_recipe_becomes_a_morph(self):
+        assembly = api.import_recipe(self.document, self.write_recipe())
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertEqual(assembly.Label, "morph")
+        self.assertEqual([p.Label for p in objects.parts(assembly)], ["cover"])
+        handle = objects.regions(assembly)[1]
+        self.assertEqual((handle.Label, handle.TranslationZ.Value), ("tip", 20.0))
+        self.assertEqual(tuple(api.pivot(handle)), (300.0, 0.0, 0.0))
+
+    def test_points_on_triangles_are_kept_and_act(self):
+        point = {
+            "name": "pin",
+            "part": "cover",
+            "triangle": 250,
+            "barycentric": [0.2, 0.3, 0.5],
+            "target": [150, 50, 12],
+        }
+        assembly = api.import_recipe(self.document, self.write_recipe(points=[point]))
+        found = api.deform(assembly)
+        points, triangles = support.strip()
+        on_part = found[objects.parts(assembly)[0].Name]
+        pinned = np.array(point["barycentric"]) @ on_part[triangles[250]]
+        self.assertLess(support.largest(pinned - (150, 50, 12)), 1e-9)
+        objects.parts(assembly)[0].Label = "renamed"
+        again = api.import_recipe(self.new_document(), self.exported(assembly))
+        np.testing.assert_array_equal(api.deform(again)[objects.parts(again)[0].Name], on_part)
+
+    def test_regions_without_names_get_those_the_pose_calls_them(self):
+        points, _ = support.strip()
+        handle = {"part": "cover", "vertices": support.right_edge(points)}
+        pose = {"handle0": {"translation": [0, 0, 20]}}
+        path = self.write_recipe(handles=[handle], pose=pose)
+        assembly = api.import_recipe(self.document, path)
+        self.assertEqual([r.Label for r in objects.regions(assembly)], ["fixed0", "handle0"])
+        found = api.deform(assembly)[assembly.Primary.Name]
+        self.assertEqual(found[:, 2].max(), 20.0)
+
+    def test_a_recipe_read_twice_makes_two_morphs_of_one_document(self):
+        path = self.write_recipe()
+        first, second = (api.import_recipe(self.document, path) for _ in range(2))
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        one, other = (support.seen_points(objects.parts(m)[0]) for m in (first, second))
+        np.testing.assert_array_equal(one, other)
+
+    def test_faults_are_told_and_the_document_stays_as_it_is(self):
+        bad = self.path("bad.json")
+        with open(bad, "w", encoding="utf-8") as file:
+            file.write('{"sheetmorph": 1,\n "parts": [}')
+        missing = self.path("missing.json")
+        for path, words in (
+            (bad, "bad.json, line 2"),
+            (self.write_recipe(handels=[]), "handels"),
+            (missing, "missing.json"),
+        ):
+            with self.subTest(words), self.assertRaisesRegex((ValueError, OSError), words):
+                api.import_recipe(self.document, path)
+        vertices = [{"part": "cover", "vertices": [10**6]}]
+        with self.assertRaisesRegex(ValueError, "1000000"):
+            api.import_recipe(self.document, self.write_recipe(fixed=vertices))
+        self.assertEqual(self.document.Objects, [])
+
+    def test_an_empty_morph_is_not_exported(self):
+        assembly = api.create_assembly(self.document)
+        with self.assertRaisesRegex(ValueError, "no part yet"):
+            api.export_recipe(assembly, self.path("morph.json"))
+        self.assertEqual(os.listdir(self.folder), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

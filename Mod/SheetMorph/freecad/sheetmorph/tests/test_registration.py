@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD knows the tests and starts without touching the kernel or a window."""
+
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import FreeCAD
+
+from freecad.sheetmorph import kernel, tests
+
+PACKAGE = Path(kernel.__file__).parent
+QUIET_START = """
+import sys
+import freecad.sheetmorph
+bad = [name for name in ("sheetmorph", "FreeCADGui", "numpy", "PySide2") if name in sys.modules]
+print("loaded at start:", bad)
+"""
+
+
+class TestRegistration(unittest.TestCase):
+    def test_every_test_file_is_listed(self):
+        files = sorted((PACKAGE / "tests").glob("test_*.py"))
+        found = {f"freecad.sheetmorph.tests.{file.stem}" for file in files}
+        self.assertEqual(found, set(tests.MODULES))
+
+    def test_freecads_test_workbench_lists_them(self):
+        self.assertLessEqual(set(tests.MODULES), set(FreeCAD.__unit_test__))
+
+    def test_the_start_is_light(self):
+        result = subprocess.run(
+            [sys.executable or "/usr/bin/python3", "-c", QUIET_START],
+            env={"PYTHONPATH": str(PACKAGE.parent.parent)},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.assertIn("loaded at start: []", result.stdout, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

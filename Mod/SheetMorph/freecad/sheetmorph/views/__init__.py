@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""View providers: icons, tree, double click and context menu of our objects."""
+
+
+def attach(obj) -> None:
+    """Gives one of our objects its view provider; the objects call it through ``appearance``."""
+    from freecad.sheetmorph.views import assembly, contact, part, region
+
+    providers = {
+        "SheetMorph::Assembly": assembly.AssemblyView,
+        "SheetMorph::Contact": contact.ContactView,
+        "SheetMorph::Deformation": assembly.DeformationView,
+        "SheetMorph::Part": part.PartView,
+        "SheetMorph::Region": region.RegionView,
+    }
+    provider = providers.get(getattr(obj.Proxy, "Type", ""))
+    view = obj.ViewObject
+    if provider is not None and view is not None:
+        provider(view)

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What double clicks and context menus of the tree do."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions, paths
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.qt import QtGui
+
+
+def move(handle) -> None:
+    """Opens the Move Handle panel unless another panel is open."""
+    from freecad.sheetmorph.panels import move_panel
+
+    if not Gui.Control.activeDialog():
+        move_panel.open_panel(handle)
+
+
+def edit(region) -> None:
+    """Opens the picking panel for a region that exists."""
+    from freecad.sheetmorph.panels import region_panel
+
+    if not Gui.Control.activeDialog():
+        region_panel.edit(region)
+
+
+def edit_contact(contact) -> None:
+    """Opens the panel of a contact that exists; what stands against it is told."""
+    from freecad.sheetmorph.panels import contact_panel
+
+    if not Gui.Control.activeDialog():
+        try:
+            contact_panel.edit(contact)
+        except actions.FAULTS as error:
+            actions.tell("Contact", error)
+
+
+def show_propagation(assembly) -> None:
+    """Opens the Propagation panel."""
+    from freecad.sheetmorph.panels import propagation_panel
+
+    if not Gui.Control.activeDialog():
+        propagation_panel.open_panel(assembly)
+
+
+def add_assembly_actions(menu, assembly) -> None:
+    """Propagation."""
+    _add(menu, "Propagation", "Propagation…", lambda: show_propagation(assembly))
+
+
+def add_contact_actions(menu, contact) -> None:
+    """Editing, and using it or not."""
+    line = call("set_active", name(contact), repr(not contact.Active))
+    title = "Do Not Use Contact" if contact.Active else "Use Contact"
+    icon = "ContactOff" if contact.Active else "MarkContact"
+    _add(menu, "MarkContact", "Edit Contact…", lambda: edit_contact(contact))
+    _add(menu, icon, title, lambda: actions.attempt(title, line))
+
+
+def add_part_actions(menu, assembly, part) -> None:
+    """Set as Primary."""
+    line = call("set_primary", name(assembly), name(part))
+    entry = _add(
+        menu, "PartPrimary", "Set as Primary", lambda: actions.attempt("Set as Primary", line)
+    )
+    entry.setEnabled(assembly.Primary != part)
+
+
+def add_region_actions(menu, region) -> None:
+    """Move and reset for handles, picking anew for all."""
+    if region.Role == "handle":
+        line = call("reset_motion", name(region))
+        _add(menu, "MoveHandle", "Move Handle…", lambda: move(region))
+        _add(menu, "ResetMotion", "Reset Motion", lambda: actions.attempt("Reset Motion", line))
+    _add(menu, "PickFace", "Edit Region…", lambda: edit(region))
+
+
+def _add(menu, icon: str, text: str, action):
+    entry = menu.addAction(QtGui.QIcon(paths.icon(icon)), text)
+    entry.triggered.connect(lambda *_: action())
+    return entry

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/assembly.h"
+#include "sheetmorph/base/errors.h"
+#include "arrays.h"
+#include "layers.h"
+
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+Energy energy_from(const std::string& name)
+{
+    if (name == "paper")
+        return Energy::paper;
+    if (name == "neumann")
+        return Energy::neumann;
+    throw InvalidInput("energy '" + name + "' is not available; use 'neumann' or 'paper'");
+}
+
+Mode mode_from(int mode)
+{
+    if (mode < 0 || mode > 3)
+        throw InvalidInput("mode " + std::to_string(mode)
+                           + " does not exist; use 1, 2, 3, or 0 to let the part decide");
+    return static_cast<Mode>(mode);
+}
+
+ContactType contact_type_from(const std::string& name)
+{
+    if (name == "control mesh")
+        return ContactType::control_mesh;
+    if (name == "tied")
+        return ContactType::tied;
+    if (name == "rigid")
+        return ContactType::rigid;
+    throw InvalidInput("contact type '" + name
+                       + "' does not exist; use 'control mesh', 'tied' or 'rigid'");
+}
+
+void bind_part(py::module_& module)
+{
+    py::class_<Part>(module, "Part", "One mesh of the assembly.")
+        .def(py::init(
+                 [](std::string name, const TriangleMesh& mesh, const py::object& ids, int mode)
+                 {
+                     Part part{std::move(name), mesh, {}, mode_from(mode)};
+                     if (!ids.is_none())
+                         part.ids = ids_from(ids, "ids");
+                     return part;
+                 }),
+             py::arg("name"), py::arg("mesh"), py::arg("ids") = py::none(), py::arg("mode") = 0,
+             "ids (n,): the file's own vertex numbers, used in messages. mode 1 to 3 of section "
+             "4.1, 0: chosen from the propagation and the features.")
+        .def_readonly("name", &Part::name)
+        .def_readonly("mesh", &Part::mesh);
+}
+
+void bind_regions(py::module_& module)
+{
+    const auto region = [](std::string name, int part, const py::object& vertices) {
+        return PartRegion{std::move(name), part, ids_from(vertices, "vertices")};
+    };
+    py::class_<PartRegion>(module, "Region", "A fixed region: vertices (k,) of one part.")
+        .def(py::init(region), py::arg("name"), py::arg("part"), py::arg("vertices"));
+
+    const auto handle = [](std::string name, int part, const py::object& vertices) {
+        return PartHandle{std::move(name), part, ids_from(vertices, "vertices")};
+    };
+    py::class_<PartHandle>(module, "Handle", "Vertices (k,) that the pose moves as one body.")
+        .def(py::init(handle), py::arg("name"), py::arg("part"), py::arg("vertices"));
+}
+
+void bind_features(py::module_& module)
+{
+    py::class_<PartFeature>(module, "FormFeature", "Vertices (k,) that keep their form (2.4).")
+        .def(py::init(
+                 [](std::string name, int part, const py::object& vertices, bool prescribed) {
+                     return PartFeature{std::move(name), part, ids_from(vertices, "vertices"),
+                                        prescribed};
+                 }),
+             py::arg("name"), py::arg("part"), py::arg("vertices"),
+             py::arg("is_prescribed") = false,
+             "is_prescribed: its rotation comes with the pose instead of interpolation.");
+
+    py::class_<PartPoint>(module, "PointConstraint", "A point on a triangle (2.3).")
+        .def(py::init(
+                 [](std::string name, int part, int triangle, const py::object& barycentric,
+                    bool turned)
+                 {
+                     const PointConstraint constraint{
+                         name, triangle, vector_from(barycentric, "barycentric"), turned};
+                     return PartPoint{std::move(name), part, constraint};
+                 }),
+             py::arg("name"), py::arg("part"), py::arg("triangle"), py::arg("barycentric"),
+             py::arg("is_turned") = false);
+}
+
+void bind_contacts(py::module_& module)
+{
+    py::class_<Contact>(module, "Contact", "Where two parts are welded or bolted (section 4.2).")
+        .def(py::init(
+                 [](std::string name, const std::string& type, PartRegion a, PartRegion b) {
+                     return Contact{std::move(name), contact_type_from(type), std::move(a),
+                                    std::move(b)};
+                 }),
+             py::arg("name"), py::arg("type"), py::arg("a"), py::arg("b"),
+             "type 'control mesh', 'tied' or 'rigid'; a and b: Regions of two parts.");
+
+    py::class_<Propagation>(module, "Propagation", "How the motion reaches the other parts.")
+        .def(py::init(
+                 [](bool is_single, int levels, double smoothness) {
+                     return Propagation{is_single, levels, smoothness};
+                 }),
+             py::arg("is_single") = false, py::arg("levels") = 3, py::arg("smoothness") = 0.05,
+             "is_single: one control mesh around everything; smoothness: c of (3.3).");
+}
+
+void bind_whole(py::module_& module)
+{
+    py::class_<Assembly>(module, "Assembly", "Everything about a morph but its pose.")
+        .def(py::init(
+                 [](std::vector<Part> parts, int primary, const std::string& energy)
+                 {
+                     Assembly assembly;
+                     assembly.parts = std::move(parts);
+                     assembly.primary = primary;
+                     assembly.energy = energy_from(energy);
+                     return assembly;
+                 }),
+             py::arg("parts"), py::arg("primary") = 0, py::arg("energy") = "neumann")
+        .def_readwrite("fixed", &Assembly::fixed)
+        .def_readwrite("handles", &Assembly::handles)
+        .def_readwrite("features", &Assembly::features)
+        .def_readwrite("points", &Assembly::points)
+        .def_readwrite("followers", &Assembly::followers)
+        .def_readwrite("contacts", &Assembly::contacts)
+        .def_readwrite("propagation", &Assembly::propagation);
+}
+
+void bind_pose(py::module_& module)
+{
+    py::class_<Pose>(module, "Pose", "The few numbers that decide every shape.")
+        .def(py::init<>())
+        .def(
+            "move_handle",
+            [](Pose& pose, const std::string& name, const RigidMotion& motion)
+            { pose.handles[name] = motion; },
+            py::arg("name"), py::arg("motion"))
+        .def(
+            "turn_feature",
+            [](Pose& pose, const std::string& name, const py::object& log)
+            { pose.feature_logs[name] = vector_from(log, "rotation_log"); },
+            py::arg("name"), py::arg("rotation_log"))
+        .def(
+            "place_point",
+            [](Pose& pose, const std::string& name, const py::object& target, const py::object& log)
+            {
+                pose.points[name] = {vector_from(target, "target"),
+                                     vector_from(log, "rotation_log")};
+            },
+            py::arg("name"), py::arg("target"),
+            py::arg("rotation_log") = py::make_tuple(0.0, 0.0, 0.0));
+}
+
+}  // namespace
+
+void bind_description(py::module_& module)
+{
+    bind_part(module);
+    bind_regions(module);
+    bind_features(module);
+    bind_contacts(module);
+    bind_whole(module);
+    bind_pose(module);
+}
+
+}  // namespace sheetmorph

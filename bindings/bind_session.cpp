@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/deformation_session.h"
+#include "arrays.h"
+#include "layers.h"
+
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// A Python callable (fraction, task) -> anything; returning False cancels. The session is built
+// without the GIL, so it is taken for each report.
+Progress progress_from(const py::object& callback)
+{
+    if (callback.is_none())
+        return {};
+    return Progress(
+        [&callback](double fraction, const std::string& task)
+        {
+            const py::gil_scoped_acquire gil;
+            const py::object answer = callback(fraction, task);
+            return answer.is_none() || PyObject_IsTrue(answer.ptr()) != 0;
+        });
+}
+
+void bind_result(py::module_& module)
+{
+    py::class_<FeatureResult>(module, "FeatureResult",
+                              "How one form feature moved: p = centre + translation + "
+                              "rotation (p_hat - centre).")
+        .def_readonly("name", &FeatureResult::name)
+        .def_readonly("part", &FeatureResult::part)
+        .def_readonly("edge_error", &FeatureResult::edge_error, "worst error of (2.4), mm")
+        .def_property_readonly("rotation", [](const FeatureResult& feature)
+                               { return to_numpy(feature.motion.rotation()); })
+        .def_property_readonly("rotation_log", [](const FeatureResult& feature)
+                               { return to_numpy(feature.motion.rotation_log); })
+        .def_property_readonly("translation", [](const FeatureResult& feature)
+                               { return to_numpy(feature.motion.translation); })
+        .def_property_readonly(
+            "centre", [](const FeatureResult& feature) { return to_numpy(feature.motion.pivot); });
+}
+
+void bind_deformed(py::module_& module)
+{
+    py::class_<Deformed>(module, "Deformed", "Every part in one pose.")
+        .def(
+            "positions",
+            [](const py::object& self, std::size_t part)
+            { return view_of(self.cast<const Deformed&>().parts.at(part).positions, self); },
+            py::arg("part"), "(n, 3) float64 mm, a read-only view that keeps the result alive.")
+        .def_readonly("features", &Deformed::features)
+        .def_readonly("contacts", &Deformed::contacts)
+        .def_readonly("spread", &Deformed::spread,
+                      "mm: how far apart, at most, several contacts want one vertex");
+
+    py::class_<ContactFidelity>(module, "ContactFidelity", "How well one contact was kept, mm.")
+        .def_readonly("contact", &ContactFidelity::contact)
+        .def_readonly("source_part", &ContactFidelity::source_part)
+        .def_readonly("target_part", &ContactFidelity::target_part)
+        .def_readonly("deviation", &ContactFidelity::deviation,
+                      "farthest a driven vertex is from the source side's best rigid motion")
+        .def_readonly("gap_change", &ContactFidelity::gap_change)
+        .def_readonly("region_size", &ContactFidelity::region_size);
+
+    py::class_<Timing>(module, "Timing")
+        .def_readonly("stage", &Timing::stage)
+        .def_readonly("seconds", &Timing::seconds);
+}
+
+DeformationSession session_from(const Assembly& assembly, const py::object& callback,
+                                const DeformationSession* previous)
+{
+    const Progress progress = progress_from(callback);
+    const py::gil_scoped_release without_gil;
+    return DeformationSession(assembly, progress, previous);
+}
+
+std::vector<std::string> names_of(const DeformationSession& session, const std::vector<int>& parts)
+{
+    std::vector<std::string> names;
+    for (const int part : parts)
+        names.push_back(session.assembly().parts[static_cast<std::size_t>(part)].name);
+    return names;
+}
+
+// (contact index, source part index, target part index) of every contact in use.
+std::vector<std::tuple<int, int, int>> directions(const DeformationSession& session)
+{
+    std::vector<std::tuple<int, int, int>> found;
+    for (const DirectedContact& contact : session.plan().contacts)
+        found.emplace_back(contact.contact, contact.source(session.assembly()).part,
+                           contact.target(session.assembly()).part);
+    return found;
+}
+
+py::object control_mesh(const DeformationSession& session, int contact, const Deformed& pose)
+{
+    std::optional<ShownControlMesh> shown = session.control_mesh(contact, pose);
+    if (!shown)
+        return py::none();
+    return py::make_tuple(to_numpy(std::move(shown->vertices)),
+                          to_numpy(std::move(shown->triangles)));
+}
+
+Deformed deform(const DeformationSession& session, const Pose& pose, bool exact)
+{
+    const py::gil_scoped_release without_gil;
+    return session.deform(pose, exact ? Exactness::exact : Exactness::live);
+}
+
+}  // namespace
+
+void bind_session(py::module_& module)
+{
+    bind_result(module);
+    bind_deformed(module);
+    py::class_<DeformationSession>(module, "DeformationSession",
+                                   "The assembly, ready to be deformed. Construction is the "
+                                   "pre-processing phase; deform() only substitutes.")
+        .def(py::init(&session_from), py::arg("assembly"), py::arg("progress") = py::none(),
+             py::arg("previous") = nullptr,
+             "progress(fraction, task): return False to cancel (raises Cancelled). previous: a "
+             "session of an earlier state; what did not change is taken over.")
+        .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
+             "Every part in one pose, always from rest.")
+        .def("control_mesh", &control_mesh, py::arg("contact"), py::arg("pose"),
+             "(vertices (m, 3) mm, triangles (t, 3)) of one contact's control mesh in a Deformed "
+             "pose, -1 for the single one; None if it has none.")
+        .def_property_readonly(
+            "order",
+            [](const DeformationSession& session)
+            { return names_of(session, session.plan().order); },
+            "parts as they are deformed, the primary first")
+        .def_property_readonly(
+            "levels", [](const DeformationSession& session) { return session.plan().level; },
+            "by part: contacts from the primary, -1 if not reached")
+        .def_property_readonly("directions", &directions,
+                               "(contact, source part, target part) indices")
+        .def_property_readonly("unreached", [](const DeformationSession& session)
+                               { return names_of(session, session.plan().unreached); })
+        .def_property_readonly("timings", &DeformationSession::timings);
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Inventor/SoDB.h>
+#include <pybind11/eigen.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+
+#include "mesh_nodes.h"
+
+namespace py = pybind11;
+using sheetmorph::Points;
+using sheetmorph::Triangles;
+using sheetmorph::coin::MeshNodes;
+using sheetmorph::coin::NodeAddresses;
+
+PYBIND11_MODULE(_coin, module)
+{
+    module.doc() = "Kernel positions straight into Coin nodes.";
+    module.attr("__version__") = SHEETMORPH_VERSION;
+    module.def(
+        "coin_version", [] { return std::string(SoDB::getVersion()); },
+        "Version of the Coin library that is loaded.");
+    py::class_<MeshNodes>(module, "MeshNodes",
+                          "Draws one mesh through three Coin nodes, which it keeps alive.")
+        .def(py::init(
+                 [](const py::tuple& nodes, const Eigen::Ref<const Points>& points,
+                    const Eigen::Ref<const Triangles>& triangles, double crease)
+                 {
+                     const NodeAddresses addresses{nodes[0].cast<std::uintptr_t>(),
+                                                   nodes[1].cast<std::uintptr_t>(),
+                                                   nodes[2].cast<std::uintptr_t>()};
+                     return std::make_unique<MeshNodes>(addresses, points, triangles, crease);
+                 }),
+             py::arg("nodes"), py::arg("points"), py::arg("triangles"), py::arg("crease"),
+             "nodes: addresses int(node.this) of SoCoordinate3, SoNormal (PER_VERTEX_INDEXED) and\n"
+             "SoIndexedFaceSet; points (n, 3) mm; triangles (m, 3); crease: radians beyond which\n"
+             "shading breaks. ValueError for a wrong address, type or index.")
+        .def(
+            "show",
+            [](const MeshNodes& self, const Eigen::Ref<const Points>& points)
+            { self.show(points); },
+            py::arg("points"),
+            "Shows other positions, (n, 3) mm, with their own normals. ValueError for another n.");
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace sheetmorph
+{
+
+//! One function a layer adds its names to sheetmorph._core.
+void bind_base(pybind11::module_& module);
+void bind_triangle_mesh(pybind11::module_& module);
+void bind_mesh(pybind11::module_& module);
+void bind_description(pybind11::module_& module);
+void bind_session(pybind11::module_& module);
+
+}  // namespace sheetmorph

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "layers.h"
+
+PYBIND11_MODULE(_core, module)
+{
+    module.doc() = "The SheetMorph kernel: deforms sheet-metal meshes, form features stay rigid.";
+    sheetmorph::bind_base(module);
+    sheetmorph::bind_triangle_mesh(module);
+    sheetmorph::bind_mesh(module);
+    sheetmorph::bind_description(module);
+    sheetmorph::bind_session(module);
+}

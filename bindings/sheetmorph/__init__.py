@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""SheetMorph without FreeCAD: recipes, mesh files, deformation, report.
+
+The compiled kernel ``sheetmorph._core`` is loaded by the first Session, so files and recipes can be
+read and checked without it.
+"""
+
+from .errors import Fault, FileError, KernelError, RecipeError
+from .files import PartFile, read_part
+from .part_mesh import PartMesh
+from .recipe import validate
+from .running import CertificateError, check, run
+from .session import ContactResult, FeatureResult, Result, Session
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "CertificateError",
+    "ContactResult",
+    "Fault",
+    "FeatureResult",
+    "FileError",
+    "KernelError",
+    "PartFile",
+    "PartMesh",
+    "RecipeError",
+    "Result",
+    "Session",
+    "check",
+    "read_part",
+    "run",
+    "validate",
+]

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether form features kept their form, computed from the positions alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from .part_mesh import PartMesh
+
+
+def tolerance(size: float, arrays: Iterable[np.ndarray]) -> float:
+    """1e-12 size + 8 eps max|coordinate|, mm.
+
+    arrays: (n, 3) each, all positions at rest and deformed.
+    """
+    largest = max((float(np.abs(array).max(initial=0.0)) for array in arrays), default=0.0)
+    return 1e-12 * size + 8.0 * float(np.finfo(np.float64).eps) * largest
+
+
+def feature_edges(mesh: PartMesh, vertices: np.ndarray) -> np.ndarray:
+    """Edges (e, 2) of a form feature: the mesh's inside it, and each vertex with the first one.
+
+    vertices (k,): indices. The latter so that loose vertices are looked at, too.
+    """
+    inside = np.zeros(len(mesh.points), dtype=bool)
+    inside[vertices] = True
+    triangles = mesh.triangles
+    pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    pairs = np.unique(np.sort(pairs[inside[pairs].all(axis=1)], axis=1), axis=0)
+    spokes = np.stack([np.full(len(vertices) - 1, vertices[0]), vertices[1:]], axis=1)
+    return np.concatenate([pairs, spokes]).astype(np.int64)
+
+
+def edge_error(
+    rest: np.ndarray, positions: np.ndarray, edges: np.ndarray, rotation: np.ndarray
+) -> float:
+    """Worst |p_i - p_j - R (p_hat_i - p_hat_j)| over edges (e, 2), mm (2.4).
+
+    rest, positions: (n, 3); rotation: (3, 3).
+    """
+    before = rest[edges[:, 0]] - rest[edges[:, 1]]
+    after = positions[edges[:, 0]] - positions[edges[:, 1]]
+    return float(np.linalg.norm(after - before @ rotation.T, axis=1).max(initial=0.0))

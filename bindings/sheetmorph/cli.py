@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: python3 -m sheetmorph run | check."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import signal
+import sys
+import traceback
+from collections.abc import Sequence
+from pathlib import Path
+from types import FrameType
+from typing import TextIO
+
+from . import __version__
+from .errors import FileError, KernelError, RecipeError
+from .files.atomic import FileSet
+from .files.signals import stopping_signals
+
+DONE, BAD_INPUT, NOT_CERTIFIED = 0, 2, 3
+_INTERRUPTED = 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; returns 0 done, 2 bad input, 3 no certificate (130 interrupted)."""
+    wanted = _parser().parse_args(arguments)
+    files = FileSet()
+    numbers = [number for number in stopping_signals() if number != signal.SIGINT]
+    previous = {number: signal.signal(number, _interrupt) for number in numbers}
+    try:
+        lines = _run(wanted, files) if wanted.command == "run" else _check(wanted)
+        _say(lines)
+        return DONE
+    except KeyboardInterrupt:
+        _complain(f"interrupted; {_state(files)}")
+        return _INTERRUPTED
+    except Exception as error:  # the edge of the program: every error becomes a sentence
+        text, status = _explain(error, wanted.recipe, files)
+        _complain(text)
+        return status
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
+
+
+def _interrupt(_number: int, _frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
+
+
+def _state(files: FileSet) -> str:
+    return "all files were written" if files.committed else "no part was written"
+
+
+def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
+    """What to tell about an error, and the exit status."""
+    if isinstance(error, (RecipeError, FileError, KernelError)):
+        return str(error), BAD_INPUT
+    if isinstance(error, OSError):
+        place = error.filename or recipe
+        return f"{place}: {error.strerror or error}; check the path and its rights", BAD_INPUT
+    if isinstance(error, MemoryError):
+        return f"{recipe}: not enough memory; {_state(files)}", NOT_CERTIFIED
+    # The kernel's SolverError, or a certificate.
+    if isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetmorph"):
+        return f"{recipe}: {error}; {_state(files)}", NOT_CERTIFIED
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    what = " ".join(f"{type(error).__name__}: {error}".split())
+    place = f"{Path(last.filename).name}, line {last.lineno}"
+    text = f"{recipe}: a mistake of the program ({what}, {place}); {_state(files)}; please report"
+    return f"{text} it with this recipe", NOT_CERTIFIED
+
+
+def _say(lines: list[str]) -> None:
+    """Print to stdout; that it is closed or full makes no success a failure."""
+    try:
+        for line in lines:
+            print(_printable(line, sys.stdout))
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except (OSError, ValueError) as error:
+        # What is left in the buffer would fail again at exit.
+        sys.stdout = None
+        if not isinstance(error, BrokenPipeError):
+            _complain(f"done, but stdout cannot be written ({error})")
+
+
+def _complain(text: str) -> None:
+    with contextlib.suppress(OSError, ValueError):
+        print(_printable(text, sys.stderr), file=sys.stderr)
+
+
+def _printable(text: str, stream: TextIO | None) -> str:
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    return text.encode(encoding, "backslashreplace").decode(encoding)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python3 -m sheetmorph",
+        description="Deform sheet-metal parts as a recipe says; form features stay rigid.",
+        epilog="Exit status: 0 done; 2 bad input, nothing written; 3 a certificate fails; "
+        "130 interrupted.",
+    )
+    parser.add_argument("--version", action="version", version=f"sheetmorph {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="run | check")
+    run = commands.add_parser("run", help="deform the parts of a recipe and write them")
+    run.add_argument("recipe", help="JSON file; the part files are relative to it")
+    run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
+    run.add_argument("--pose", metavar="FILE", help="JSON file with a pose instead of the recipe's")
+    run.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
+    check = commands.add_parser("check", help="validate a recipe and the parts it names")
+    check.add_argument("recipe", help="JSON file")
+    return parser
+
+
+def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    # Imported here, so that --help answers at once.
+    from .running import run
+
+    report = run(wanted.recipe, wanted.output, wanted.pose, wanted.report, files=files)
+    worst = max((feature["edge_error"] for feature in report["features"]), default=0.0)
+    parts, features = len(report["parts"]), len(report["features"])
+    lines = [
+        f"{contact['name']}: {contact['source']} drives {contact['target']}, gap change "
+        f"{contact['gap_change']:.2g} mm"
+        for contact in report["contacts"]
+    ]
+    lines.append(
+        f"{wanted.output}: {parts} part(s) written, {features} form feature(s) rigid to "
+        f"{worst:.2g} mm"
+    )
+    return lines + [
+        f"{part['name']}: not reached by any motion, unchanged"
+        for part in report["parts"]
+        if not part["is_reached"]
+    ]
+
+
+def _check(wanted: argparse.Namespace) -> list[str]:
+    from .running import check
+
+    return ["; ".join([f"{wanted.recipe}: valid", *check(wanted.recipe)])]

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Several files that appear together, whole, or not at all."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..errors import FileError
+from .signals import postponed
+
+
+class FileSet:
+    """Files written under temporary names beside their places and renamed together.
+
+    Use it in a ``with`` block; leaving the block without ``commit()`` removes the temporaries.
+    ``committed`` is true as soon as every file has its name.
+    """
+
+    def __init__(self) -> None:
+        self._pending: list[tuple[Path, Path]] = []
+        self.committed = False
+
+    def __enter__(self) -> FileSet:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        with postponed():
+            for temporary, _final in self._pending:
+                temporary.unlink(missing_ok=True)
+            self._pending.clear()
+
+    def temporary_for(self, path: Path) -> Path:
+        """A new name beside `path`, hidden, with the same suffix (readers go by it).
+
+        Raises FileError if the folder does not exist.
+        """
+        if not path.parent.is_dir():
+            raise FileError(path, "its folder does not exist", "create the folder first")
+        temporary = _hidden(path)
+        self._pending.append((temporary, path))
+        return temporary
+
+    @contextmanager
+    def named(self, temporary: Path) -> Iterator[None]:
+        """Errors inside that are about the temporary tell the name that people know."""
+        final = dict(self._pending)[temporary]
+        try:
+            yield
+        except FileError as error:
+            if error.path != temporary:
+                raise
+            raise FileError(final, error.what, error.todo, error.line) from error
+        except OSError as error:
+            if error.filename is not None and Path(os.fsdecode(error.filename)) == temporary:
+                raise OSError(error.errno, error.strerror, str(final)) from error
+            raise
+
+    def commit(self) -> None:
+        """Give every file its name, with SIGINT, SIGTERM and SIGHUP put off meanwhile.
+
+        Raises FileError; then every place is as it was before.
+        """
+        for temporary, final in self._pending:
+            require_file_place(final)
+            with self.named(temporary), open(temporary, "rb") as written:
+                os.fsync(written.fileno())
+        with postponed():
+            _rename_all(self._pending)
+            self._pending.clear()
+            self.committed = True
+
+
+def require_file_place(path: Path) -> None:
+    """Raises FileError where something stands that is not a file, or no file can be made."""
+    try:
+        kind = os.stat(path).st_mode
+    except OSError:  # nothing is there, or a link to nothing
+        kind = stat.S_IFREG
+    if stat.S_ISDIR(kind):
+        raise FileError(path, "it is a folder", "name a file, or remove the folder")
+    if not stat.S_ISREG(kind):
+        raise FileError(path, "it is a device or a pipe", "name a file")
+    if path.parent.is_dir() and not os.access(path.parent, os.W_OK | os.X_OK):
+        todo = "change the rights of the folder, or name another one"
+        raise FileError(path, "its folder cannot be written", todo)
+
+
+def _hidden(path: Path) -> Path:
+    return path.with_name(f".{path.stem}.{secrets.token_hex(4)}.tmp{path.suffix}")
+
+
+def _rename_all(pairs: list[tuple[Path, Path]]) -> None:
+    """All of the files (temporary, final), or none."""
+    backups: list[tuple[Path, Path | None]] = []
+    current = Path()
+    try:
+        for temporary, final in pairs:
+            current = final
+            backups.append((final, _kept(final)))
+            os.replace(temporary, final)
+    except OSError as error:
+        lost = [str(final) for final, kept in reversed(backups) if not _put_back(final, kept)]
+        what = f"it cannot be written ({error.strerror or error})"
+        what += f", and {', '.join(lost)} could not be put back" if lost else ""
+        raise FileError(current, what, "check the path and its rights") from error
+    for _final, kept in backups:
+        _remove(kept)
+
+
+def _kept(final: Path) -> Path | None:
+    """A second name for what stands at `final`; None if nothing does."""
+    if not os.path.lexists(final):
+        return None
+    kept = _hidden(final)
+    try:
+        os.link(final, kept, follow_symlinks=False)
+    except OSError:  # file systems without links
+        os.rename(final, kept)
+    return kept
+
+
+def _put_back(final: Path, kept: Path | None) -> bool:
+    try:
+        if kept is None:
+            final.unlink(missing_ok=True)
+        else:
+            os.replace(kept, final)
+            kept.unlink(missing_ok=True)  # a rename between two names of one file does nothing
+    except OSError:
+        return False
+    return True
+
+
+def _remove(kept: Path | None) -> None:
+    """Remove a backup; one that stays does no harm, so it does not make a success a failure."""
+    try:
+        if kept is not None:
+            kept.unlink()
+    except OSError:
+        return

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""VTK, VTU and further formats through meshio, whose errors become ours."""
+
+from __future__ import annotations
+
+import contextlib
+import copy
+import io
+import re
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import FileError
+from ..part_mesh import PartMesh
+from .part_file import PartFile
+from .polygons import triangulate
+from .text import check_points, read_bytes
+
+# Formats of one file each whose coordinates meshio both reads and writes without loss.
+SUFFIXES = {
+    ".vtk": "vtk",
+    ".vtu": "vtu",
+    ".msh": "gmsh",
+    ".inp": "abaqus",
+    ".avs": "avsucd",
+    ".mesh": "medit",
+}
+_CURVED = frozenset({"triangle6", "triangle7", "quad8", "quad9"})
+
+
+class MeshioFile(PartFile):
+    """A file read and written as a whole by meshio: data arrays are kept, comments are not."""
+
+    def __init__(self, path: Path):
+        self._mesh = _read(path)
+        points = np.asarray(self._mesh.points)
+        precision = "float32" if points.dtype == np.float32 else "double"
+        if points.ndim != 2 or points.shape[1] not in (2, 3):
+            raise FileError(path, "it holds no points in space", "export it as VTU or PLY")
+        space = np.zeros((len(points), 3))
+        space[:, : points.shape[1]] = points
+        super().__init__(path, _part_mesh(path, space, self._mesh.cells), precision)
+        self.notes.append("written through meshio: comments and sections unknown to it are lost")
+
+    def save(self, path: Path, positions: np.ndarray) -> None:
+        import meshio
+
+        kind = np.float32 if self.precision == "float32" else np.float64
+        changed = copy.copy(self._mesh)
+        changed.points = positions.astype(kind)
+        form, options = _form(self.path)
+        if form == "gmsh" and "gmsh:physical" not in changed.cell_data:
+            form = "gmsh22"  # meshio's writer of newer files fails without physical groups
+        try:
+            with _quiet():
+                meshio.write(path, changed, file_format=form, **options)
+        except Exception as error:  # meshio raises whatever its writers stumble over
+            what = f"meshio cannot write it ({_reason(error)})"
+            raise FileError(self.path, what, "convert the part to VTU or PLY") from error
+        if form == "vtu" and not options["binary"]:
+            _write_all_digits(path, changed.points)
+
+    def stored_positions(self, path: Path) -> np.ndarray:
+        points = MeshioFile(path).mesh.points
+        if points.shape != self.mesh.points.shape:
+            what = "meshio does not read back the vertices that it wrote"
+            raise FileError(self.path, what, "convert the part to VTU or PLY")
+        return points
+
+
+def _quiet() -> contextlib.ExitStack:
+    """meshio prints its errors; ours go to the user once, as one line."""
+    stack = contextlib.ExitStack()
+    stack.enter_context(warnings.catch_warnings())
+    # numpy only warns where a text file holds something else than the promised numbers.
+    warnings.filterwarnings("error", message="string or file could not be read")
+    stack.enter_context(contextlib.redirect_stdout(io.StringIO()))
+    stack.enter_context(contextlib.redirect_stderr(io.StringIO()))
+    stack.enter_context(np.errstate(all="ignore"))
+    return stack
+
+
+def _reason(error: BaseException) -> str:
+    text = " ".join(str(error).split())
+    return (text[:100] or type(error).__name__) if not isinstance(error, SystemExit) else "corrupt"
+
+
+def _read(path: Path):
+    import meshio
+
+    read_bytes(path)
+    try:
+        with _quiet():
+            return meshio.read(path, file_format=SUFFIXES[path.suffix.lower()])
+    except (Exception, SystemExit) as error:  # it also exits the interpreter on a bad file
+        what = f"meshio cannot read it ({_reason(error)})"
+        raise FileError(path, what, "check the file, or export it as VTU or PLY") from error
+
+
+def _part_mesh(path: Path, points: np.ndarray, blocks: list) -> PartMesh:
+    faces: list[list[int]] = []
+    for block in blocks:
+        if block.type in _CURVED:
+            what = f"cells of type {block.type} have mid-side nodes, which are not read"
+            raise FileError(path, what, "use three- and four-node cells")
+        if block.type in ("triangle", "quad") or block.type.startswith("polygon"):
+            faces += [list(map(int, cell)) for cell in block.data]
+    if not faces:
+        raise FileError(path, "no triangles, quads or polygons were found", "export a surface mesh")
+    check_points(path, points)
+    numbers = [index for face in faces for index in face]
+    if min(numbers) < 0 or max(numbers) >= len(points) or min(map(len, faces)) < 3:
+        raise FileError(path, "a cell names vertices that do not exist", "export it again")
+    return PartMesh(points, triangulate(points, faces), name=path.stem)
+
+
+def _write_all_digits(path: Path, points: np.ndarray) -> None:
+    """meshio writes 12 digits into a text VTU, too few for a double."""
+    numbers = "\n".join(map(repr, points.astype(np.float64).ravel().tolist()))
+    pattern = rb"(<Points>.*?<DataArray[^>]*>)[^<]*(</DataArray>)"
+    text = re.sub(
+        pattern,
+        lambda found: found.group(1) + numbers.encode() + found.group(2),
+        path.read_bytes(),
+        count=1,
+        flags=re.DOTALL,
+    )
+    path.write_bytes(text)
+
+
+def _form(path: Path) -> tuple[str, dict[str, bool]]:
+    """meshio's name of the format to write, text or binary as the file at `path` is."""
+    form = SUFFIXES[path.suffix.lower()]
+    head = path.read_bytes()
+    if form == "vtk":
+        return form, {"binary": b"BINARY" in head[:400].upper()}
+    if form == "vtu":
+        return form, {"binary": not re.search(rb"""format=["']ascii["']""", head)}
+    if form == "gmsh":
+        version = re.search(rb"\$MeshFormat\s+(\d)\S*\s+(\d)", head)
+        is_old = version is not None and version.group(1) == b"2"
+        is_binary = version is not None and version.group(2) == b"1"
+        return ("gmsh22" if is_old else form), {"binary": is_binary}
+    return form, {}

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What every file format offers: a mesh, and the same file again with other coordinates."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from pathlib import Path
+
+import numpy as np
+
+from ..part_mesh import PartMesh
+from .atomic import FileSet
+
+
+class PartFile(ABC):
+    """A part as it stands in a file.
+
+    path; mesh: PartMesh; precision: how the file stores a coordinate ("double", "float32",
+    "8 characters", "16 characters"); notes: what a user should know, for the report; properties:
+    (m,) property id of every triangle of a deck, None for other formats.
+    """
+
+    def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):
+        self.path = path
+        self.mesh = mesh
+        self.precision = precision
+        self.notes: list[str] = []
+        self.properties: np.ndarray | None = None
+
+    @abstractmethod
+    def save(self, path: Path, positions: np.ndarray) -> None:
+        """Write the file with its vertices at (n, 3) positions, straight to `path`."""
+
+    @abstractmethod
+    def stored_positions(self, path: Path) -> np.ndarray:
+        """Read `path`, a file written by save(), again: (n, 3) positions of the same vertices."""
+
+    def write(self, path: str | Path, positions: np.ndarray) -> None:
+        """Write the deformed part beside `path`, then rename: never a half file.
+
+        positions: (n, 3) float64, mm, one row a vertex of ``mesh``.
+        Raises ValueError for another shape or numbers that are not finite, OSError.
+        """
+        with FileSet() as files:
+            self.write_into(files, Path(path), positions)
+            files.commit()
+
+    def write_into(self, files: FileSet, path: Path, positions: np.ndarray) -> Path:
+        """As write(), but named `path` only when `files` commits; returns the temporary's path."""
+        checked = self._checked(positions)
+        temporary = files.temporary_for(path)
+        with files.named(temporary):
+            self.save(temporary, checked)
+        return temporary
+
+    def read_back_error(self, path: str | Path, positions: np.ndarray) -> float:
+        """Largest distance (mm) between (n, 3) positions and what the file at `path` holds."""
+        stored = self.stored_positions(Path(path))
+        return float(np.linalg.norm(stored - self._checked(positions), axis=1).max(initial=0.0))
+
+    def _checked(self, positions: np.ndarray) -> np.ndarray:
+        array = np.asarray(positions, dtype=np.float64)
+        if array.shape != self.mesh.points.shape:
+            raise ValueError(f"positions must be {self.mesh.points.shape}, not {array.shape}")
+        if not np.isfinite(array).all():
+            raise ValueError("a position is not a finite number; nothing was written")
+        return array

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Text files of which only the coordinates are rewritten, everything else byte for byte."""
+
+from __future__ import annotations
+
+import re
+from abc import abstractmethod
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import FileError
+from ..part_mesh import PartMesh
+from .part_file import PartFile
+
+TOKEN = re.compile(rb"[^\s]+")
+# Beyond it, squares of coordinates overflow.
+LARGEST = 1e100
+_NUMBER = re.compile(rb"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+
+
+def read_bytes(path: Path) -> bytes:
+    """The file's bytes. Raises FileError if it cannot be read or is empty."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise FileError(
+            path, f"cannot be read ({reason})", "check the path and its rights"
+        ) from None
+    if not data:
+        raise FileError(path, "the file is empty", "export it again")
+    return data
+
+
+@dataclass(frozen=True)
+class Source:
+    """The bytes of a text file, for parsers that need the line number of an offset."""
+
+    path: Path
+    data: bytes
+
+    def line(self, offset: int) -> int:
+        """Line number (from 1) of a byte offset."""
+        newline = b"\n" if b"\n" in self.data else b"\r"
+        return self.data.count(newline, 0, offset) + 1
+
+    def error(self, offset: int, what: str, todo: str = "export the file again") -> FileError:
+        """A FileError at a byte offset."""
+        return FileError(self.path, what, todo, self.line(min(offset, len(self.data))))
+
+    def number(self, token: bytes, offset: int) -> float:
+        """A finite float from a token. Raises FileError."""
+        # float() takes more than files may hold: 1_000, nan, infinity.
+        if not _NUMBER.fullmatch(token):
+            raise self.error(offset, f'"{show(token)}" is not a number')
+        value = float(token)
+        if abs(value) > LARGEST:
+            raise self.error(offset, f'"{show(token)}" is too large a number')
+        return value
+
+    def integer(self, token: bytes, offset: int) -> int:
+        """An int from a token. Raises FileError."""
+        if not re.fullmatch(rb"[+-]?\d{1,18}", token):
+            raise self.error(offset, f'"{show(token)}" is not a whole number')
+        return int(token)
+
+
+def check_points(path: Path, points: np.ndarray) -> None:
+    """(n, 3) coordinates of a binary file are numbers to compute with. Raises FileError."""
+    bad = np.flatnonzero(~(np.abs(points) <= LARGEST).all(axis=1))
+    if len(bad):
+        what = f"point {bad[0]} has a coordinate that is not a finite number, or too large"
+        raise FileError(path, what, "export the file again")
+
+
+def show(token: bytes) -> str:
+    """A token of a file, short and printable, for messages."""
+    text = token[:20].decode("ascii", "replace")
+    return "".join(c if c.isprintable() else "?" for c in text)
+
+
+@dataclass(frozen=True)
+class CoordinateText:
+    """Where each coordinate stands in a text file.
+
+    data: the file; spans: (n, 3, 2) int64 byte offsets (begin, end); values: (n, 3) as read.
+    """
+
+    data: bytes
+    spans: np.ndarray
+    values: np.ndarray
+
+    def rewritten(self, positions: np.ndarray) -> bytes:
+        """The file with (n, 3) positions; a coordinate that did not change keeps its text.
+
+        Changed ones get the shortest text that reads back to the same double (17 digits at most).
+        """
+        changed = np.flatnonzero(positions.ravel() != self.values.ravel())
+        spans = self.spans.reshape(-1, 2)[changed]
+        order = np.argsort(spans[:, 0], kind="stable")
+        numbers = positions.ravel()[changed][order].tolist()
+        pieces = []
+        done = 0
+        for (begin, end), number in zip(spans[order].tolist(), numbers):
+            pieces.append(self.data[done:begin])
+            pieces.append(repr(number).encode())
+            done = end
+        pieces.append(self.data[done:])
+        return b"".join(pieces)
+
+
+class TextPartFile(PartFile):
+    """A text format whose coordinates are separate tokens: OBJ, OFF, ASCII PLY."""
+
+    def __init__(self, path: Path, mesh: PartMesh, text: CoordinateText):
+        super().__init__(path, mesh)
+        self._text = text
+
+    def save(self, path: Path, positions: np.ndarray) -> None:
+        path.write_bytes(self._text.rewritten(positions))
+
+    def stored_positions(self, path: Path) -> np.ndarray:
+        return type(self).read(path).mesh.points
+
+    @classmethod
+    def read(cls, path: Path) -> TextPartFile:
+        """Read a file of this format. Raises FileError."""
+        source = Source(path, read_bytes(path))
+        return cls(path, *cls.parse(source))
+
+    @classmethod
+    @abstractmethod
+    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText]:
+        """The mesh of a file and where its coordinates stand. Raises FileError."""

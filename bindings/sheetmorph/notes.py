@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Settings of a recipe that have no effect, told in the report."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from .recipe.model import Model, PartEntry
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
+
+
+def notes_of(session: Session) -> list[str]:
+    """What the recipe asks for in vain, one sentence each."""
+    model = session.model
+    found = _single(model) if model.propagation.type == "single" else _local(session)
+    return [*_primary(model), *found]
+
+
+def _primary(model: Model) -> Iterator[str]:
+    for part in model.parts:
+        if part.name == model.primary and part.mode:
+            yield f'mode {part.mode} of "{part.name}" has no effect: it is the primary part'
+
+
+def _single(model: Model) -> Iterator[str]:
+    if model.contacts:
+        yield "the contacts are ignored: a single control mesh drives every part"
+    followed = {region.part for region in model.of_kind("follower")}
+    featured = {region.part for region in model.of_kind("feature")}
+    for part in model.parts:
+        if part.name not in followed:
+            continue
+        if part.name == model.primary:
+            yield f'the followers on "{part.name}" have no effect: it is the primary part'
+        elif (mode := part.mode or (_BOUNDARIES if part.name in featured else _ALL)) != _REGIONS:
+            driven = "every vertex" if mode == _ALL else "its unconstrained boundary"
+            yield (
+                f'the followers on "{part.name}" have no effect: the single control mesh drives '
+                f"{driven} (mode {mode}); mode 2 drives the followers"
+            )
+
+
+def _local(session: Session) -> Iterator[str]:
+    kinds = {contact.name: contact.type for contact in session.model.contacts}
+    for part in session.model.parts:
+        if part.name == session.model.primary or not part.mode:
+            continue
+        into = [name for name, _, target in session.directions if target == part.name]
+        yield from _mode(part, {name: kinds[name] for name in into})
+
+
+def _mode(part: PartEntry, into: dict[str, str]) -> Iterator[str]:
+    """A part's mode against the types, by name, of the contacts that drive it."""
+    lead = f'mode {part.mode} of "{part.name}" has no effect'
+    if not into:
+        yield f"{lead}: no contact drives the part"
+    for name, kind in into.items():
+        if (part.mode == _BOUNDARIES and kind != "control mesh") or (
+            part.mode == _ALL and kind == "rigid"
+        ):
+            yield f'{lead} on the {kind} contact "{name}": it drives its own side of the part'

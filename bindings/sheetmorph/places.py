@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a run may write: never over what it reads, and only where files can stand."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from .errors import Fault, FileError, RecipeError
+from .files.atomic import require_file_place
+
+
+@dataclass(frozen=True)
+class Places:
+    """The files of a run. read: recipe, pose and sources; parts: the targets inside out."""
+
+    read: Sequence[Path]
+    out: Path
+    parts: Sequence[Path]
+    report: Path | None
+
+    def check(self) -> None:
+        """Raises RecipeError for targets that are read or that cannot be files."""
+        faults = _folder_faults(self.out)
+        for part in self.parts if not faults else ():
+            if _is_one_of(part, self.read):
+                what = f"a part would be written over a source file, {part}"
+                faults.append(Fault("-o", what, "name another folder"))
+            faults += _file_faults("-o", part)
+        if self.report is not None and not faults:
+            faults += self._report_faults(self.report)
+        if faults:
+            raise RecipeError(faults)
+
+    def _report_faults(self, report: Path) -> list[Fault]:
+        if _is_one_of(report, [self.out]):
+            return [Fault("--report", f"{report} is the folder of the parts", "name a file")]
+        if _is_one_of(report, self.parts):
+            return [Fault("--report", f"{report} is the file of a part", "name another file")]
+        if _is_one_of(report, self.read):
+            return [Fault("--report", f"{report} is read by this run", "name another file")]
+        made = {folder.resolve() for folder in (self.out, *self.out.parents)}
+        if not report.parent.is_dir() and report.parent.resolve() not in made:
+            return [Fault(str(report), "its folder does not exist", "create the folder first")]
+        return _file_faults("--report", report)
+
+
+def _is_one_of(path: Path, others: Sequence[Path]) -> bool:
+    """Whether a path is, by any spelling or link, one of the others."""
+    return any(_same(path, other) for other in others)
+
+
+def _same(a: Path, b: Path) -> bool:
+    try:
+        return os.path.samefile(a, b)
+    except OSError:  # one does not exist
+        return a.resolve() == b.resolve()
+
+
+def _file_faults(where: str, path: Path) -> list[Fault]:
+    try:
+        require_file_place(path)
+    except FileError as error:
+        return [error.fault(where)]
+    return []
+
+
+def _folder_faults(out: Path) -> list[Fault]:
+    existing = next(folder for folder in (out, *out.absolute().parents) if folder.exists())
+    if not existing.is_dir():
+        return [Fault("-o", f"{existing} is not a folder", "name another folder")]
+    if not os.access(existing, os.W_OK | os.X_OK):
+        todo = "change its rights, or name another folder"
+        return [Fault("-o", f"{existing} cannot be written", todo)]
+    return []

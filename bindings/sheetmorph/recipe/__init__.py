@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The recipe: the one description of a morph, checked as a whole before anything is computed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from ..errors import Fault, RecipeError
+from ..part_mesh import PartMesh
+from .checks import Known, mesh_faults, meaning_faults, pose_meaning_faults
+from .model import Model, Motion, model_of, motions_of
+from .parts import Parts, parts_of_meshes, read_parts
+from .reading import read_json
+from .structure import pose_faults, schema, structural_faults
+from .unavailable import take_out
+from .values import depth_faults
+
+__all__ = ["check_pose", "check_with_meshes", "prepare", "read_json", "schema", "validate"]
+
+
+def validate(recipe: dict[str, Any], base: str | Path = ".") -> None:
+    """Check a recipe and the files it names, relative to `base`.
+
+    Raises RecipeError; its ``faults`` list everything that was found.
+    """
+    prepare(recipe, base)
+
+
+def prepare(recipe: Any, base: str | Path) -> Parts:
+    """The parts of a recipe, read from their files. Raises RecipeError."""
+    model, faults = _model(recipe)
+    parts = read_parts(model.parts, base)
+    model = model.with_parts(parts.entries)
+    faults += meaning_faults(model, Known.of(model, recipe, parts.unread))
+    faults += [*parts.faults, *mesh_faults(model, parts.meshes)]
+    if faults:
+        raise RecipeError(faults)
+    return parts
+
+
+def check_with_meshes(recipe: Any, meshes: Mapping[str, PartMesh]) -> Model:
+    """The entries of a recipe whose parts are given as meshes, by name. Raises RecipeError."""
+    model, faults = _model(recipe)
+    model = model.with_parts(parts_of_meshes(model.parts, meshes))
+    faults += meaning_faults(model, Known.of(model, recipe))
+    for part in model.parts:
+        if part.name not in meshes:
+            what = f'no mesh is given for the part "{part.name}"'
+            faults.append(Fault(part.where, what, "add it to the meshes"))
+    if not model.parts and not faults:
+        faults.append(Fault("parts", "no mesh is given for any part", "add it to the meshes"))
+    faults += mesh_faults(model, meshes)
+    if faults:
+        raise RecipeError(faults)
+    return model
+
+
+def check_pose(model: Model, pose: Any) -> dict[str, Motion]:
+    """The entries of a pose (what stands under "pose" in a recipe). Raises RecipeError."""
+    _require_shallow(pose)
+    available, faults = take_out({"pose": pose})
+    rest = available["pose"]
+    faults += pose_faults(rest)
+    if not faults:
+        faults += pose_meaning_faults(model, motions_of(rest))
+    if faults:
+        raise RecipeError(faults)
+    return motions_of(rest)
+
+
+def _model(recipe: Any) -> tuple[Model, list[Fault]]:
+    _require_shallow(recipe)
+    available, faults = take_out(recipe)
+    structural, sound = structural_faults(available)
+    return model_of(sound), [*faults, *structural]
+
+
+def _require_shallow(data: Any) -> None:
+    faults = depth_faults(data)
+    if faults:
+        raise RecipeError(faults)

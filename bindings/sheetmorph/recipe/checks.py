@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a recipe of sound form can still get wrong: names, numbers, ids that do not exist."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence, Set
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import Fault, list_ids
+from ..part_mesh import PartMesh
+from .model import Model, Motion, PartEntry, RegionEntry, Rotation
+from .places import names_in
+
+_POSED = ("handles", "features", "points")
+_HOLDING = ("fixed", "handles", "points")
+_NOT_POSED = ("fixed", "follower")
+
+
+@dataclass(frozen=True)
+class Known:
+    """Names a recipe declares, also in entries that are faulty otherwise.
+
+    parts; posed: handles, features and points; unread: beginnings of names of parts that may be in
+    files that cannot be read; is_held: whether anything is fixed or moved.
+    """
+
+    parts: frozenset[str]
+    posed: frozenset[str]
+    unread: tuple[str, ...]
+    is_held: bool
+
+    @classmethod
+    def of(cls, model: Model, written: Any, unread: Sequence[str] = ()) -> Known:
+        """The names in a model and in the recipe as the user wrote it."""
+        recipe = written if isinstance(written, dict) else {}
+        parts = names_in(recipe, "parts") | {part.name for part in model.parts}
+        posed = set().union(*(names_in(recipe, section) for section in _POSED))
+        is_held = any(recipe.get(section) for section in _HOLDING)
+        return cls(frozenset(parts), frozenset(posed), tuple(unread), is_held)
+
+    def has_part(self, name: str) -> bool:
+        """Whether a part of this name exists, or may exist in a file that cannot be read."""
+        return name in self.parts or name.startswith(self.unread)
+
+
+def meaning_faults(model: Model, known: Known) -> list[Fault]:
+    """Faults that can be found without the meshes."""
+    faults = [*_repeated_names(model), *_primary(model, known)]
+    for region in model.all_regions:
+        if not known.has_part(region.part):
+            what = f'there is no part "{region.part}"'
+            faults.append(Fault(f"{region.where}.part", what, f"use one of {_list(known.parts)}"))
+        faults += _numbers(region)
+    for contact in model.contacts:
+        if contact.a.part == contact.b.part:
+            what = f'both sides are on the part "{contact.a.part}"'
+            faults.append(Fault(contact.where, what, "pick sides on two different parts"))
+    if not known.is_held:
+        what = "nothing is fixed and nothing is moved"
+        faults.append(Fault("recipe", what, "add a fixed region and a handle"))
+    return faults + pose_meaning_faults(model, model.pose, known.posed)
+
+
+def pose_meaning_faults(
+    model: Model, pose: Mapping[str, Motion], declared: Set[str] = frozenset()
+) -> list[Fault]:
+    """Faults of a pose; names in `declared` are taken to exist though their entries are faulty."""
+    regions = {region.name: region for region in model.regions if region.kind not in _NOT_POSED}
+    faults = []
+    for name, motion in pose.items():
+        if name in regions:
+            faults += _motion(regions[name], motion)
+        elif name not in declared:
+            known = _list(set(regions)) if regions else "none; add a handle"
+            what = f'there is no handle, feature or point "{name}"'
+            faults.append(Fault(motion.where, what, f"names are {known}"))
+    return faults
+
+
+def mesh_faults(model: Model, meshes: Mapping[str, PartMesh]) -> list[Fault]:
+    """Parts that cannot be computed, vertex ids and triangles that they do not have.
+
+    Parts without a mesh are passed over.
+    """
+    faults = [
+        fault
+        for part in model.parts
+        if part.name in meshes
+        for fault in _part_mesh(part, meshes[part.name])
+    ]
+    for region in model.all_regions:
+        mesh = meshes.get(region.part)
+        if mesh is None or not len(mesh.points):
+            continue
+        if region.vertices is not None:
+            _, missing = mesh.find(region.vertices)
+            if missing:
+                what = f"vertices {list_ids(missing)} are not in part {region.part}"
+                todo = f"use its ids, {mesh.describe_ids()}"
+                faults.append(Fault(f"{region.where}.vertices", what, todo))
+        if region.triangle is not None and region.triangle >= len(mesh.triangles):
+            what = f"triangle {region.triangle} is not in part {region.part}"
+            todo = f"use one of its triangles, 0 .. {len(mesh.triangles) - 1}"
+            faults.append(Fault(f"{region.where}.triangle", what, todo))
+    return faults
+
+
+def _part_mesh(part: PartEntry, mesh: PartMesh) -> Iterator[Fault]:
+    if not len(mesh.points):
+        yield Fault(part.where, f"the part {part.name} has no vertices", "give it a mesh")
+    if mesh.ids is not None and len(mesh.ids):
+        largest = np.iinfo(np.int32).max
+        huge = mesh.ids[(mesh.ids > largest) | (mesh.ids < -largest)]
+        if len(huge):
+            what = f"the vertex ids {list_ids(huge)} of part {part.name} are beyond {largest}"
+            yield Fault(part.where, what, "renumber its nodes")
+
+
+def _list(names: Set[str]) -> str:
+    return ", ".join(f'"{name}"' for name in sorted(names)) or "the parts; none is listed yet"
+
+
+def _repeated_names(model: Model) -> Iterator[Fault]:
+    for what, entries in (
+        ("part", model.parts),
+        ("region", model.regions),
+        ("contact", model.contacts),
+    ):
+        seen: dict[str, str] = {}
+        for entry in entries:
+            if entry.name in seen:
+                text = f'the {what} name "{entry.name}" is used already by {seen[entry.name]}'
+                yield Fault(entry.where, text, "give it another name")
+            else:
+                seen[entry.name] = entry.where
+
+
+def _primary(model: Model, known: Known) -> Iterator[Fault]:
+    if model.primary is None and len(known.parts) > 1:
+        todo = f"name the part you deform: {_list(known.parts)}"
+        yield Fault("primary", "the key is missing, and there are several parts", todo)
+    elif model.primary is not None and not known.has_part(model.primary):
+        what = f'there is no part "{model.primary}"'
+        yield Fault("primary", what, f"use one of {_list(known.parts)}")
+
+
+def _numbers(region: RegionEntry) -> Iterator[Fault]:
+    if region.kind == "handle":
+        yield from _either_vertices_or_point(region)
+    if region.barycentric is not None:
+        where = f"{region.where}.barycentric"
+        if abs(sum(region.barycentric) - 1.0) > 1e-9:
+            what = f"the three numbers add up to {sum(region.barycentric):.9g}, not to 1"
+            yield Fault(where, what, "divide them by their sum")
+        elif min(region.barycentric) < -1e-9:
+            yield Fault(
+                where, "a negative number is outside the triangle", "use numbers from 0 to 1"
+            )
+    yield from _axis(region.where, region.rotation)
+
+
+def _either_vertices_or_point(region: RegionEntry) -> Iterator[Fault]:
+    has_point = region.triangle is not None, region.barycentric is not None
+    if region.vertices is not None and any(has_point):
+        todo = "keep either vertices, or triangle and barycentric"
+        yield Fault(region.where, "vertices and a point on a triangle are given", todo)
+    if region.vertices is None and not all(has_point):
+        todo = "give vertices, or triangle and barycentric"
+        yield Fault(region.where, "it says neither vertices nor a whole point", todo)
+
+
+def _axis(where: str, rotation: Rotation | None) -> Iterator[Fault]:
+    if rotation is not None and np.linalg.norm(rotation.axis) < 1e-100:
+        todo = "give the axis a direction, for example [0, 0, 1]"
+        yield Fault(f"{where}.rotation.axis", "the axis has no length", todo)
+
+
+_MEANINGLESS = {
+    "handle": (("target", "a handle is moved by a translation and a rotation"),),
+    "feature": (
+        ("translation", "a form feature follows the sheet; a pose can only turn it"),
+        ("pivot", "a form feature turns about its own centre"),
+        ("target", "a form feature follows the sheet; a pose can only turn it"),
+    ),
+    "point": (
+        ("translation", "a point goes to its target"),
+        ("pivot", "a point goes to its target"),
+    ),
+}
+
+
+def _motion(region: RegionEntry, motion: Motion) -> Iterator[Fault]:
+    for key, reason in _MEANINGLESS[region.kind]:
+        if getattr(motion, key) is not None:
+            what = f'"{key}" has no meaning for the {region.kind} "{region.name}"'
+            yield Fault(f"{motion.where}.{key}", what, f"leave it out: {reason}")
+    if motion.rotation is not None and region.rotation is None and region.kind != "handle":
+        what = f'the {region.kind} "{region.name}" has no rotation of its own in the recipe'
+        todo = f'add "rotation": {{"axis": ..., "degrees": 0}} to {region.where}'
+        yield Fault(f"{motion.where}.rotation", what, todo)
+    yield from _axis(motion.where, motion.rotation)

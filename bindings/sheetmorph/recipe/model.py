@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A recipe as typed entries, defaults filled in."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from .places import place_of
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Rotation:
+    """A turn by `radians` about `axis` (any length but zero); whole turns are kept."""
+
+    axis: Vector
+    radians: float
+
+
+@dataclass(frozen=True)
+class PartEntry:
+    """A part; where: its place in the recipe, for messages; file: "" if none is given.
+
+    mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
+    entry stands for several parts, "" if it is one.
+    """
+
+    where: str
+    name: str
+    file: str
+    mode: int = 0
+    split: str = ""
+
+    @property
+    def stem(self) -> str:
+        """What stands before the "/" in the names of the parts of a split file."""
+        return Path(self.file).stem
+
+
+@dataclass(frozen=True)
+class RegionEntry:
+    """Vertices of a part (file ids, each once, in the recipe's order) or a point on a triangle.
+
+    kind: "fixed", "handle", "feature", "point", "follower" or "side" (of a contact); pivot of a
+    handle (None: centroid); rotation of a feature (None: interpolated) or of a point (None: free to
+    turn); target of a point.
+    """
+
+    where: str
+    kind: str
+    name: str
+    part: str
+    vertices: list[int] | None = None
+    triangle: int | None = None
+    barycentric: Vector | None = None
+    pivot: Vector | None = None
+    rotation: Rotation | None = None
+    target: Vector | None = None
+
+    @property
+    def is_point(self) -> bool:
+        """Whether it is a point on a triangle rather than a set of vertices."""
+        return self.vertices is None
+
+
+@dataclass(frozen=True)
+class Motion:
+    """An entry of a pose; what it leaves out is None."""
+
+    where: str
+    translation: Vector | None = None
+    rotation: Rotation | None = None
+    pivot: Vector | None = None
+    target: Vector | None = None
+
+
+@dataclass(frozen=True)
+class ContactEntry:
+    """Two sides that stay together; type: "control mesh", "tied" or "rigid"."""
+
+    where: str
+    name: str
+    type: str
+    a: RegionEntry
+    b: RegionEntry
+
+
+@dataclass(frozen=True)
+class PropagationEntry:
+    """How motion reaches the other parts: "local" or "single", levels, smoothness c of (3.3)."""
+
+    type: str = "local"
+    levels: int = 3
+    smoothness: float = 0.05
+
+
+@dataclass(frozen=True)
+class Model:
+    """A whole recipe; pose by the name of handle, feature or point."""
+
+    parts: list[PartEntry] = field(default_factory=list)
+    primary: str | None = None
+    energy: str = "neumann"
+    regions: list[RegionEntry] = field(default_factory=list)
+    contacts: list[ContactEntry] = field(default_factory=list)
+    propagation: PropagationEntry = PropagationEntry()
+    pose: dict[str, Motion] = field(default_factory=dict)
+
+    @property
+    def all_regions(self) -> list[RegionEntry]:
+        """The regions and both sides of every contact."""
+        return [*self.regions, *(side for c in self.contacts for side in (c.a, c.b))]
+
+    def with_parts(self, parts: list[PartEntry]) -> Model:
+        """The same with other parts; a single one is the primary if none is named."""
+        primary = self.primary
+        if primary is None and len(parts) == 1:
+            primary = parts[0].name
+        return replace(self, parts=parts, primary=primary)
+
+    def of_kind(self, kind: str) -> list[RegionEntry]:
+        """The fixed regions, handles, features or points."""
+        return [region for region in self.regions if region.kind == kind]
+
+
+_SECTIONS = (
+    ("fixed", "fixed"),
+    ("handles", "handle"),
+    ("features", "feature"),
+    ("points", "point"),
+    ("regions", "follower"),
+)
+
+
+def model_of(recipe: dict[str, Any]) -> Model:
+    """The entries of a recipe of sound form; entries that are None are left out."""
+    parts = [_part(where, k, entry) for where, k, entry in _entries(recipe, "parts")]
+    contacts = [_contact(where, k, entry) for where, k, entry in _entries(recipe, "contacts")]
+    regions = [
+        _region(kind, where, k, entry)
+        for section, kind in _SECTIONS
+        for where, k, entry in _entries(recipe, section)
+    ]
+    return Model(
+        parts=parts,
+        primary=recipe.get("primary"),
+        energy=recipe.get("energy", "neumann"),
+        regions=regions,
+        contacts=contacts,
+        propagation=_propagation(**recipe.get("propagation", {})),
+        pose=motions_of(recipe.get("pose", {})),
+    )
+
+
+def _propagation(**entry: Any) -> PropagationEntry:
+    # JSON Schema takes 3.0 for a whole number, the kernel does not.
+    sound = {key: value for key, value in entry.items() if value is not None}
+    found = PropagationEntry(**sound)
+    return replace(found, levels=int(found.levels), smoothness=float(found.smoothness))
+
+
+def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
+    split = entry.get("split", False)
+    split = {True: "components", False: ""}.get(split, split)
+    name = entry.get("name", "" if split else f"part{k}")
+    return PartEntry(where, name, entry.get("file", ""), int(entry.get("mode", 0)), split)
+
+
+def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:
+    name = entry.get("name", f"contact{k}")
+    sides = [
+        replace(_region("side", f"{where}.{key}", k, entry[key]), name=f"{name}: {key}")
+        for key in ("a", "b")
+    ]
+    return ContactEntry(where, name, entry.get("type", "control mesh"), *sides)
+
+
+def _entries(recipe: dict[str, Any], section: str) -> Iterator[tuple[str, int, dict[str, Any]]]:
+    for k, entry in enumerate(recipe.get(section, [])):
+        if entry is not None:
+            yield place_of(recipe, [section, k]), k, entry
+
+
+def motions_of(pose: dict[str, Any]) -> dict[str, Motion]:
+    """The entries of a pose of sound form."""
+    return {
+        name: Motion(
+            f"pose.{name}",
+            _vector(entry.get("translation")),
+            _rotation(entry.get("rotation")),
+            _vector(entry.get("pivot")),
+            _vector(entry.get("target")),
+        )
+        for name, entry in pose.items()
+    }
+
+
+def _region(kind: str, where: str, k: int, entry: dict[str, Any]) -> RegionEntry:
+    vertices = entry.get("vertices")
+    triangle = entry.get("triangle")
+    return RegionEntry(
+        where=where,
+        kind=kind,
+        name=entry.get("name", f"{kind}{k}"),
+        part=entry["part"],
+        vertices=None if vertices is None else list(dict.fromkeys(map(int, vertices))),
+        triangle=None if triangle is None else int(triangle),
+        barycentric=_vector(entry.get("barycentric")),
+        pivot=_vector(entry.get("pivot")),
+        rotation=_rotation(entry.get("rotation")),
+        target=_vector(entry.get("target")),
+    )
+
+
+def _vector(value: Any) -> Vector | None:
+    return None if value is None else (float(value[0]), float(value[1]), float(value[2]))
+
+
+def _rotation(value: Any) -> Rotation | None:
+    if not isinstance(value, dict):
+        return None
+    return Rotation(_vector(value["axis"]), math.radians(value["degrees"]))

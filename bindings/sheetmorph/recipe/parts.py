@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The part files a recipe names."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import Fault, FileError
+from ..files import PartFile, read_part
+from ..part_mesh import PartMesh
+from .model import PartEntry
+from .splitting import SplitError, part_of, split_triangles
+
+
+@dataclass
+class Source:
+    """A file and the parts in it: name -> indices (k,) of their vertices in the file."""
+
+    file: PartFile
+    members: dict[str, np.ndarray] = field(default_factory=dict)
+
+    def positions(self, of_parts: dict[str, np.ndarray]) -> np.ndarray:
+        """Positions (n, 3) of the whole file; vertices of no part stay at rest."""
+        whole = self.file.mesh.points.copy()
+        for name, vertices in self.members.items():
+            whole[vertices] = of_parts[name]
+        return whole
+
+
+@dataclass
+class Parts:
+    """Everything the entries of `parts` stand for; split files are several entries here."""
+
+    entries: list[PartEntry] = field(default_factory=list)
+    meshes: dict[str, PartMesh] = field(default_factory=dict)
+    sources: list[Source] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+    unread: list[str] = field(default_factory=list)
+
+    def add(self, entry: PartEntry, file: PartFile) -> None:
+        """Put the part, or the parts, of a file in."""
+        source = Source(file)
+        if not entry.split:
+            source.members[entry.name] = np.arange(len(file.mesh.points))
+            self.meshes[entry.name] = file.mesh
+            self.entries.append(entry)
+        else:
+            for number, rows in split_triangles(file, entry.split).items():
+                name = f"{entry.stem}/{number}"
+                mesh, source.members[name] = part_of(file.mesh, rows, name)
+                self.meshes[name] = mesh
+                self.entries.append(replace(entry, name=name, split=""))
+        self.sources.append(source)
+
+
+def read_parts(entries: list[PartEntry], base: str | Path) -> Parts:
+    """The parts of a recipe, paths relative to `base`; what fails is in `faults`."""
+    parts = Parts()
+    for entry in entries:
+        if not entry.file:
+            what = 'the key "file" is missing'
+            parts.faults.append(Fault(entry.where, what, "add the path of its mesh file"))
+            parts.entries.append(entry)
+            continue
+        try:
+            parts.add(entry, read_part(Path(base) / entry.file))
+        except (FileError, SplitError) as error:
+            parts.faults.append(_fault(entry, error))
+            parts.entries += [] if entry.split else [entry]
+            parts.unread += [f"{entry.stem}/"] if entry.split else []
+    parts.faults += _clashes(entries)
+    return parts
+
+
+def parts_of_meshes(entries: list[PartEntry], meshes: dict[str, PartMesh]) -> list[PartEntry]:
+    """The entries with those of split files replaced by the meshes given for them."""
+    found = []
+    for entry in entries:
+        names = [name for name in meshes if name.startswith(f"{entry.stem}/")]
+        split = [replace(entry, name=name, split="") for name in names]
+        found += split if entry.split else [entry]
+    return found
+
+
+def _fault(entry: PartEntry, error: FileError | SplitError) -> Fault:
+    if isinstance(error, FileError):
+        return error.fault(f"{entry.where}.file")
+    return Fault(f"{entry.where}.split", str(error), error.todo)
+
+
+def _clashes(entries: list[PartEntry]) -> list[Fault]:
+    """Parts are written under their own file names into one folder: the names must differ."""
+    faults = []
+    seen: dict[str, str] = {}
+    for entry in entries:
+        name = Path(entry.file).name
+        if name and name in seen:
+            what = f'the file name "{name}" is used already by {seen[name]}'
+            todo = "rename one of the files; results are written into one folder"
+            faults.append(Fault(f"{entry.where}.file", what, todo))
+        elif name:
+            seen[name] = entry.where
+        if entry.split and entry.name:
+            what = f'parts of a split file are called "{entry.stem}/..."'
+            faults.append(Fault(f"{entry.where}.name", what, "leave the name out"))
+    return faults

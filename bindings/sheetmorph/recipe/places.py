@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where in a recipe something stands, as a person would say it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+
+def place_of(recipe: Any, path: Sequence[str | int]) -> str:
+    """`handles[0] (tip).vertices[2]`: a path with the names of the entries it goes through."""
+    text = ""
+    node = recipe
+    for step in path:
+        if isinstance(step, int):
+            text += f"[{step}]"
+        else:
+            text += f".{step}" if text else step
+        node = _child(node, step)
+        if isinstance(step, int) and isinstance(node, dict) and isinstance(node.get("name"), str):
+            text += f" ({node['name']})"
+    return text or "recipe"
+
+
+def _child(node: Any, step: str | int) -> Any:
+    if isinstance(node, dict):
+        return node.get(step)
+    if isinstance(node, list) and isinstance(step, int) and 0 <= step < len(node):
+        return node[step]
+    return None
+
+
+def names_in(recipe: Any, section: str) -> set[str]:
+    """The names given in a list of the recipe, also in entries that are faulty otherwise."""
+    entries = recipe.get(section) if isinstance(recipe, dict) else None
+    if not isinstance(entries, list):
+        return set()
+    found = [entry.get("name") for entry in entries if isinstance(entry, dict)]
+    return {name for name in found if isinstance(name, str)}

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Several parts in one file: by connected components, or by the property of a deck's elements."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..errors import list_ids
+from ..files import PartFile
+from ..part_mesh import PartMesh
+
+
+class SplitError(ValueError):
+    """A file that cannot be split as the recipe says; ``todo`` says what to do."""
+
+    def __init__(self, what: str, todo: str):
+        super().__init__(what)
+        self.todo = todo
+
+
+def split_triangles(file: PartFile, way: str) -> dict[str, np.ndarray]:
+    """Triangle indices by part name, without the file's stem.
+
+    way: "components", counted from 1 in order of their first vertex, or "property", the property
+    ids of a deck. Raises SplitError.
+    """
+    mesh = file.mesh
+    if way == "components":
+        labels = _component_labels(len(mesh.points), mesh.triangles)[mesh.triangles[:, 0]]
+        numbers = {label: str(k + 1) for k, label in enumerate(np.unique(labels).tolist())}
+    else:
+        if file.properties is None:
+            raise SplitError("only Nastran decks have properties", 'use "split": "components"')
+        labels = file.properties
+        numbers = {label: str(label) for label in dict.fromkeys(labels.tolist())}
+    found = {name: np.flatnonzero(labels == label) for label, name in numbers.items()}
+    _check_apart(mesh, found)
+    return found
+
+
+def _component_labels(count: int, triangles: np.ndarray) -> np.ndarray:
+    """(n,) the smallest vertex index of each vertex's component."""
+    labels = np.arange(count)
+    while True:
+        before = labels
+        smallest = labels[triangles].min(axis=1)
+        labels = labels.copy()
+        for corner in range(3):
+            np.minimum.at(labels, triangles[:, corner], smallest)
+        labels = labels[labels]
+        if np.array_equal(labels, before):
+            return labels
+
+
+def _check_apart(mesh: PartMesh, found: dict[str, np.ndarray]) -> None:
+    owner = np.full(len(mesh.points), -1)
+    for number, rows in enumerate(found.values()):
+        vertices = np.unique(mesh.triangles[rows])
+        shared = vertices[owner[vertices] >= 0]
+        if len(shared):
+            what = f"two properties share the vertices {list_ids(mesh.file_ids(shared))}"
+            raise SplitError(what, 'use "split": "components"')
+        owner[vertices] = number
+
+
+def part_of(mesh: PartMesh, rows: np.ndarray, name: str) -> tuple[PartMesh, np.ndarray]:
+    """The mesh of some triangles with the file's vertex ids, and its vertices' indices (k,)."""
+    vertices, corners = np.unique(mesh.triangles[rows], return_inverse=True)
+    ids = np.array(mesh.file_ids(vertices))
+    return PartMesh(mesh.points[vertices], corners.reshape(-1, 3), ids, name), vertices

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The recipe against its JSON Schema, with messages for people."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Iterator
+from functools import cache
+from importlib import resources
+from typing import Any
+
+import jsonschema
+
+from ..errors import Fault
+from .places import place_of
+from .values import are_ids, bad_values, copied
+
+
+def schema() -> dict[str, Any]:
+    """The published JSON Schema of the recipe."""
+    text = resources.files("sheetmorph").joinpath("recipe.schema.json").read_text("utf-8")
+    return json.loads(text)
+
+
+_IDS = {"$ref": "#/$defs/id"}
+
+
+def _items(validator: Any, items: Any, instance: Any, parent: Any) -> Iterator[Any]:
+    # Vertex ids are by far the most of a recipe, and nearly always sound: all at once.
+    if items != _IDS or not are_ids(instance):
+        yield from jsonschema.Draft202012Validator.VALIDATORS["items"](
+            validator, items, instance, parent
+        )
+
+
+@cache
+def _validator() -> Any:
+    quick = jsonschema.validators.extend(jsonschema.Draft202012Validator, {"items": _items})
+    return quick(schema())
+
+
+def structural_faults(recipe: Any) -> tuple[list[Fault], Any]:
+    """Faults of form, and a copy of the recipe without the entries that have one."""
+    bad = list(bad_values(recipe, recipe, []))
+    errors = _errors(_validator(), recipe, [path for path, _ in bad])
+    places = [(list(error.absolute_path), _fault(recipe, error)) for error in errors] + bad
+    sound = copied(recipe)
+    for path, _ in places:
+        _mark_unsound(sound, path)
+    return [fault for _, fault in places], _without_marked(sound)
+
+
+def pose_faults(pose: Any) -> list[Fault]:
+    """Faults of form of a pose that stands alone."""
+    bad = list(bad_values({"pose": pose}, pose, ["pose"]))
+    validator = _validator().evolve(schema={**schema(), "$ref": "#/$defs/pose", **_ONLY_REF})
+    errors = _errors(validator, pose, [path[1:] for path, _ in bad])
+    faults = [_fault({"pose": pose}, error, ["pose"]) for error in errors]
+    return faults + [fault for _, fault in bad]
+
+
+def _errors(validator: Any, instance: Any, told: list[list[str | int]]) -> list[Any]:
+    """What the schema says, in order of places, but for the places that are told already."""
+    errors = sorted(validator.iter_errors(instance), key=lambda error: list(map(str, error.path)))
+    return [error for error in errors if list(_innermost(error).absolute_path) not in told]
+
+
+# What the schema says about a whole recipe does not concern a pose.
+_ONLY_REF: dict[str, Any] = {
+    "properties": {},
+    "required": [],
+    "additionalProperties": True,
+    "type": "object",
+}
+
+
+def _fault(recipe: Any, error: jsonschema.ValidationError, root: list[str] | None = None) -> Fault:
+    error = _innermost(error)
+    where = place_of(recipe, [*(root or []), *error.absolute_path])
+    what, todo = _explain(error)
+    return Fault(where, what, todo)
+
+
+def _innermost(error: jsonschema.ValidationError) -> jsonschema.ValidationError:
+    """Of an anyOf, the mistake inside the alternative whose type the user chose."""
+    if error.validator == "anyOf" and isinstance(error.instance, dict):
+        inner = [e for e in error.context if e.validator not in ("const", "type")]
+        return inner[0] if inner else error
+    return error
+
+
+def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
+    kind, value, limit = error.validator, error.instance, error.validator_value
+    wanted = error.schema.get("description", "something else")
+    if kind == "required":
+        missing = _quoted(error.message)
+        hint = error.schema["properties"][missing].get("description", "")
+        return f'the key "{missing}" is missing', f"add it{': ' + hint if hint else ''}"
+    if kind == "additionalProperties":
+        return _explain_unknown(error)
+    if kind == "enum":
+        return f"{_show(value)} is not {wanted}", f"use {' or '.join(map(_show, limit))}"
+    if kind == "minItems" and len(value) == 0:
+        return "the list is empty", f"give {wanted}"
+    if kind in ("minItems", "maxItems"):
+        return f"it has {len(value)} entries", f"give {wanted}"
+    return f"{_show(value)} is not {wanted}", f"give {wanted}"
+
+
+def _quoted(message: str) -> str:
+    """The key of jsonschema's "'key' is a required property", one error for each missing key."""
+    return message.split("'")[1]
+
+
+def _explain_unknown(error: jsonschema.ValidationError) -> tuple[str, str]:
+    known = list(error.schema.get("properties", {}))
+    unknown = [key for key in error.instance if key not in known]
+    close = difflib.get_close_matches(unknown[0], known, 1)
+    todo = f'did you mean "{close[0]}"?' if close else f"known keys are {', '.join(known)}"
+    return f"unknown key {', '.join(map(_show, unknown))}", todo
+
+
+def _show(value: Any) -> str:
+    text = json.dumps(value, ensure_ascii=False, default=str)
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def _mark_unsound(sound: Any, path: list[str | int]) -> None:
+    """Put None in place of the list entry, or the top level key, that the path goes into."""
+    if not path or not isinstance(sound, dict) or path[0] not in sound:
+        return
+    section = sound[path[0]]
+    if len(path) > 1 and isinstance(section, list):
+        section[path[1]] = None
+    elif len(path) > 1 and isinstance(section, dict):
+        section[path[1]] = None
+    else:
+        sound[path[0]] = None
+
+
+def _without_marked(sound: Any) -> Any:
+    """The marked entries gone; list entries stay as None, so that the others keep their place."""
+    if not isinstance(sound, dict):
+        return {}
+    rest = {key: value for key, value in sound.items() if value is not None}
+    if isinstance(rest.get("pose"), dict):
+        rest["pose"] = {key: value for key, value in rest["pose"].items() if value is not None}
+    return rest

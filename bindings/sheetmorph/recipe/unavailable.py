@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one table of recipe keys and values that are reserved but not available in this version."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from ..errors import Fault
+from .places import place_of
+from .values import copied
+
+_ANY = object()
+
+
+@dataclass(frozen=True)
+class _Reserved:
+    """A place ("*": every entry of a list or an object), a value (any if left out), what to do."""
+
+    path: tuple[str, ...]
+    value: Any = _ANY
+    todo: str = "leave it out"
+
+
+_TOP = ("groups", "coaxial", "distance", "symmetry")
+_OPTIONS = ("refine", "remesh", "thin", "weld", "margin", "thickness", "criteria", "poses", "modes")
+_RESERVED = (
+    *(_Reserved((key,)) for key in (*_TOP, *_OPTIONS)),
+    *(_Reserved(("parts", "*", key)) for key in _OPTIONS),
+    *(_Reserved(("features", "*", key)) for key in ("size", "groups", "coaxial", "distance")),
+    _Reserved(("handles", "*", "rotation")),
+    _Reserved(("pose", "*", "size")),
+    _Reserved(("features",), "auto", "list the features"),
+    _Reserved(("contacts",), "auto", "list the contacts"),
+    _Reserved(("energy",), "natural", 'use "neumann" or "paper"'),
+    _Reserved(("operator",), "intrinsic", 'use "cotangent"'),
+    _Reserved(("features", "*", "rotation"), "free", 'use "interpolated" or a rotation'),
+    *(
+        _Reserved(("features", "*", "motion"), kind, 'use {"type": "free"} or leave motion out')
+        for kind in ("fixed", "translation", "plane", "line", "axis")
+    ),
+)
+
+
+def take_out(recipe: dict[str, Any]) -> tuple[dict[str, Any], list[Fault]]:
+    """A copy of a recipe without what is not available, and one fault for each of them."""
+    rest = copied(recipe)
+    faults = []
+    for reserved in _RESERVED:
+        for holder, key, place in _matches(rest, reserved.path):
+            value = holder[key]
+            asked = value.get("type") if key == "motion" and isinstance(value, dict) else value
+            if reserved.value is _ANY or asked == reserved.value:
+                text = key if reserved.value is _ANY else f'{key} "{asked}"'
+                what = f"not available in this version: {text}"
+                faults.append(Fault(place_of(recipe, place), what, reserved.todo))
+                del holder[key]
+    return rest, faults
+
+
+def _matches(
+    node: Any, path: tuple[str, ...], place: tuple[str | int, ...] = ()
+) -> list[tuple[dict[str, Any], str, tuple[str | int, ...]]]:
+    """(holder, key, place) of every value at `path` below `node`."""
+    head, rest = path[0], path[1:]
+    if head == "*":
+        if isinstance(node, dict):
+            inner = list(node.items())
+        else:
+            inner = list(enumerate(node)) if isinstance(node, list) else []
+        return [found for key, child in inner for found in _matches(child, rest, (*place, key))]
+    if not isinstance(node, dict) or head not in node:
+        return []
+    if not rest:
+        return [(node, head, (*place, head))]
+    return _matches(node[head], rest, (*place, head))

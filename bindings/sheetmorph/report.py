@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of a morph: what was kept, how exactly, and what a user should know."""
+
+from __future__ import annotations
+
+import json
+import math
+import platform
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .certificate import edge_error, feature_edges, tolerance
+from .notes import notes_of
+from .part_mesh import PartMesh
+
+if TYPE_CHECKING:
+    from .session import FeatureResult, Result
+
+
+@dataclass(frozen=True)
+class WrittenPart:
+    """A part's file read again: its name, (n, 3) stored positions, precision, notes."""
+
+    file: str
+    positions: np.ndarray
+    precision: str
+    notes: list[str]
+
+
+def report_schema() -> dict[str, Any]:
+    """The published JSON Schema of the report."""
+    text = resources.files("sheetmorph").joinpath("report.schema.json").read_text("utf-8")
+    return json.loads(text)
+
+
+def make_report(
+    result: Result,
+    written: Mapping[str, WrittenPart] | None = None,
+    timings: Mapping[str, float] | None = None,
+) -> dict[str, Any]:
+    """The report of a result; `written`: its files read again, by part name; timings: seconds."""
+    session = result.session
+    files = written or {}
+    arrays = [mesh.points for mesh in session.meshes.values()]
+    tol = tolerance(session.size, [*arrays, *result.positions.values()])
+    features = [_feature(result, feature, files) for feature in result.features]
+    failures = [
+        f"{entry['name']} on {entry['part']}: {entry['edge_error']:.3g} mm"
+        for entry in features
+        if not entry["edge_error"] <= tol
+    ]
+    return {
+        "sheetmorph_report": 1,
+        "versions": _versions(session.core),
+        "energy": session.model.energy,
+        "primary": session.model.primary,
+        "pose": result.pose,
+        "size": session.size,
+        "tolerance": tol,
+        "certificate": {"passed": not failures, "failures": failures},
+        "features": features,
+        "contacts": [asdict(contact) for contact in result.contacts],
+        "spread": result.spread,
+        "parts": [_part(result, name, files.get(name)) for name in session.parts],
+        "order": session.order,
+        "levels": session.levels,
+        "unreached": session.unreached,
+        "notes": notes_of(session),
+        "timings": {**session.timings, **(timings or {})},
+    }
+
+
+def _feature(
+    result: Result, feature: FeatureResult, files: Mapping[str, WrittenPart]
+) -> dict[str, Any]:
+    mesh = result.session.meshes[feature.part]
+    vertices = result.session.feature_vertices(feature.name)
+    edges = feature_edges(mesh, vertices)
+
+    def error_of(positions: np.ndarray) -> float:
+        return edge_error(mesh.points, positions, edges, feature.rotation)
+
+    written = files.get(feature.part)
+    return {
+        "name": feature.name,
+        "part": feature.part,
+        "vertices": len(vertices),
+        "edge_error": error_of(result.positions[feature.part]),
+        "file_edge_error": None if written is None else error_of(written.positions),
+        "rotation": feature.rotation.tolist(),
+        "translation": feature.translation.tolist(),
+        "centre": feature.centre.tolist(),
+    }
+
+
+def _part(result: Result, name: str, written: WrittenPart | None) -> dict[str, Any]:
+    mesh = result.session.meshes[name]
+    positions = result.positions[name]
+    report = {
+        "name": name,
+        "vertices": len(mesh.points),
+        "triangles": len(mesh.triangles),
+        "is_reached": name not in result.session.unreached,
+        "largest_displacement": _largest_distance(mesh.points, positions),
+        "quality": _quality(result.session.core, mesh, positions),
+        "file": None,
+    }
+    if written is not None:
+        report["file"] = {
+            "name": written.file,
+            "precision": written.precision,
+            "error": _largest_distance(written.positions, positions),
+            "notes": written.notes,
+        }
+    return report
+
+
+def _largest_distance(a: np.ndarray, b: np.ndarray) -> float:
+    return float(np.linalg.norm(a - b, axis=1).max(initial=0.0))
+
+
+def _quality(core: Any, mesh: PartMesh, positions: np.ndarray) -> dict[str, Any]:
+    change = core.compare_quality(mesh.points, positions, mesh.triangles)
+    return {
+        "before": _shape_of(core.quality(mesh.points, mesh.triangles)),
+        "after": _shape_of(change),
+        "flipped": int(change.flipped),
+    }
+
+
+def _shape_of(found: Any) -> dict[str, Any]:
+    values = {
+        "worst_angle_degrees": float(found.worst_angle_degrees),
+        "worst_aspect": float(found.worst_aspect),
+    }
+    # Nothing to measure where every triangle is degenerate; JSON has neither infinity nor NaN.
+    measured = {key: value if math.isfinite(value) else None for key, value in values.items()}
+    return {**measured, "degenerate": int(found.degenerate)}
+
+
+def _versions(core: Any) -> dict[str, str]:
+    kernel = {key: str(value) for key, value in core.abi_info().items()}
+    return {**kernel, "python": platform.python_version(), "numpy": np.__version__}

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A checked recipe in the kernel's terms; file ids become indices here and nowhere else."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from .errors import Fault, RecipeError
+from .part_mesh import PartMesh
+from .recipe.model import ContactEntry, Model, Motion, PartEntry, RegionEntry, Rotation
+
+_NO_TURN = (0.0, 0.0, 0.0)
+
+
+class Translator:
+    """Builds kernel objects for one model; knows where pivots and points are at rest."""
+
+    def __init__(self, core: ModuleType, model: Model, meshes: Mapping[str, PartMesh]):
+        self._core = core
+        self._model = model
+        self._meshes = meshes
+        self._part_index = {part.name: k for k, part in enumerate(model.parts)}
+        self._indices = {
+            region.where: meshes[region.part].find(region.vertices)[0]
+            for region in model.all_regions
+            if region.vertices is not None
+        }
+        self._places = {region.name: self._place(region) for region in model.regions}
+
+    def indices(self, region: RegionEntry) -> np.ndarray:
+        """Indices (k,) of a region's vertices in its part."""
+        return self._indices[region.where]
+
+    def _place(self, region: RegionEntry) -> np.ndarray:
+        """Rest position (3,) of a point on a triangle, centroid of a set of vertices; mm."""
+        mesh = self._meshes[region.part]
+        if region.is_point:
+            corners = mesh.points[mesh.triangles[region.triangle]]
+            return np.asarray(region.barycentric) @ corners
+        return mesh.points[self.indices(region)].mean(axis=0)
+
+    def assembly(self) -> Any:
+        """The kernel's Assembly: everything but the pose."""
+        core = self._core
+        parts = [self._part(part) for part in self._model.parts]
+        primary = self._part_index[self._model.primary]
+        assembly = core.Assembly(parts, primary, self._model.energy)
+        assembly.fixed = [self._region(core.Region, f) for f in self._model.of_kind("fixed")]
+        followers = self._model.of_kind("follower")
+        assembly.followers = [self._region(core.Region, f) for f in followers]
+        handles = self._model.of_kind("handle")
+        assembly.handles = [self._region(core.Handle, h) for h in handles if not h.is_point]
+        assembly.features = [self._feature(entry) for entry in self._model.of_kind("feature")]
+        points = [h for h in handles if h.is_point] + self._model.of_kind("point")
+        assembly.points = [self._point(entry) for entry in points]
+        assembly.contacts = [self._contact(entry) for entry in self._model.contacts]
+        way = self._model.propagation
+        assembly.propagation = core.Propagation(way.type == "single", way.levels, way.smoothness)
+        return assembly
+
+    def _contact(self, entry: ContactEntry) -> Any:
+        sides = [self._region(self._core.Region, side) for side in (entry.a, entry.b)]
+        return self._core.Contact(entry.name, entry.type, *sides)
+
+    def _part(self, entry: PartEntry) -> Any:
+        mesh = self._meshes[entry.name]
+        triangles = self._core.TriangleMesh(mesh.points, mesh.triangles)
+        ids = None if mesh.ids is None else mesh.ids.astype(np.int32)
+        return self._core.Part(entry.name, triangles, ids, entry.mode)
+
+    def _region(self, kind: Any, entry: RegionEntry) -> Any:
+        return kind(entry.name, self._part_index[entry.part], self.indices(entry))
+
+    def _feature(self, entry: RegionEntry) -> Any:
+        part = self._part_index[entry.part]
+        prescribed = entry.rotation is not None
+        return self._core.FormFeature(entry.name, part, self.indices(entry), prescribed)
+
+    def _point(self, entry: RegionEntry) -> Any:
+        turned = entry.kind == "handle" or entry.rotation is not None
+        part = self._part_index[entry.part]
+        place = entry.triangle, entry.barycentric
+        return self._core.PointConstraint(entry.name, part, *place, turned)
+
+    def pose(self, motions: Mapping[str, Motion]) -> Any:
+        """The kernel's Pose; what the motions leave out keeps the recipe's own values."""
+        pose = self._core.Pose()
+        for entry in self._model.regions:
+            motion = motions.get(entry.name, Motion(entry.where))
+            if entry.kind == "handle":
+                self._move_handle(pose, entry, motion)
+            elif entry.kind == "feature" and entry.rotation is not None:
+                pose.turn_feature(entry.name, self._log(motion.rotation or entry.rotation))
+            elif entry.kind == "point":
+                target = motion.target or entry.target
+                place = self._places[entry.name] if target is None else np.array(target)
+                log = self._log(motion.rotation or entry.rotation)
+                pose.place_point(entry.name, place, log)
+        return pose
+
+    def _move_handle(self, pose: Any, entry: RegionEntry, motion: Motion) -> None:
+        place = self._places[entry.name]
+        pivot = motion.pivot or entry.pivot or tuple(place)
+        rigid = self._core.RigidMotion(
+            motion.translation or _NO_TURN, self._log(motion.rotation), pivot
+        )
+        if entry.is_point:
+            pose.place_point(entry.name, rigid.apply(place[None, :])[0], rigid.rotation_log)
+        else:
+            pose.move_handle(entry.name, rigid)
+
+    def _log(self, rotation: Rotation | None) -> Any:
+        if rotation is None:
+            return _NO_TURN
+        return self._core.rotation_log(rotation.axis, rotation.radians)
+
+
+@contextmanager
+def kernel_faults(core: ModuleType) -> Iterator[None]:
+    """What the kernel refuses becomes a RecipeError with one fault."""
+    try:
+        yield
+    except core.InvalidInput as error:
+        raise RecipeError([_fault(str(error))]) from error
+
+
+def _fault(message: str) -> Fault:
+    """The kernel says "part 'cover': what is wrong; what to do"."""
+    place = re.match(r"(part '.*?'): (.*)", message, re.DOTALL)
+    where, text = place.groups() if place else ("recipe", message)
+    what, _, todo = text.rpartition("; ")
+    return Fault(where, what, todo) if what else Fault(where, text, "change it in the recipe")

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/assembly_checks.h"
+
+#include "sheetmorph/base/errors.h"
+
+#include <algorithm>
+#include <set>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+template <typename Named>
+void check_names(const std::string& kind, const std::vector<Named>& list)
+{
+    std::set<std::string> seen;
+    for (const Named& item : list)
+    {
+        if (item.name.empty())
+            throw InvalidInput("a " + kind + " has no name; give it one");
+        if (!seen.insert(item.name).second)
+            throw InvalidInput("two " + kind + "s are called '" + item.name + "'; rename one");
+    }
+}
+
+template <typename OfPart>
+void check_parts(const std::string& kind, const std::vector<OfPart>& list, std::size_t count)
+{
+    for (const OfPart& item : list)
+        if (item.part < 0 || static_cast<std::size_t>(item.part) >= count)
+            throw InvalidInput(kind + " '" + item.name + "' is on part " + std::to_string(item.part)
+                               + ", which does not exist");
+}
+
+template <typename OfPart>
+void check_vertices(const std::string& kind, const std::vector<OfPart>& list,
+                    const Assembly& assembly)
+{
+    for (const OfPart& item : list)
+    {
+        const Part& part = assembly.parts[static_cast<std::size_t>(item.part)];
+        const std::string what = "part '" + part.name + "': " + kind + " '" + item.name + "'";
+        if (item.vertices.empty())
+            throw InvalidInput(what + " has no vertices; pick at least one or delete it");
+        const int count = part.mesh.vertex_count();
+        const auto outside = [count](int vertex) { return vertex < 0 || vertex >= count; };
+        const auto found = std::find_if(item.vertices.begin(), item.vertices.end(), outside);
+        if (found != item.vertices.end())
+            throw InvalidInput(what + " names vertex " + std::to_string(*found)
+                               + ", which the mesh does not have (it has 0 to "
+                               + std::to_string(count - 1) + "); pick it again");
+    }
+}
+
+void check_meshes(const Assembly& assembly)
+{
+    for (const Part& part : assembly.parts)
+        if (part.mesh.vertex_count() == 0)
+            throw InvalidInput("part '" + part.name + "' has no vertices; remove it");
+}
+
+void check_side(const Assembly& assembly, const Contact& contact, const PartRegion& side)
+{
+    const std::string what = "contact '" + contact.name + "'";
+    if (side.part < 0 || static_cast<std::size_t>(side.part) >= assembly.parts.size())
+        throw InvalidInput(what + " is on part " + std::to_string(side.part)
+                           + ", which does not exist");
+    const Part& part = assembly.parts[static_cast<std::size_t>(side.part)];
+    if (side.vertices.empty())
+        throw InvalidInput(what + " has no vertices on part '" + part.name
+                           + "'; pick at least one or delete the contact");
+    for (const int vertex : side.vertices)
+        if (vertex < 0 || vertex >= part.mesh.vertex_count())
+            throw InvalidInput(what + " names vertex " + std::to_string(vertex) + " of part '"
+                               + part.name + "', which does not have it; pick the side again");
+}
+
+void check_contacts(const Assembly& assembly)
+{
+    for (const Contact& contact : assembly.contacts)
+    {
+        check_side(assembly, contact, contact.a);
+        check_side(assembly, contact, contact.b);
+        if (contact.a.part == contact.b.part)
+            throw InvalidInput("contact '" + contact.name
+                               + "' joins a part with itself; pick two different parts");
+    }
+}
+
+void check_propagation(const Propagation& propagation)
+{
+    if (propagation.levels < 1 || propagation.levels > 5)
+        throw InvalidInput("the control meshes' levels must be from 1 to 5, not "
+                           + std::to_string(propagation.levels));
+    if (!(propagation.smoothness >= 1e-12 && propagation.smoothness <= 1e6))
+        throw InvalidInput(
+            "the control meshes' smoothness must be from 1e-12 to 1e6; 0.05 is usual");
+}
+
+void check_followers(const Assembly& assembly)
+{
+    for (const PartRegion& follower : assembly.followers)
+        check_side(assembly, {"follower " + follower.name, {}, {}, {}}, follower);
+}
+
+}  // namespace
+
+void check_assembly(const Assembly& assembly)
+{
+    const std::size_t count = assembly.parts.size();
+    if (count == 0)
+        throw InvalidInput("the assembly has no parts; add one");
+    if (assembly.primary < 0 || static_cast<std::size_t>(assembly.primary) >= count)
+        throw InvalidInput("the primary part " + std::to_string(assembly.primary)
+                           + " does not exist; choose one of the " + std::to_string(count)
+                           + " parts");
+    check_names("part", assembly.parts);
+    check_names("fixed region", assembly.fixed);
+    check_names("handle", assembly.handles);
+    check_names("feature", assembly.features);
+    check_names("point", assembly.points);
+    check_parts("fixed region", assembly.fixed, count);
+    check_parts("handle", assembly.handles, count);
+    check_parts("feature", assembly.features, count);
+    check_parts("point", assembly.points, count);
+    check_meshes(assembly);
+    check_vertices("fixed region", assembly.fixed, assembly);
+    check_vertices("handle", assembly.handles, assembly);
+    check_vertices("feature", assembly.features, assembly);
+    check_names("contact", assembly.contacts);
+    check_contacts(assembly);
+    check_followers(assembly);
+    check_propagation(assembly.propagation);
+}
+
+}  // namespace sheetmorph

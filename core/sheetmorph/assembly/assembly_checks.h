@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/assembly.h"
+
+namespace sheetmorph
+{
+
+//! Checks what belongs to no single part.
+//! \throws InvalidInput: no part, two things of one name, a part or primary that does not exist
+void check_assembly(const Assembly& assembly);
+
+}  // namespace sheetmorph

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+#include <string>
+
+namespace sheetmorph
+{
+
+//! Vertices of one part: a fixed region, a follower, or one side of a contact.
+struct PartRegion
+{
+    std::string name;
+    int part = 0;
+    VertexIds vertices;
+};
+
+//! How a contact passes the motion on.
+enum class ContactType
+{
+    control_mesh,  //!< the paper's: a local control mesh around both sides
+    tied,  //!< every vertex keeps its place relative to the nearest triangle of the other side
+    rigid  //!< both sides move as one rigid body: the gap is exact
+};
+
+//! Where two parts are welded or bolted (section 4.2).
+struct Contact
+{
+    std::string name;
+    ContactType type = ContactType::control_mesh;
+    PartRegion a;
+    PartRegion b;
+};
+
+//! How the motion of the primary reaches the other parts.
+struct Propagation
+{
+    bool is_single = false;    //!< one control mesh around everything; else one a contact
+    int levels = 3;            //!< of Catmull-Clark subdivision of the control meshes
+    double smoothness = 0.05;  //!< c of (3.3)
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/fidelity.h"
+#include "sheetmorph/assembly/motion_link.h"
+#include "sheetmorph/assembly/propagation_plan.h"
+#include "sheetmorph/base/progress.h"
+#include "sheetmorph/surface/surface_deformer.h"
+
+#include <memory>
+
+namespace sheetmorph
+{
+
+//! How one form feature moved, and how exactly it kept its form.
+struct FeatureResult
+{
+    std::string name;
+    int part = 0;
+    RigidMotion motion;       //!< about the feature's rest centroid
+    double edge_error = 0.0;  //!< worst |p_i - p_j - R (p_hat_i - p_hat_j)| over its edges, mm
+};
+
+//! Every part in one pose. Edge errors, contacts and spread are measured by exact solves only.
+struct Deformed
+{
+    std::vector<Deformation> parts;         //!< by part; features hold those of the assembly first
+    std::vector<FeatureResult> features;    //!< in the assembly's order
+    std::vector<ContactFidelity> contacts;  //!< of plan().measured
+    double spread = 0.0;  //!< mm: how far apart, at most, several contacts want one vertex
+};
+
+//! Time one stage of the pre-processing took.
+struct Timing
+{
+    std::string stage;
+    double seconds = 0.0;
+};
+
+//! The assembly, ready to be deformed: the constructor is the pre-processing phase, deform() the
+//! interactive one. Parts that nothing reaches stay where they are.
+class DeformationSession
+{
+public:
+    //! \param previous  a session of an earlier state of the same assembly: what did not change
+    //!                  since is taken over instead of computed again
+    //! \throws InvalidInput naming part, region and ids (as the part's file numbers them)
+    //! \throws Cancelled    if the progress callback asks for it
+    explicit DeformationSession(Assembly assembly, const Progress& progress = {},
+                                const DeformationSession* previous = nullptr);
+    ~DeformationSession();
+    DeformationSession(DeformationSession&&) noexcept;
+    DeformationSession& operator=(DeformationSession&&) noexcept;
+
+    //! \throws InvalidInput if the pose names what the assembly does not have, or contradicts
+    Deformed deform(const Pose& pose, Exactness exactness = Exactness::exact) const;
+
+    //! The control mesh of one contact (the single one: -1) in a pose; nothing for other contacts.
+    std::optional<ShownControlMesh> control_mesh(int contact, const Deformed& pose) const;
+
+    const Assembly& assembly() const;
+
+    //! Order, levels, directions of contacts and unreached parts.
+    const PropagationPlan& plan() const;
+
+    //! What pre-processing took, stage by stage; stages taken over are not listed.
+    const std::vector<Timing>& timings() const;
+
+private:
+    struct Precomputed;
+    std::unique_ptr<const Precomputed> data_;
+};
+
+}  // namespace sheetmorph

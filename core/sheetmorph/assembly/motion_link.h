@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/surface_deformer.h"
+#include "sheetmorph/volume/oriented_box.h"
+#include "sheetmorph/volume/volume_link.h"
+
+#include <memory>
+#include <optional>
+
+namespace sheetmorph
+{
+
+//! A control mesh to be shown.
+struct ShownControlMesh
+{
+    Points vertices;      //!< (m, 3) mm
+    Triangles triangles;  //!< (t, 3)
+};
+
+//! Takes the motion of a source region to target points of other parts.
+class MotionLink
+{
+public:
+    virtual ~MotionLink() = default;
+
+    //! \param source  the source part in one pose
+    //! \returns       the targets' positions and rotations, rows in the order they were given
+    virtual LinkedTargets transfer(const Deformation& source) const = 0;
+
+    //! The control mesh in that pose; nothing if the link has none.
+    virtual std::optional<ShownControlMesh> control_mesh(const Deformation& source) const = 0;
+};
+
+//! What every link starts from; only read during construction.
+struct MotionLinkInput
+{
+    const TriangleMesh& source_mesh;
+    const VertexIds& source;
+    const Points& targets;  //!< (k, 3) mm at rest
+};
+
+//! How the control mesh of a link is made.
+struct ControlMeshOptions
+{
+    OrientedBox box;
+    int levels = 3;
+    double smoothness = 0.05;
+};
+
+//! The paper's way: source -> control mesh (3.3) -> targets (2.11). Sources of more than 2,000
+//! vertices are sampled.
+std::unique_ptr<MotionLink> control_mesh_link(const MotionLinkInput& input,
+                                              const ControlMeshOptions& options);
+
+//! Every target keeps its place relative to the nearest triangle of the source region and its
+//! frame, as *TIE of FE codes: p = q + R (p_hat - q_hat), so that the gap keeps its length.
+std::unique_ptr<MotionLink> tied_link(const MotionLinkInput& input);
+
+}  // namespace sheetmorph

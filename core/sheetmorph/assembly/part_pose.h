@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/assembly.h"
+
+namespace sheetmorph
+{
+
+//! The constraints of one part, and which of the assembly's lists each came from.
+struct PartConstraints
+{
+    SurfaceConstraints surface;
+    std::vector<int> handles;   //!< index into Assembly::handles, in the order of surface.handles
+    std::vector<int> features;  //!< index into Assembly::features
+    std::vector<int> points;    //!< index into Assembly::points
+
+    //! Whether a pose can move the part.
+    bool is_driven() const;
+};
+
+//! Collects what an assembly says about one part.
+PartConstraints constraints_of_part(const Assembly& assembly, int part);
+
+//! The pose of one part; handles left out do not move, prescribed rotations left out are none.
+//! \throws InvalidInput if a point has no target
+SurfaceTargets targets_of_part(const Assembly& assembly, const PartConstraints& constraints,
+                               const Pose& pose);
+
+//! \throws InvalidInput naming what the pose moves but the assembly does not have
+void check_pose_names(const Assembly& assembly, const Pose& pose);
+
+}  // namespace sheetmorph

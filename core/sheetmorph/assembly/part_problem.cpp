@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/part_problem.h"
+
+#include "sheetmorph/base/rotation.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& welds)
+{
+    for (std::size_t k = 0; k < welds.size(); ++k)
+    {
+        const RigidWeld& weld = welds[k];
+        if (weld.target_part == part)
+        {
+            problem.own.surface.handles.push_back({weld.name, weld.target, "rigid contact"});
+            problem.carried.push_back(static_cast<int>(k));
+        }
+        if (weld.source_part == part)
+        {
+            problem.own.surface.features.push_back(
+                {weld.name, weld.source, false, "rigid contact"});
+            problem.carriers.push_back(static_cast<int>(k));
+        }
+    }
+}
+
+//! The rows that want one vertex, all of the highest rank.
+struct Claim
+{
+    std::vector<LinkRow> rows;
+    ContactType type = ContactType::control_mesh;
+};
+
+void claim(std::vector<Claim>& claims, int vertex, const LinkRow& row, ContactType type)
+{
+    Claim& of_vertex = claims[at(vertex)];
+    if (!of_vertex.rows.empty() && of_vertex.type != type)
+    {
+        if (type != ContactType::tied)
+            return;
+        of_vertex.rows.clear();
+    }
+    of_vertex.type = type;
+    of_vertex.rows.push_back(row);
+}
+
+std::vector<Claim> claims_on(const Assembly& assembly, int part,
+                             const std::vector<PlannedLink>& links)
+{
+    std::vector<Claim> claims(at(assembly.parts[at(part)].mesh.vertex_count()));
+    for (std::size_t k = 0; k < links.size(); ++k)
+    {
+        Eigen::Index row = 0;
+        for (const LinkTarget& target : links[k].targets)
+            for (const int vertex : target.vertices)
+            {
+                if (target.part == part)
+                    claim(claims, vertex, {static_cast<int>(k), row}, links[k].type);
+                ++row;
+            }
+    }
+    return claims;
+}
+
+// A vertex belongs to the region of the first link that claims it.
+void add_propagated(PartProblem& problem, const std::vector<Claim>& claims,
+                    const std::vector<PlannedLink>& links)
+{
+    std::vector<int> region_of(links.size(), -1);
+    for (std::size_t vertex = 0; vertex < claims.size(); ++vertex)
+    {
+        if (claims[vertex].rows.empty())
+            continue;
+        const int link = claims[vertex].rows.front().link;
+        int& region = region_of[at(link)];
+        if (region < 0)
+        {
+            region = static_cast<int>(problem.propagated.size());
+            problem.propagated.emplace_back();
+            problem.own.surface.propagated.push_back({links[at(link)].name, {}, "contact"});
+        }
+        problem.own.surface.propagated[at(region)].vertices.push_back(static_cast<int>(vertex));
+        problem.propagated[at(region)].push_back(claims[vertex].rows);
+    }
+}
+
+Eigen::RowVector3d mean_row(const std::vector<LinkRow>& rows, const EarlierParts& earlier,
+                            Points LinkedTargets::*values)
+{
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (const LinkRow& row : rows)
+        sum += (earlier.links[at(row.link)].*values).row(row.row);
+    return rows.size() == 1 ? sum : Eigen::RowVector3d(sum / static_cast<double>(rows.size()));
+}
+
+Matrix3 mean_rotation(const std::vector<LinkRow>& rows, const EarlierParts& earlier)
+{
+    Matrix3 sum = Matrix3::Zero();
+    for (const LinkRow& row : rows)
+        sum += earlier.links[at(row.link)].rotations[static_cast<std::size_t>(row.row)];
+    return rows.size() == 1 ? sum : nearest_rotation(sum);
+}
+
+}  // namespace
+
+PartProblem problem_of_part(const Assembly& assembly, int part,
+                            const std::vector<PlannedLink>& links,
+                            const std::vector<RigidWeld>& welds)
+{
+    PartProblem problem;
+    problem.own = constraints_of_part(assembly, part);
+    add_welds(problem, part, welds);
+    add_propagated(problem, claims_on(assembly, part, links), links);
+    return problem;
+}
+
+SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& problem,
+                                const Pose& pose, const EarlierParts& earlier)
+{
+    SurfaceTargets targets = targets_of_part(assembly, problem.own, pose);
+    for (const int weld : problem.carried)
+        targets.handles.push_back(earlier.welds[at(weld)]);
+    targets.feature_logs.resize(problem.own.surface.features.size(), Vector3::Zero());
+    for (const auto& region : problem.propagated)
+    {
+        const auto count = static_cast<Eigen::Index>(region.size());
+        PropagatedTarget target{Points(count, 3), Points(count, 3), {}};
+        for (Eigen::Index k = 0; k < count; ++k)
+        {
+            const std::vector<LinkRow>& rows = region[static_cast<std::size_t>(k)];
+            target.positions.row(k) = mean_row(rows, earlier, &LinkedTargets::positions);
+            target.rotation_logs.row(k) = mean_row(rows, earlier, &LinkedTargets::logs);
+            target.rotations.push_back(mean_rotation(rows, earlier));
+        }
+        targets.propagated.push_back(std::move(target));
+    }
+    return targets;
+}
+
+double spread_of_targets(const PartProblem& problem, const EarlierParts& earlier)
+{
+    const auto target = [&](const LinkRow& row)
+    { return earlier.links[at(row.link)].positions.row(row.row); };
+    double worst = 0.0;
+    for (const auto& region : problem.propagated)
+        for (const std::vector<LinkRow>& rows : region)
+            for (const LinkRow& a : rows)
+                for (const LinkRow& b : rows)
+                    worst = std::max(worst, (target(a) - target(b)).norm());
+    return worst;
+}
+
+}  // namespace sheetmorph

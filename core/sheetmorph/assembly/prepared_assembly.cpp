@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/prepared_assembly.h"
+
+#include "sheetmorph/assembly/assembly_checks.h"
+#include "sheetmorph/assembly/control_box.h"
+#include "sheetmorph/assembly/reuse.h"
+#include "sheetmorph/assembly/task_pool.h"
+#include "sheetmorph/base/errors.h"
+
+#include <chrono>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+Points target_points(const Assembly& assembly, const PlannedLink& link)
+{
+    Eigen::Index count = 0;
+    for (const LinkTarget& target : link.targets)
+        count += static_cast<Eigen::Index>(target.vertices.size());
+    Points points(count, 3);
+    Eigen::Index row = 0;
+    for (const LinkTarget& target : link.targets)
+    {
+        const Points rows = rows_of(assembly.parts[at(target.part)].mesh.points(), target.vertices);
+        points.middleRows(row, rows.rows()) = rows;
+        row += rows.rows();
+    }
+    return points;
+}
+
+PreparedLink described_link(const Assembly& assembly, const PlannedLink& planned,
+                            const ControlBoxes& boxes)
+{
+    PreparedLink link;
+    link.type = planned.type;
+    link.source = planned.source;
+    link.targets = target_points(assembly, planned);
+    if (planned.type == ContactType::control_mesh)
+        link.options = {box_of_link(assembly, planned, boxes), assembly.propagation.levels,
+                        assembly.propagation.smoothness};
+    return link;
+}
+
+std::shared_ptr<const MotionLink> built_link(const TriangleMesh& source_mesh,
+                                             const PreparedLink& link)
+{
+    const MotionLinkInput input{source_mesh, link.source, link.targets};
+    if (link.type == ContactType::tied)
+        return tied_link(input);
+    return control_mesh_link(input, link.options);
+}
+
+std::shared_ptr<const SurfaceDeformer> built_deformer(const Part& part,
+                                                      const SurfaceConstraints& constraints,
+                                                      const Progress& progress)
+{
+    try
+    {
+        return std::make_shared<const SurfaceDeformer>(part.mesh, constraints, progress);
+    }
+    catch (const InvalidInput& fault)
+    {
+        throw fault.in_part(part.name, part.ids);
+    }
+    catch (const SolverError& fault)
+    {
+        throw SolverError("part '" + part.name + "': " + fault.what());
+    }
+}
+
+std::vector<FeatureEdges> own_feature_edges(const Part& part, const PartProblem& problem)
+{
+    std::vector<VertexIds> features;
+    for (std::size_t k = 0; k < problem.own.features.size(); ++k)
+        features.push_back(problem.own.surface.features[k].vertices);
+    return edges_of_features(part.mesh, features);
+}
+
+//! Collects what has to be built, and times it.
+class Preparation
+{
+public:
+    Preparation(PreparedAssembly& prepared, const PreparedAssembly* previous)
+        : prepared_(prepared), previous_(previous)
+    {
+        prepared_.timings.reserve(prepared.parts.size() + prepared.links.size());
+    }
+
+    void add_part(int index)
+    {
+        PreparedPart& part = prepared_.parts[at(index)];
+        const Part& of = prepared_.assembly.parts[at(index)];
+        part.edges = own_feature_edges(of, part.problem);
+        if (!part.problem.is_driven())
+            return;
+        part.deformer = reusable_deformer(previous_, of, part.problem.own.surface);
+        if (!part.deformer)
+            add("part " + of.name, [&part, &of](const Progress& progress)
+                { part.deformer = built_deformer(of, part.problem.own.surface, progress); });
+    }
+
+    void add_link(std::size_t index)
+    {
+        PreparedLink& link = prepared_.links[index];
+        const Part& source = prepared_.assembly.parts[at(prepared_.planned[index].source_part)];
+        link.link = reusable_link(previous_, source, link);
+        if (!link.link)
+            add("contact " + prepared_.planned[index].name,
+                [&link, &source](const Progress&) { link.link = built_link(source.mesh, link); });
+    }
+
+    void run(const Progress& progress) { run_tasks(tasks_, progress); }
+
+private:
+    void add(const std::string& name, const std::function<void(const Progress&)>& work)
+    {
+        prepared_.timings.push_back({name, 0.0});
+        Timing& timing = prepared_.timings.back();
+        tasks_.push_back({name, [work, &timing](const Progress& progress)
+                          {
+                              const auto start = std::chrono::steady_clock::now();
+                              work(progress);
+                              const std::chrono::duration<double> taken =
+                                  std::chrono::steady_clock::now() - start;
+                              timing.seconds = taken.count();
+                          }});
+    }
+
+    PreparedAssembly& prepared_;
+    const PreparedAssembly* previous_;
+    std::vector<Task> tasks_;
+};
+
+}  // namespace
+
+PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
+                                  const PreparedAssembly* previous)
+{
+    check_assembly(assembly);
+    PreparedAssembly prepared;
+    prepared.assembly = std::move(assembly);
+    const Assembly& given = prepared.assembly;
+    prepared.plan = plan_propagation(given);
+    const ControlBoxes boxes(given);
+    prepared.planned = plan_links(given, prepared.plan, boxes);
+    prepared.welds = plan_welds(given, prepared.plan);
+    for (const DirectedContact& contact : prepared.plan.measured)
+        prepared.gauges.emplace_back(given, contact);
+    for (const PlannedLink& planned : prepared.planned)
+        prepared.links.push_back(described_link(given, planned, boxes));
+    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
+        prepared.parts.push_back(
+            {problem_of_part(given, part, prepared.planned, prepared.welds), {}, nullptr});
+    Preparation preparation(prepared, previous);
+    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
+        preparation.add_part(part);
+    for (std::size_t link = 0; link < prepared.links.size(); ++link)
+        preparation.add_link(link);
+    preparation.run(progress);
+    progress.report(1.0, "ready");
+    return prepared;
+}
+
+}  // namespace sheetmorph

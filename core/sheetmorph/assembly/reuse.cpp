@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/reuse.h"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+template <typename Matrix>
+bool same(const Matrix& a, const Matrix& b)
+{
+    return a.rows() == b.rows() && a == b;
+}
+
+bool same_mesh(const TriangleMesh& a, const TriangleMesh& b)
+{
+    return same(a.points(), b.points()) && same(a.triangles(), b.triangles());
+}
+
+template <typename Region>
+bool same_regions(const std::vector<Region>& a, const std::vector<Region>& b)
+{
+    const auto equal = [](const Region& x, const Region& y)
+    { return x.name == y.name && x.vertices == y.vertices && x.kind == y.kind; };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
+{
+    const auto equal_prescription = [](const FormFeature& x, const FormFeature& y)
+    { return x.is_prescribed == y.is_prescribed; };
+    const auto equal_point = [](const PointConstraint& x, const PointConstraint& y)
+    {
+        return x.name == y.name && x.triangle == y.triangle && x.barycentric == y.barycentric
+               && x.is_turned == y.is_turned;
+    };
+    return a.energy == b.energy && same_regions(a.fixed, b.fixed)
+           && same_regions(a.handles, b.handles) && same_regions(a.features, b.features)
+           && std::equal(a.features.begin(), a.features.end(), b.features.begin(),
+                         equal_prescription)
+           && same_regions(a.propagated, b.propagated) && a.points.size() == b.points.size()
+           && std::equal(a.points.begin(), a.points.end(), b.points.begin(), equal_point);
+}
+
+bool same_box(const OrientedBox& a, const OrientedBox& b)
+{
+    return a.axes == b.axes && a.centre == b.centre && a.half_extents == b.half_extents;
+}
+
+}  // namespace
+
+std::shared_ptr<const SurfaceDeformer> reusable_deformer(const PreparedAssembly* previous,
+                                                         const Part& part,
+                                                         const SurfaceConstraints& constraints)
+{
+    if (previous == nullptr)
+        return nullptr;
+    for (std::size_t k = 0; k < previous->parts.size(); ++k)
+    {
+        const PreparedPart& old = previous->parts[k];
+        if (previous->assembly.parts[k].name == part.name && old.deformer
+            && same_mesh(old.deformer->rest(), part.mesh)
+            && same_constraints(old.deformer->constraints(), constraints))
+            return old.deformer;
+    }
+    return nullptr;
+}
+
+std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous,
+                                                const Part& source, const PreparedLink& wanted)
+{
+    if (previous == nullptr)
+        return nullptr;
+    for (std::size_t k = 0; k < previous->links.size(); ++k)
+    {
+        const PreparedLink& old = previous->links[k];
+        const Part& old_source =
+            previous->assembly.parts[static_cast<std::size_t>(previous->planned[k].source_part)];
+        if (old.type == wanted.type && old.source == wanted.source
+            && same(old.targets, wanted.targets) && same_box(old.options.box, wanted.options.box)
+            && old.options.levels == wanted.options.levels
+            && old.options.smoothness == wanted.options.smoothness
+            && same_mesh(old_source.mesh, source.mesh))
+            return old.link;
+    }
+    return nullptr;
+}
+
+}  // namespace sheetmorph

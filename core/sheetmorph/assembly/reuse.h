@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/prepared_assembly.h"
+
+namespace sheetmorph
+{
+
+//! The deformer of the same part under the same constraints in an earlier session, or nothing.
+std::shared_ptr<const SurfaceDeformer> reusable_deformer(const PreparedAssembly* previous,
+                                                         const Part& part,
+                                                         const SurfaceConstraints& constraints);
+
+//! The link from the same source vertices of the same mesh to the same points, or nothing.
+std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous,
+                                                const Part& source, const PreparedLink& wanted);
+
+}  // namespace sheetmorph

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+#include <optional>
+
+namespace sheetmorph
+{
+
+//! A place on a mesh.
+struct Hit
+{
+    int triangle = 0;
+    Vector3 barycentric = Vector3::Zero();  //!< >= 0, of the triangle's corners; their sum is 1
+    double distance = 0.0;                  //!< from the ray's origin or the point, mm
+    Vector3 point = Vector3::Zero();        //!< mm
+};
+
+//! Answers what a ray hits and what is nearest to a point, on a shape that may be deformed.
+class PickingTree
+{
+public:
+    explicit PickingTree(const TriangleMesh& mesh);
+
+    //! Takes new positions for the same triangles.
+    //! \param points  (n, 3) mm
+    //! \throws InvalidInput if their number differs or one is not finite; nothing is changed then
+    void refit(const Points& points);
+
+    //! The first triangle a ray meets, from either side; of several at the same distance the first
+    //! in the mesh. A ray through an edge or a vertex never slips through between the triangles
+    //! around (Woop, Benthin, Wald 2013). Triangles seen edge-on, and degenerate ones, are not met.
+    //! \param direction  of any length but zero
+    //! \throws InvalidInput for a direction of length zero or anything not finite
+    std::optional<Hit> nearest_hit(const Vector3& origin, const Vector3& direction) const;
+
+    //! The place on the mesh nearest to a point; degenerate triangles count as the line or point
+    //! they are. Nothing if the mesh has no triangle.
+    //! \throws InvalidInput if the point is not finite
+    std::optional<Hit> nearest_point(const Vector3& point) const;
+
+private:
+    struct Box
+    {
+        Vector3 low;
+        Vector3 high;
+    };
+
+    void order_triangles();
+    void fit_boxes();
+    Box box_of_leaf(int leaf) const;
+    int first_of_leaf(int leaf) const;
+    Vector3 corner(int triangle, int k) const;
+    template <typename Query>
+    void visit(Query& query) const;
+
+    Points points_;
+    Triangles triangles_;
+    std::vector<int> order_;  // triangles along a space-filling curve, an equal share to each leaf
+    std::vector<Box>
+        boxes_;           // a complete binary tree: 1 the root, 2i and 2i + 1 below i, then leaves
+    int leaf_count_ = 0;  // a power of two
+};
+
+}  // namespace sheetmorph

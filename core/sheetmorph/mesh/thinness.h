@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+namespace sheetmorph
+{
+
+//! Height over longest edge below which a triangle counts as degenerate: it has no plane.
+constexpr double thinnest_triangle = 1e-5;
+
+//! Whether a triangle repeats a vertex, or is lower than `thinnest_triangle` of its longest edge.
+bool is_thin(const Points& points, const Triangles& triangles, int triangle);
+
+}  // namespace sheetmorph

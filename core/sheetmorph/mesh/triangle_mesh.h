@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+namespace sheetmorph
+{
+
+//! A mesh at rest: any triangles over any points; nothing about manifoldness is assumed.
+class TriangleMesh
+{
+public:
+    TriangleMesh() = default;
+
+    //! \param points     (n, 3) mm
+    //! \param triangles  (m, 3) rows of `points`
+    //! \throws InvalidInput naming the rows: a point that is not finite, an index out of range
+    TriangleMesh(Points points, Triangles triangles);
+
+    const Points& points() const { return points_; }
+    const Triangles& triangles() const { return triangles_; }
+    int vertex_count() const { return static_cast<int>(points_.rows()); }
+    int triangle_count() const { return static_cast<int>(triangles_.rows()); }
+
+    //! Diagonal of the bounding box, mm.
+    double size() const;
+
+private:
+    Points points_;
+    Triangles triangles_;
+};
+
+//! tol = 1e-12 * size + 8 * eps * max|coordinate|: what "exact" means for these points (mm).
+double exactness(const Points& points, double size);
+
+}  // namespace sheetmorph

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/mesh/triangle_queries.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Relative error of what the tests compute, with room to spare.
+constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+
+Vector3 point_at(const TriangleCorners& corners, const Vector3& barycentric)
+{
+    return corners[0] * barycentric(0) + corners[1] * barycentric(1) + corners[2] * barycentric(2);
+}
+
+void keep_nearer(const Vector3& point, const TriangleCorners& corners, const Vector3& barycentric,
+                 Hit& best)
+{
+    const Vector3 place = point_at(corners, barycentric);
+    const double distance = (place - point).norm();
+    if (distance < best.distance)
+    {
+        best.barycentric = barycentric;
+        best.distance = distance;
+        best.point = place;
+    }
+}
+
+// The parameter of the place on a - b nearest to a point, 0 at a.
+double nearest_on_segment(const Vector3& point, const Vector3& a, const Vector3& b)
+{
+    const double length = (b - a).squaredNorm();
+    return length > 0.0 ? std::clamp((point - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+TriangleRay::TriangleRay(const Vector3& origin, const Vector3& direction, double reach)
+    : origin_(origin),
+      inverse_(direction.cwiseInverse()),
+      slack_(rounding * (reach + origin.cwiseAbs().maxCoeff()))
+{
+    direction.cwiseAbs().maxCoeff(&z_);
+    x_ = (z_ + 1) % 3;
+    y_ = (z_ + 2) % 3;
+    shear_ = Vector3(direction(x_), direction(y_), 1.0) / direction(z_);
+}
+
+double TriangleRay::entry(const Vector3& low, const Vector3& high) const
+{
+    double enter = 0.0;
+    double leave = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < 3; ++c)
+    {
+        const bool is_forward = inverse_(c) >= 0.0;
+        const double in = (is_forward ? low(c) - slack_ : high(c) + slack_) - origin_(c);
+        const double out = (is_forward ? high(c) + slack_ : low(c) - slack_) - origin_(c);
+        // Written so that the NaN of a ray in the plane of a side changes nothing.
+        const double from = in * inverse_(c);
+        const double to = out * inverse_(c);
+        enter = from > enter ? from : enter;
+        leave = to < leave ? to : leave;
+    }
+    const bool is_hit = enter * (1.0 - rounding) <= leave * (1.0 + rounding);
+    return is_hit ? enter * (1.0 - rounding) : std::numeric_limits<double>::infinity();
+}
+
+bool TriangleRay::meets(const TriangleCorners& corners, Hit& hit) const
+{
+    double x[3], y[3], z[3];
+    for (int k = 0; k < 3; ++k)
+    {
+        const Vector3 offset = corners[k] - origin_;
+        x[k] = offset(x_) - shear_(0) * offset(z_);
+        y[k] = offset(y_) - shear_(1) * offset(z_);
+        z[k] = shear_(2) * offset(z_);
+    }
+    Vector3 edge;
+    for (int k = 0; k < 3; ++k)
+    {
+        const int a = (k + 1) % 3;
+        const int b = (k + 2) % 3;
+        edge(k) = x[b] * y[a] - y[b] * x[a];
+    }
+    if (edge.minCoeff() < 0.0 && edge.maxCoeff() > 0.0)
+        return false;
+    const double sum = edge.sum();
+    if (sum == 0.0)
+        return false;
+    hit.barycentric = edge / sum;
+    hit.distance = hit.barycentric.dot(Vector3(z[0], z[1], z[2]));
+    hit.point = point_at(corners, hit.barycentric);
+    return hit.distance >= 0.0;
+}
+
+Hit nearest_on_triangle(const Vector3& point, const TriangleCorners& corners)
+{
+    Hit best;
+    best.distance = std::numeric_limits<double>::infinity();
+    const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const double area = normal.squaredNorm();
+    if (area > 0.0)
+    {
+        Vector3 inside;
+        for (int k = 0; k < 3; ++k)
+            inside(k) =
+                normal.dot((corners[(k + 1) % 3] - point).cross(corners[(k + 2) % 3] - point));
+        if (inside.minCoeff() >= 0.0 && inside.sum() > 0.0)
+            keep_nearer(point, corners, inside / inside.sum(), best);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+        const int next = (k + 1) % 3;
+        const double along = nearest_on_segment(point, corners[k], corners[next]);
+        Vector3 barycentric = Vector3::Zero();
+        barycentric(k) = 1.0 - along;
+        barycentric(next) = along;
+        keep_nearer(point, corners, barycentric, best);
+    }
+    return best;
+}
+
+}  // namespace sheetmorph

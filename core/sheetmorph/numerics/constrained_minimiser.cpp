@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/numerics/constrained_minimiser.h"
+
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Refinement ends when the next step would change the answer by less than this, relatively, or one
+// changed it more than half as much as the one before: then rounding is all that is left.
+constexpr double settled = 1e-15;
+
+double largest(const Eigen::MatrixXd& matrix)
+{
+    return matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff();
+}
+
+SparseMatrix supporting_rows(const SparseMatrix& constraints, const std::vector<int>& ids)
+{
+    SparseMatrix pick(static_cast<Eigen::Index>(ids.size()), constraints.rows());
+    for (std::size_t k = 0; k < ids.size(); ++k)
+        pick.insert(static_cast<Eigen::Index>(k), ids[k]) = 1.0;
+    return pick * constraints;
+}
+
+// H = S^T B^T W B S.
+SparseMatrix reduced_hessian(const QuadraticProblem& problem)
+{
+    const SparseMatrix scaled =
+        rows_scaled(problem.rows * problem.basis, problem.weights.cwiseSqrt());
+    return SparseMatrix(scaled.transpose()) * scaled;
+}
+
+// A constraint that carries a part's position enters the factor with a weight as large as the
+// energy's own stiffness; the minimum under the exact constraint does not depend on it.
+double support_weight(const SparseMatrix& hessian, const SparseMatrix& rows)
+{
+    if (rows.rows() == 0 || hessian.rows() == 0)
+        return 0.0;
+    return hessian.diagonal().maxCoeff();
+}
+
+SparseMatrix supported(const SparseMatrix& hessian, const SparseMatrix& rows, double weight)
+{
+    if (weight == 0.0)
+        return hessian;
+    return hessian + weight * SparseMatrix(SparseMatrix(rows.transpose()) * rows);
+}
+
+}  // namespace
+
+struct ConstrainedMinimiser::Step
+{
+    Eigen::MatrixXd unknowns;
+    Eigen::MatrixXd multipliers;
+};
+
+ConstrainedMinimiser::ConstrainedMinimiser(QuadraticProblem problem)
+    : problem_(std::move(problem)),
+      reduced_constraints_(problem_.constraints * problem_.basis),
+      factor_(
+          [this]
+          {
+              const SparseMatrix hessian = reduced_hessian(problem_);
+              const SparseMatrix rows = supporting_rows(reduced_constraints_, problem_.supporting);
+              support_ = support_weight(hessian, rows);
+              return SparseCholesky(supported(hessian, rows, support_));
+          }())
+{
+    factor_schur_complement();
+}
+
+void ConstrainedMinimiser::factor_schur_complement()
+{
+    if (reduced_constraints_.rows() == 0)
+        return;
+    responses_ = factor_.solve(Eigen::MatrixXd(reduced_constraints_.transpose()));
+    const Eigen::MatrixXd complement = reduced_constraints_ * responses_;
+    scale_ = complement.diagonal().unaryExpr(
+        [](double stiffness) { return stiffness > 0.0 ? 1.0 / std::sqrt(stiffness) : 0.0; });
+    schur_.setThreshold(1e-12);
+    schur_.compute(scale_.asDiagonal() * complement * scale_.asDiagonal());
+}
+
+// Solves [H G^T; G 0] [y; m] = [gradient; violation]. The factor may be of
+// H + s G_s^T G_s, whose right side then gains s G_s^T violation_s.
+ConstrainedMinimiser::Step ConstrainedMinimiser::correct(const Eigen::MatrixXd& gradient,
+                                                         const Eigen::MatrixXd& violation) const
+{
+    if (reduced_constraints_.rows() == 0)
+        return {factor_.solve(gradient), violation};
+    Eigen::MatrixXd right_side = gradient;
+    if (support_ != 0.0)
+    {
+        Eigen::MatrixXd held = Eigen::MatrixXd::Zero(violation.rows(), violation.cols());
+        for (const int row : problem_.supporting)
+            held.row(row) = violation.row(row);
+        right_side += support_ * (reduced_constraints_.transpose() * held);
+    }
+    const Eigen::MatrixXd start = factor_.solve(right_side);
+    const Eigen::MatrixXd excess = reduced_constraints_ * start - violation;
+    const Eigen::MatrixXd multipliers =
+        scale_.asDiagonal() * schur_.solve(scale_.asDiagonal() * excess);
+    return {start - responses_ * multipliers, multipliers};
+}
+
+Eigen::MatrixXd ConstrainedMinimiser::solve(const Targets& targets, int refinements) const
+{
+    const Eigen::Index columns = targets.rows.cols();
+    Eigen::MatrixXd u = targets.offset;
+    Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(problem_.basis.cols(), columns);
+    Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(problem_.constraints.rows(), columns);
+    double last_change = 0.0;
+    for (int step = 0; step <= refinements; ++step)
+    {
+        const Eigen::MatrixXd residual =
+            problem_.weights.asDiagonal() * (targets.rows - problem_.rows * u);
+        Eigen::MatrixXd gradient =
+            problem_.basis.transpose() * Eigen::MatrixXd(problem_.rows.transpose() * residual);
+        Eigen::MatrixXd violation = targets.constraints;
+        if (problem_.constraints.rows() != 0)
+        {
+            gradient -= reduced_constraints_.transpose() * multipliers;
+            violation -= problem_.constraints * u;
+        }
+        const Step change = correct(gradient, violation);
+        unknowns += change.unknowns;
+        multipliers += change.multipliers;
+        u = targets.offset + problem_.basis * unknowns;
+        const double changed = largest(change.unknowns);
+        const double expected_next = step > 0 ? changed * changed / last_change : changed;
+        if (expected_next <= settled * largest(u) || (step > 1 && changed > 0.5 * last_change))
+            break;
+        last_change = changed;
+    }
+    return u;
+}
+
+Eigen::VectorXd ConstrainedMinimiser::constraint_error(const Eigen::MatrixXd& u,
+                                                       const Eigen::MatrixXd& c) const
+{
+    if (problem_.constraints.rows() == 0)
+        return {};
+    return (problem_.constraints * u - c).cwiseAbs().rowwise().maxCoeff();
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/numerics/sparse_cholesky.h"
+
+#include <Eigen/QR>
+
+namespace sheetmorph
+{
+
+//! The parts of a quadratic energy that no pose changes.
+struct QuadraticProblem
+{
+    SparseMatrix rows;         //!< B (r, n)
+    Eigen::VectorXd weights;   //!< w (r), positive
+    SparseMatrix basis;        //!< S (n, y): u = S y + offset, one entry 1 a row at most
+    SparseMatrix constraints;  //!< C (c, n), may have no rows
+
+    //! Constraints, by row, without which the energy alone would not be positive definite.
+    std::vector<int> supporting;
+};
+
+//! Minimises sum_r w_r |(B u - f)_r|^2 over u = S y + offset subject to C u = c.
+//! Constraints by elimination; the few rows of C through a Schur complement over the same factor.
+class ConstrainedMinimiser
+{
+public:
+    //! \throws SolverError if the energy has no unique minimum
+    explicit ConstrainedMinimiser(QuadraticProblem problem);
+
+    struct Targets
+    {
+        Eigen::MatrixXd rows;         //!< f (r, k)
+        Eigen::MatrixXd offset;       //!< (n, k)
+        Eigen::MatrixXd constraints;  //!< c (c, k)
+    };
+
+    //! \param refinements  most steps of iterative refinement on the residual in factored form;
+    //!                     fewer are taken once they change nothing that counts
+    //! \returns u (n, k); redundant constraints are met, contradicting ones in the mean: compare
+    //!          C u with c (constraint_error) where they can occur
+    Eigen::MatrixXd solve(const Targets& targets, int refinements) const;
+
+    //! (c) largest violation of each constraint by u.
+    Eigen::VectorXd constraint_error(const Eigen::MatrixXd& u, const Eigen::MatrixXd& c) const;
+
+    double factor_entries() const { return factor_.factor_entries(); }
+
+private:
+    struct Step;
+    Step correct(const Eigen::MatrixXd& gradient, const Eigen::MatrixXd& violation) const;
+    void factor_schur_complement();
+
+    QuadraticProblem problem_;
+    SparseMatrix reduced_constraints_;  // G = C S
+    double support_ = 0.0;              // weight of the supporting constraints in the factor
+    SparseCholesky factor_;
+    Eigen::MatrixXd responses_;  // H^-1 G^T (y, c)
+    Eigen::VectorXd scale_;      // of the Schur complement's rows
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> schur_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/progress.h"
+#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/surface/constraints.h"
+
+#include <memory>
+
+namespace sheetmorph
+{
+
+//! How far a solve goes: `live` one substitution (1e-6 of the size or better), `exact` refined on
+//! the factored residual, for what is kept or written.
+enum class Exactness
+{
+    live,
+    exact
+};
+
+//! A part in one pose.
+struct Deformation
+{
+    Points positions;                   //!< (n, 3) mm
+    Points rotation_logs;               //!< (n, 3) radians (2.6)
+    std::vector<RigidMotion> features;  //!< of every form feature, about its rest centroid
+};
+
+//! Deforms one part as a thin plate whose form features stay rigid (2.9, 2.10).
+//! The constructor factorises (pre-processing phase), deform() only substitutes (interactive
+//! phase).
+class SurfaceDeformer
+{
+public:
+    //! \throws InvalidInput naming ids: a component that nothing holds, constraints that contradict
+    //! \throws Cancelled    if the progress callback asks for it
+    SurfaceDeformer(const TriangleMesh& rest, const SurfaceConstraints& constraints,
+                    const Progress& progress = {});
+    ~SurfaceDeformer();
+    SurfaceDeformer(SurfaceDeformer&&) noexcept;
+    SurfaceDeformer& operator=(SurfaceDeformer&&) noexcept;
+
+    //! Always from rest, so a pose has one answer whatever came before. Fixed and handle vertices
+    //! are met bitwise, features are rigid and points met to exactness().
+    //! \throws InvalidInput if point targets contradict each other or what is rigid or fixed
+    Deformation deform(const SurfaceTargets& targets, Exactness exactness = Exactness::exact) const;
+
+    const TriangleMesh& rest() const;
+    const SurfaceConstraints& constraints() const;
+
+    //! Entries of the sparse factor, for memory reports.
+    double factor_entries() const;
+
+private:
+    struct Precomputed;
+    std::unique_ptr<const Precomputed> data_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/components.h"
+#include "sheetmorph/surface/constraints.h"
+
+namespace sheetmorph
+{
+
+//! Form features that share vertices, moving as one rigid body.
+struct Body
+{
+    //! What decides its motion. Fixed, handle and propagated vertices carry the features they
+    //! touch along with them.
+    enum class Motion
+    {
+        fixed,
+        handle,
+        propagated,   //!< best rigid motion of its propagated vertices; a prescribed rotation stays
+        prescribed,   //!< rotation from the pose, translation from the energy
+        interpolated  //!< rotation from the field, translation from the energy
+    };
+
+    std::vector<int> features;
+    VertexIds vertices;
+    Vector3 centre = Vector3::Zero();
+    Motion motion = Motion::interpolated;
+    int driver = -1;  //!< the handle, or the feature whose rotation is prescribed
+
+    bool is_known() const
+    {
+        return motion == Motion::fixed || motion == Motion::handle || motion == Motion::propagated;
+    }
+};
+
+enum class Role : char
+{
+    free,
+    fixed,
+    handle,
+    propagated,
+    body,
+    follower  //!< in no triangle: keeps its place relative to the nearest triangle
+};
+
+//! Which constraint decides each vertex, by the precedence fixed, handle, feature, propagated.
+struct VertexRoles
+{
+    std::vector<Role> role;
+    std::vector<int> owner;  //!< handle, propagated region or body; -1 for the others
+    std::vector<Body> bodies;
+    Components components;
+
+    //! Components that no known vertex holds, only points.
+    std::vector<int> held_by_points;
+};
+
+//! \throws InvalidInput naming regions and vertices: ids out of range, empty regions, handles that
+//! overlap, a feature between regions that can move differently, a component that nothing holds
+VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& constraints);
+
+}  // namespace sheetmorph

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+#include "sheetmorph/volume/oriented_box.h"
+
+#include <Eigen/SparseCore>
+
+namespace sheetmorph
+{
+
+//! The one shape of which every control mesh is an affine image: a cube after Catmull-Clark
+//! subdivision and constrained smoothing (3.1), in the cube's own frame.
+//! Closed, oriented outwards, encloses the cube [-1, 1]^3 and has its corners as vertices 0 to 7;
+//! symmetric under every turn and mirror image of the cube.
+class ControlShape
+{
+public:
+    //! \param levels  1 to 5 subdivisions; 3 gives 386 vertices and 768 triangles
+    //! \throws InvalidInput for other levels
+    explicit ControlShape(int levels = 3);
+
+    const Points& vertices() const { return vertices_; }
+    const Triangles& triangles() const { return triangles_; }
+    int vertex_count() const { return static_cast<int>(vertices_.rows()); }
+
+    //! (m, m) uniform Laplacian on the subdivided quads: q_i - mean of its neighbours; no unit.
+    const Eigen::SparseMatrix<double>& laplacian() const { return laplacian_; }
+
+private:
+    Points vertices_;
+    Triangles triangles_;
+    Eigen::SparseMatrix<double> laplacian_;
+};
+
+//! A control mesh at rest: the shape in its box.
+struct ControlMesh
+{
+    ControlMesh(const ControlShape& given_shape, const OrientedBox& given_box);
+
+    ControlShape shape;
+    OrientedBox box;
+    Points vertices;  //!< (m, 3) mm, rows as the shape's
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+#include "sheetmorph/volume/dense_cholesky.h"
+
+#include <Eigen/SparseCore>
+
+namespace sheetmorph
+{
+
+//! Fits a control mesh to displaced samples (3.3), as a displacement d about a rigid motion:
+//! min_d sum_i a_i |u_i - (W d)_i|^2 + c (n / m) sum_j |(L d)_j|^2, L uniform, mean of a_i = 1.
+//! (3.3) as printed, about nothing, moves parts that nobody moved. The constructor factors.
+class ControlMeshFit
+{
+public:
+    //! \param sample_weights  W, (n, m): mean value coordinates of the samples
+    //! \param areas           n, >= 0, any unit: how much each sample counts
+    //! \param laplacian       L, (m, m), of the control shape
+    //! \param smoothness      c > 0, no unit
+    //! \throws InvalidInput if the sizes disagree, no area is positive, or c is not positive
+    ControlMeshFit(const Weights& sample_weights, const Eigen::VectorXd& areas,
+                   const Eigen::SparseMatrix<double>& laplacian, double smoothness);
+
+    //! \param sample_displacements  u, (n, 3) mm: of the samples, beyond the rigid motion
+    //! \returns                     d, (m, 3) mm; zero for zeros, exactly
+    Points displacements(const Points& sample_displacements) const;
+
+    //! W^T diag(a), transposed, (n, m): with factor(), what a composed operator is made of.
+    const Weights& weighted_samples() const { return weighted_; }
+    const DenseCholesky& factor() const { return factor_; }
+
+private:
+    Weights weighted_;
+    DenseCholesky factor_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/volume/dense_products.h"
+
+namespace sheetmorph
+{
+
+//! Cholesky factor N = L L^T of a dense symmetric positive definite matrix of a few hundred rows.
+class DenseCholesky
+{
+public:
+    //! \param matrix  (m, m), lower triangle used
+    //! \throws SolverError if the matrix is not positive definite
+    explicit DenseCholesky(Weights matrix);
+
+    //! N^-1 right, (m, 3).
+    Points solve(const Points& right) const;
+
+    //! L^-T right, (m, 3): the second half of solve().
+    Points solve_upper(const Points& right) const;
+
+    //! rows * L^-T, (r, m): of two such results the product with the other's transpose is
+    //! rows N^-1 others^T.
+    Weights half_solve_rows(Weights rows) const;
+
+private:
+    Weights lower_;
+    Weights inverse_blocks_;  // of the diagonal blocks, one below the other
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/volume/dense_products.h"
+
+#include "sheetmorph/volume/vector_types.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+// Fused multiply-adds where the processor has them.
+#pragma GCC optimize("fp-contract=fast")
+// Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int tile_rows = 4;
+constexpr int largest_panel = 16;
+
+// Rows of doubles `stride` apart.
+struct Rows
+{
+    const double* data;
+    Eigen::Index stride;
+};
+
+// A tile of the product: tile_rows rows of `left` against a packed panel of 2 * width columns.
+struct Tile
+{
+    const double* left[tile_rows];
+    const double* panel;  // (depth, 2 * width)
+    Eigen::Index depth;
+    double sums[tile_rows][largest_panel];
+};
+
+template <int width>
+struct Kernel
+{
+    using Lanes = typename VectorTypes<width>::Lanes;
+
+    static SHEETMORPH_INLINE Lanes load(const double* from)
+    {
+        Lanes value;
+        std::memcpy(&value, from, sizeof value);
+        return value;
+    }
+
+    static SHEETMORPH_INLINE void multiply(Tile& tile)
+    {
+        Lanes sums[tile_rows][2] = {};
+        for (Eigen::Index k = 0; k < tile.depth; ++k)
+        {
+            const Lanes first = load(tile.panel + 2 * width * k);
+            const Lanes second = load(tile.panel + 2 * width * k + width);
+            for (int r = 0; r < tile_rows; ++r)
+            {
+                sums[r][0] += tile.left[r][k] * first;
+                sums[r][1] += tile.left[r][k] * second;
+            }
+        }
+        for (int r = 0; r < tile_rows; ++r)
+            std::memcpy(tile.sums[r], sums[r], sizeof sums[r]);
+    }
+
+    static SHEETMORPH_INLINE double total(const Lanes& value)
+    {
+        double sum = 0.0;
+        for (int l = 0; l < width; ++l)
+            sum += value[l];
+        return sum;
+    }
+
+    // `row` times three columns, each contiguous.
+    static SHEETMORPH_INLINE void multiply(const double* row, const Rows& columns,
+                                           Eigen::Index depth, double* result)
+    {
+        Lanes sums[3] = {};
+        Eigen::Index k = 0;
+        for (; k + width <= depth; k += width)
+            for (int c = 0; c < 3; ++c)
+                sums[c] += load(row + k) * load(columns.data + c * columns.stride + k);
+        for (int c = 0; c < 3; ++c)
+        {
+            result[c] = total(sums[c]);
+            for (Eigen::Index rest = k; rest < depth; ++rest)
+                result[c] += row[rest] * columns.data[c * columns.stride + rest];
+        }
+    }
+
+    static SHEETMORPH_INLINE void multiply(const Weights& left, const Rows& columns, Points& result)
+    {
+        for (Eigen::Index i = 0; i < left.rows(); ++i)
+            multiply(left.data() + i * left.cols(), columns, left.cols(), result.data() + 3 * i);
+    }
+};
+
+__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void tile_512(
+    Tile& tile)
+{
+    Kernel<8>::multiply(tile);
+}
+
+__attribute__((target("avx2,fma"))) void tile_256(Tile& tile)
+{
+    Kernel<4>::multiply(tile);
+}
+
+void tile_128(Tile& tile)
+{
+    Kernel<2>::multiply(tile);
+}
+
+__attribute__((target("avx2,fma"))) void narrow_256(const Weights& left, const Rows& columns,
+                                                    Points& result)
+{
+    Kernel<4>::multiply(left, columns, result);
+}
+
+void narrow_128(const Weights& left, const Rows& columns, Points& result)
+{
+    Kernel<2>::multiply(left, columns, result);
+}
+
+bool has_256()
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
+
+struct TileKernel
+{
+    void (*multiply)(Tile&);
+    int columns;
+};
+
+TileKernel tile_kernel()
+{
+    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+        return {tile_512, 16};
+    if (has_256())
+        return {tile_256, 8};
+    return {tile_128, 4};
+}
+
+// Rows first .. of `right` side by side, zeros where there are none.
+void pack(const WeightsView& right, Eigen::Index first, int columns, std::vector<double>& panel)
+{
+    std::fill(panel.begin(), panel.end(), 0.0);
+    const Eigen::Index count = std::min<Eigen::Index>(columns, right.rows() - first);
+    for (Eigen::Index c = 0; c < count; ++c)
+        for (Eigen::Index k = 0; k < right.cols(); ++k)
+            panel[columns * k + c] = right(first + c, k);
+}
+
+}  // namespace
+
+void add_product(const WeightsView& left, const WeightsView& right, double factor,
+                 WeightsTarget result)
+{
+    const TileKernel kernel = tile_kernel();
+    const Eigen::Index depth = left.cols(), rows = left.rows(), columns = right.rows();
+    std::vector<double> panel(kernel.columns * depth);
+    Tile tile{{}, panel.data(), depth, {}};
+    for (Eigen::Index j = 0; j < columns; j += kernel.columns)
+    {
+        pack(right, j, kernel.columns, panel);
+        const Eigen::Index wide = std::min<Eigen::Index>(kernel.columns, columns - j);
+        for (Eigen::Index i = 0; i < rows; i += tile_rows)
+        {
+            const Eigen::Index high = std::min<Eigen::Index>(tile_rows, rows - i);
+            for (Eigen::Index r = 0; r < tile_rows; ++r)
+                tile.left[r] = left.data() + std::min(i + r, rows - 1) * left.outerStride();
+            kernel.multiply(tile);
+            for (Eigen::Index r = 0; r < high; ++r)
+                for (Eigen::Index c = 0; c < wide; ++c)
+                    result(i + r, j + c) += factor * tile.sums[r][c];
+        }
+    }
+}
+
+void add_lower_product(const WeightsView& left, const WeightsView& right, double factor,
+                       WeightsTarget result)
+{
+    constexpr Eigen::Index strip = 3 * largest_panel;
+    for (Eigen::Index j = 0; j < result.cols(); j += strip)
+    {
+        const Eigen::Index wide = std::min(strip, result.cols() - j), high = result.rows() - j;
+        add_product(left.bottomRows(high), right.middleRows(j, wide), factor,
+                    result.block(j, j, high, wide));
+    }
+}
+
+Points narrow_product(const Weights& left, const Points& right)
+{
+    Points result(left.rows(), 3);
+    const Weights columns = right.transpose();
+    const Rows rows{columns.data(), columns.cols()};
+    if (has_256())
+        narrow_256(left, rows, result);
+    else
+        narrow_128(left, rows, result);
+    return result;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+namespace sheetmorph
+{
+
+//! A dense matrix whose rows are contiguous, such as an (n, m) array of weights.
+using Weights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+//! A part of such a matrix, rows contiguous.
+using WeightsView = Eigen::Ref<const Weights, 0, Eigen::OuterStride<>>;
+using WeightsTarget = Eigen::Ref<Weights, 0, Eigen::OuterStride<>>;
+
+//! result += factor * left * right^T, with the widest instructions of the processor.
+//! \param left   (r, k)
+//! \param right  (s, k)
+//! \param result (r, s), apart from both
+void add_product(const WeightsView& left, const WeightsView& right, double factor,
+                 WeightsTarget result);
+
+//! add_product() for the lower triangle of a square result alone; above it the result is undefined.
+void add_lower_product(const WeightsView& left, const WeightsView& right, double factor,
+                       WeightsTarget result);
+
+//! left * right for three columns: one pass over `left`, at the bandwidth of the memory.
+//! \param left   (r, k)
+//! \param right  (k, 3)
+Points narrow_product(const Weights& left, const Points& right);
+
+}  // namespace sheetmorph

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/volume/local_rotations.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/rotation.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Below this share of its edges' squares, the area of a ring is rounding.
+constexpr double no_area = 1e-10;
+
+Vector3 arm(const Points& points, int from, int to)
+{
+    return (points.row(to) - points.row(from)).transpose();
+}
+
+// Sum of the products of a ring's edges: its normal, twice its area long.
+Vector3 area_vector(const Points& points, int vertex, const std::vector<int>& others)
+{
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = 0; k + 1 < others.size(); k += 2)
+        sum += arm(points, vertex, others[k]).cross(arm(points, vertex, others[k + 1]));
+    return sum;
+}
+
+// Triangles of one ring that are oriented against the first ones, turned round: without this the
+// normals of a badly oriented mesh would cancel.
+std::vector<int> same_sided(const Points& points, int vertex, std::vector<int> others)
+{
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = 0; k + 1 < others.size(); k += 2)
+    {
+        const Vector3 area =
+            arm(points, vertex, others[k]).cross(arm(points, vertex, others[k + 1]));
+        if (area.dot(sum) < 0.0)
+            std::swap(others[k], others[k + 1]);
+        sum += area.dot(sum) < 0.0 ? Vector3(-area) : area;
+    }
+    return others;
+}
+
+std::vector<std::vector<int>> rings_of(const TriangleMesh& mesh)
+{
+    std::vector<std::vector<int>> others(mesh.vertex_count());
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+            for (int step = 1; step < 3; ++step)
+                others[mesh.triangles()(t, k)].push_back(mesh.triangles()(t, (k + step) % 3));
+    return others;
+}
+
+}  // namespace
+
+LocalRotationMeter::LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices)
+    : rest_(rest.points())
+{
+    std::vector<int> missing;
+    std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(missing),
+                 [&](int v) { return v < 0 || v >= rest.vertex_count(); });
+    if (!missing.empty())
+        throw InvalidInput("vertices that the mesh does not have: " + list_ids(missing));
+    const std::vector<std::vector<int>> others = rings_of(rest);
+    for (int vertex : vertices)
+        rings_.push_back(rest_ring(vertex, others[vertex]));
+}
+
+LocalRotationMeter::Ring LocalRotationMeter::rest_ring(int vertex,
+                                                       const std::vector<int>& others) const
+{
+    Ring ring{vertex, same_sided(rest_, vertex, others), Vector3::Zero(), 0.0, Matrix3::Zero()};
+    Matrix3 moments = Matrix3::Zero();
+    for (int other : others)
+        moments += arm(rest_, vertex, other) * arm(rest_, vertex, other).transpose();
+    const Vector3 area = area_vector(rest_, vertex, ring.others);
+    const double squares = moments.trace();
+    if (area.norm() > no_area * squares)
+    {
+        ring.normal = area.normalized();
+        ring.normal_weight = 0.5 * squares;
+        moments += ring.normal_weight * ring.normal * ring.normal.transpose();
+    }
+    if (moments.determinant() > no_area * no_area * squares * squares * squares)
+        ring.inverse_moments = moments.inverse();
+    return ring;
+}
+
+LocalRotations LocalRotationMeter::measure(const Points& deformed, const Points& references) const
+{
+    if (deformed.rows() != rest_.rows()
+        || references.rows() != static_cast<Eigen::Index>(rings_.size()))
+        throw InvalidInput(
+            "measuring rotations needs a position for every vertex of the mesh and a "
+            "reference for every measured vertex");
+    LocalRotations result{{}, references};
+    result.matrices.reserve(rings_.size());
+    for (std::size_t k = 0; k < rings_.size(); ++k)
+    {
+        const Vector3 log = references.row(k).transpose();
+        const Matrix3 reference = rotation_from_log(log);
+        result.matrices.push_back(ring_rotation(rings_[k], deformed, reference));
+        if (result.matrices[k] != reference)
+            result.logs.row(k) = log_near(result.matrices[k], log).transpose();
+    }
+    return result;
+}
+
+// The map is reference + (what the reference leaves unexplained), so that nothing left gives the
+// reference itself, bit for bit.
+Matrix3 LocalRotationMeter::ring_rotation(const Ring& ring, const Points& deformed,
+                                          const Matrix3& reference) const
+{
+    Matrix3 unexplained = Matrix3::Zero();
+    for (int other : ring.others)
+    {
+        const Vector3 edge = arm(rest_, ring.vertex, other);
+        unexplained += (arm(deformed, ring.vertex, other) - reference * edge) * edge.transpose();
+    }
+    if (unexplained.isZero(0.0) || ring.inverse_moments.isZero(0.0))
+        return reference;
+    const Vector3 area = area_vector(deformed, ring.vertex, ring.others);
+    if (ring.normal_weight > 0.0 && area.norm() > 0.0)
+        unexplained += ring.normal_weight * (area.normalized() - reference * ring.normal)
+                       * ring.normal.transpose();
+    return polar_rotation(reference + unexplained * ring.inverse_moments);
+}
+
+RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,
+                        const Eigen::VectorXd& weights)
+{
+    const Eigen::Index count = rest.rows();
+    if (count == 0 || deformed.rows() != count || turned.logs.rows() != count
+        || static_cast<Eigen::Index>(turned.matrices.size()) != count
+        || (weights.size() != 0 && weights.size() != count))
+        throw InvalidInput(
+            "the motion of a region needs as many positions, rotations and weights "
+            "as it has vertices, and at least one");
+    Eigen::VectorXd share = Eigen::VectorXd::Ones(count);
+    if (weights.size() == count && weights.sum() > 0.0)
+        share = weights;
+    share /= share.sum();
+    const Vector3 log = (share.transpose() * turned.logs).transpose();
+    Vector3 tilt = Vector3::Zero();
+    for (Eigen::Index k = 0; k < count; ++k)
+        tilt += share(k) * tilt_beyond(turned.matrices[k], turned.logs.row(k).transpose());
+    RigidMotion motion;
+    motion.rotation_log =
+        tilt.isZero(0.0) ? log : nearest_branch(log_from_rotation(tilted_rotation(log, tilt)), log);
+    motion.pivot = (share.transpose() * rest).transpose();
+    motion.translation = (share.transpose() * (deformed - rest)).transpose();
+    return motion;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+#include <vector>
+
+namespace sheetmorph
+{
+
+//! How the surface turned at some vertices.
+struct LocalRotations
+{
+    std::vector<Matrix3> matrices;  //!< k rotations
+    Points logs;                    //!< (k, 3), each near its reference
+};
+
+//! Measures how the one-rings of some vertices turn: polar factor of the map from the rest ring to
+//! the deformed one, completed by the normal. The constructor prepares, measure() is per frame.
+class LocalRotationMeter
+{
+public:
+    //! \throws InvalidInput naming the ids that the mesh does not have
+    LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices);
+
+    //! A vertex in no triangle, or in degenerate ones only, turns as its reference says. So does,
+    //! to the bit, a ring that the reference's rotation alone explains.
+    //! \param deformed    (n, 3) mm: the whole mesh
+    //! \param references  (k, 3) logs, such as the interpolated rotation field at the vertices
+    LocalRotations measure(const Points& deformed, const Points& references) const;
+
+private:
+    struct Ring
+    {
+        int vertex;
+        std::vector<int> others;  // two a triangle, in its order
+        Vector3 normal;           // unit; zero if the ring has none
+        double normal_weight;
+        Matrix3 inverse_moments;  // of the rest ring; zero if the ring determines no rotation
+    };
+
+    Ring rest_ring(int vertex, const std::vector<int>& others) const;
+    Matrix3 ring_rotation(const Ring& ring, const Points& deformed, const Matrix3& reference) const;
+
+    Points rest_;  // rows used by the rings
+    std::vector<Ring> rings_;
+};
+
+//! The motion of a whole region: its rotation is that of the mean of the local logs, so that it
+//! follows a handle through whole turns (a best fit of the points jumps, and points on a line have
+//! none), tilted by the mean of what those logs cannot tell near a whole turn (tilt_beyond()); its
+//! translation takes centroid to centroid.
+//! \param rest, deformed  (k, 3) mm
+//! \param weights         k, >= 0, such as vertex areas; empty for equal ones
+RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,
+                        const Eigen::VectorXd& weights = {});
+
+}  // namespace sheetmorph

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/volume/mean_value_kernel.h"
+
+#include "sheetmorph/volume/vector_types.h"
+
+#include <cstring>
+
+// Fused multiply-adds where the processor has them.
+#pragma GCC optimize("fp-contract=fast")
+// Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double quarter_pi = 0.78539816339744830962;
+constexpr double tan_eighth_pi = 0.41421356237309504880;
+
+// Elevation of the point above a triangle's plane below which eps / elevation would show in the
+// weights; such pairs are left to the careful scalar path.
+constexpr double grazing = 1e-5;
+
+// The kernel for processors that compute `width` doubles at once, on lanes at .. at + width - 1.
+template <int width>
+struct Kernel
+{
+    using Lanes = typename VectorTypes<width>::Lanes;
+    using Bits = typename VectorTypes<width>::Bits;
+
+    struct Lanes3
+    {
+        Lanes x, y, z;
+    };
+
+    const KernelMesh& mesh;
+    KernelBlock& block;
+    int at;
+
+    static SHEETMORPH_INLINE Lanes filled(double number)
+    {
+        const Lanes zero = {};
+        return zero + number;
+    }
+
+    SHEETMORPH_INLINE Lanes load(const LaneValues& from) const
+    {
+        Lanes value;
+        std::memcpy(&value, from.at + at, sizeof value);
+        return value;
+    }
+
+    SHEETMORPH_INLINE Lanes3 load(const LaneVectors& from, int k) const
+    {
+        return {load(from.x[k]), load(from.y[k]), load(from.z[k])};
+    }
+
+    SHEETMORPH_INLINE void store(const Lanes& value, LaneValues& to) const
+    {
+        std::memcpy(to.at + at, &value, sizeof value);
+    }
+
+    SHEETMORPH_INLINE void store(const Lanes3& value, LaneVectors& to, int k) const
+    {
+        store(value.x, to.x[k]);
+        store(value.y, to.y[k]);
+        store(value.z, to.z[k]);
+    }
+
+    SHEETMORPH_INLINE void add(const Lanes& value, LaneValues& to) const
+    {
+        store(load(to) + value, to);
+    }
+
+    static SHEETMORPH_INLINE Lanes dot(const Lanes3& a, const Lanes3& b)
+    {
+        return a.x * b.x + a.y * b.y + a.z * b.z;
+    }
+
+    // 1 / sqrt(value), value >= 1e-280: the exponent halved as an integer, then three steps of
+    // cubic convergence. The library's square root sets errno, so it would be scalar.
+    static SHEETMORPH_INLINE Lanes inverse_root(const Lanes& given)
+    {
+        const Lanes value = given > 1e-280 ? given : filled(1e-280);
+        Bits bits;
+        std::memcpy(&bits, &value, sizeof bits);
+        bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);
+        Lanes root;
+        std::memcpy(&root, &bits, sizeof root);
+        for (int step = 0; step < 3; ++step)
+        {
+            const Lanes excess = 1.0 - value * root * root;
+            root = root + root * excess * (0.5 + 0.375 * excess);
+        }
+        return root;
+    }
+
+    // (atan(x) - x) / x^3 in z = x^2, |x| <= tan(pi / 8); error 7e-18.
+    static SHEETMORPH_INLINE Lanes arc_tangent_tail(const Lanes& z)
+    {
+        Lanes p = z * -0.019162068915902573 + 0.03921955253255129;
+        p = p * z - 0.05085030492810941;
+        p = p * z + 0.058580687568615106;
+        p = p * z - 0.06664502215671447;
+        p = p * z + 0.07692182535116648;
+        p = p * z - 0.09090904549884611;
+        p = p * z + 0.11111111014561013;
+        p = p * z - 0.14285714284657894;
+        p = p * z + 0.1999999999999548;
+        return p * z - 0.3333333333333333;
+    }
+
+    // Half of atan2(sine, cosine), sine >= 0, for sine^2 + cosine^2 = 1.
+    static SHEETMORPH_INLINE Lanes half_angle(const Lanes& sine, const Lanes& cosine)
+    {
+        const Lanes zero = {};
+        const Lanes below = 1.0 + (cosine < 0.0 ? -cosine : cosine);
+        const auto steep = sine > tan_eighth_pi * below;
+        const Lanes x = (steep ? sine - below : sine) / (steep ? sine + below : below);
+        const Lanes z = x * x;
+        const Lanes angle = (steep ? filled(quarter_pi) : zero) + (x + x * z * arc_tangent_tail(z));
+        return cosine < 0.0 ? 2.0 * quarter_pi - angle : angle;
+    }
+
+    SHEETMORPH_INLINE void directions_to_vertices() const
+    {
+        const Lanes zero = {};
+        const Lanes3 point = load(block.points, 0);
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+        {
+            const double* q = &mesh.vertices[3 * v];
+            const Lanes3 to = {q[0] - point.x, q[1] - point.y, q[2] - point.z};
+            const Lanes inverse = inverse_root(dot(to, to));
+            store({to.x * inverse, to.y * inverse, to.z * inverse}, block.unit, v);
+            store(inverse, block.inverse_distance[v]);
+            store(zero, block.weights[v]);
+        }
+    }
+
+    // u_i x u_j as u_i x (q_j - q_i) / d_j: far points keep the digits of short edges. Once an
+    // edge, so that its two triangles see the same rounding and their shares of it cancel in the
+    // sum.
+    SHEETMORPH_INLINE void spherical_edges() const
+    {
+        for (int e = 0; e < mesh.edge_count(); ++e)
+        {
+            const int i = mesh.edge_ends[2 * e], j = mesh.edge_ends[2 * e + 1];
+            const double* v = &mesh.edge_vectors[3 * e];
+            const Lanes3 a = load(block.unit, i), b = load(block.unit, j);
+            const Lanes inverse = load(block.inverse_distance[j]);
+            const Lanes3 cross = {(a.y * v[2] - a.z * v[1]) * inverse,
+                                  (a.z * v[0] - a.x * v[2]) * inverse,
+                                  (a.x * v[1] - a.y * v[0]) * inverse};
+            const Lanes squared = dot(cross, cross), inverse_sine = inverse_root(squared);
+            const Lanes half = half_angle(squared * inverse_sine, dot(a, b));
+            store(cross, block.cross, e);
+            store(half * inverse_sine, block.half_angle_ratio[e]);
+        }
+    }
+
+    SHEETMORPH_INLINE Lanes3 signed_cross(int edge, double sign) const
+    {
+        const Lanes3 cross = load(block.cross, edge);
+        return {sign * cross.x, sign * cross.y, sign * cross.z};
+    }
+
+    // w_k += (c_k . m) / (d_k c_k . u_k) with c_k = u_i x u_j and m = sum theta_k c_k / (2 |c_k|);
+    // the distance d_k comes last, in run(). Returns which points are near the triangle's plane.
+    SHEETMORPH_INLINE Lanes add_triangle(int t) const
+    {
+        const Lanes zero = {};
+        const int* vertex = &mesh.triangle_vertices[3 * t];
+        const int* edge = &mesh.triangle_edges[3 * t];
+        const double* sign = &mesh.edge_signs[3 * t];
+        const Lanes3 a = signed_cross(edge[0], sign[0]), b = signed_cross(edge[1], sign[1]);
+        const Lanes3 c = signed_cross(edge[2], sign[2]);
+        const Lanes ra = load(block.half_angle_ratio[edge[0]]);
+        const Lanes rb = load(block.half_angle_ratio[edge[1]]);
+        const Lanes rc = load(block.half_angle_ratio[edge[2]]);
+        const Lanes3 m = {ra * a.x + rb * b.x + rc * c.x, ra * a.y + rb * b.y + rc * c.y,
+                          ra * a.z + rb * b.z + rc * c.z};
+        const Lanes volume = dot(a, load(block.unit, vertex[0]));
+        const Lanes aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
+        const auto clear = volume * volume > grazing * grazing * (aa * bb + bb * cc + cc * aa);
+        const Lanes inverse = clear ? 1.0 / volume : zero;
+        const Lanes flag = clear ? zero : filled(1.0);
+        store(flag, block.flags[t]);
+        add(dot(a, m) * inverse, block.weights[vertex[0]]);
+        add(dot(b, m) * inverse, block.weights[vertex[1]]);
+        add(dot(c, m) * inverse, block.weights[vertex[2]]);
+        return flag;
+    }
+
+    SHEETMORPH_INLINE void run() const
+    {
+        directions_to_vertices();
+        spherical_edges();
+        Lanes flagged = {};
+        for (int t = 0; t < mesh.triangle_count(); ++t)
+            flagged += add_triangle(t);
+        store(flagged, block.flagged);
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+            store(load(block.weights[v]) * load(block.inverse_distance[v]), block.weights[v]);
+    }
+};
+
+__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void kernel_512(
+    const KernelMesh& mesh, KernelBlock& block)
+{
+    Kernel<8>{mesh, block, 0}.run();
+}
+
+__attribute__((target("avx2,fma"))) void kernel_256(const KernelMesh& mesh, KernelBlock& block)
+{
+    for (int at = 0; at < lanes; at += 4)
+        Kernel<4>{mesh, block, at}.run();
+}
+
+void kernel_128(const KernelMesh& mesh, KernelBlock& block)
+{
+    for (int at = 0; at < lanes; at += 2)
+        Kernel<2>{mesh, block, at}.run();
+}
+
+}  // namespace
+
+void run_kernel(const KernelMesh& mesh, KernelBlock& block)
+{
+    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+        kernel_512(mesh, block);
+    else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        kernel_256(mesh, block);
+    else
+        kernel_128(mesh, block);
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+//! Inlined into callers compiled for other instruction sets, or the kernels would not be
+//! vectorised.
+#define SHEETMORPH_INLINE inline __attribute__((always_inline))
+
+namespace sheetmorph
+{
+
+//! `width` doubles in one register (or several). Written out: g++ 12 drops the attribute of a
+//! vector type whose size depends on a template parameter as soon as it is const.
+template <int width>
+struct VectorTypes;
+
+template <>
+struct VectorTypes<2>
+{
+    using Lanes = double __attribute__((vector_size(16)));
+    using Bits = long long __attribute__((vector_size(16)));
+};
+
+template <>
+struct VectorTypes<4>
+{
+    using Lanes = double __attribute__((vector_size(32)));
+    using Bits = long long __attribute__((vector_size(32)));
+};
+
+template <>
+struct VectorTypes<8>
+{
+    using Lanes = double __attribute__((vector_size(64)));
+    using Bits = long long __attribute__((vector_size(64)));
+};
+
+}  // namespace sheetmorph

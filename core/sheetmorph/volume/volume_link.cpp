@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/volume/volume_link.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/volume/mean_value_coordinates.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Points at which the map is compared for its derivatives are so far apart, as a share of the box:
+// the error of the difference is its square, its rounding eps divided by it.
+constexpr double difference_step = 1e-3;
+
+// Targets composed at a time, so that the weights of many targets never exist together.
+constexpr Eigen::Index chunk = 256;
+
+void check(const LinkSource& source, const LinkOptions& options)
+{
+    const Eigen::Index count = source.points.rows();
+    if (count == 0)
+        throw InvalidInput(
+            "a control mesh without source points; give the contact region of the "
+            "part that drives it at least one vertex");
+    if (!(options.offset >= 0.0))
+        throw InvalidInput("the offset of the samples along the normals must not be negative");
+    if ((options.offset > 0.0 && source.normals.rows() != count)
+        || (source.areas.size() != 0 && source.areas.size() != count))
+        throw InvalidInput("the source points of a control mesh need one normal and one area each");
+}
+
+Points offsets_of(const LinkSource& source, const LinkOptions& options)
+{
+    return options.offset > 0.0 ? Points(options.offset * source.normals) : Points(0, 3);
+}
+
+// The source's points and, with normals, those at both sides of it.
+Points samples(const Points& points, const Points& offsets)
+{
+    if (offsets.rows() == 0)
+        return points;
+    Points all(3 * points.rows(), 3);
+    all << points, points + offsets, points - offsets;
+    return all;
+}
+
+ControlMeshFit fit_of(const ControlMesh& control, const MeanValueCoordinates& coordinates,
+                      const LinkSource& source, const LinkOptions& options)
+{
+    check(source, options);
+    const Eigen::Index count = source.points.rows();
+    Eigen::VectorXd areas = Eigen::VectorXd::Ones(count);
+    if (source.areas.size() == count && source.areas.sum() > 0.0)
+        areas = source.areas;
+    const Points all = samples(source.points, offsets_of(source, options));
+    return ControlMeshFit(coordinates.weights(all, options.threads),
+                          areas.replicate(all.rows() / count, 1), control.shape.laplacian(),
+                          options.smoothness);
+}
+
+// A sample at +-h n is displaced by a +- b, a the displacement of its point and b that of its
+// offset: twice as many inputs as points, not three times.
+Weights input_rows(const Weights& weighted, Eigen::Index count)
+{
+    if (weighted.rows() == count)
+        return weighted;
+    const auto middle = weighted.topRows(count), above = weighted.middleRows(count, count);
+    const auto below = weighted.bottomRows(count);
+    Weights rows(2 * count, weighted.cols());
+    rows << middle + above + below, above - below;
+    return rows;
+}
+
+std::vector<Eigen::Index> nearest_rows(const Points& points, const Points& targets)
+{
+    std::vector<Eigen::Index> nearest(static_cast<std::size_t>(targets.rows()));
+    for (Eigen::Index i = 0; i < targets.rows(); ++i)
+        (points.rowwise() - targets.row(i)).rowwise().squaredNorm().minCoeff(&nearest[i]);
+    return nearest;
+}
+
+}  // namespace
+
+// What the public constructor was given.
+struct VolumeLink::Setting
+{
+    const ControlMesh& control;
+    const LinkSource& source;
+    const Points& targets;
+    const LinkOptions& options;
+};
+
+VolumeLink::VolumeLink(const ControlMesh& control, const LinkSource& source, const Points& targets,
+                       const LinkOptions& options)
+    : VolumeLink(Setting{control, source, targets, options},
+                 MeanValueCoordinates(control.vertices, control.shape.triangles()))
+{
+}
+
+VolumeLink::VolumeLink(const Setting& setting, const MeanValueCoordinates& coordinates)
+    : VolumeLink(setting, fit_of(setting.control, coordinates, setting.source, setting.options))
+{
+    compose(coordinates);
+}
+
+VolumeLink::VolumeLink(const Setting& setting, const ControlMeshFit& fit)
+    : options_(setting.options),
+      source_(setting.source.points),
+      source_offsets_(offsets_of(setting.source, setting.options)),
+      targets_(setting.targets),
+      control_rest_(setting.control.vertices),
+      steps_(setting.control.box.axes
+             * (difference_step * setting.control.box.half_extents).asDiagonal()),
+      factor_(fit.factor()),
+      from_inputs_(
+          factor_.half_solve_rows(input_rows(fit.weighted_samples(), source_.rows())).transpose())
+{
+}
+
+void VolumeLink::compose(const MeanValueCoordinates& coordinates)
+{
+    const Eigen::Index each = options_.rotations ? 4 : 1, count = targets_.rows();
+    const Eigen::Index inputs = from_inputs_.cols(), vertices = from_inputs_.rows();
+    if (options_.rotations)
+        nearest_ = nearest_rows(source_, targets_);
+    is_composed_ = each * count * inputs <= vertices * (each * count + inputs);
+    const Weights half_inputs = from_inputs_.transpose();
+    rows_ = Weights::Zero(each * count, is_composed_ ? inputs : vertices);
+    for (Eigen::Index first = 0; first < count; first += chunk)
+    {
+        const Eigen::Index wide = std::min(chunk, count - first);
+        Weights rows = target_rows(coordinates, first, wide);
+        if (is_composed_)
+            add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0,
+                        rows_.middleRows(each * first, each * wide));
+        else
+            rows_.middleRows(each * first, each * wide) = rows;
+    }
+}
+
+// A row for the position of each target and, with rotations, one for each derivative along the
+// box's axes: along these the answer for a turned model is the turned answer.
+Weights VolumeLink::target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first,
+                                Eigen::Index count) const
+{
+    const auto targets = targets_.middleRows(first, count);
+    if (!options_.rotations)
+        return coordinates.weights(targets, options_.threads);
+    Points around(7 * count, 3);
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+        around.row(7 * i) = targets.row(i);
+        for (int a = 0; a < 3; ++a)
+        {
+            around.row(7 * i + 2 * a + 1) = targets.row(i) + steps_.col(a).transpose();
+            around.row(7 * i + 2 * a + 2) = targets.row(i) - steps_.col(a).transpose();
+        }
+    }
+    const Weights all = coordinates.weights(around, options_.threads);
+    Weights rows(4 * count, all.cols());
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+        rows.row(4 * i) = all.row(7 * i);
+        for (int a = 0; a < 3; ++a)
+            rows.row(4 * i + a + 1) = (all.row(7 * i + 2 * a + 1) - all.row(7 * i + 2 * a + 2))
+                                      / (2.0 * steps_.col(a).norm());
+    }
+    return rows;
+}
+
+Points VolumeLink::inputs(const SourceState& state) const
+{
+    const Eigen::Index count = source_.rows();
+    const bool has_offsets = source_offsets_.rows() > 0;
+    if (state.positions.rows() != count
+        || (has_offsets && static_cast<Eigen::Index>(state.rotations.size()) != count))
+        throw InvalidInput(
+            "the state of a control mesh's source needs a position, and with offset "
+            "samples a rotation, for each of its "
+            + std::to_string(count) + " points");
+    Points inputs(from_inputs_.cols(), 3);
+    inputs.topRows(count) = state.positions - state.mean.apply(source_);
+    const Matrix3 rotation = state.mean.rotation();
+    for (Eigen::Index i = 0; has_offsets && i < count; ++i)
+        inputs.row(count + i) =
+            ((state.rotations[i] - rotation) * source_offsets_.row(i).transpose()).transpose();
+    return inputs;
+}
+
+Points VolumeLink::control_displacements(const Points& inputs) const
+{
+    return factor_.solve_upper(narrow_product(from_inputs_, inputs));
+}
+
+Points VolumeLink::control_vertices(const SourceState& state) const
+{
+    return state.mean.apply(control_rest_) + control_displacements(inputs(state));
+}
+
+LinkedTargets VolumeLink::transfer(const SourceState& state) const
+{
+    const Points given = inputs(state);
+    const Points moved = narrow_product(rows_, is_composed_ ? given : control_displacements(given));
+    LinkedTargets result{state.mean.apply(targets_), Points(), {}};
+    if (!options_.rotations)
+    {
+        result.positions += moved;
+        return result;
+    }
+    result.logs = state.mean.rotation_log.transpose().replicate(targets_.rows(), 1);
+    const bool has_references = state.logs.rows() == source_.rows();
+    const Matrix3 rotation = state.mean.rotation();
+    result.rotations.assign(static_cast<std::size_t>(targets_.rows()), rotation);
+    const Matrix3 axes = steps_.colwise().normalized();
+    for (Eigen::Index i = 0; i < targets_.rows(); ++i)
+    {
+        result.positions.row(i) += moved.row(4 * i);
+        const Matrix3 derivative = moved.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
+        const Vector3 reference =
+            has_references ? Vector3(state.logs.row(nearest_[i])) : state.mean.rotation_log;
+        if (derivative.isZero(0.0))
+        {
+            result.logs.row(i) =
+                (has_references ? log_near(rotation, reference) : reference).transpose();
+            continue;
+        }
+        result.rotations[i] = polar_rotation(rotation + derivative);
+        result.logs.row(i) = log_near(result.rotations[i], reference).transpose();
+    }
+    return result;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/volume/control_mesh.h"
+#include "sheetmorph/volume/control_mesh_fit.h"
+#include "sheetmorph/volume/mean_value_coordinates.h"
+
+#include <vector>
+
+namespace sheetmorph
+{
+
+//! The points that drive a control mesh, at rest.
+struct LinkSource
+{
+    Points points;          //!< (n, 3) mm
+    Points normals;         //!< (n, 3) unit; only needed with offset samples
+    Eigen::VectorXd areas;  //!< n, >= 0, any unit; empty for equal ones
+};
+
+struct LinkOptions
+{
+    double smoothness = 0.05;  //!< c of (3.3)
+    double offset = 0.0;       //!< h, mm: samples at +-h along the normals too; 0 for none
+    bool rotations = true;     //!< also how the targets turn; four times the memory
+    int threads = 0;           //!< for the mean value coordinates; 0 for all
+};
+
+//! The same points in one frame.
+struct SourceState
+{
+    Points positions;                //!< (n, 3) mm
+    std::vector<Matrix3> rotations;  //!< n local rotations; only needed with offset samples
+    RigidMotion mean;                //!< of mean_motion()
+
+    //! (n, 3) logs of the local rotations. A target's log is the one near that of its nearest
+    //! source point, not of the mean: where a source is twisted by a whole turn its ends are half
+    //! a turn from the mean, and the target would leap. Empty: near the mean's.
+    Points logs;
+};
+
+//! What a link makes of its targets.
+struct LinkedTargets
+{
+    Points positions;  //!< (k, 3) mm
+    Points logs;       //!< (k, 3) near the nearest source point's log; empty without rotations
+    std::vector<Matrix3> rotations;  //!< k: the rotations themselves, which a log near a whole turn
+                                     //!< cannot tell (log_near()); empty without
+};
+
+//! Source points drive a control mesh (3.3), the control mesh drives target points (2.11).
+//! Targets move by the source's mean motion plus a displacement, so that a source at rest leaves
+//! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
+//! Memory: about k * min(inputs, m) doubles, four times that with rotations; inputs are the n
+//! source points, twice as many with offset samples.
+class VolumeLink
+{
+public:
+    //! \throws InvalidInput if the source is empty or its arrays disagree, or an option is negative
+    VolumeLink(const ControlMesh& control, const LinkSource& source, const Points& targets,
+               const LinkOptions& options = {});
+
+    //! \throws InvalidInput if the state has another number of points
+    LinkedTargets transfer(const SourceState& state) const;
+
+    //! (m, 3) mm: the control mesh that does it, to be shown.
+    Points control_vertices(const SourceState& state) const;
+
+private:
+    struct Setting;
+    VolumeLink(const Setting& setting, const MeanValueCoordinates& coordinates);
+    VolumeLink(const Setting& setting, const ControlMeshFit& fit);
+    Points inputs(const SourceState& state) const;
+    Points control_displacements(const Points& inputs) const;
+    void compose(const MeanValueCoordinates& coordinates);
+    Weights target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first,
+                        Eigen::Index count) const;
+
+    LinkOptions options_;
+    Points source_, source_offsets_, targets_, control_rest_;
+    Matrix3 steps_;  // columns: how far apart the targets' map is compared, mm
+    DenseCholesky factor_;
+    Weights from_inputs_;                // (m, inputs): L^-1 times what the source says
+    std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
+    Weights rows_;                       // of the targets, on the inputs or on the control vertices
+    bool is_composed_ = false;
+};
+
+}  // namespace sheetmorph

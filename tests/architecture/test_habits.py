@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every source says its licence, is finished, hides no error and holds no state; tests claim."""
+import habits
+import pytest
+from source_tree import ROOT, faults_in, files
+
+CODE = files(".py", ".h", ".cpp", ".sh", ".FCMacro") + [
+    *[path for path in files() if path.name == "CMakeLists.txt"],
+    ROOT / "sheetmorph",
+    ROOT / ".ci" / "run",
+]
+TESTS = [path for path in files(".py") if path.name.startswith("test_")]
+CPP_TESTS = files(".cpp", below=ROOT / "tests")
+
+
+def in_text(find):
+    """The same search, from a file."""
+    return lambda path: find(path.read_text())
+
+
+def test_sources_are_licensed_and_finished():
+    assert faults_in(CODE, in_text(habits.text_faults)) == {}
+
+
+def test_python_sources_hold_no_state_and_hide_no_error():
+    assert faults_in(files(".py"), in_text(habits.python_faults)) == {}
+
+
+def test_python_tests_make_a_claim():
+    assert faults_in(TESTS, in_text(habits.python_tests_without_claim)) == {}
+
+
+def test_cpp_tests_make_a_claim():
+    assert faults_in(CPP_TESTS, in_text(habits.cpp_tests_without_claim)) == {}
+
+
+def test_a_missing_licence_line_is_noticed():
+    assert habits.text_faults("import os\n") == ["the SPDX line is missing"]
+
+
+def test_work_left_open_is_noticed():
+    text = f"# {habits.SPDX}\n# TO" + "DO later\nraise " + habits.UNFINISHED + "\n"
+    assert len(habits.text_faults(text)) == 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "def f():\n    global a\n    a = 1\n",
+        "try:\n    f()\nexcept:\n    pass\n",
+        "assert " + "True\n",
+    ],
+)
+def test_a_bad_python_habit_is_noticed(text):
+    assert len(habits.python_faults(text)) == 1
+
+
+def test_a_test_without_claim_is_noticed():
+    text = (
+        "def test_a():\n    run()\ndef test_b():\n    assert run()\ndef test_c():\n    check(1)\n"
+    )
+    assert habits.python_tests_without_claim(text) == ["test_a"]
+    cpp = "TEST(A, runs)\n{\n    run();\n}\nTEST(A, holds)\n{\n    EXPECT_EQ(1, run());\n}\n"
+    assert habits.cpp_tests_without_claim(cpp) == ["A.runs"]

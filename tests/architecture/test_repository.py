@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The top level, the version number and the description of the add-on say one thing."""
+import re
+import subprocess
+import xml.etree.ElementTree as ElementTree
+
+import pytest
+from source_tree import IGNORED, ROOT, WORKBENCH, is_ignored
+
+TOP_LEVEL = {
+    *("CMakeLists.txt", "README.md", "LICENSE", "CHANGELOG.md", "CMakePresets.json", "package.xml"),
+    *("sheetmorph", "core", "bindings", "Mod", "resources", "tests"),
+}
+
+
+def strangers(names: list[str]) -> list[str]:
+    """Entries that do not belong to the top level; dotfiles and ignored folders may stand there."""
+    kept = [name for name in names if not name.startswith(".") and not is_ignored(name)]
+    return sorted(set(kept) - TOP_LEVEL)
+
+
+def project_version() -> str:
+    """The version number, from where it is written: CMake's project()."""
+    text = (ROOT / "CMakeLists.txt").read_text()
+    found = re.search(r"project\(SheetMorph VERSION (\d+\.\d+\.\d+)", text)
+    assert found, "CMakeLists.txt names no version"
+    return found.group(1)
+
+
+def manifest() -> ElementTree.Element:
+    """package.xml without its namespace."""
+    root = ElementTree.parse(ROOT / "package.xml").getroot()
+    for element in root.iter():
+        element.tag = element.tag.rpartition("}")[2]
+    return root
+
+
+def test_nothing_else_stands_at_the_top():
+    assert strangers([path.name for path in ROOT.iterdir()]) == []
+    assert TOP_LEVEL - {path.name for path in ROOT.iterdir()} == set()
+
+
+def test_a_stranger_at_the_top_is_noticed():
+    assert strangers(["core", "setup.py", ".git", "build-dev"]) == ["setup.py"]
+    assert IGNORED
+
+
+def test_there_is_one_version_number():
+    version = project_version()
+    assert manifest().findtext("version") == version
+    assert f"## {version}" in (ROOT / "CHANGELOG.md").read_text()
+
+
+def test_the_manifest_names_what_exists():
+    root = manifest()
+    assert (ROOT / root.findtext("icon")).is_file()
+    assert (ROOT / root.find("license").get("file")).is_file()
+    workbench = root.find("content/workbench")
+    assert f"class {workbench.findtext('classname')}" in (WORKBENCH / "init_gui.py").read_text()
+
+
+@pytest.mark.parametrize("script", ["sheetmorph", ".ci/run"])
+def test_a_script_is_executable_and_parses(script):
+    path = ROOT / script
+    assert path.stat().st_mode & 0o111
+    assert subprocess.run(["bash", "-n", str(path)], check=False).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "word"),
+    [(["--help"], 0, "Usage"), ([], 2, "Usage"), (["fly"], 1, "no command 'fly'")],
+)
+def test_the_entry_script_answers(arguments, code, word):
+    done = subprocess.run(
+        [str(ROOT / "sheetmorph"), *arguments], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == code
+    assert word in done.stdout + done.stderr
+
+
+def test_the_readme_names_only_what_exists():
+    text = (ROOT / "README.md").read_text()
+    named = re.findall(r"\b(?:resources|core|bindings|tests|Mod)/[\w./-]+", text)
+    named = [name.rstrip(".") for name in named]
+    assert len(named) > 5
+    assert [name for name in named if not (ROOT / name).exists()] == []

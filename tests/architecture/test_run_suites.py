@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The runner behind `./sheetmorph test` counts honestly: what is missing or silent has failed."""
+import importlib.util
+import sys
+
+import pytest
+from source_tree import ROOT
+
+
+FAILURES = (
+    "FAIL: test_a (m.T.test_a) [1]\nFAIL: test_a (m.T.test_a) [2]\nERROR: test_b (m.T.test_b)\n"
+)
+
+
+@pytest.fixture(scope="module")
+def runner():
+    spec = importlib.util.spec_from_file_location("run_suites", ROOT / "tests" / "run_suites.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["run_suites"] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_a_report_is_counted(runner, tmp_path):
+    report = tmp_path / "report.xml"
+    report.write_text(
+        '<testsuite><testcase/><testcase><failure/></testcase><testcase status="notrun"/>'
+        "<testcase><skipped/></testcase></testsuite>"
+    )
+    assert runner.read_junit(report, "empty") == runner.Count(1, 1, 2)
+
+
+def test_a_missing_or_empty_report_is_a_failure(runner, tmp_path):
+    report = tmp_path / "report.xml"
+    assert runner.read_junit(report, "none").failed == 1
+    report.write_text("<testsuite></testsuite>")
+    assert runner.read_junit(report, "empty").failed == 1
+
+
+@pytest.mark.parametrize(
+    ("code", "output", "expected"),
+    [
+        (0, "...\nRan 12 tests in 1s\n\nOK (skipped=2)\n", (10, 0, 2)),
+        (1, FAILURES + "Ran 12 tests in 1s\n\nFAILED (failures=2, errors=1)\n", (10, 2, 0)),
+        (1, "Ran 12 tests in 1s\n\nFAILED (failures=1)\n", (0, 1, 0)),
+        (139, "Ran 12 tests in 1s\n\nOK\n", (0, 1, 0)),
+        (0, "Ran 0 tests in 0s\n\nOK\n", (0, 1, 0)),
+        (0, "malloc(): invalid size\n", (0, 1, 0)),
+    ],
+)
+def test_what_freecad_says_is_counted(runner, code, output, expected):
+    assert runner.read_unittest(code, output) == runner.Count(*expected)
+
+
+@pytest.mark.parametrize(
+    ("code", "output", "expected"),
+    [
+        (0, "PASS a\ngui: 12 passed, 0 failed, 1 skipped\n", (12, 0, 1)),
+        (1, "gui: 12 passed, 1 failed, 0 skipped\n", (12, 1, 0)),
+        (1, "gui: 12 passed, 0 failed, 0 skipped\n", (12, 1, 0)),
+        (0, "gui: 0 passed, 0 failed, 0 skipped\n", (0, 1, 0)),
+        (0, "", (0, 1, 0)),
+    ],
+)
+def test_the_gui_tests_closing_line_is_counted(runner, code, output, expected):
+    assert runner.read_closing_line(code, output) == runner.Count(*expected)
+
+
+def test_the_closing_line_adds_up(runner):
+    counts = {"core": runner.Count(3, 0, 1), "gui": runner.Count(2, 1, 0)}
+    assert runner.closing_line(counts) == (
+        "sheetmorph test: 5 passed, 1 failed, 1 skipped (core 3, gui 2)"
+    )
+
+
+def test_an_unknown_suite_is_refused(runner, tmp_path):
+    with pytest.raises(SystemExit) as error:
+        runner.main(["--build", str(tmp_path), "everything"])
+    assert error.value.code == 2

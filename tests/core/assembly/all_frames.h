@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "assembly/frames.h"
+
+namespace sheetmorph::frames
+{
+
+inline Frame open_chain(ContactType type)
+{
+    Frame frame = ring(type);
+    frame.name = "chain";
+    frame.assembly.contacts.pop_back();
+    return frame;
+}
+
+inline Frame with_modes(Frame frame, Mode mode)
+{
+    for (std::size_t k = 1; k < frame.assembly.parts.size(); ++k)
+        frame.assembly.parts[k].mode = mode;
+    frame.name += "_mode" + std::to_string(static_cast<int>(mode));
+    return frame;
+}
+
+inline Frame single(Mode mode)
+{
+    Frame frame = with_modes(ring(ContactType::control_mesh), mode);
+    frame.assembly.propagation.is_single = true;
+    if (mode == Mode::all)
+        frame.assembly.features.resize(3);
+    if (mode == Mode::regions)
+        for (int part = 1; part < 4; ++part)
+            frame.assembly.followers.push_back(side("follower" + std::to_string(part),
+                                                    frame.assembly, part,
+                                                    [](const Vector3& p) { return p.y() < 15.0; }));
+    frame.name = "single_mode" + std::to_string(static_cast<int>(mode));
+    return frame;
+}
+
+inline Frame small_contacts(ContactType type, bool straight)
+{
+    Frame frame = open_chain(type);
+    frame.name = straight ? "straight" : "one_vertex";
+    for (Contact& contact : frame.assembly.contacts)
+        for (PartRegion* region : {&contact.a, &contact.b})
+            region->vertices.resize(straight ? 4 : 1);
+    const double border = 180.0;
+    const auto on_border = [=](const Vector3& p) { return std::abs(p.x() - border) < 1e-6; };
+    frame.assembly.contacts[0].a = side("a", frame.assembly, 0, on_border);
+    if (!straight)
+        frame.assembly.contacts[0].a.vertices.resize(1);
+    return frame;
+}
+
+inline Frame mode_one()
+{
+    Frame frame = ring(ContactType::control_mesh);
+    frame.name = "mode1";
+    frame.assembly.contacts.resize(1);
+    frame.assembly.parts.resize(2);
+    frame.assembly.parts[1].mode = Mode::all;
+    frame.assembly.features.resize(3);
+    return frame;
+}
+
+//! Every propagation, mode and contact type.
+inline std::vector<Frame> all()
+{
+    std::vector<Frame> frames;
+    for (const ContactType type :
+         {ContactType::control_mesh, ContactType::tied, ContactType::rigid})
+    {
+        const std::string suffix = "_type" + std::to_string(static_cast<int>(type));
+        std::vector<Frame> of_type = {open_chain(type), small_contacts(type, false),
+                                      small_contacts(type, true)};
+        of_type.push_back(ring(type));
+        for (Frame& frame : of_type)
+        {
+            frame.name += suffix;
+            frames.push_back(frame);
+        }
+    }
+    frames.push_back(with_modes(open_chain(ContactType::control_mesh), Mode::boundaries));
+    frames.push_back(mode_one());
+    for (const Mode mode : {Mode::automatic, Mode::all, Mode::regions, Mode::boundaries})
+        frames.push_back(single(mode));
+    return frames;
+}
+
+}  // namespace sheetmorph::frames

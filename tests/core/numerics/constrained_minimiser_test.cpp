@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/numerics/constrained_minimiser.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+namespace sheetmorph
+{
+namespace
+{
+
+SparseMatrix sparse(const Eigen::MatrixXd& dense)
+{
+    return dense.sparseView();
+}
+
+// Twelve unknown values of which three are known and two are tied together.
+struct Small
+{
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Random(15, 12);
+    Eigen::VectorXd weights = Eigen::VectorXd::Random(15).cwiseAbs() + Eigen::VectorXd::Ones(15);
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(12, 8);
+    Eigen::MatrixXd constraints = Eigen::MatrixXd::Random(2, 12);
+    ConstrainedMinimiser::Targets targets{Eigen::MatrixXd::Random(15, 3),
+                                          Eigen::MatrixXd::Zero(12, 3),
+                                          Eigen::MatrixXd::Random(2, 3)};
+
+    Small()
+    {
+        for (int i = 0; i < 9; ++i)
+            basis(i, std::min(i, 7)) = 1.0;
+        targets.offset.bottomRows(3) = Eigen::MatrixXd::Random(3, 3);
+    }
+
+    QuadraticProblem problem() const
+    {
+        return {sparse(rows), weights, sparse(basis), sparse(constraints), {}};
+    }
+
+    // The same minimum from the dense KKT system.
+    Eigen::MatrixXd kkt() const
+    {
+        const Eigen::MatrixXd reduced = rows * basis;
+        const Eigen::MatrixXd g = constraints * basis;
+        Eigen::MatrixXd system = Eigen::MatrixXd::Zero(10, 10);
+        system.topLeftCorner(8, 8) = reduced.transpose() * weights.asDiagonal() * reduced;
+        system.topRightCorner(8, 2) = g.transpose();
+        system.bottomLeftCorner(2, 8) = g;
+        Eigen::MatrixXd side(10, 3);
+        side.topRows(8) =
+            reduced.transpose() * weights.asDiagonal() * (targets.rows - rows * targets.offset);
+        side.bottomRows(2) = targets.constraints - constraints * targets.offset;
+        return targets.offset + basis * system.fullPivLu().solve(side).topRows(8);
+    }
+};
+
+TEST(ConstrainedMinimiser, AgreesWithTheDenseKktSystem)
+{
+    const Small small;
+    const ConstrainedMinimiser minimiser(small.problem());
+    const Eigen::MatrixXd u = minimiser.solve(small.targets, 1);
+    EXPECT_LT((u - small.kkt()).norm(), 1e-10);
+    EXPECT_LT(minimiser.constraint_error(u, small.targets.constraints).maxCoeff(), 1e-12);
+}
+
+TEST(ConstrainedMinimiser, ASupportingConstraintDoesNotChangeTheMinimum)
+{
+    const Small small;
+    QuadraticProblem problem = small.problem();
+    problem.supporting = {1};
+    EXPECT_LT((ConstrainedMinimiser(problem).solve(small.targets, 1) - small.kkt()).norm(), 1e-10);
+}
+
+TEST(ConstrainedMinimiser, TellsWhichConstraintCannotBeMet)
+{
+    Small small;
+    small.constraints.row(1) = 2.0 * small.constraints.row(0);
+    const ConstrainedMinimiser minimiser(small.problem());
+    small.targets.constraints.row(1) = 2.0 * small.targets.constraints.row(0);
+    const Eigen::MatrixXd met = minimiser.solve(small.targets, 1);
+    EXPECT_LT(minimiser.constraint_error(met, small.targets.constraints).maxCoeff(), 1e-10);
+    small.targets.constraints(1, 2) += 1.0;
+    const Eigen::MatrixXd torn = minimiser.solve(small.targets, 1);
+    EXPECT_GT(minimiser.constraint_error(torn, small.targets.constraints).maxCoeff(), 0.1);
+}
+
+}  // namespace
+}  // namespace sheetmorph

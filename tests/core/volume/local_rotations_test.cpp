@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/volume/local_rotations.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/rotation.h"
+#include "link_scene.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+
+Points repeated(const Vector3& log, Eigen::Index count)
+{
+    return log.transpose().replicate(count, 1);
+}
+
+TEST(LocalRotationsTest, RestGivesTheIdentityExactly)
+{
+    const TriangleMesh mesh = shapes::half_pipe(6, 4, 10.0, 30.0);
+    const LocalRotationMeter meter(mesh, scene::all_vertices(mesh));
+    const LocalRotations found = meter.measure(mesh.points(), Points::Zero(mesh.vertex_count(), 3));
+    EXPECT_TRUE(found.logs.isZero(0.0));
+    for (const Matrix3& matrix : found.matrices)
+        EXPECT_TRUE(matrix == Matrix3::Identity());
+}
+
+TEST(LocalRotationsTest, ATurnBeyondTwoWholeTurnsIsFollowed)
+{
+    const TriangleMesh mesh = shapes::grid(4, 3, 40.0, 20.0);
+    const LocalRotationMeter meter(mesh, scene::all_vertices(mesh));
+    for (double degrees : {30.0, 179.0, 270.0, 359.0, 360.0, 400.0, 725.0})
+    {
+        const Vector3 log = rotation_log(Vector3(1.0, 2.0, -1.0), degrees * degree);
+        const RigidMotion motion{Vector3(1, 2, 3), log, Vector3(4, 5, 6)};
+        const Points nearly = repeated(0.99 * log, mesh.vertex_count());
+        const LocalRotations found = meter.measure(motion.apply(mesh.points()), nearly);
+        EXPECT_LT((found.logs.rowwise() - log.transpose()).cwiseAbs().maxCoeff(), 1e-10) << degrees;
+    }
+}
+
+TEST(LocalRotationsTest, AStretchedFlatSheetDoesNotTurn)
+{
+    const TriangleMesh mesh = shapes::jittered_grid(6, 5, 1.0, 3);
+    const LocalRotationMeter meter(mesh, scene::all_vertices(mesh));
+    const Points stretched = mesh.points() * Vector3(1.5, 0.7, 1.0).asDiagonal();
+    const LocalRotations found = meter.measure(stretched, Points::Zero(mesh.vertex_count(), 3));
+    EXPECT_LT(found.logs.cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(LocalRotationsTest, VerticesWithoutAUsableRingTakeTheReference)
+{
+    Points points(5, 3);
+    points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 9, 9, 9;
+    Triangles triangles(1, 3);
+    triangles << 0, 1, 2;
+    const LocalRotationMeter meter(TriangleMesh(points, triangles), {0, 4});
+    const Points references = repeated(Vector3(0.1, 0.2, 0.3), 2);
+    const LocalRotations found = meter.measure(2.0 * points, references);
+    EXPECT_TRUE(found.logs == references);
+}
+
+TEST(LocalRotationsTest, BadlyOrientedTrianglesDoNotMatter)
+{
+    const TriangleMesh good = shapes::grid(4, 4, 4.0, 4.0);
+    Triangles flipped = good.triangles();
+    for (Eigen::Index t = 0; t < flipped.rows(); t += 2)
+        flipped.row(t).reverseInPlace();
+    const TriangleMesh bad(good.points(), flipped);
+    const Vector3 log = rotation_log(Vector3(0.0, 1.0, 1.0), 70.0 * degree);
+    const Points turned = RigidMotion{Vector3::Zero(), log, Vector3::Zero()}.apply(bad.points());
+    const LocalRotationMeter meter(bad, scene::all_vertices(bad));
+    const LocalRotations found = meter.measure(turned, Points::Zero(bad.vertex_count(), 3));
+    EXPECT_LT((found.logs.rowwise() - log.transpose()).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(LocalRotationsTest, UnknownVerticesAreNamed)
+{
+    EXPECT_THROW(LocalRotationMeter(shapes::grid(2, 2, 1.0, 1.0), {0, 99}), InvalidInput);
+}
+
+TEST(LogNearTest, IsALogarithmOfRotationsAwayFromWholeTurns)
+{
+    for (double degrees : {10.0, 120.0, 200.0, 220.0})
+    {
+        const Vector3 reference = rotation_log(Vector3(1.0, -1.0, 0.5), degrees * degree);
+        const Matrix3 rotation =
+            rotation_from_log(Vector3(0.05, 0.04, -0.06)) * rotation_from_log(reference);
+        const Vector3 log = log_near(rotation, reference);
+        EXPECT_LT((rotation_from_log(log) - rotation).norm(), 1e-12) << degrees;
+        EXPECT_LT((log - reference).norm(), 0.6) << degrees;
+    }
+}
+
+TEST(LogNearTest, ATiltedTurnThroughAWholeTurnDoesNotJump)
+{
+    const Matrix3 tilt = rotation_from_log(Vector3(0.02, 0.01, 0.0));
+    Vector3 last = Vector3::Zero();
+    double largest = 0.0;
+    for (int step = 0; step <= 800; ++step)
+    {
+        const Vector3 reference(0.0, 0.0, 0.5 * step * degree);
+        const Vector3 log = log_near(tilt * rotation_from_log(reference), reference);
+        if (step > 0)
+            largest = std::max(largest, (log - last).norm());
+        last = log;
+    }
+    EXPECT_LT(largest, 2.0 * degree);
+}
+
+TEST(LogNearTest, ThePolarRotationIsTheNearestOne)
+{
+    for (int k = 0; k < 200; ++k)
+    {
+        const Matrix3 matrix = Matrix3::Random();
+        EXPECT_LT((polar_rotation(matrix) - nearest_rotation(matrix)).norm(), 1e-9);
+    }
+}
+
+TEST(MeanMotionTest, ExistsForAStraightSourceAndTakesCentroidToCentroid)
+{
+    Points rest(3, 3), logs(3, 3);
+    rest << 0, 0, 0, 1, 0, 0, 2, 0, 0;
+    logs.setZero();
+    logs.col(0).setConstant(0.4);
+    const Points deformed = rest.rowwise() + Eigen::RowVector3d(1, 2, 3);
+    const Matrix3 rotation = rotation_from_log(Vector3(0.4, 0, 0));
+    const RigidMotion motion = mean_motion(rest, deformed, {{rotation, rotation, rotation}, logs});
+    EXPECT_LT((motion.apply(Vector3(1, 0, 0)) - Vector3(2, 2, 3)).norm(), 1e-14);
+    EXPECT_LT((motion.rotation_log - Vector3(0.4, 0, 0)).norm(), 1e-15);
+    EXPECT_THROW(mean_motion(rest, deformed, {{rotation, rotation}, logs.topRows(2)}),
+                 InvalidInput);
+}
+
+TEST(MeanMotionTest, TurnsAsTheSourceDoesWhereNoLogNearbyTellsIt)
+{
+    const Points point = Points::Zero(1, 3);
+    const Vector3 reference(3.1, 0.0, 0.0);  // nearly a whole turn
+    const Matrix3 rotation = rotation_from_log(Vector3(0.1, 0.6, 0.2));
+    Points logs(1, 3);
+    logs.row(0) = log_near(rotation, reference).transpose();
+    const RigidMotion motion = mean_motion(point, point, {{rotation}, logs});
+    EXPECT_GT((rotation_from_log(logs.row(0).transpose()) - rotation).norm(), 0.1);
+    EXPECT_LT((motion.rotation() - rotation).norm(), 1e-12);
+}
+
+}  // namespace
+
+}  // namespace sheetmorph

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the motion goes from part to part is shown, and everything follows while dragging."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from desk import activate, child, choose_below, enter, picture, press, press_tool, tick, until
+from desk import xdotool
+from freecad.sheetmorph import api
+from freecad.sheetmorph.commands import exchange
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import move_panel, progress
+from freecad.sheetmorph.scene import wireframe
+from pivy import coin
+from PySide import QtCore, QtGui
+from scenes import assembly, contacts, drawn, labelled, largest, new_assembly, part, regions, stored
+
+__all__ = [
+    "test_a_click_on_a_row_highlights_parts_and_contact",
+    "test_type_mode_and_propagation_are_changed_in_the_panel",
+    "test_control_meshes_move_with_the_handle",
+    "test_every_part_of_the_welded_frame_follows_live",
+    "test_another_part_becomes_the_primary",
+    "test_a_cancelled_set_up_opens_no_panel",
+]
+
+
+def rows() -> dict:
+    """The rows of the tree by their text."""
+    flags = QtGui.QTreeWidgetItemIterator.All
+    found, walk = {}, QtGui.QTreeWidgetItemIterator(child("tree"), flags)
+    while walk.value() is not None:
+        found[walk.value().text(0)] = walk.value()
+        walk += 1
+    return found
+
+
+def above(text: str) -> str:
+    """The text of the row that a row lies beneath."""
+    return rows()[text].parent().text(0)
+
+
+def click_row(text: str):
+    """Clicks a row of the tree with the mouse."""
+    tree = child("tree")
+    place = tree.visualItemRect(rows()[text]).center()
+    middle = tree.viewport().mapToGlobal(place)
+    yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
+    yield 150
+
+
+def painted(which) -> int:
+    """How many coloured sets of vertices lie over a part."""
+    root = which.ViewObject.RootNode
+    kinds = [root.getChild(k).getTypeId() for k in range(root.getNumChildren())]
+    return sum(kind == coin.SoSwitch.getClassTypeId() for kind in kinds)
+
+
+def wires() -> np.ndarray:
+    """The vertices (m, 3) of all control meshes that are in the view, mm."""
+    found = coin.SoNode.getByName(wireframe.NAME)
+    if found is None:
+        return np.zeros((0, 3))
+    search = coin.SoSearchAction()
+    search.setType(coin.SoCoordinate3.getClassTypeId())
+    search.apply(found)
+    values = search.getPath().getTail().point.getValues()
+    return np.array([v.getValue() for v in values], dtype=float).reshape(-1, 3)
+
+
+def test_a_click_on_a_row_highlights_parts_and_contact():
+    yield from new_assembly(is_joined=True)
+    bracket, (contact,) = labelled("bracket"), contacts()
+    before = painted(part()), painted(bracket)
+    yield from press_tool("Propagation…")
+    assert above(bracket.Label) == part().Label and above(contact.Label) == bracket.Label
+    assert above(labelled("loose").Label) == "Not reached"
+    assert "mark a contact" in child("hint").text()
+    yield from click_row(contact.Label)
+    assert (painted(part()), painted(bracket)) == (before[0] + 2, before[1] + 2)
+    assert Gui.Selection.getSelection() == [contact]
+    yield from tick(child("meshes"))
+    assert len(wires()) > 50
+    picture("propagation")
+    yield from click_row(bracket.Label)
+    assert Gui.Selection.getSelection() == [bracket]
+    picture("propagation-part")
+    yield from press("Close")
+    assert (painted(part()), painted(bracket)) == before
+    assert len(wires()) == 0 and App.ActiveDocument.UndoNames == []
+
+
+def test_type_mode_and_propagation_are_changed_in_the_panel():
+    yield from new_assembly(is_joined=True)
+    bracket, (contact,) = labelled("bracket"), contacts()
+    yield from press_tool("Propagation…")
+    yield from click_row(contact.Label)
+    yield from choose_below(child("type"), 1)
+    assert contact.Type == "tied"
+    assert rows()[contact.Label].text(1) == "tied" and rows()[contact.Label].isSelected()
+    yield from tick(child("active"))
+    assert not contact.Active
+    assert above(contact.Label) == "Contacts not in use"
+    yield from tick(child("active"))
+    yield from click_row(bracket.Label)
+    yield from choose_below(child("mode"), 1)
+    assert bracket.Mode.startswith("1")
+    yield from choose_below(child("kind"), 1)
+    assert assembly().Propagation == "single" and assembly().Unreached == []
+    picture("propagation-single")
+    yield from press("Close")
+    names = ["Propagation", "Mode", "Use Contact", "Use Contact", "Contact Type"]
+    assert App.ActiveDocument.UndoNames == names
+    for _ in names:
+        App.ActiveDocument.undo()
+    assert (contact.Type, contact.Active) == ("control mesh", True)
+    assert (bracket.Mode, assembly().Propagation) == ("automatic", "local")
+
+
+def test_control_meshes_move_with_the_handle():
+    yield from new_assembly(is_joined=True)
+    yield from press_tool("Move Handle…")
+    yield from tick(child("control_meshes"))
+    rest = wires()
+    assert len(rest) > 50
+    yield from enter(child("translation_z"), "15")
+    yield 200
+    moved = wires()
+    (contact,) = contacts()
+    assert largest(moved - rest) > 2
+    picture("control-meshes")
+    yield from press("OK")
+    assert len(wires()) == 0
+    wanted = api.control_mesh(assembly(), contact)[0]
+    assert np.allclose(moved, wanted, atol=1e-3)
+
+
+def test_every_part_of_the_welded_frame_follows_live():
+    yield from activate()
+    assert exchange.open_recipe(exchange.example_recipes()["Welded Frame"], "Frame")
+    parts = model.parts(assembly())
+    assert len(parts) == 14 and assembly().Unreached == []
+    api.reset_motion(regions("handle")[0])
+    App.ActiveDocument.recompute()
+    rest = [drawn(each) for each in parts]
+    yield from press_tool("Move Handle…")
+    yield from enter(child("translation_z"), "60")
+    yield 300
+    live = [largest(drawn(each) - before) for each, before in zip(parts, rest)]
+    assert min(live) > 0.5, live
+    yield from press("OK")
+    assert all(np.array_equal(drawn(each), stored(each)) for each in parts)
+    after = [largest(stored(each) - before) for each, before in zip(parts, rest)]
+    assert np.allclose(live, after, rtol=1e-3)
+
+
+def test_another_part_becomes_the_primary():
+    yield from new_assembly(is_joined=True)
+    first, second = part(), labelled("bracket")
+    assert first.ViewObject.Proxy.getIcon().endswith("PartPrimary.svg")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(second)
+    yield 200
+    yield from press_tool("Set as Primary")
+    assert assembly().Primary == second
+    assert first.ViewObject.Proxy.getIcon().endswith("Part.svg")
+    assert second.ViewObject.Proxy.getIcon().endswith("PartPrimary.svg")
+    App.ActiveDocument.undo()
+    assert assembly().Primary == first
+
+
+def test_a_cancelled_set_up_opens_no_panel():
+    yield from new_assembly(is_joined=True)
+    api.set_energy(assembly(), "paper")  # so that there is something to set up
+    patience, progress.PATIENCE = progress.PATIENCE, -1.0
+    QtCore.QTimer.singleShot(0, cancel)
+    opened = move_panel.open_panel(regions("handle")[0])
+    progress.PATIENCE = patience
+    assert opened is None and not Gui.Control.activeDialog()
+    yield from until(lambda: dialog() is None, "the dialog to close")
+    assert App.ActiveDocument.UndoNames == []
+    yield from press_tool("Move Handle…")
+    yield from press("Cancel")
+
+
+def dialog():
+    """The progress dialog, None if there is none."""
+    return Gui.getMainWindow().findChild(QtGui.QProgressDialog, "SheetMorphProgress")
+
+
+def cancel() -> None:
+    """Presses Cancel in the progress dialog."""
+    dialog().findChild(QtGui.QPushButton).click()

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench as a whole: panels open and close, examples open, the tree does what it should."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from desk import activate, child, click_point, on_screen, press, press_tool, until, xdotool
+from freecad.sheetmorph import api
+from freecad.sheetmorph.commands import exchange
+from freecad.sheetmorph.objects import model
+from pivy import coin
+from scenes import assembly, new_morph, part, regions
+
+__all__ = [
+    "test_panels_open_and_close_again_and_again",
+    "test_every_example_opens_and_is_up_to_date",
+    "test_a_double_click_picks_a_region_anew",
+    "test_ok_with_nothing_picked_says_what_to_do",
+    "test_what_a_click_would_take_lights_up",
+    "test_a_removed_part_gives_its_source_back_to_the_view",
+    "test_no_command_fails_when_asked_whether_it_is_active",
+]
+
+
+def test_panels_open_and_close_again_and_again():
+    yield from new_morph()
+    tools = ["Mark Fixed Region…", "Mark Form Features…", "Move Handle…"] * 4
+    for number, tool in enumerate(tools):
+        yield from press_tool(tool)
+        assert Gui.Control.activeDialog(), f"{tool} did not open in round {number}"
+        yield from press("Cancel")
+    assert App.ActiveDocument.UndoNames == []
+
+
+def test_every_example_opens_and_is_up_to_date():
+    yield from activate()
+    recipes = exchange.example_recipes()
+    assert "Door Mirror" in recipes
+    for title, recipe in recipes.items():
+        assert exchange.open_recipe(recipe, title.replace(" ", ""))
+        yield 500
+        for shown in model.parts(assembly()):
+            assert shown.State == ["Up-to-date"], (title, shown.Label, shown.State)
+        assert regions("handle"), title
+
+
+def test_a_double_click_picks_a_region_anew():
+    yield from new_morph()
+    fixed = regions("fixed")[0]
+    before = model.vertices(fixed).tolist()
+    assert fixed.ViewObject.Proxy.doubleClicked(fixed.ViewObject)
+    yield 400
+    assert f"{len(before)} vertices" in child("count").text()
+    child("facet").click()
+    yield from click_point((60.5, 12.0, 0), "shift")
+    yield from press("OK")
+    assert len(model.vertices(fixed)) == len(before) + 3
+    assert App.ActiveDocument.UndoNames == ["Mark Fixed Region"]
+    App.ActiveDocument.undo()
+    assert model.vertices(fixed).tolist() == before
+
+
+def test_ok_with_nothing_picked_says_what_to_do():
+    yield from new_morph()
+    yield from press_tool("Mark Handle…")
+    yield from press("OK")
+    assert "click on the part" in child("message").text()
+    yield from press("Cancel")
+    assert len(regions("handle")) == 1
+
+
+def test_what_a_click_would_take_lights_up():
+    yield from new_morph()
+    yield from press_tool("Mark Fixed Region…")
+    child("facet").click()
+    before = visible_patches()
+    x, y = on_sheet()
+    yield from xdotool("mousemove", x - 2, y)
+    yield from xdotool("mousemove", x, y)
+    assert visible_patches() == before + 1
+    yield from xdotool("mousemove", x - 500, y - 200)
+    yield from until(lambda: visible_patches() == before, "the light to go out")
+    yield from press("Cancel")
+
+
+def test_a_removed_part_gives_its_source_back_to_the_view():
+    yield from new_morph()
+    shown, source = part(), part().Source
+    assert not source.ViewObject.Visibility
+    assert shown.ViewObject.Proxy.claimChildren() == [source]
+    api.remove(shown)
+    yield 200
+    assert source.ViewObject.Visibility
+    assert regions("fixed") == []
+
+
+def test_no_command_fails_when_asked_whether_it_is_active():
+    yield from activate()
+    names = [name for name in Gui.listCommands() if name.startswith("SheetMorph_")]
+    assert len(names) >= 12
+    active = {name for name in names if Gui.Command.get(name).isActive()}
+    always = {"CreateMorph", "ImportRecipe", "OpenExample", "CheckInstallation"}
+    assert active == {f"SheetMorph_{name}" for name in always}
+    yield from new_morph()
+    Gui.Selection.clearSelection()
+    active = {name for name in names if Gui.Command.get(name).isActive()}
+    wanting = {f"SheetMorph_{name}" for name in ("AddPart", "MarkContact", "SetPrimary")}
+    assert active == set(names) - wanting
+
+
+def visible_patches() -> int:
+    """How many patches of the part are drawn now."""
+    root = part().ViewObject.RootNode
+    children = [root.getChild(k) for k in range(root.getNumChildren())]
+    switches = [c for c in children if c.isOfType(coin.SoSwitch.getClassTypeId())]
+    switches = [s for s in switches if s != part().ViewObject.SwitchNode]
+    return sum(s.whichChild.getValue() == coin.SO_SWITCH_ALL for s in switches)
+
+
+def on_sheet() -> tuple[int, int]:
+    """A place on the screen where the sheet is seen."""
+    return on_screen((20.5, 12.0, 0))

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A user's hands and eyes: real mouse and keyboard events, what is seen, pictures of the screen.
+
+Everything that takes time is a generator to ``yield from``, so that FreeCAD's event loop runs.
+"""
+
+import os
+import subprocess
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+WORK = os.environ["SHEETMORPH_GUI_WORK"]
+
+
+def xdotool(*words):
+    """Real events; waits until they have been sent and handled."""
+    process = subprocess.Popen(["xdotool", *[str(w) for w in words]])
+    while process.poll() is None:
+        yield 10
+    assert process.returncode == 0, words
+    yield 80
+
+
+def picture(name: str) -> str:
+    """Takes a picture of the screen; returns its file."""
+    path = os.path.join(WORK, f"{name}.png")
+    subprocess.run(["import", "-window", "root", path], check=False)
+    return path
+
+
+def until(condition, what: str, seconds: float = 10.0):
+    """Waits until a condition holds."""
+    for _ in range(int(seconds * 20)):
+        if condition():
+            return
+        yield 50
+    raise AssertionError(f"waited {seconds} s in vain for: {what}")
+
+
+def view():
+    """The active 3D view."""
+    return Gui.activeDocument().activeView()
+
+
+def on_screen(point) -> tuple[int, int]:
+    """Where a point (3,), global mm, is seen: pixels of the screen."""
+    x, y = view().getPointOnScreen(App.Vector(*[float(c) for c in point]))
+    viewport = view().graphicsView().viewport()
+    ratio = viewport.devicePixelRatioF()
+    place = QtCore.QPoint(round(x / ratio), round(viewport.height() - 1 - y / ratio))
+    seen = viewport.mapToGlobal(place)
+    return seen.x(), seen.y()
+
+
+def click_point(point, key: str = ""):
+    """Clicks where a point (3,), global mm, is seen, with a modifier key held down."""
+    x, y = on_screen(point)
+    yield from xdotool("mousemove", x - 3, y - 3)
+    words = ["mousemove", x, y]
+    if key:
+        words += ["keydown", key]
+    yield from xdotool(*words)
+    yield from xdotool("click", 1)
+    if key:
+        yield from xdotool("keyup", key)
+
+
+def click_widget(widget):
+    """Clicks the middle of a widget."""
+    assert widget.isVisible() and widget.isEnabled(), widget.objectName()
+    middle = widget.mapToGlobal(widget.rect().center())
+    yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
+
+
+def tick(box):
+    """Clicks a check box where its text is; beside it a click does nothing."""
+    assert box.isVisible() and box.isEnabled(), box.objectName()
+    place = box.mapToGlobal(QtCore.QPoint(20, box.height() // 2))
+    yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
+
+
+def enter(field, text: str):
+    """Types text into a field as a user would, and leaves it with Tab."""
+    yield from click_widget(field)
+    yield from xdotool("key", "ctrl+a")
+    yield from xdotool("type", "--delay", 15, "--", text)
+    yield from xdotool("key", "Tab")
+
+
+def choose_below(combo, steps: int):
+    """Opens a combo box with the mouse and goes so many entries down."""
+    yield from click_widget(combo)
+    yield from xdotool("key", *["Down"] * steps, "Return")
+    yield 200
+
+
+def press(text: str):
+    """Presses the visible button with a text in the task view."""
+    buttons = [
+        button
+        for button in Gui.getMainWindow().findChildren(QtGui.QPushButton)
+        if button.isVisible() and button.text().replace("&", "") == text
+    ]
+    assert len(buttons) == 1, [b.text() for b in buttons]
+    yield from click_widget(buttons[0])
+    yield 150
+
+
+def press_tool(text: str):
+    """Presses the toolbar button of a command."""
+    for button in Gui.getMainWindow().findChildren(QtGui.QToolButton):
+        action = button.defaultAction()
+        if button.isVisible() and action and action.text().replace("&", "") == text:
+            yield from click_widget(button)
+            yield 300
+            return
+    raise AssertionError(f"no visible button {text!r}")
+
+
+def panel():
+    """The form of the open task panel of ours."""
+    forms = [
+        widget
+        for name in ("region", "move", "contact", "propagation")
+        for widget in Gui.getMainWindow().findChildren(QtGui.QWidget, name)
+        if widget.isVisible()
+    ]
+    assert len(forms) == 1, forms
+    return forms[0]
+
+
+def child(name: str):
+    """A widget of the open panel."""
+    return panel().findChild(QtGui.QWidget, name)
+
+
+def report_view() -> str:
+    """The text of the report view."""
+    texts = Gui.getMainWindow().findChildren(QtGui.QTextEdit, "Report view")
+    return "\n".join(text.toPlainText() for text in texts)
+
+
+def clear_report_view() -> None:
+    """Forgets what was said."""
+    for text in Gui.getMainWindow().findChildren(QtGui.QTextEdit, "Report view"):
+        text.clear()
+
+
+def activate():
+    """Activates the workbench and lets it settle."""
+    Gui.activateWorkbench("SheetMorphWorkbench")
+    yield 700

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs inside FreeCAD: a test is a generator that yields how many ms the event loop shall run."""
+
+import importlib
+import os
+import sys
+import time
+import traceback
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+WORK = os.environ["SHEETMORPH_GUI_WORK"]
+LIMIT = 90  # seconds one test may take
+
+if HERE not in sys.path:
+    sys.path.insert(0, HERE)
+
+
+class Runner:
+    """Drives the tests from timers, so that FreeCAD's event loop is never blocked."""
+
+    def __init__(self, tests):
+        self._tests = list(tests)
+        self._results = open(os.path.join(WORK, "results"), "w", encoding="utf-8")
+        self._name, self._steps, self._start = "", None, 0.0
+        self._failed = False
+
+    def next_test(self) -> None:
+        """Starts the next test, or ends FreeCAD."""
+        if not self._tests:
+            self._results.close()
+            os._exit(1 if self._failed else 0)
+        self._name, function = self._tests.pop(0)
+        self._start = time.monotonic()
+        self._steps = function()
+        QtCore.QTimer.singleShot(100, self.step)
+
+    def step(self) -> None:
+        """Runs a test up to its next pause."""
+        try:
+            pause = next(self._steps)
+            if time.monotonic() - self._start > LIMIT:
+                raise TimeoutError(f"took more than {LIMIT} s")
+        except StopIteration:
+            said = desk.report_view()
+            is_clean = "Traceback" not in said
+            self.report("PASS" if is_clean else "FAIL", "" if is_clean else f"\n{said}")
+        except Exception:  # noqa: B902 - whatever a test raises is its result
+            self.report("FAIL", "\n" + traceback.format_exc())
+        else:
+            QtCore.QTimer.singleShot(int(pause or 0), self.step)
+
+    def report(self, verdict: str, text: str) -> None:
+        """Notes the result, closes what the test left open."""
+        seconds = time.monotonic() - self._start
+        self._results.write(f"{verdict} {self._name} ({seconds:.1f} s){text}\n")
+        self._results.flush()
+        if verdict == "FAIL":
+            self._failed = True
+            desk.picture(f"failed-{self._name}")
+        if Gui.Control.activeDialog():
+            Gui.Control.closeDialog()
+        for name in list(App.listDocuments()):
+            App.closeDocument(name)
+        desk.clear_report_view()
+        QtCore.QTimer.singleShot(100, self.next_test)
+
+
+def collect():
+    """The tests of the module that the environment names, in their order."""
+    module = importlib.import_module("tests_" + os.environ["SHEETMORPH_GUI_TESTS"])
+    only = os.environ.get("SHEETMORPH_GUI_ONLY", "")
+    return [
+        (name, function)
+        for name, function in vars(module).items()
+        if name.startswith("test_") and only in name
+    ]
+
+
+def prepared() -> Runner:
+    """The runner, or the reason why there is none: FreeCAD itself would go on waiting."""
+    try:
+        tests = collect()
+    except Exception:  # noqa: B902
+        with open(os.path.join(WORK, "results"), "w", encoding="utf-8") as results:
+            results.write(f"FAIL the tests cannot be loaded\n{traceback.format_exc()}\n")
+        os._exit(1)
+    return Runner(tests)
+
+
+if __name__ != "__main__":  # FreeCAD imports the script, and runs it again if that fails
+    import desk
+
+    Gui.getMainWindow().showMaximized()
+    runner = prepared()  # kept: a timer does not keep the object whose method it calls
+    QtCore.QTimer.singleShot(500, runner.next_test)

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The GUI tests that need the kernel; imported by name, one file a topic."""
+
+from checks_contacts import *  # noqa: F401,F403
+from checks_macro import *  # noqa: F401,F403
+from checks_moving import *  # noqa: F401,F403
+from checks_picking import *  # noqa: F401,F403
+from checks_propagation import *  # noqa: F401,F403
+from checks_workbench import *  # noqa: F401,F403

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the test suites one after another and closes with one line of counts.
+
+Called by `./sheetmorph test`, after the build. A suite that is missing, empty, killed or silent
+counts as a failure.
+"""
+import argparse
+import os
+import re
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PYTHON = "/usr/bin/python3"
+PYTEST_FOLDERS = ("tests/architecture", "tests/bindings", "tests/package")
+LONGEST_SUITE = 900  # seconds, then it hangs
+
+
+@dataclass
+class Count:
+    """How many tests of a suite passed, failed and were skipped."""
+
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+
+    def __add__(self, other: "Count") -> "Count":
+        return Count(
+            self.passed + other.passed, self.failed + other.failed, self.skipped + other.skipped
+        )
+
+
+class Suites:
+    """The suites of a built tree; each method runs one and returns its counts."""
+
+    def __init__(self, build: Path):
+        self.build = build
+        self.staged = build / "Mod" / "SheetMorph"
+        self.results = build / "test"
+        self.results.mkdir(parents=True, exist_ok=True)
+
+    def core(self) -> Count:
+        """The C++ tests, through ctest."""
+        report = self.results / "core.xml"
+        report.unlink(missing_ok=True)
+        self._call(
+            ["ctest", "--test-dir", str(self.build), "--output-on-failure", "--output-junit"]
+            + [str(report), "-j", str(os.cpu_count() or 1), "--progress"]
+        )
+        return read_junit(report, "no C++ test ran")
+
+    def python(self) -> Count:
+        """Architecture, bindings and package, through pytest."""
+        total = Count()
+        for folder in PYTEST_FOLDERS:
+            report = self.results / (folder.replace("/", "-") + ".xml")
+            report.unlink(missing_ok=True)
+            self._call(
+                [PYTHON, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-ra"]
+                + [f"--junitxml={report}", folder],
+                PYTHONPATH=str(self.staged),
+            )
+            total += read_junit(report, f"no test ran in {folder}")
+        return total
+
+    def workbench(self) -> Count:
+        """The staged tests, inside FreeCAD without a window."""
+        if not (self.staged / "freecad" / "sheetmorph" / "tests" / "all.py").is_file():
+            return missing("no workbench tests are staged")
+        code, output = self._call(
+            ["freecadcmd", "-t", "freecad.sheetmorph.tests.all"],
+            FREECAD_USER_HOME=str(self.results / "home"),
+        )
+        return read_unittest(code, output)
+
+    def gui(self) -> Count:
+        """The GUI tests on a virtual display; their runner closes with `gui: N passed`."""
+        runner = ROOT / "tests" / "gui" / "run.sh"
+        if not runner.is_file():
+            return missing("tests/gui/run.sh is missing")
+        code, output = self._call(["bash", str(runner), str(self.staged)])
+        return read_closing_line(code, output)
+
+    def style(self) -> Count:
+        """Formatting, names and habits of both languages; one test a checker."""
+        cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
+        python = sources((".py",), ("bindings", "Mod", "resources", "tests"))
+        checks = [
+            ["clang-format", "--dry-run", "-Werror", *cpp],
+            [PYTHON, "-m", "black", "--check", "--line-length", "100", *python],
+            [PYTHON, "-m", "flake8", *python],
+            [PYTHON, "-B", "tests/style/tidy.py", str(self.build)],
+        ]
+        total = Count()
+        for check in checks:
+            code, _ = self._call(check)
+            total += Count(passed=1) if code == 0 else Count(failed=1)
+        return total
+
+    def _call(self, command: list[str], **settings: str) -> tuple[int, str]:
+        """Runs a command in the repository, shows and returns what it says."""
+        print("+", " ".join(command[:8]), "..." if len(command) > 8 else "", flush=True)
+        environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
+        environment |= {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1"} | settings
+        try:
+            done = subprocess.run(
+                ["timeout", "--kill-after=10", str(LONGEST_SUITE), *command],
+                cwd=ROOT,
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                check=False,
+            )
+        except OSError as error:
+            print(error)
+            return 127, str(error)
+        output = done.stdout.decode(errors="replace")
+        print(output, flush=True)
+        return done.returncode, output
+
+
+def sources(endings: tuple[str, ...], folders: tuple[str, ...]) -> list[str]:
+    """The source files with these endings, relative to the repository."""
+    found = [path for folder in folders for path in (ROOT / folder).rglob("*")]
+    return sorted(str(path.relative_to(ROOT)) for path in found if path.suffix in endings)
+
+
+def missing(reason: str) -> Count:
+    """One failure, with its reason said."""
+    print(f"FAILED: {reason}", flush=True)
+    return Count(failed=1)
+
+
+def read_junit(report: Path, reason: str) -> Count:
+    """Counts of a JUnit file; a failure if there is none or it holds no test."""
+    if not report.is_file():
+        return missing(f"{reason}: no report was written")
+    count = Count()
+    for case in ElementTree.parse(report).getroot().iter("testcase"):
+        if case.find("failure") is not None or case.find("error") is not None:
+            count.failed += 1
+        elif case.find("skipped") is not None or case.get("status") in ("notrun", "disabled"):
+            count.skipped += 1
+        else:
+            count.passed += 1
+    return count if count != Count() else missing(reason)
+
+
+def read_unittest(code: int, output: str) -> Count:
+    """Counts from the closing lines of unittest; FreeCAD's exit code must agree."""
+    ran = re.findall(r"^Ran (\d+) tests?", output, re.MULTILINE)
+    if not ran or int(ran[-1]) == 0:
+        return missing("no workbench test ran")
+    skips = re.findall(r"skipped=(\d+)", output[output.rfind("Ran ") :])
+    skipped = int(skips[0]) if skips else 0
+    # By name: unittest counts the subtests of one test apart.
+    failed = len(set(re.findall(r"^(?:FAIL|ERROR): \S+ \(([^)]+)\)", output, re.MULTILINE)))
+    if code != 0 and failed == 0:
+        return missing(f"FreeCAD ended with {code}")
+    return Count(int(ran[-1]) - failed - skipped, failed, skipped)
+
+
+def read_closing_line(code: int, output: str) -> Count:
+    """Counts from a last line like `gui: 12 passed, 1 failed, 2 skipped`."""
+    lines = output.strip().splitlines() or [""]
+    numbers = {word: int(n) for n, word in re.findall(r"(\d+) (passed|failed|skipped)", lines[-1])}
+    count = Count(numbers.get("passed", 0), numbers.get("failed", 0), numbers.get("skipped", 0))
+    if not lines[-1].startswith("gui:") or count.passed == 0:
+        return missing("the GUI tests did not close with their counts")
+    if code != 0 and count.failed == 0:
+        return count + missing(f"the GUI tests ended with {code}")
+    return count
+
+
+def closing_line(counts: dict[str, Count]) -> str:
+    """`sheetmorph test: 312 passed, 0 failed, 4 skipped (core 140, python 120, ...)`."""
+    total = sum(counts.values(), Count())
+    parts = ", ".join(f"{name} {count.passed}" for name, count in counts.items())
+    return (
+        f"sheetmorph test: {total.passed} passed, {total.failed} failed, "
+        f"{total.skipped} skipped ({parts})"
+    )
+
+
+def main(arguments: list[str]) -> int:
+    """Runs the suites; 1 if anything failed."""
+    names = ["core", "python", "workbench", "gui", "style"]
+    parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
+    parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))
+    options = parser.parse_args(arguments)
+    unknown = [name for name in options.suites if name not in names]
+    if unknown:
+        parser.error(f"no suite '{unknown[0]}'; there are {', '.join(names)}")
+    suites = Suites(options.build.resolve())
+    counts = {}
+    for name in options.suites or names:
+        start = time.monotonic()
+        run: Callable[[], Count] = getattr(suites, name)
+        counts[name] = run()
+        seconds = time.monotonic() - start
+        print(f"--- {name}: {counts[name].passed} passed, {counts[name].failed} failed, ", end="")
+        print(f"{counts[name].skipped} skipped in {seconds:.0f} s", flush=True)
+    print(closing_line(counts))
+    return 1 if any(count.failed for count in counts.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
