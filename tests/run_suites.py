@@ -18,7 +18,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PYTHON = "/usr/bin/python3"
 PYTEST_FOLDERS = ("tests/architecture", "tests/bindings", "tests/package")
-LONGEST_SUITE = 900  # seconds, then it hangs
+LINES_OF_A_FAILURE = 400
+# How the runners name a test that failed: ctest, pytest, unittest, the GUI tests.
+FAILURE = re.compile(r"^\s*\d+ - .*\((Failed|SEGFAULT|Timeout)|^(FAILED|ERROR|FAIL)[ :]")
+LONGEST_SUITE = 1800  # seconds, then it hangs
 
 
 @dataclass
@@ -43,6 +46,9 @@ class Suites:
         self.staged = build / "Mod" / "SheetMorph"
         self.results = build / "test"
         self.results.mkdir(parents=True, exist_ok=True)
+        for log in self.results.glob("*.log"):
+            log.unlink()
+        self.failures: list[str] = []
 
     def core(self) -> Count:
         """The C++ tests, through ctest."""
@@ -121,7 +127,13 @@ class Suites:
             print(error)
             return 127, str(error)
         output = done.stdout.decode(errors="replace")
-        print(output, flush=True)
+        name = f"{len(list(self.results.glob('*.log'))):02d}-{Path(command[0]).name}.log"
+        (self.results / name).write_text(output)
+        lines = output.rstrip().splitlines()
+        # All that went well is in the log; what went wrong is shown.
+        shown = lines[-3:] if done.returncode == 0 else lines[-LINES_OF_A_FAILURE:]
+        print("\n".join(shown), flush=True)
+        self.failures += [line[:300] for line in lines if FAILURE.match(line)]
         return done.returncode, output
 
 
@@ -207,6 +219,8 @@ def main(arguments: list[str]) -> int:
         seconds = time.monotonic() - start
         print(f"--- {name}: {counts[name].passed} passed, {counts[name].failed} failed, ", end="")
         print(f"{counts[name].skipped} skipped in {seconds:.0f} s", flush=True)
+    for failure in suites.failures:
+        print("failed:", failure)
     print(closing_line(counts))
     return 1 if any(count.failed for count in counts.values()) else 0
 

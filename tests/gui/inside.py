@@ -31,6 +31,7 @@ class Runner:
     def next_test(self) -> None:
         """Starts the next test, or ends FreeCAD."""
         if not self._tests:
+            self._results.write("END\n")
             self._results.close()
             os._exit(1 if self._failed else 0)
         self._name, function = self._tests.pop(0)
