@@ -27,8 +27,8 @@ public:
         for (int i = 0; i < count; ++i)
             is_known_[static_cast<std::size_t>(i)] = is_rotation_known(input.roles, i);
         QuadraticProblem problem;
-        problem.rows = input.operators.laplacian;
-        problem.weights = Eigen::VectorXd::Ones(count);
+        problem.rows = input.operators.rows;
+        problem.weights = Eigen::VectorXd::Ones(problem.rows.rows());
         problem.basis = unknowns.basis();
         problem.constraints = point_rows(input.mesh, input.constraints.points, turned_);
         for (std::size_t row = 0; row < turned_.size(); ++row)

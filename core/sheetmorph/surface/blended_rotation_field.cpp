@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/mesh/operators.h"
 #include "sheetmorph/surface/rotation_field.h"
 #include "sheetmorph/surface/unknowns.h"
 
@@ -185,10 +184,8 @@ public:
         : sources_(number_sources(input)), unknowns_(unknowns_of(sources_, input.roles))
     {
         const SparseMatrix basis = unknowns_.basis();
-        const SparseMatrix stiffness =
-            non_negative_stiffness(input.mesh, input.operators.half_cotangents);
         const SparseMatrix transposed = basis.transpose();
-        coupling_ = transposed * stiffness;
+        coupling_ = transposed * input.operators.harmonic;
         factor_.emplace(coupling_ * basis);
         used_ = used_sources(sources_);
         weights_ = -factor_->solve(coupling_ * indicator(sources_, used_));

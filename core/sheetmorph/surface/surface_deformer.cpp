@@ -75,7 +75,7 @@ std::vector<int> supporting_points(const TriangleMesh& rest, const VertexRoles& 
 ConstrainedMinimiser position_minimiser(const RotationFieldInput& input, const Unknowns& unknowns)
 {
     QuadraticProblem problem;
-    problem.rows = input.operators.laplacian;
+    problem.rows = input.operators.rows;
     problem.weights = input.operators.weights;
     problem.basis = unknowns.basis();
     const std::vector<PointConstraint>& points = input.constraints.points;
@@ -90,16 +90,17 @@ std::unique_ptr<RotationField> rotation_field(const RotationFieldInput& input)
                                                      : blended_rotation_field(input);
 }
 
-// (R_i - I) delta_i: how the rest curvature normals turn.
-Eigen::MatrixXd turned_curvatures(const Points& logs, const Points& tilts,
-                                  const Points& curvature_normals)
+// (R - I) D p_hat: how the rest rows turn.
+Eigen::MatrixXd turned_rows(const SurfaceOperators& operators, const Points& logs,
+                            const Points& tilts)
 {
-    Eigen::MatrixXd change(logs.rows(), 3);
-    for (Eigen::Index i = 0; i < logs.rows(); ++i)
+    Eigen::MatrixXd change(operators.rest_rows.rows(), 3);
+    for (Eigen::Index row = 0; row < change.rows(); ++row)
     {
-        const Vector3 normal = curvature_normals.row(i).transpose();
-        const Matrix3 rotation = tilted_rotation(logs.row(i), tilts.row(i));
-        change.row(i) = (rotation * normal - normal).transpose();
+        const Vector3 rest = operators.rest_rows.row(row).transpose();
+        const int vertex = operators.row_vertices[at(row)];
+        const Matrix3 rotation = tilted_rotation(logs.row(vertex), tilts.row(vertex));
+        change.row(row) = (rotation * rest - rest).transpose();
     }
     return change;
 }
@@ -229,8 +230,7 @@ Deformation SurfaceDeformer::deform(const SurfaceTargets& targets, Exactness exa
                                          : Points(Points::Zero(data_->rest.vertex_count(), 3));
     turn_open_bodies(part, result.rotation_logs, tilts, bodies);
     ConstrainedMinimiser::Targets problem;
-    problem.rows =
-        turned_curvatures(result.rotation_logs, tilts, data_->operators.curvature_normals);
+    problem.rows = turned_rows(data_->operators, result.rotation_logs, tilts);
     problem.offset = known_displacements(part, targets, bodies);
     problem.constraints = data_->point_displacements(targets);
     const Eigen::MatrixXd displacements =

@@ -8,13 +8,15 @@
 namespace sheetmorph
 {
 
-//! The rest shape as the energies see it.
+//! The rest shape as the energies see it: sum_r w_r |(D p)_r - R_at(r) (D p_hat)_r|^2.
 struct SurfaceOperators
 {
+    SparseMatrix rows;             //!< D (r, n): L of (2.1) for `paper` and `neumann`, 1/mm
+    Eigen::VectorXd weights;       //!< w (r): A_i mm^2, or 1 for `paper`
+    Points rest_rows;              //!< D p_hat (r, 3): delta of (2.1), 1/mm
+    VertexIds row_vertices;        //!< (r) the vertex whose rotation turns the rest row
+    SparseMatrix harmonic;         //!< (n, n) stiffness of the rotation field: edge weights >= 0
     Points half_cotangents;        //!< (m, 3)
-    SparseMatrix laplacian;        //!< L (n, n) of (2.1), 1/mm
-    Eigen::VectorXd weights;       //!< (n) of the rows of the energy: A_i mm^2, or 1 for `paper`
-    Points curvature_normals;      //!< delta (n, 3) of the rest shape, 1/mm
     Eigen::VectorXd vertex_areas;  //!< A (n) mm^2
 };
 
