@@ -1,74 +1,85 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the kernel's benchmarks and prints them as a table; the JSON stays in build/bench.
+"""Runs the kernel's benchmarks and those of its peers on the same meshes in one run.
 
-Called by `./sheetmorph bench`; further arguments go to Google Benchmark.
+Called by `./sheetmorph bench`. Tables are printed and kept with the JSON and a plot in
+build/bench; arguments this program does not know go to Google Benchmark.
 """
 import argparse
 import json
 import os
+import platform
+import re
 import subprocess
 import sys
 from pathlib import Path
 
-COLUMNS = ("vertices", "set-up", "live frame", "exact frame", "factor", "peak memory")
-PEERS = ("CGAL Surface_mesh_deformation", "libigl biharmonic")
+from plots import draw
+from tables import Measured, measured, memory_table, other_table, panel_table
+
+SIZES = (1000, 10000, 100000)
+LARGE = 1000000
 
 
-def read_rows(report: dict) -> dict[int, dict[str, float]]:
-    """Asked number of vertices -> what was measured at it (times in ms)."""
-    rows: dict[int, dict[str, float]] = {}
-    for run in report["benchmarks"]:
-        if run.get("run_type") == "aggregate" or run.get("error_occurred"):
-            continue
-        name, size = run["name"].split("/")[:2]
-        row = rows.setdefault(int(size), {})
-        row[name] = run["real_time"]
-        for key in ("vertices", "factor_entries", "peak_memory_mib"):
-            if key in run:
-                row[key] = run[key]
-    return rows
+def machine() -> str:
+    """Processor, cores and system in one line."""
+    info = Path("/proc/cpuinfo").read_text(encoding="ascii", errors="replace")
+    names = re.findall(r"model name\s*:\s*(.*)", info)
+    name = names[0] if names else platform.machine()
+    load = os.getloadavg()[0]
+    return f"{name}, {os.cpu_count()} cores, {platform.platform()}, load {load:.1f} at the start"
 
 
-def cell(row: dict[str, float], key: str, unit: str, scale: float = 1.0) -> str:
-    """One number with three digits, or a dash where nothing was measured."""
-    return f"{row[key] * scale:.3g} {unit}" if key in row else "-"
+def run(program: Path, arguments: list[str], output: Path, is_large: bool) -> dict:
+    """Google Benchmark's report; ends the program with its exit code if it fails."""
+    environment = dict(os.environ)
+    if is_large:
+        environment["SHEETMORPH_BENCH_LARGE"] = "1"
+    command = [str(program), f"--benchmark_out={output}", "--benchmark_out_format=json"]
+    code = subprocess.run([*command, *arguments], check=False, env=environment).returncode
+    if code != 0:
+        sys.exit(code)
+    return json.loads(output.read_text(encoding="utf-8"))
 
 
-def table(rows: dict[int, dict[str, float]]) -> str:
-    """The measured rows as an aligned table."""
-    lines = [COLUMNS]
-    for _, row in sorted(rows.items()):
-        lines.append(
-            (
-                f"{row['vertices']:,.0f}",
-                cell(row, "set_up", "ms"),
-                cell(row, "live_frame", "ms"),
-                cell(row, "exact_frame", "ms"),
-                cell(row, "factor_entries", "M entries", 1e-6),
-                cell(row, "peak_memory_mib", "MiB"),
-            )
-        )
-    widths = [max(len(line[k]) for line in lines) for k in range(len(COLUMNS))]
-    text = ["  ".join(word.rjust(w) for word, w in zip(line, widths)) for line in lines]
-    return "\n".join(text + [f"{peer}: not measured yet" for peer in PEERS])
+def peaks(program: Path, folder: Path, is_large: bool) -> dict[int, dict[str, float]]:
+    """Peak memory of one set-up, every size in a process of its own."""
+    found = {}
+    for size in SIZES + ((LARGE,) if is_large else ()):
+        arguments = [f"--benchmark_filter=^set_up/{size}/", "--benchmark_min_time=0.001"]
+        report = run(program, arguments, folder / f"memory-{size}.json", is_large)
+        found[size] = measured(report, "real_time")["set_up"][size].counters
+    return found
+
+
+def tables(found: dict[str, dict[int, Measured]], memory: str, head: str) -> str:
+    """All tables as one Markdown text."""
+    parts = [head, panel_table(found), memory, other_table(found)]
+    return "\n\n".join(part for part in parts if part) + "\n"
 
 
 def main(arguments: list[str]) -> int:
     """Runs the program of the build; its exit code."""
     parser = argparse.ArgumentParser(prog="./sheetmorph bench", description=__doc__)
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--large", action="store_true", help="panels of 1,000,000 vertices too")
+    parser.add_argument(
+        "--processor-time",
+        action="store_true",
+        help="tables of processor time, which other work on the machine changes less",
+    )
     options, passed_on = parser.parse_known_args(arguments)
-    output = options.build / "bench" / "surface.json"
-    output.parent.mkdir(parents=True, exist_ok=True)
+    folder = options.build / "bench"
+    folder.mkdir(parents=True, exist_ok=True)
     program = options.build / "tests" / "sheetmorph_benchmarks"
-    command = [str(program), f"--benchmark_out={output}", "--benchmark_out_format=json"]
-    code = subprocess.run([*command, *passed_on], check=False).returncode
-    if code != 0:
-        return code
-    report = json.loads(output.read_text())
-    print(f"\nCurved panels, 20 round holes as form features, one handle, {os.cpu_count()} cores")
-    print(table(read_rows(report)))
-    print(f"written: {output}")
+    head = machine()
+    report = run(program, passed_on, folder / "benchmarks.json", options.large)
+    found = measured(report, "cpu_time" if options.processor_time else "real_time")
+    is_whole = not any(word.startswith("--benchmark_filter") for word in passed_on)
+    memory = memory_table(peaks(program, folder, options.large)) if is_whole else ""
+    text = tables(found, memory, head)
+    (folder / "tables.md").write_text(text, encoding="utf-8")
+    draw(found, folder / "benchmarks.png")
+    print(f"\n{text}\nwritten: {folder}/benchmarks.json, tables.md, benchmarks.png")
     return 0
 
 
