@@ -5,6 +5,7 @@ The compiled kernel ``sheetmorph._core`` is loaded by the first Session, so file
 read and checked without it.
 """
 
+from .doctor import diagnose
 from .errors import Fault, FileError, KernelError, RecipeError
 from .files import PartFile, read_part
 from .part_mesh import PartMesh
@@ -27,6 +28,7 @@ __all__ = [
     "Result",
     "Session",
     "check",
+    "diagnose",
     "read_part",
     "run",
     "validate",

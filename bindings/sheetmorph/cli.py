@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: python3 -m sheetmorph run | check."""
+"""The command line: python3 -m sheetmorph run | check | doctor."""
 
 from __future__ import annotations
 
 import argparse
 import contextlib
+import json
+import math
 import signal
 import sys
 import traceback
@@ -29,19 +31,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     numbers = [number for number in stopping_signals() if number != signal.SIGINT]
     previous = {number: signal.signal(number, _interrupt) for number in numbers}
     try:
-        lines = _run(wanted, files) if wanted.command == "run" else _check(wanted)
-        _say(lines)
+        _say(_COMMANDS[wanted.command](wanted, files))
         return DONE
     except KeyboardInterrupt:
         _complain(f"interrupted; {_state(files)}")
         return _INTERRUPTED
     except Exception as error:  # the edge of the program: every error becomes a sentence
-        text, status = _explain(error, wanted.recipe, files)
+        text, status = _explain(error, _input_of(wanted), files)
         _complain(text)
         return status
     finally:
         for number, handler in previous.items():
             signal.signal(number, handler)
+
+
+def _input_of(wanted: argparse.Namespace) -> str:
+    return wanted.files[0] if wanted.command == "doctor" else wanted.recipe
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> None:
@@ -103,7 +108,7 @@ def _parser() -> argparse.ArgumentParser:
         "130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"sheetmorph {__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="run | check")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="run | check | doctor")
     run = commands.add_parser("run", help="deform the parts of a recipe and write them")
     run.add_argument("recipe", help="JSON file; the part files are relative to it")
     run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
@@ -111,7 +116,18 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
     check = commands.add_parser("check", help="validate a recipe and the parts it names")
     check.add_argument("recipe", help="JSON file")
+    doctor = commands.add_parser("doctor", help="say what meshes are and what is wrong with them")
+    doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
+    text = "vertices nearer than this are one place (mm; a millionth of the size)"
+    doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     return parser
+
+
+def _length(text: str) -> float:
+    value = float(text)
+    if not 0.0 <= value < math.inf:
+        raise argparse.ArgumentTypeError(f"{text} is no length; give a number of 0 or more")
+    return value
 
 
 def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
@@ -137,7 +153,17 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     ]
 
 
-def _check(wanted: argparse.Namespace) -> list[str]:
+def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     from .running import check
 
     return ["; ".join([f"{wanted.recipe}: valid", *check(wanted.recipe)])]
+
+
+def _doctor(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
+    from .doctor import diagnose_files
+
+    found = diagnose_files(wanted.files, wanted.tolerance)
+    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False).splitlines()
+
+
+_COMMANDS = {"run": _run, "check": _check, "doctor": _doctor}

@@ -20,7 +20,7 @@ namespace
 // Width over length below which points count as lying on one line.
 constexpr double straightest = 1e-8;
 
-constexpr std::size_t fewest_rim_vertices = 6;
+constexpr int fewest_rim_vertices = 6;
 
 // Enclosed area over squared radius that tells a rim (2.6 for a hexagon) from the border of a
 // narrow curved strip, which lies close to a large circle without going around it.
@@ -134,24 +134,28 @@ CircleFit fit_circle(const Points& points)
     return fit;
 }
 
+std::optional<CircleFit> round_rim(const Points& rim, double tolerance)
+{
+    if (rim.rows() < fewest_rim_vertices)
+        return std::nullopt;
+    const double area = enclosed_area(rim);
+    if (area <= straightest * (rim.rowwise() - rim.row(0)).squaredNorm())
+        return std::nullopt;  // a slit, which no circle fits
+    const CircleFit circle = fit_circle(rim);
+    if (circle.residual < tolerance * circle.radius
+        && area > least_area * circle.radius * circle.radius)
+        return circle;
+    return std::nullopt;
+}
+
 std::vector<RoundHole> round_holes(const TriangleMesh& mesh, double tolerance)
 {
     if (!(tolerance > 0.0))
         throw InvalidInput("the tolerance of round holes must be greater than 0");
     std::vector<RoundHole> holes;
     for (const VertexIds& loop : boundary_loops(mesh))
-    {
-        if (loop.size() < fewest_rim_vertices)
-            continue;
-        const Points rim = mesh.points()(loop, Eigen::all);
-        const double area = enclosed_area(rim);
-        if (area <= straightest * (rim.rowwise() - rim.row(0)).squaredNorm())
-            continue;  // a slit, which no circle fits
-        const CircleFit circle = fit_circle(rim);
-        if (circle.residual < tolerance * circle.radius
-            && area > least_area * circle.radius * circle.radius)
-            holes.push_back({loop, circle});
-    }
+        if (const auto circle = round_rim(mesh.points()(loop, Eigen::all), tolerance))
+            holes.push_back({loop, *circle});
     return holes;
 }
 

@@ -3,6 +3,8 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
+#include <optional>
+
 namespace sheetmorph
 {
 
@@ -21,6 +23,10 @@ struct CircleFit
 //! \param points  (k, 3) mm, k >= 3, in any order
 //! \throws InvalidInput for fewer points, points on one line, or coordinates that are not finite
 CircleFit fit_circle(const Points& points);
+
+//! The circle a closed rim of at least 6 points is, within tolerance * radius; nothing if it is
+//! none or has no extent. \param rim        (k, 3) mm, in order \param tolerance  no unit, > 0
+std::optional<CircleFit> round_rim(const Points& rim, double tolerance);
 
 //! A boundary loop that is a circle.
 struct RoundHole

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The doctor: what a mesh is, what is wrong with it, and a cure for each; nothing is changed."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections import Counter
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from .files import read_part
+from .findings import findings_of
+from .kernel import load_kernel
+from .part_mesh import PartMesh
+
+# Vertices nearer than this share of the size are one place, unless the caller says otherwise.
+_NEAR = 1e-6
+
+
+def schema() -> dict[str, Any]:
+    """The published JSON Schema of what the command `doctor` prints."""
+    text = resources.files("sheetmorph").joinpath("doctor.schema.json").read_text("utf-8")
+    return json.loads(text)
+
+
+def diagnose_files(files: list[str | Path], tolerance: float | None = None) -> dict[str, Any]:
+    """The diagnosis of every file, as `doctor` prints it; tolerance: see diagnose().
+
+    Raises FileError, KernelError, OSError.
+    """
+    found = [{"file": str(file), **diagnose(read_part(file).mesh, tolerance)} for file in files]
+    return {"sheetmorph_doctor": 1, "files": found}
+
+
+def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
+    """What a mesh is and what is wrong with it, each with a cure; ready for JSON.
+
+    tolerance: mm, below which two vertices are one place; a millionth of the size if None.
+    Raises KernelError, InvalidInput of the kernel (a ValueError) for a bad tolerance.
+    """
+    core = load_kernel()
+    kernel_mesh = core.TriangleMesh(mesh.points, mesh.triangles)
+    if tolerance is None:
+        tolerance = _NEAR * kernel_mesh.size
+    found = core.diagnose(kernel_mesh, tolerance)
+    diagnosis = {
+        "vertices": len(mesh.points),
+        "triangles": len(mesh.triangles),
+        "size": found.size,
+        "tolerance": found.tolerance,
+        "kind": _kind(found.pieces),
+        "thickness": _thickness(found.pieces),
+        "unit": _unit(found.size),
+        "edge_lengths": dict(zip(("shortest", "median", "longest"), found.edge_lengths)),
+        "round_rims": _rims(found),
+        "components": [_piece(piece) for piece in found.pieces],
+        "counts": {name: getattr(found, name) for name in _COUNTS},
+        "is_one_sided": found.is_one_sided,
+        "suggested_edge": _suggested_edge(found),
+    }
+    return {**diagnosis, "findings": findings_of(diagnosis)}
+
+
+_COUNTS = (
+    "unused_vertices",
+    "duplicate_vertices",
+    "near_duplicate_vertices",
+    "duplicate_triangles",
+    "degenerate_triangles",
+    "slivers",
+    "flipped_triangles",
+    "t_junctions",
+    "open_edges",
+    "open_edges_welded",
+    "non_manifold_edges",
+    "non_manifold_edges_welded",
+)
+
+
+def _kind(pieces: list[Any]) -> str:
+    kinds = {piece.kind for piece in pieces}
+    return kinds.pop() if len(kinds) == 1 else "mixed" if kinds else "empty"
+
+
+def _piece(piece: Any) -> dict[str, Any]:
+    is_thin = piece.kind == "thin solid"
+    return {
+        "kind": piece.kind,
+        "triangles": piece.triangles,
+        "area": piece.area,
+        "volume": None if piece.kind == "open shell" else piece.volume,
+        "is_inside_out": piece.is_inside_out,
+        "thickness": piece.thickness if is_thin else None,
+        "thickness_range": list(piece.thickness_range) if is_thin else None,
+    }
+
+
+def _thickness(pieces: list[Any]) -> float | None:
+    """Of the thin solids the thickness that most of their area has, mm."""
+    areas: Counter[float] = Counter()
+    for piece in pieces:
+        if piece.kind == "thin solid":
+            areas[float(f"{piece.thickness:.2g}")] += piece.area
+    if not areas:
+        return None
+    most = areas.most_common(1)[0][0]
+    thin = [piece for piece in pieces if piece.kind == "thin solid"]
+    return min((piece.thickness for piece in thin), key=lambda t: abs(t - most))
+
+
+def _unit(size: float) -> dict[str, Any]:
+    """Sheet-metal parts are centimetres to metres large: what unit makes this one so?"""
+    if 0.0 < size < 10.0:
+        reason = f"{size:.3g} mm would be tiny for a sheet-metal part, {size:.3g} m is usual"
+        return {"guess": "m", "scale": 1000.0, "reason": reason}
+    reason = f"{size:.4g} mm is a usual size" if size else "it has no extent"
+    return {"guess": "mm", "scale": 1.0, "reason": reason}
+
+
+def _rims(found: Any) -> dict[str, Any]:
+    smallest, largest = found.rim_radii
+    return {
+        "count": found.round_rims,
+        "smallest_radius": smallest if found.round_rims else None,
+        "largest_radius": largest if found.round_rims else None,
+        "fewest_vertices": found.fewest_rim_vertices if found.round_rims else None,
+    }
+
+
+def _suggested_edge(found: Any) -> float | None:
+    """An edge length of 1, 2, 3 or 5 times a power of ten that gives some 30,000 triangles."""
+    area = sum(piece.area for piece in found.pieces)
+    if not area > 0.0:
+        return None
+    wanted = max(math.sqrt(area / 13_000.0), found.size / 400.0)
+    power = 10.0 ** math.floor(math.log10(wanted))
+    return float(f"{max(s * power for s in (1, 2, 3, 5) if s * power <= wanted * 1.0001):.1g}")

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a diagnosis means for the person: one sentence a finding, and the cure it offers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+# Shares of the longest edge from which the mesh is too coarse to bend round its features.
+_COARSE = 0.05
+
+
+def findings_of(diagnosis: dict[str, Any]) -> list[dict[str, Any]]:
+    """The findings, what matters most first: finding, count, text, cure, recipe.
+
+    cure: "weld", "orient", "remesh", "thin", "split", "scale" or None if there is none or none is
+    needed; recipe: the keys of a part in a recipe that ask for it, None if it has no key.
+    """
+    found = [*_seams(diagnosis), *_facets(diagnosis), *_shape(diagnosis)]
+    return [
+        {"finding": name, "count": count, "text": text, "cure": cure, "recipe": recipe}
+        for name, count, text, cure, recipe in found
+    ]
+
+
+_Found = tuple[str, int, str, "str | None", "dict[str, Any] | None"]
+
+
+def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
+    counts = diagnosis["counts"]
+    weld = {"weld": diagnosis["tolerance"]}
+    doubled = counts["duplicate_vertices"] + counts["near_duplicate_vertices"]
+    if doubled:
+        text = f"{doubled} vertices stand in nearly the place of another: the mesh is cut there"
+        closed = counts["open_edges"] - counts["open_edges_welded"]
+        if closed > 0:
+            text += f"; welded, {closed} of {counts['open_edges']} open edges close"
+        yield "near-duplicate vertices", doubled, text, "weld", weld
+    if counts["t_junctions"]:
+        text = f"{counts['t_junctions']} vertices lie inside an edge they do not belong to"
+        yield "T-junctions", counts["t_junctions"], text, "weld", weld
+    if counts["open_edges_welded"]:
+        text = f"{counts['open_edges_welded']} open edges: borders and holes of open sheets"
+        yield "open edges", counts["open_edges_welded"], text, None, None
+    if counts["non_manifold_edges_welded"]:
+        number = counts["non_manifold_edges_welded"]
+        text = f"{number} edges with three triangles or more: sheets meet there and stay together"
+        yield "non-manifold edges", number, text, None, None
+
+
+def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
+    counts = diagnosis["counts"]
+    weld = {"weld": diagnosis["tolerance"]}
+    for name, what in (
+        ("duplicate_triangles", "triangles stand twice"),
+        ("degenerate_triangles", "triangles have no height"),
+        ("unused_vertices", "vertices belong to no triangle"),
+    ):
+        if counts[name]:
+            text = f"{counts[name]} {what}"
+            yield name.replace("_", " "), counts[name], text, "weld", weld
+    if diagnosis["is_one_sided"]:
+        yield "one-sided", 1, "a piece is one-sided like a Moebius strip", None, None
+    if counts["flipped_triangles"]:
+        text = f"{counts['flipped_triangles']} triangles face against their neighbours"
+        yield "flipped triangles", counts["flipped_triangles"], text, "orient", weld
+    inverted = sum(piece["is_inside_out"] for piece in diagnosis["components"])
+    if inverted:
+        text = f"{inverted} closed components face inwards: hollow spaces, or turned inside out"
+        yield "facing inwards", inverted, text, None, None
+
+
+def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
+    counts, edges, rims = (diagnosis[key] for key in ("counts", "edge_lengths", "round_rims"))
+    remesh = {"remesh": {"edge": diagnosis["suggested_edge"], "rims": "polygon"}}
+    if counts["slivers"]:
+        share = 100.0 * counts["slivers"] / diagnosis["triangles"]
+        text = f"{counts['slivers']} slivers ({share:.0f} % of the triangles): the mesh folds there"
+        yield "slivers", counts["slivers"], text, "remesh", remesh
+    if edges["longest"] > _COARSE * diagnosis["size"] > 0.0:
+        text = f"edges up to {edges['longest']:.3g} mm: too coarse to bend"
+        if rims["count"] and rims["smallest_radius"] < edges["longest"]:
+            text += f", beside round rims of radius {rims['smallest_radius']:.3g} mm"
+        yield "long edges", 1, text, "remesh", remesh
+    if diagnosis["thickness"] is not None:
+        number = sum(piece["kind"] == "thin solid" for piece in diagnosis["components"])
+        text = f"a sheet {diagnosis['thickness']:.4g} mm thick, with two skins"
+        if len(diagnosis["components"]) > 1:
+            text = f"{number} sheets with two skins, most {diagnosis['thickness']:.4g} mm thick"
+        yield "thin solid", number, text, "thin", None
+    if len(diagnosis["components"]) > 1:
+        number = len(diagnosis["components"])
+        text = f"{number} components that nothing connects"
+        yield "components", number, text, "split", {"split": True}
+    unit = diagnosis["unit"]
+    if unit["scale"] != 1.0:
+        text = f"the unit seems to be {unit['guess']}: {unit['reason']}"
+        yield "unit", 1, text, "scale", None

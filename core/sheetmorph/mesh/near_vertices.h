@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+#include <utility>
+
+namespace sheetmorph
+{
+
+//! The pairs (i, j), i < j, of points no farther than `tolerance` apart, ascending.
+//! \param tolerance  mm, >= 0; 0 finds the points that are equal
+//! \throws InvalidInput if it is negative or not finite
+std::vector<std::pair<int, int>> near_pairs(const Points& points, double tolerance);
+
+//! Which points are one place, over chains of pairs no farther apart than a tolerance.
+struct Weld
+{
+    std::vector<int> first;  //!< (n) the first point in the place of each, itself if none is before
+    int equal = 0;           //!< points exactly where an earlier one is
+    int near = 0;            //!< pairs of different places within the tolerance
+};
+
+//! \throws InvalidInput if the tolerance (mm) is negative or not finite
+Weld weld(const Points& points, double tolerance);
+
+}  // namespace sheetmorph
