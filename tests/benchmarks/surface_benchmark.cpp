@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "panel_cases.h"
 
+#include "sheetmorph/surface/surface_response.h"
+
 namespace sheetmorph::benchmarks
 {
 
@@ -37,6 +39,37 @@ void frame(benchmark::State& state, Exactness exactness)
     state.counters["vertices"] = panel.mesh.vertex_count();
 }
 
+// Into one buffer, as a drag does; the response was built when the drag began.
+void live_frame(benchmark::State& state)
+{
+    const auto size = static_cast<int>(state.range(0));
+    const Panel& panel = panel_of(size);
+    const auto response = deformer_of(size).response({{0}, {}, 8});
+    Deformation shape;
+    std::vector<SurfaceTargets> poses;
+    for (int step = 0; step < 10; ++step)
+        poses.push_back(drag(panel, step));
+    std::size_t step = 0;
+    for (auto pass : state)
+    {
+        (void)pass;
+        response->place(*response->frame(poses[step++ % poses.size()]), false, shape);
+        benchmark::DoNotOptimize(shape.positions.data());
+    }
+    state.counters["vertices"] = panel.mesh.vertex_count();
+}
+
+void response_set_up(benchmark::State& state)
+{
+    const SurfaceDeformer& deformer = deformer_of(static_cast<int>(state.range(0)));
+    for (auto pass : state)
+    {
+        (void)pass;
+        benchmark::DoNotOptimize(deformer.response({{0}, {}, 8}));
+    }
+    state.counters["vertices"] = panel_of(static_cast<int>(state.range(0))).mesh.vertex_count();
+}
+
 void substituted_frame(benchmark::State& state)
 {
     frame(state, Exactness::live);
@@ -48,6 +81,8 @@ void exact_frame(benchmark::State& state)
 }
 
 BENCHMARK(set_up)->Apply(panel_sizes);
+BENCHMARK(live_frame)->Apply(panel_sizes);
+BENCHMARK(response_set_up)->Apply(panel_sizes);
 BENCHMARK(substituted_frame)->Apply(panel_sizes);
 BENCHMARK(exact_frame)->Apply(panel_sizes);
 

@@ -11,6 +11,7 @@ PANEL_ROWS = {
     "set_up": "set-up",
     "cgal_sre_arap_set_up": "CGAL SRE_ARAP preprocess()",
     "cgal_arap_set_up": "CGAL ORIGINAL_ARAP preprocess()",
+    "response_set_up": "response fields, in the background of a drag",
     "live_frame": "live frame, one handle turning and moving",
     "cgal_sre_arap_iteration": "CGAL SRE_ARAP, one iteration",
     "cgal_arap_iteration": "CGAL ORIGINAL_ARAP, one iteration",

@@ -2,9 +2,12 @@
 #include "sheetmorph/numerics/sparse_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/numerics/supernodal_solver.h"
 
+#include <algorithm>
 #include <cholmod.h>
 #include <omp.h>
+#include <optional>
 
 namespace sheetmorph
 {
@@ -64,22 +67,17 @@ cholmod_sparse view_of(const SparseMatrix& matrix)
     return view;
 }
 
-cholmod_dense view_of(const Eigen::MatrixXd& matrix)
+SupernodalFactor view_of(const cholmod_factor& lower)
 {
-    cholmod_dense view{};
-    view.nrow = static_cast<std::size_t>(matrix.rows());
-    view.ncol = static_cast<std::size_t>(matrix.cols());
-    view.nzmax = static_cast<std::size_t>(matrix.size());
-    view.d = view.nrow;
-    view.x = const_cast<double*>(matrix.data());
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    return view;
+    return {static_cast<int>(lower.n),          static_cast<int>(lower.nsuper),
+            static_cast<int*>(lower.super),     static_cast<int*>(lower.pi),
+            static_cast<int*>(lower.px),        static_cast<int*>(lower.s),
+            static_cast<const double*>(lower.x)};
 }
 
 void choose_ordering(cholmod_common& common, Eigen::Index size)
 {
-    common.supernodal = CHOLMOD_AUTO;
+    common.supernodal = CHOLMOD_SUPERNODAL;
     common.nmethods = 1;
     common.method[0].ordering = size < nested_dissection_from ? CHOLMOD_AMD : CHOLMOD_METIS;
     common.postorder = 1;
@@ -100,6 +98,7 @@ struct SparseCholesky::Factor
 
     Workspace workspace;
     cholmod_factor* lower = nullptr;
+    std::optional<SupernodalSolver> solver;
     Eigen::Index size = 0;
     double entries = 0.0;
 };
@@ -124,6 +123,7 @@ SparseCholesky::SparseCholesky(const SparseMatrix& matrix) : factor_(std::make_u
         throw SolverError(
             "the energy's matrix is not positive definite; "
             "the part has no unique shape under these constraints");
+    factor_->solver.emplace(view_of(*factor_->lower));
 }
 
 SparseCholesky::~SparseCholesky() = default;
@@ -134,15 +134,22 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right_sides) const
 {
     if (factor_->size == 0 || right_sides.cols() == 0)
         return Eigen::MatrixXd::Zero(factor_->size, right_sides.cols());
-    Workspace workspace;
-    cholmod_dense view = view_of(right_sides);
-    const SingleOpenMpLevel single_level;
-    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor_->lower, &view, &workspace.common);
-    if (solution == nullptr)
-        throw SolverError("the linear system could not be solved (out of memory?)");
-    Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(solution->x),
-                                                         right_sides.rows(), right_sides.cols());
-    cholmod_free_dense(&solution, &workspace.common);
+    const int* order = static_cast<const int*>(factor_->lower->Perm);
+    Eigen::MatrixXd result(right_sides.rows(), right_sides.cols());
+    SupernodalSolver::RightSides some =
+        SupernodalSolver::RightSides::Zero(right_sides.rows(), right_sides_at_once);
+    for (Eigen::Index first = 0; first < right_sides.cols(); first += right_sides_at_once)
+    {
+        const Eigen::Index count =
+            std::min<Eigen::Index>(right_sides_at_once, right_sides.cols() - first);
+        for (Eigen::Index column = 0; column < count; ++column)
+            for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+                some(row, column) = right_sides(order[row], first + column);
+        factor_->solver->solve(some);
+        for (Eigen::Index column = 0; column < count; ++column)
+            for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+                result(order[row], first + column) = some(row, column);
+    }
     return result;
 }
 

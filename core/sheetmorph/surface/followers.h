@@ -17,6 +17,8 @@ public:
     //! Fills the followers' rows of `positions` and `rotation_logs`, both (n, 3).
     void place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const;
 
+    bool is_empty() const { return anchors_.empty(); }
+
 private:
     struct Anchor
     {

@@ -20,4 +20,20 @@ SparseMatrix point_rows(const TriangleMesh& mesh, const std::vector<PointConstra
     return rows;
 }
 
+Eigen::MatrixXd point_displacements(const TriangleMesh& mesh,
+                                    const std::vector<PointConstraint>& points,
+                                    const std::vector<PointTarget>& targets)
+{
+    Eigen::MatrixXd wanted(static_cast<Eigen::Index>(targets.size()), 3);
+    for (std::size_t k = 0; k < targets.size(); ++k)
+    {
+        Vector3 start = Vector3::Zero();
+        for (int corner = 0; corner < 3; ++corner)
+            start += points[k].barycentric(corner)
+                     * mesh.points().row(mesh.triangles()(points[k].triangle, corner)).transpose();
+        wanted.row(static_cast<Eigen::Index>(k)) = (targets[k].position - start).transpose();
+    }
+    return wanted;
+}
+
 }  // namespace sheetmorph

@@ -12,4 +12,9 @@ namespace sheetmorph
 SparseMatrix point_rows(const TriangleMesh& mesh, const std::vector<PointConstraint>& points,
                         const std::vector<int>& chosen);
 
+//! (k, 3) from where each point is at rest to its target.
+Eigen::MatrixXd point_displacements(const TriangleMesh& mesh,
+                                    const std::vector<PointConstraint>& points,
+                                    const std::vector<PointTarget>& targets);
+
 }  // namespace sheetmorph

@@ -10,6 +10,7 @@
 #include "sheetmorph/surface/placement.h"
 #include "sheetmorph/surface/point_rows.h"
 #include "sheetmorph/surface/rotation_field.h"
+#include "sheetmorph/surface/surface_response.h"
 #include "sheetmorph/surface/unknowns.h"
 
 namespace sheetmorph
@@ -112,7 +113,6 @@ struct SurfaceDeformer::Precomputed
     Precomputed(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
                 const Progress& progress);
 
-    Eigen::MatrixXd point_displacements(const SurfaceTargets& targets) const;
     void require_met_points(const Eigen::MatrixXd& displacements, const Eigen::MatrixXd& wanted,
                             Exactness exactness) const;
     PlacementInput placement() const { return {rest, constraints, roles}; }
@@ -174,22 +174,6 @@ SurfaceDeformer::Precomputed::Precomputed(const TriangleMesh& rest_mesh,
     progress.report(1.0, "ready");
 }
 
-Eigen::MatrixXd SurfaceDeformer::Precomputed::point_displacements(
-    const SurfaceTargets& targets) const
-{
-    Eigen::MatrixXd wanted(static_cast<Eigen::Index>(targets.points.size()), 3);
-    for (std::size_t k = 0; k < targets.points.size(); ++k)
-    {
-        const PointConstraint& point = constraints.points[k];
-        Vector3 start = Vector3::Zero();
-        for (int corner = 0; corner < 3; ++corner)
-            start += point.barycentric(corner)
-                     * rest.points().row(rest.triangles()(point.triangle, corner)).transpose();
-        wanted.row(static_cast<Eigen::Index>(k)) = (targets.points[k].position - start).transpose();
-    }
-    return wanted;
-}
-
 void SurfaceDeformer::Precomputed::require_met_points(const Eigen::MatrixXd& displacements,
                                                       const Eigen::MatrixXd& wanted,
                                                       Exactness level) const
@@ -232,7 +216,8 @@ Deformation SurfaceDeformer::deform(const SurfaceTargets& targets, Exactness exa
     ConstrainedMinimiser::Targets problem;
     problem.rows = turned_rows(data_->operators, result.rotation_logs, tilts);
     problem.offset = known_displacements(part, targets, bodies);
-    problem.constraints = data_->point_displacements(targets);
+    problem.constraints =
+        point_displacements(data_->rest, data_->constraints.points, targets.points);
     const Eigen::MatrixXd displacements =
         data_->minimiser.solve(problem, exactness == Exactness::exact ? most_refinements : 0);
     data_->require_met_points(displacements, problem.constraints, exactness);
@@ -243,6 +228,14 @@ Deformation SurfaceDeformer::deform(const SurfaceTargets& targets, Exactness exa
     if (!result.positions.allFinite())
         throw SolverError("the deformed shape is not finite; the mesh may be too distorted");
     return result;
+}
+
+std::unique_ptr<SurfaceResponse> SurfaceDeformer::response(const ResponseOptions& options,
+                                                           const Progress& progress) const
+{
+    const ResponseInput input{data_->placement(), data_->operators, *data_->field, data_->minimiser,
+                              data_->followers};
+    return std::make_unique<SurfaceResponse>(input, options, progress);
 }
 
 const TriangleMesh& SurfaceDeformer::rest() const

@@ -26,6 +26,9 @@ struct Deformation
     std::vector<RigidMotion> features;  //!< of every form feature, about its rest centroid
 };
 
+class SurfaceResponse;
+struct ResponseOptions;
+
 //! Deforms one part as a thin plate whose form features stay rigid (2.9, 2.10).
 //! The constructor factorises (pre-processing phase), deform() only substitutes (interactive
 //! phase).
@@ -44,6 +47,12 @@ public:
     //! are met bitwise, features are rigid and points met to exactness().
     //! \throws InvalidInput if point targets contradict each other or what is rigid or fixed
     Deformation deform(const SurfaceTargets& targets, Exactness exactness = Exactness::exact) const;
+
+    //! How the part answers to one or two turning handles, for live frames without substitution
+    //! (surface_response.h). The deformer must outlive it.
+    //! \throws Cancelled if the progress callback asks for it
+    std::unique_ptr<SurfaceResponse> response(const ResponseOptions& options,
+                                              const Progress& progress = {}) const;
 
     const TriangleMesh& rest() const;
     const SurfaceConstraints& constraints() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/dense_products.h"
 
-#include "sheetmorph/volume/vector_types.h"
+#include "sheetmorph/base/vector_types.h"
 
 #include <algorithm>
 #include <cstring>

@@ -34,4 +34,29 @@ struct VectorTypes<8>
     using Bits = long long __attribute__((vector_size(64)));
 };
 
+//! The same for floats: Lanes of `width` floats, and as many doubles.
+template <int width>
+struct FloatVectorTypes;
+
+template <>
+struct FloatVectorTypes<4>
+{
+    using Lanes = float __attribute__((vector_size(16)));
+    using Doubles = double __attribute__((vector_size(32)));
+};
+
+template <>
+struct FloatVectorTypes<8>
+{
+    using Lanes = float __attribute__((vector_size(32)));
+    using Doubles = double __attribute__((vector_size(64)));
+};
+
+template <>
+struct FloatVectorTypes<16>
+{
+    using Lanes = float __attribute__((vector_size(64)));
+    using Doubles = double __attribute__((vector_size(128)));
+};
+
 }  // namespace sheetmorph

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/live_drag.h"
+
+#include "sheetmorph/assembly/wave.h"
+#include "sheetmorph/base/errors.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Polynomials of the rotation weights: exact to 4e-7 up to 165 degrees for one
+// handle, to 100 degrees for two.
+constexpr int degree_for_one = 8;
+constexpr int degree_for_two = 7;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+bool turns_or_moves(const RigidMotion& motion)
+{
+    return !motion.rotation_log.isZero(0.0) || !motion.translation.isZero(0.0);
+}
+
+// Own handles that are dragged or stand displaced, then every weld that another
+// part moves.
+ResponseOptions options_of(const PreparedAssembly& prepared, int part,
+                           const std::set<std::string>& dragged, const Pose& start)
+{
+    const PartProblem& problem = prepared.parts[at(part)].problem;
+    ResponseOptions options;
+    for (std::size_t k = 0; k < problem.own.handles.size(); ++k)
+    {
+        const std::string& name = prepared.assembly.handles[at(problem.own.handles[k])].name;
+        const auto motion = start.handles.find(name);
+        const bool is_displaced = motion != start.handles.end() && turns_or_moves(motion->second);
+        if (dragged.count(name) != 0 || (is_displaced && !motion->second.rotation_log.isZero(0.0)))
+            options.turning.push_back(static_cast<int>(k));
+        else if (is_displaced)
+            options.moving.push_back(static_cast<int>(k));
+    }
+    for (std::size_t k = 0; k < problem.carried.size(); ++k)
+        options.turning.push_back(static_cast<int>(problem.own.handles.size() + k));
+    options.degree = options.turning.size() > 1 ? degree_for_two : degree_for_one;
+    return options;
+}
+
+}  // namespace
+
+//! Builds responses part by part on a thread of its own.
+class LiveDrag::Background
+{
+public:
+    Background(const PreparedAssembly& prepared, std::set<std::string> dragged, const Pose& start)
+        : prepared_(prepared), responses_(prepared.parts.size())
+    {
+        for (const int part : prepared.plan.order)
+        {
+            const PreparedPart& ready = prepared.parts[at(part)];
+            if (!ready.deformer || !SurfaceResponse::is_possible(ready.problem.own.surface))
+                continue;
+            ResponseOptions options = options_of(prepared, part, dragged, start);
+            if (!options.turning.empty() && options.turning.size() <= 2)
+                wanted_.emplace_back(part, std::move(options));
+        }
+        thread_ = std::thread([this] { build(); });
+    }
+
+    ~Background()
+    {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            is_stopped_ = true;
+        }
+        thread_.join();
+    }
+
+    PartResponses ready() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return responses_;
+    }
+
+    bool is_done() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return is_done_;
+    }
+
+    void wait()
+    {
+        std::unique_lock<std::mutex> lock(mutex_);
+        finished_.wait(lock, [this] { return is_done_; });
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+private:
+    void build()
+    {
+        const Progress progress(
+            [this](double, const std::string&)
+            {
+                const std::lock_guard<std::mutex> lock(mutex_);
+                return !is_stopped_;
+            });
+        std::exception_ptr failure;
+        try
+        {
+            for (const auto& [part, options] : wanted_)
+            {
+                std::shared_ptr<const SurfaceResponse> built =
+                    prepared_.parts[at(part)].deformer->response(options, progress);
+                const std::lock_guard<std::mutex> lock(mutex_);
+                responses_[at(part)] = std::move(built);
+            }
+        }
+        catch (const Cancelled&)
+        {
+            // The drag has ended.
+        }
+        catch (const std::exception&)
+        {
+            failure = std::current_exception();  // out of memory: frames go on by
+                                                 // substitution
+        }
+        const std::lock_guard<std::mutex> lock(mutex_);
+        failure_ = failure;
+        is_done_ = true;
+        finished_.notify_all();
+    }
+
+    const PreparedAssembly& prepared_;
+    std::vector<std::pair<int, ResponseOptions>> wanted_;
+    mutable std::mutex mutex_;
+    std::condition_variable finished_;
+    PartResponses responses_;
+    std::exception_ptr failure_;
+    bool is_stopped_ = false;
+    bool is_done_ = false;
+    std::thread thread_;
+};
+
+LiveDrag::LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<std::string> handles,
+                   const Pose& start)
+    : prepared_(std::move(prepared)),
+      background_(std::make_unique<Background>(*prepared_, std::move(handles), start))
+{
+}
+
+LiveDrag::~LiveDrag() = default;
+
+const Deformed& LiveDrag::frame(const Pose& pose)
+{
+    check_pose_names(prepared_->assembly, pose);
+    answered_ = Wave(*prepared_, pose, Exactness::live).run_live(background_->ready(), result_);
+    return result_;
+}
+
+void LiveDrag::wait()
+{
+    background_->wait();
+}
+
+bool LiveDrag::is_ready() const
+{
+    return background_->is_done();
+}
+
+const std::vector<char>& LiveDrag::answered() const
+{
+    return answered_;
+}
+
+}  // namespace sheetmorph

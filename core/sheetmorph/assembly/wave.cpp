@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/wave.h"
+
+#include "sheetmorph/assembly/control_box.h"
+#include "sheetmorph/base/errors.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Parts are placed on two threads if they have this many vertices together.
+constexpr int vertices_for_two_threads = 200000;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness)
+    : prepared_(prepared),
+      pose_(pose),
+      exactness_(exactness),
+      links_(prepared.links.size()),
+      welds_(prepared.welds.size())
+{
+}
+
+void Wave::start(Deformed& result)
+{
+    result_ = &result;
+    result.parts.resize(prepared_.assembly.parts.size());
+    result.features.resize(prepared_.assembly.features.size());
+    result.contacts.clear();
+    result.spread = 0.0;
+}
+
+Deformed Wave::run()
+{
+    Deformed result;
+    start(result);
+    for (const int part : prepared_.plan.order)
+    {
+        substitute(part);
+        pass_on(part);
+    }
+    for (const int part : prepared_.plan.unreached)
+        set_at_rest(part, result.parts[at(part)]);
+    for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
+        report_features(part);
+    if (exactness_ == Exactness::exact)
+        report_contacts();
+    return result;
+}
+
+std::vector<char> Wave::run_live(const PartResponses& responses, Deformed& result)
+{
+    start(result);
+    std::vector<char> answered(result.parts.size(), 0);
+    for (const int part : prepared_.plan.order)
+    {
+        answered[at(part)] = responses[at(part)] && respond(part, responses[at(part)]);
+        if (!answered[at(part)])
+            substitute(part);
+        pass_on(part);
+    }
+    for (const int part : prepared_.plan.unreached)
+        set_at_rest(part, result.parts[at(part)]);
+    place_answers();
+    for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
+        report_features(part);
+    return answered;
+}
+
+// Left alone if an earlier frame has put it there.
+void Wave::set_at_rest(int part, Deformation& shape) const
+{
+    const TriangleMesh& mesh = prepared_.assembly.parts[at(part)].mesh;
+    if (shape.positions.rows() == mesh.vertex_count())
+        return;
+    shape = {mesh.points(), Points::Zero(mesh.vertex_count(), 3), {}};
+    for (const FormFeature& feature : prepared_.parts[at(part)].problem.own.surface.features)
+    {
+        RigidMotion none;
+        none.pivot = rows_of(mesh.points(), feature.vertices).colwise().mean().transpose();
+        shape.features.push_back(none);
+    }
+}
+
+SurfaceTargets Wave::targets_of(int part) const
+{
+    return targets_in_order(prepared_.assembly, prepared_.parts[at(part)].problem, pose_,
+                            {links_, welds_});
+}
+
+void Wave::substitute(int index)
+{
+    const PreparedPart& part = prepared_.parts[at(index)];
+    Deformation& shape = result_->parts[at(index)];
+    if (!part.deformer)
+        return set_at_rest(index, shape);
+    try
+    {
+        if (exactness_ == Exactness::exact)
+            result_->spread =
+                std::max(result_->spread, spread_of_targets(part.problem, {links_, welds_}));
+        shape = part.deformer->deform(targets_of(index), exactness_);
+    }
+    catch (const InvalidInput& fault)
+    {
+        const Part& named = prepared_.assembly.parts[at(index)];
+        throw fault.in_part(named.name, named.ids);
+    }
+}
+
+// Rigid motions at once, since later parts need them; vertices too if a link
+// reads them, else when all parts are.
+bool Wave::respond(int part, const std::shared_ptr<const SurfaceResponse>& response)
+{
+    std::optional<SurfaceResponse::Frame> frame = response->frame(targets_of(part));
+    if (!frame)
+        return false;
+    Deformation& shape = result_->parts[at(part)];
+    const bool is_read =
+        std::any_of(prepared_.planned.begin(), prepared_.planned.end(),
+                    [part](const PlannedLink& link) { return link.source_part == part; });
+    shape.features = frame->features;
+    if (is_read)
+        response->place(*frame, true, shape);
+    else
+        answers_.push_back({part, response, std::move(*frame)});
+    return true;
+}
+
+void Wave::place_answers() const
+{
+    int vertices = 0;
+    for (const Answer& answer : answers_)
+        vertices += prepared_.assembly.parts[at(answer.part)].mesh.vertex_count();
+    std::atomic<std::size_t> next{0};
+    const auto place = [&]
+    {
+        for (std::size_t k = next++; k < answers_.size(); k = next++)
+            answers_[k].response->place(answers_[k].frame, false,
+                                        result_->parts[at(answers_[k].part)]);
+    };
+    std::thread other;
+    if (answers_.size() > 1 && vertices >= vertices_for_two_threads)
+        other = std::thread(place);
+    place();
+    if (other.joinable())
+        other.join();
+}
+
+// What later parts need of this one.
+void Wave::pass_on(int index)
+{
+    const Deformation& shape = result_->parts[at(index)];
+    for (std::size_t k = 0; k < links_.size(); ++k)
+        if (prepared_.planned[k].source_part == index)
+            links_[k] = prepared_.links[k].link->transfer(shape);
+    const PartProblem& problem = prepared_.parts[at(index)].problem;
+    for (std::size_t k = 0; k < problem.carriers.size(); ++k)
+        welds_[at(problem.carriers[k])] = shape.features[problem.own.features.size() + k];
+}
+
+void Wave::report_features(int index)
+{
+    const PreparedPart& part = prepared_.parts[at(index)];
+    const Deformation& shape = result_->parts[at(index)];
+    for (std::size_t f = 0; f < part.problem.own.features.size(); ++f)
+    {
+        const std::size_t global = at(part.problem.own.features[f]);
+        const PartFeature& feature = prepared_.assembly.features[global];
+        const bool is_measured = exactness_ == Exactness::exact;
+        const double error = !is_measured
+                                 ? 0.0
+                                 : edge_error(prepared_.assembly.parts[at(index)].mesh,
+                                              part.edges[f], shape.positions, shape.features[f]);
+        result_->features[global] = {feature.name, feature.part, shape.features[f], error};
+    }
+}
+
+void Wave::report_contacts()
+{
+    for (std::size_t k = 0; k < prepared_.gauges.size(); ++k)
+    {
+        const DirectedContact& contact = prepared_.plan.measured[k];
+        const int source = contact.source(prepared_.assembly).part;
+        const int target = contact.target(prepared_.assembly).part;
+        result_->contacts.push_back(prepared_.gauges[k].measure(
+            result_->parts[at(source)], result_->parts[at(target)].positions));
+    }
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/numerics/constrained_minimiser.h"
+#include "sheetmorph/numerics/response_basis.h"
+#include "sheetmorph/surface/followers.h"
+#include "sheetmorph/surface/placement.h"
+#include "sheetmorph/surface/rotation_series.h"
+#include "sheetmorph/surface/surface_deformer.h"
+
+#include <optional>
+
+namespace sheetmorph
+{
+
+//! What a deformer has factorised; all of it outlives the response.
+struct ResponseInput
+{
+    const PlacementInput part;
+    const SurfaceOperators& operators;
+    const RotationField& field;
+    const ConstrainedMinimiser& minimiser;
+    const Followers& followers;
+};
+
+//! Which poses a response is for.
+struct ResponseOptions
+{
+    std::vector<int> turning;  //!< one or two handles that turn and move
+    std::vector<int> moving;   //!< further handles that only move
+    int degree = 8;            //!< of the polynomials of the rotation weights
+};
+
+//! How a part answers to one or two turning handles, as fields (speed.md): a
+//! frame is one pass over a small dense basis, without any substitution.
+//! Differs from the exact solve by less than 1e-6 of the part's size, or says
+//! that it does not cover the pose.
+class SurfaceResponse
+{
+public:
+    //! Some substitutions a polynomial; `progress` may cancel between them.
+    //! \throws Cancelled
+    SurfaceResponse(const ResponseInput& input, ResponseOptions options,
+                    const Progress& progress = {});
+
+    //! A pose in the numbers of the basis. What is rigid is known before any
+    //! vertex is placed.
+    struct Frame
+    {
+        ResponseBasis::Coefficients coefficients;
+        std::vector<Vector3> logs;          // of the turning handles
+        BodyMotions bodies;                 // all of them
+        std::vector<RigidMotion> handles;   // of the pose
+        std::vector<RigidMotion> features;  // about their rest centroids
+    };
+
+    //! Nothing if another handle moves or turns, if a turned feature, a turned
+    //! point or another part has a say, or if the turn is too far for the
+    //! polynomials' degree.
+    std::optional<Frame> frame(const SurfaceTargets& targets) const;
+
+    //! Fills positions and features; the rotations' logs only if somebody reads
+    //! them.
+    void place(const Frame& frame, bool with_logs, Deformation& result) const;
+
+    const ResponseOptions& options() const { return options_; }
+
+    //! Whether a response can exist: nothing of the part is driven by other
+    //! parts' shapes.
+    static bool is_possible(const SurfaceConstraints& constraints);
+
+private:
+    struct Group
+    {
+        int handle, body;  // or -1
+        VertexIds vertices;
+        Points rest;
+        Vector3 centre;  // it turns about
+    };
+    struct Rigid
+    {
+        Eigen::MatrixXd arms;    // (n, 3)
+        Eigen::MatrixXd shifts;  // (n, shifting handles)
+    };
+    void find_groups();
+    Rigid rigid_fields() const;
+    void respond(const Progress& progress);
+    bool covers(const SurfaceTargets& targets) const;
+    void turn_bodies(Frame& frame) const;
+
+    ResponseInput input_;
+    ResponseOptions options_;
+    std::vector<int> shifting_;  // handles with a column for their shift
+    std::vector<Group> groups_;  // what is rigid and not fixed
+    Eigen::MatrixXd weights_;    // (n, s) of the turning handles
+    RotationSeries series_;
+    ResponseBasis basis_;
+};
+
+}  // namespace sheetmorph

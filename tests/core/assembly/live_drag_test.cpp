@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/live_drag.h"
+
+#include "sheetmorph/base/errors.h"
+#include "assembly/frames.h"
+
+#include <gtest/gtest.h>
+
+namespace sheetmorph
+{
+namespace
+{
+
+using frames::Frame;
+
+double worst_share(const Frame& frame, const Deformed& a, const Deformed& b)
+{
+    double size = 0.0, worst = 0.0;
+    for (std::size_t part = 0; part < a.parts.size(); ++part)
+    {
+        size = std::max(size, frame.assembly.parts[part].mesh.size());
+        worst = std::max(
+            worst, (a.parts[part].positions - b.parts[part].positions).rowwise().norm().maxCoeff());
+    }
+    return worst / size;
+}
+
+class LiveDragContacts : public testing::TestWithParam<ContactType>
+{
+};
+
+TEST_P(LiveDragContacts, FramesAreThoseOfTheExactSolveBeforeAndAfterTheResponsesAreThere)
+{
+    const Frame frame = frames::ring(GetParam());
+    const DeformationSession session(frame.assembly);
+    const Deformed exact = session.deform(frame.pose);
+    const auto drag = session.begin_drag({"tip"});
+    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
+    drag->wait();
+    ASSERT_TRUE(drag->is_ready());
+    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
+    EXPECT_TRUE(drag->answered()[0]);
+    for (std::size_t k = 0; k < exact.features.size(); ++k)
+        EXPECT_LT((drag->frame(frame.pose).features[k].motion.translation
+                   - exact.features[k].motion.translation)
+                      .norm(),
+                  1e-3);
+}
+
+TEST_P(LiveDragContacts, FramesDoNotDependOnThoseBefore)
+{
+    const Frame frame = frames::ring(GetParam());
+    const DeformationSession session(frame.assembly);
+    const auto drag = session.begin_drag({"tip"});
+    drag->wait();
+    const Deformed first = drag->frame(frame.pose);
+    Pose other = frame.pose;
+    other.handles["tip"].translation *= 2.0;
+    drag->frame(other);
+    EXPECT_EQ(worst_share(frame, drag->frame(frame.pose), first), 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LiveDragContacts,
+                         testing::Values(ContactType::rigid, ContactType::tied,
+                                         ContactType::control_mesh));
+
+TEST(LiveDrag, RigidlyWeldedPartsAnswerToo)
+{
+    const Frame frame = frames::ring(ContactType::rigid);
+    const auto drag = DeformationSession(frame.assembly).begin_drag({"tip"});
+    drag->wait();
+    drag->frame(frame.pose);
+    // Two welds move the third plate, about different axes.
+    EXPECT_EQ(drag->answered(), (std::vector<char>{1, 1, 1, 1}));
+}
+
+TEST(LiveDrag, TakesTheExactPathWhereAPoseIsNotOfItsForm)
+{
+    const Frame frame = frames::ring(ContactType::rigid);
+    const DeformationSession session(frame.assembly);
+    const auto drag = session.begin_drag({"tip"});
+    drag->wait();
+    Pose pose = frame.pose;
+    pose.handles["tip"].rotation_log *= 10.0;
+    const Deformed far = drag->frame(pose);
+    EXPECT_FALSE(drag->answered()[0]);
+    EXPECT_LT(worst_share(frame, far, session.deform(pose)), 1e-6);
+}
+
+TEST(LiveDrag, MayEndBeforeItsResponsesAreThere)
+{
+    const Frame frame = frames::ring(ContactType::rigid);
+    const DeformationSession session(frame.assembly);
+    EXPECT_NO_THROW(session.begin_drag({"tip"}));
+}
+
+TEST(LiveDrag, RefusesHandlesTheAssemblyDoesNotHave)
+{
+    const DeformationSession session(frames::ring(ContactType::rigid).assembly);
+    EXPECT_THROW(session.begin_drag({"nose"}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace sheetmorph
