@@ -75,7 +75,7 @@ def run(
     with _named(path):
         parts = prepare(recipe, path.parent)
         read = [path, *([pose_path] if pose_path else []), *(s.file.path for s in parts.sources)]
-        targets = [out / source.file.path.name for source in parts.sources]
+        targets = [out / source.file.output_name for source in parts.sources]
         places = Places(read, out, targets, None if report is None else Path(report))
         places.check()
         wanted = pose if pose_path is None else read_json(pose_path)
@@ -153,11 +153,11 @@ class _Writer:
         """Write the file of some parts; what it holds of each, by part name."""
         file = source.file
         positions = source.positions(self.result.positions)
-        temporary = file.write_into(files, self.places.out / file.path.name, positions)
+        temporary = file.write_into(files, self.places.out / file.output_name, positions)
         with files.named(temporary):
             stored = file.stored_positions(temporary)
         return {
-            name: WrittenPart(file.path.name, stored[vertices], file.precision, list(file.notes))
+            name: WrittenPart(file.output_name, stored[vertices], file.precision, list(file.notes))
             for name, vertices in source.members.items()
         }
 

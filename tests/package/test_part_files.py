@@ -82,7 +82,8 @@ def test_positions_that_are_not_finite_are_refused(sample: Path, tmp_path: Path)
 @pytest.mark.parametrize(
     ("name", "what"),
     [
-        ("part.step", "CAD files are not read in this version"),
+        ("part.step", "there is no such file"),
+        ("part.fcstd", "documents of FreeCAD are not read"),
         ("part.xyz", 'unknown format ".xyz"'),
         ("missing.obj", "there is no such file"),
     ],

@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ..errors import FileError
 from .atomic import FileSet
+from .cad_file import CAD_SUFFIXES, read_cad
 from .meshio_file import SUFFIXES, MeshioFile
 from .nastran import NastranFile
 from .obj import ObjFile
@@ -16,9 +17,8 @@ from .part_file import PartFile
 from .ply import read_ply
 from .stl import read_stl
 
-__all__ = ["FileSet", "PartFile", "read_part", "suffixes"]
+__all__ = ["FileSet", "PartFile", "is_cad", "output_name", "read_part", "suffixes"]
 
-_CAD = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 _READERS: dict[str, Callable[[Path], PartFile]] = {
     ".obj": ObjFile.read,
     ".off": OffFile.read,
@@ -31,22 +31,38 @@ _READERS: dict[str, Callable[[Path], PartFile]] = {
 
 def suffixes() -> list[str]:
     """The file name endings that read_part() takes."""
-    return sorted(_READERS)
+    return sorted([*_READERS, *CAD_SUFFIXES])
 
 
-def read_part(path: str | Path) -> PartFile:
+def is_cad(path: str | Path) -> bool:
+    """Whether a file is read by meshing what it holds."""
+    return Path(path).suffix.lower() in CAD_SUFFIXES
+
+
+def output_name(path: str | Path) -> str:
+    """The name under which a run writes the file; deformed CAD parts are meshes, in OBJ."""
+    place = Path(path)
+    return f"{place.stem}.obj" if is_cad(place) else place.name
+
+
+def read_part(path: str | Path, meshing: Mapping[str, float] | None = None) -> PartFile:
     """A part from a file: ``.mesh`` (PartMesh, doubles) and ``.write(path, positions)``.
 
+    meshing: how finely a CAD file is meshed, `edge` and `deflection` in mm, `angle` in degrees.
     Raises FileError if the file is missing, empty, cut short, corrupt or of an unknown format.
     """
     place = Path(path)
     suffix = place.suffix.lower()
-    if suffix in _CAD:
-        todo = "mesh it in FreeCAD and export PLY or OBJ"
-        raise FileError(place, "CAD files are not read in this version", todo)
-    if suffix not in _READERS:
+    if suffix == ".fcstd":
+        todo = "open it in FreeCAD and export STEP"
+        raise FileError(place, "documents of FreeCAD are not read", todo)
+    if suffix not in _READERS and not is_cad(place):
         todo = f"use one of {', '.join(suffixes())}"
         raise FileError(place, f'unknown format "{place.suffix}"', todo)
     if not place.is_file():
         raise FileError(place, "there is no such file", "check the path")
+    if is_cad(place):
+        return read_cad(place, meshing)
+    if meshing:
+        raise FileError(place, "only CAD files are meshed", "leave the meshing out")
     return _READERS[suffix](place)

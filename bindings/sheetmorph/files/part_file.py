@@ -17,7 +17,8 @@ class PartFile(ABC):
 
     path; mesh: PartMesh; precision: how the file stores a coordinate ("double", "float32",
     "8 characters", "16 characters"); notes: what a user should know, for the report; properties:
-    (m,) property id of every triangle of a deck, None for other formats.
+    (m,) property id of every triangle of a deck, None for other formats; bodies: (k,) indices of
+    the triangles of every part of a CAD file by name, None for other formats.
     """
 
     def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):
@@ -26,6 +27,12 @@ class PartFile(ABC):
         self.precision = precision
         self.notes: list[str] = []
         self.properties: np.ndarray | None = None
+        self.bodies: dict[str, np.ndarray] | None = None
+
+    @property
+    def output_name(self) -> str:
+        """The name of the file that a run writes."""
+        return self.path.name
 
     @abstractmethod
     def save(self, path: Path, positions: np.ndarray) -> None:

@@ -27,7 +27,7 @@ class PartEntry:
     """A part; where: its place in the recipe, for messages; file: "" if none is given.
 
     mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
-    entry stands for several parts, "" if it is one.
+    entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
     """
 
     where: str
@@ -35,6 +35,7 @@ class PartEntry:
     file: str
     mode: int = 0
     split: str = ""
+    meshing: dict[str, float] | None = None
 
     @property
     def stem(self) -> str:
@@ -168,7 +169,8 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
     split = entry.get("split", False)
     split = {True: "components", False: ""}.get(split, split)
     name = entry.get("name", "" if split else f"part{k}")
-    return PartEntry(where, name, entry.get("file", ""), int(entry.get("mode", 0)), split)
+    file, mode = entry.get("file", ""), int(entry.get("mode", 0))
+    return PartEntry(where, name, file, mode, split, entry.get("mesh"))
 
 
 def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import Fault, FileError
-from ..files import PartFile, read_part
+from ..files import PartFile, is_cad, output_name, read_part
 from ..part_mesh import PartMesh
 from .model import PartEntry
 from .splitting import SplitError, part_of, split_triangles
@@ -65,8 +65,12 @@ def read_parts(entries: list[PartEntry], base: str | Path) -> Parts:
             parts.faults.append(Fault(entry.where, what, "add the path of its mesh file"))
             parts.entries.append(entry)
             continue
+        if entry.meshing and not is_cad(entry.file):
+            what = "only CAD files are meshed"
+            parts.faults.append(Fault(f"{entry.where}.mesh", what, "leave it out"))
         try:
-            parts.add(entry, read_part(Path(base) / entry.file))
+            meshing = entry.meshing if is_cad(entry.file) else None
+            parts.add(entry, read_part(Path(base) / entry.file, meshing))
         except (FileError, SplitError) as error:
             parts.faults.append(_fault(entry, error))
             parts.entries += [] if entry.split else [entry]
@@ -96,7 +100,7 @@ def _clashes(entries: list[PartEntry]) -> list[Fault]:
     faults = []
     seen: dict[str, str] = {}
     for entry in entries:
-        name = Path(entry.file).name
+        name = output_name(entry.file) if entry.file else ""
         if name and name in seen:
             what = f'the file name "{name}" is used already by {seen[name]}'
             todo = "rename one of the files; results are written into one folder"

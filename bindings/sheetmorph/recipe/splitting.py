@@ -21,10 +21,12 @@ class SplitError(ValueError):
 def split_triangles(file: PartFile, way: str) -> dict[str, np.ndarray]:
     """Triangle indices by part name, without the file's stem.
 
-    way: "components", counted from 1 in order of their first vertex, or "property", the property
-    ids of a deck. Raises SplitError.
+    way: "components", counted from 1 in order of their first vertex, of a CAD file its solids and
+    free shells; or "property", the property ids of a deck. Raises SplitError.
     """
     mesh = file.mesh
+    if way == "components" and file.bodies is not None:
+        return file.bodies
     if way == "components":
         labels = _component_labels(len(mesh.points), mesh.triangles)[mesh.triangles[:, 0]]
         numbers = {label: str(k + 1) for k, label in enumerate(np.unique(labels).tolist())}

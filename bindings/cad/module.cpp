@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/cad_reader.h"
+#include "arrays.h"
+
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+const char* name_of(SurfaceKind kind)
+{
+    switch (kind)
+    {
+        case SurfaceKind::plane:
+            return "plane";
+        case SurfaceKind::cylinder:
+            return "cylinder";
+        case SurfaceKind::cone:
+            return "cone";
+        case SurfaceKind::sphere:
+            return "sphere";
+        case SurfaceKind::torus:
+            return "torus";
+        default:
+            return "other";
+    }
+}
+
+void bind_surface(py::module_& module)
+{
+    py::class_<CadSurface>(module, "CadSurface", "The surface under a face, as the file has it.")
+        .def_property_readonly(
+            "kind", [](const CadSurface& s) { return name_of(s.kind); },
+            "plane, cylinder, cone, sphere, torus or other")
+        .def_property_readonly(
+            "point", [](const CadSurface& s) { return to_numpy(s.point); },
+            "(3,) mm: on a plane, on the axis, a cone's apex, a centre")
+        .def_property_readonly(
+            "axis", [](const CadSurface& s) { return to_numpy(s.axis); },
+            "(3,) of length 1; a plane's normal")
+        .def_readonly("radius", &CadSurface::radius, "mm; of a torus, the circle of centres")
+        .def_readonly("minor_radius", &CadSurface::minor_radius, "mm, of a torus' tube")
+        .def_readonly("half_angle", &CadSurface::half_angle, "of a cone, radians")
+        .def_readonly("fit_error", &CadSurface::fit_error,
+                      "mm: 0, or how well a spline surface is of this kind");
+}
+
+void bind_part(py::module_& module)
+{
+    py::class_<CadModel>(module, "CadModel", "What a CAD file holds, in mm.")
+        .def_readonly("parts", &CadModel::parts)
+        .def_readonly("edge", &CadModel::edge, "the longest edge wanted, mm")
+        .def_readonly("deflection", &CadModel::deflection, "mm")
+        .def_readonly("angle", &CadModel::angle, "radians");
+    py::class_<CadPart>(module, "CadPart", "One solid or free shell of a CAD file, meshed.")
+        .def_readonly("name", &CadPart::name)
+        .def_property_readonly("points", [](const py::object& self)
+                               { return view_of(self.cast<const CadPart&>().mesh.points(), self); })
+        .def_property_readonly("triangles", [](const CadPart& part)
+                               { return to_numpy(Triangles(part.mesh.triangles())); })
+        .def_property_readonly(
+            "face_of_triangle", [](const CadPart& p) { return to_numpy(p.face_of_triangle); },
+            "(m,) int32, index into `surfaces`")
+        .def_readonly("surfaces", &CadPart::surfaces, "one CadSurface a face")
+        .def_readonly("is_closed", &CadPart::is_closed)
+        .def_readonly("deviation", &CadPart::deviation,
+                      "largest distance found between mesh and surfaces, mm")
+        .def_readonly("skipped_faces", &CadPart::skipped_faces, "faces that were not meshed");
+}
+
+// Kernel errors are those of sheetmorph._core, also when they are thrown here.
+void share_errors()
+{
+    py::register_local_exception_translator(
+        [](std::exception_ptr thrown)
+        {
+            const auto raise = [](const char* name, const std::exception& error)
+            {
+                const py::object kind = py::module_::import("sheetmorph._core").attr(name);
+                PyErr_SetString(kind.ptr(), error.what());
+            };
+            try
+            {
+                std::rethrow_exception(std::move(thrown));
+            }
+            catch (const InvalidInput& error)
+            {
+                raise("InvalidInput", error);
+            }
+            catch (const Cancelled& error)
+            {
+                raise("Cancelled", error);
+            }
+        });
+}
+
+CadMeshing meshing_from(const py::dict& sizes)
+{
+    CadMeshing meshing;
+    for (const auto& [key, value] : sizes)
+    {
+        const auto name = key.cast<std::string>();
+        if (name != "edge" && name != "deflection" && name != "angle")
+            throw py::key_error("sizes are edge, deflection and angle, not " + name);
+        double& size = name == "edge"         ? meshing.edge
+                       : name == "deflection" ? meshing.deflection
+                                              : meshing.angle;
+        size = value.cast<double>();
+    }
+    return meshing;
+}
+
+Progress progress_from(const py::object& callback)
+{
+    if (callback.is_none())
+        return Progress();
+    return Progress(
+        [&callback](double fraction, const std::string& task)
+        {
+            const py::gil_scoped_acquire acquired;
+            return callback(fraction, task).cast<bool>();
+        });
+}
+
+void bind_readers(py::module_& module)
+{
+    module.def(
+        "read_cad",
+        [](const std::string& path, const py::dict& sizes, const py::object& progress)
+        {
+            const CadMeshing meshing = meshing_from(sizes);
+            const Progress reported = progress_from(progress);
+            const py::gil_scoped_release released;
+            return read_cad(path, meshing, reported);
+        },
+        py::arg("path"), py::arg("sizes") = py::dict(), py::arg("progress") = py::none(),
+        "The parts of a STEP, IGES or BREP file as a CadModel. sizes: `edge` mm, that no edge is "
+        "longer than (1/100 of the diagonal); `deflection` mm, that none is farther from its "
+        "surface (edge / 50); `angle` radians, that the surface turns by at most along it (0.35). "
+        "progress(fraction, task) returns False to stop. Raises InvalidInput, Cancelled.");
+    module.def(
+        "read_brep",
+        [](const std::string& text, const std::string& name, const py::dict& sizes)
+        {
+            const CadMeshing meshing = meshing_from(sizes);
+            const py::gil_scoped_release released;
+            return read_brep(text, name, meshing);
+        },
+        py::arg("text"), py::arg("name"), py::arg("sizes") = py::dict(),
+        "The same for the text of a BREP file; its parts are called name, or name.1, name.2, ...");
+}
+
+}  // namespace
+
+}  // namespace sheetmorph
+
+PYBIND11_MODULE(_cad, module)
+{
+    module.doc() = "CAD files as meshes whose faces are known.";
+    module.attr("__version__") = SHEETMORPH_VERSION;
+    sheetmorph::share_errors();
+    sheetmorph::bind_surface(module);
+    sheetmorph::bind_part(module);
+    sheetmorph::bind_readers(module);
+}

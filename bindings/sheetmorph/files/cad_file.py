@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""STEP, IGES and BREP, meshed by the kernel; what was deformed is written as OBJ."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import FileError
+from ..kernel import load_cad
+from ..part_mesh import PartMesh
+from .obj import ObjFile
+from .part_file import PartFile
+
+CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
+
+
+class CadFile(PartFile):
+    """A CAD file as one mesh of all its solids and free shells, one after the other.
+
+    bodies: (k,) indices of the triangles of each, by its name in the file; model: the kernel's
+    CadModel, with the surface under every triangle.
+    """
+
+    def __init__(self, path: Path, meshing: Mapping[str, float] | None = None):
+        self.model = _read(path, meshing or {})
+        parts = self.model.parts
+        first = np.cumsum([0, *(len(part.points) for part in parts)])
+        points = np.concatenate([part.points for part in parts])
+        triangles = np.concatenate([part.triangles + first[k] for k, part in enumerate(parts)])
+        super().__init__(path, PartMesh(points, triangles, name=path.stem))
+        ends = np.cumsum([0, *(len(part.triangles) for part in parts)])
+        self.bodies = {p.name: np.arange(ends[k], ends[k + 1]) for k, p in enumerate(parts)}
+        self.notes += _notes(self.model)
+
+    @property
+    def output_name(self) -> str:
+        """The OBJ file of the same name: a CAD file cannot hold the deformed mesh."""
+        return f"{self.path.stem}.obj"
+
+    def save(self, path: Path, positions: np.ndarray) -> None:
+        lines = []
+        first = 0
+        for part in self.model.parts:
+            last = first + len(part.points)
+            lines.append(f"o {' '.join(part.name.split())}")
+            lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in positions[first:last].tolist()]
+            corners = (part.triangles + (first + 1)).tolist()
+            lines += [f"f {a} {b} {c}" for a, b, c in corners]
+            first = last
+        path.write_text("\n".join(lines) + "\n", "utf-8")
+
+    def stored_positions(self, path: Path) -> np.ndarray:
+        return ObjFile.read(path).mesh.points
+
+
+def read_cad(path: Path, meshing: Mapping[str, float] | None = None) -> CadFile:
+    """The parts of a CAD file. Raises FileError.
+
+    meshing: `edge` and `deflection` in mm, `angle` in degrees; what is left out follows from the
+    size of what is in the file.
+    """
+    return CadFile(path, meshing)
+
+
+def _read(path: Path, meshing: Mapping[str, float]) -> Any:
+    sizes = {key: float(value) for key, value in meshing.items()}
+    if "angle" in sizes:
+        sizes["angle"] = math.radians(sizes["angle"])
+    core = load_cad()
+    if path.stat().st_size == 0:
+        raise FileError(path, "the file is empty", "export it again")
+    try:
+        return core.read_cad(str(path.absolute()), sizes)
+    except ValueError as error:
+        what, _, todo = str(error).partition("; ")
+        raise FileError(path, what, todo) from None
+
+
+def _notes(model: Any) -> list[str]:
+    deviation = max(part.deviation for part in model.parts)
+    angle = math.degrees(model.angle)
+    notes = [
+        f"meshed with edges up to {model.edge:.6g} mm, deflection {model.deflection:.6g} mm and "
+        f"angle {angle:.4g} degrees; at most {deviation:.2g} mm from the CAD surfaces; written as "
+        "OBJ"
+    ]
+    for part in model.parts:
+        if part.skipped_faces:
+            faces = ", ".join(str(face) for face in part.skipped_faces)
+            notes.append(f"faces {faces} of {part.name} are broken and left out")
+    return notes

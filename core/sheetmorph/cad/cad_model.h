@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace sheetmorph
+{
+
+enum class SurfaceKind
+{
+    plane,
+    cylinder,
+    cone,
+    sphere,
+    torus,
+    other
+};
+
+//! The surface under one face of a CAD part, as the file defines it; mm.
+struct CadSurface
+{
+    SurfaceKind kind = SurfaceKind::other;
+    Vector3 point = Vector3::Zero();  //!< on a plane, on the axis, a cone's apex, a centre
+    Vector3 axis = Vector3::UnitZ();  //!< of length 1; a plane's normal
+    double radius = 0.0;              //!< cylinder, sphere, torus (of the circle of centres)
+    double minor_radius = 0.0;        //!< torus (of the tube)
+    double half_angle = 0.0;          //!< cone: between axis and surface, radians, > 0
+    double fit_error = 0.0;           //!< 0 if the file says so, else how well a spline is it
+};
+
+//! A circle that the file draws as edges of a part.
+struct CadCircle
+{
+    Vector3 centre = Vector3::Zero();
+    Vector3 axis = Vector3::UnitZ();
+    double radius = 0.0;
+    VertexIds vertices;  //!< ascending
+};
+
+enum class FeatureKind
+{
+    round_hole,
+    cylinder,
+    plane,
+    cone,
+    sphere
+};
+
+//! Faces of a part that are one shape, from their surfaces: exact to rounding.
+struct CadFeature
+{
+    FeatureKind kind = FeatureKind::plane;
+    Vector3 centre = Vector3::Zero();  //!< a hole's, cylinder's, cone's: mid-length on the axis
+    Vector3 axis = Vector3::UnitZ();   //!< of length 1, largest component > 0; a plane's normal
+    double radius = 0.0;               //!< 0 for a plane and a cone
+    double half_angle = 0.0;           //!< of a cone, radians
+    std::vector<int> faces;            //!< ascending
+    VertexIds vertices;                //!< of the faces and their borders, ascending
+    double residual = 0.0;             //!< largest distance of a vertex from the surface, mm
+};
+
+//! One solid, or one shell that belongs to none.
+struct CadPart
+{
+    std::string name;  //!< from the file, made unique
+    TriangleMesh mesh;
+    std::vector<int> face_of_triangle;  //!< (m) index into `surfaces`
+    std::vector<CadSurface> surfaces;   //!< one a face
+    std::vector<CadCircle> circles;
+    bool is_closed = false;          //!< every edge has two triangles; they look outwards then
+    double deviation = 0.0;          //!< largest distance found between mesh and surfaces, mm
+    std::vector<int> skipped_faces;  //!< faces that could not be meshed, ascending
+};
+
+//! What a CAD file holds, placed as in its assembly; mm.
+struct CadModel
+{
+    std::vector<CadPart> parts;
+    double edge = 0.0;        //!< what was meshed with, see CadMeshing
+    double deflection = 0.0;  //!< the same
+    double angle = 0.0;       //!< the same
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/cad_shapes.h"
+#include "sheetmorph/cad/edge_discretisation.h"
+#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/part_mesher.h"
+
+#include <BRepBndLib.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <Eigen/Geometry>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Standard_Failure.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// OpenCASCADE tells the console what it does; nobody asked.
+class Silence
+{
+public:
+    Silence() : kept_(Message::DefaultMessenger()->Printers())
+    {
+        Message::DefaultMessenger()->ChangePrinters().Clear();
+    }
+    ~Silence() { Message::DefaultMessenger()->ChangePrinters() = kept_; }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+private:
+    Message_SequenceOfPrinters kept_;
+};
+
+std::string ending_of(const std::string& path)
+{
+    const std::size_t dot = path.find_last_of('.');
+    std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+std::string stem_of(const std::string& path)
+{
+    const std::size_t slash = path.find_last_of("/\\");
+    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+    return name.substr(0, name.find_last_of('.'));
+}
+
+std::vector<NamedShape> shapes_of(const std::string& path)
+{
+    const std::string ending = ending_of(path);
+    if (ending == "step" || ending == "stp")
+        return shapes_of_step(path);
+    if (ending == "iges" || ending == "igs")
+        return shapes_of_iges(path);
+    if (ending == "brep" || ending == "brp")
+        return shapes_of_brep(path, stem_of(path));
+    throw InvalidInput("it is no CAD file; use .step, .stp, .iges, .igs, .brep or .brp");
+}
+
+void check(const CadMeshing& meshing)
+{
+    for (const double length : {meshing.edge, meshing.deflection})
+        if (!(length >= 0.0) || length > 1e12)
+            throw InvalidInput("a length of the meshing is out of range; give 0 to 1e12 mm");
+    if (!(meshing.angle >= 0.01 && meshing.angle <= 1.5))
+        throw InvalidInput("the angle of the meshing is out of range; give 0.6 to 85 degrees");
+}
+
+// Two digits are enough to say it again in a recipe.
+double rounded(double length)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
+    return std::round(length / unit) * unit;
+}
+
+CadMeshing with_defaults(CadMeshing meshing, const std::vector<NamedShape>& shapes)
+{
+    Bnd_Box box;
+    for (const NamedShape& one : shapes)
+        BRepBndLib::Add(one.shape, box, false);
+    const double size = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+    if (!(size > 0.0) || !std::isfinite(size))
+        throw InvalidInput("its shapes have no extent; check what was exported");
+    constexpr double edges_along_the_diagonal = 100.0, edge_over_deflection = 50.0;
+    if (meshing.edge == 0.0)
+        meshing.edge = rounded(size / edges_along_the_diagonal);
+    if (meshing.deflection == 0.0)
+        meshing.deflection = rounded(meshing.edge / edge_over_deflection);
+    constexpr double smallest = 1e-5;
+    if (meshing.edge < smallest * size || meshing.deflection < 1e-3 * smallest * size)
+        throw InvalidInput("the meshing is too fine for what is in the file; give a longer edge");
+    return meshing;
+}
+
+// The surface or circle data of a part that is put somewhere.
+struct Placement
+{
+    Matrix3 turn;
+    Vector3 shift;
+    double scale;
+
+    explicit Placement(const gp_Trsf& motion) : scale(std::abs(motion.ScaleFactor()))
+    {
+        for (int r = 0; r < 3; ++r)
+            for (int c = 0; c < 3; ++c)
+                turn(r, c) = motion.Value(r + 1, c + 1);
+        shift = to_vector(motion.TranslationPart());
+    }
+
+    Vector3 point(const Vector3& p) const { return turn * p + shift; }
+    Vector3 direction(const Vector3& d) const { return (turn * d).normalized(); }
+};
+
+CadPart placed(CadPart part, const gp_Trsf& motion)
+{
+    if (motion.Form() == gp_Identity)
+        return part;
+    const Placement there(motion);
+    Points points =
+        (part.mesh.points() * there.turn.transpose()).rowwise() + there.shift.transpose();
+    Triangles triangles = part.mesh.triangles();
+    if (there.turn.determinant() < 0)
+        triangles.col(1).swap(triangles.col(2));
+    part.mesh = TriangleMesh(std::move(points), std::move(triangles));
+    part.deviation *= there.scale;
+    for (CadSurface& surface : part.surfaces)
+    {
+        surface.point = there.point(surface.point);
+        surface.axis = there.direction(surface.axis);
+        for (double* length : {&surface.radius, &surface.minor_radius, &surface.fit_error})
+            *length *= there.scale;
+    }
+    for (CadCircle& circle : part.circles)
+    {
+        circle.centre = there.point(circle.centre);
+        circle.axis = there.direction(circle.axis);
+        circle.radius *= there.scale;
+    }
+    return part;
+}
+
+TopoDS_Shape unplaced(const TopoDS_Shape& shape)
+{
+    return shape.Located(TopLoc_Location());
+}
+
+CadModel meshed(const std::vector<NamedShape>& shapes, const CadMeshing& wanted,
+                const Progress& progress)
+{
+    if (shapes.empty())
+        throw InvalidInput("it holds no solid and no surface; export solids or surfaces");
+    const CadMeshing meshing = with_defaults(wanted, shapes);
+    TopTools_IndexedMapOfShape originals;  // a part that is used often is meshed once
+    TopoDS_Compound all;
+    BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (const NamedShape& one : shapes)
+        if (const TopoDS_Shape original = unplaced(one.shape); !originals.Contains(original))
+        {
+            originals.Add(original);
+            builder.Add(all, original);
+        }
+    progress.report(0.0, "triangulating");
+    triangulate(all, meshing);
+    std::vector<CadPart> made;
+    for (int i = 1; i <= originals.Extent(); ++i)
+    {
+        progress.report(0.4 + 0.6 * (i - 1) / originals.Extent(), "meshing");
+        made.push_back(mesh_part(originals(i), meshing));
+    }
+    CadModel model{{}, meshing.edge, meshing.deflection, meshing.angle};
+    for (const NamedShape& one : shapes)
+    {
+        const int index = originals.FindIndex(unplaced(one.shape));
+        model.parts.push_back(placed(made[static_cast<std::size_t>(index - 1)],
+                                     one.shape.Location().Transformation()));
+        model.parts.back().name = one.name;
+    }
+    const bool has_triangles =
+        std::any_of(model.parts.begin(), model.parts.end(),
+                    [](const CadPart& part) { return part.mesh.triangle_count() > 0; });
+    if (!has_triangles)
+        throw InvalidInput("none of its faces can be meshed; repair them in the CAD system");
+    return model;
+}
+
+template <typename Work>
+auto guarded(Work&& work)
+{
+    const Silence silence;
+    try
+    {
+        return work();
+    }
+    catch (const Standard_Failure& failure)
+    {
+        const char* text = failure.GetMessageString();
+        throw InvalidInput(std::string("OpenCASCADE cannot read it (")
+                           + (text && *text ? text : failure.DynamicType()->Name())
+                           + "); repair it in the CAD system and export it again");
+    }
+}
+
+}  // namespace
+
+CadModel read_cad(const std::string& path, const CadMeshing& meshing, const Progress& progress)
+{
+    check(meshing);
+    return guarded(
+        [&]
+        {
+            progress.report(0.0, "reading");
+            const std::vector<NamedShape> shapes = shapes_of(path);
+            return meshed(shapes, meshing, progress.part(0.4, 1.0));
+        });
+}
+
+CadModel read_brep(const std::string& text, const std::string& name, const CadMeshing& meshing)
+{
+    check(meshing);
+    return guarded([&] { return meshed(shapes_of_brep_text(text, name), meshing, Progress()); });
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/cad_reader.h"
+
+#include <TopoDS_Shape.hxx>
+
+namespace sheetmorph
+{
+
+//! Triangulates every face of a shape with OpenCASCADE's BRepMesh, its edges cut so that no piece
+//! is longer than `meshing.edge`; the triangulations are then in the shape.
+//! \param meshing  all three sizes > 0
+void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing);
+
+}  // namespace sheetmorph

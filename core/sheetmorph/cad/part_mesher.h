@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/cad_reader.h"
+
+#include <TopoDS_Shape.hxx>
+
+namespace sheetmorph
+{
+
+//! The mesh of a shape that triangulate() has been through, without a name: faces refined, and
+//! welded along their common edges.
+//! \param shape    a solid, shell or compound in its own coordinates
+//! \param meshing  all three sizes > 0
+CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing);
+
+}  // namespace sheetmorph
