@@ -69,36 +69,31 @@ void bind_regions(py::module_& module)
     py::class_<PartRegion>(module, "Region", "A fixed region: vertices (k,) of one part.")
         .def(py::init(region), py::arg("name"), py::arg("part"), py::arg("vertices"));
 
-    const auto handle = [](std::string name, int part, const py::object& vertices) {
-        return PartHandle{std::move(name), part, ids_from(vertices, "vertices")};
+    const auto handle = [](std::string name, int part, const py::object& vertices,
+                           bool is_rotation_free) {
+        return PartHandle{std::move(name), part, ids_from(vertices, "vertices"), is_rotation_free};
     };
     py::class_<PartHandle>(module, "Handle", "Vertices (k,) that the pose moves as one body.")
-        .def(py::init(handle), py::arg("name"), py::arg("part"), py::arg("vertices"));
+        .def(py::init(handle), py::arg("name"), py::arg("part"), py::arg("vertices"),
+             py::arg("is_rotation_free") = false,
+             "is_rotation_free: the pose shifts it, the energy turns it.");
 }
 
-void bind_features(py::module_& module)
+void bind_points(py::module_& module)
 {
-    py::class_<PartFeature>(module, "FormFeature", "Vertices (k,) that keep their form (2.4).")
-        .def(py::init(
-                 [](std::string name, int part, const py::object& vertices, bool prescribed) {
-                     return PartFeature{std::move(name), part, ids_from(vertices, "vertices"),
-                                        prescribed};
-                 }),
-             py::arg("name"), py::arg("part"), py::arg("vertices"),
-             py::arg("is_prescribed") = false,
-             "is_prescribed: its rotation comes with the pose instead of interpolation.");
-
     py::class_<PartPoint>(module, "PointConstraint", "A point on a triangle (2.3).")
         .def(py::init(
                  [](std::string name, int part, int triangle, const py::object& barycentric,
-                    bool turned)
+                    bool turned, bool is_rotation_free)
                  {
-                     const PointConstraint constraint{
-                         name, triangle, vector_from(barycentric, "barycentric"), turned};
+                     const PointConstraint constraint{name, triangle,
+                                                      vector_from(barycentric, "barycentric"),
+                                                      turned, is_rotation_free};
                      return PartPoint{std::move(name), part, constraint};
                  }),
              py::arg("name"), py::arg("part"), py::arg("triangle"), py::arg("barycentric"),
-             py::arg("is_turned") = false);
+             py::arg("is_turned") = false, py::arg("is_rotation_free") = false,
+             "is_turned: the pose turns the sheet there too; is_rotation_free: the energy does.");
 }
 
 void bind_contacts(py::module_& module)
@@ -140,6 +135,10 @@ void bind_whole(py::module_& module)
         .def_readwrite("points", &Assembly::points)
         .def_readwrite("followers", &Assembly::followers)
         .def_readwrite("contacts", &Assembly::contacts)
+        .def_readwrite("groups", &Assembly::groups)
+        .def_readwrite("pairs", &Assembly::pairs)
+        .def_readwrite("symmetry", &Assembly::symmetry)
+        .def_readwrite("is_refined", &Assembly::is_refined)
         .def_readwrite("propagation", &Assembly::propagation);
 }
 
@@ -158,6 +157,10 @@ void bind_pose(py::module_& module)
             { pose.feature_logs[name] = vector_from(log, "rotation_log"); },
             py::arg("name"), py::arg("rotation_log"))
         .def(
+            "size_feature",
+            [](Pose& pose, const std::string& name, double size) { pose.sizes[name] = size; },
+            py::arg("name"), py::arg("size"), "size in mm, of a resizable feature")
+        .def(
             "place_point",
             [](Pose& pose, const std::string& name, const py::object& target, const py::object& log)
             {
@@ -174,7 +177,7 @@ void bind_description(py::module_& module)
 {
     bind_part(module);
     bind_regions(module);
-    bind_features(module);
+    bind_points(module);
     bind_contacts(module);
     bind_whole(module);
     bind_pose(module);

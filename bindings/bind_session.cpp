@@ -36,6 +36,9 @@ void bind_result(py::module_& module)
         .def_readonly("name", &FeatureResult::name)
         .def_readonly("part", &FeatureResult::part)
         .def_readonly("edge_error", &FeatureResult::edge_error, "worst error of (2.4), mm")
+        .def_readonly("size", &FeatureResult::size, "mm, None unless it is set")
+        .def_readonly("outline_error", &FeatureResult::outline_error,
+                      "worst distance of its rim from the exact circle of that size, mm")
         .def_property_readonly("rotation", [](const FeatureResult& feature)
                                { return to_numpy(feature.motion.rotation()); })
         .def_property_readonly("rotation_log", [](const FeatureResult& feature)
@@ -144,6 +147,13 @@ void bind_session(py::module_& module)
                                "(contact, source part, target part) indices")
         .def_property_readonly("unreached", [](const DeformationSession& session)
                                { return names_of(session, session.plan().unreached); })
+        .def_property_readonly(
+            "features",
+            [](const DeformationSession& session) { return session.assembly().features; },
+            "of all parts; with a plane of symmetry those of the other side come last")
+        .def_property_readonly(
+            "shapes", [](const DeformationSession& session) { return session.shapes(); },
+            "by feature: its FeatureShape where its size can be set, else None")
         .def_property_readonly("timings", &DeformationSession::timings);
 }
 

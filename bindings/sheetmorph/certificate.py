@@ -38,7 +38,7 @@ def edge_error(
 ) -> float:
     """Worst |p_i - p_j - R (p_hat_i - p_hat_j)| over edges (e, 2), mm (2.4).
 
-    rest, positions: (n, 3); rotation: (3, 3).
+    rest, positions: (n, 3), at rest with the sizes that form features have; rotation: (3, 3).
     """
     before = rest[edges[:, 0]] - rest[edges[:, 1]]
     after = positions[edges[:, 0]] - positions[edges[:, 1]]

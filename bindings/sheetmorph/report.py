@@ -16,6 +16,7 @@ import numpy as np
 from .certificate import edge_error, feature_edges, tolerance
 from .notes import notes_of
 from .part_mesh import PartMesh
+from .recipe.feature_entries import SymmetryEntry
 
 if TYPE_CHECKING:
     from .session import FeatureResult, Result
@@ -47,17 +48,20 @@ def make_report(
     files = written or {}
     arrays = [mesh.points for mesh in session.meshes.values()]
     tol = tolerance(session.size, [*arrays, *result.positions.values()])
-    features = [_feature(result, feature, files) for feature in result.features]
+    rests = {part: session.rest_of(part, result.features) for part in session.parts}
+    features = [_feature(result, feature, files, rests) for feature in result.features]
     failures = [
-        f"{entry['name']} on {entry['part']}: {entry['edge_error']:.3g} mm"
+        f"{entry['name']} on {entry['part']}: {_worst_error(entry):.3g} mm"
         for entry in features
-        if not entry["edge_error"] <= tol
+        if not _worst_error(entry) <= tol
     ]
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
         "energy": session.model.energy,
         "primary": session.model.primary,
+        "refine": session.model.refine,
+        "symmetry": _symmetry(session.model.symmetry),
         "pose": result.pose,
         "size": session.size,
         "tolerance": tol,
@@ -74,15 +78,26 @@ def make_report(
     }
 
 
+def _symmetry(plane: SymmetryEntry | None) -> dict[str, list[float]] | None:
+    return None if plane is None else {"point": [*plane.point], "normal": [*plane.normal]}
+
+
+def _worst_error(feature: Mapping[str, Any]) -> float:
+    return max(feature["edge_error"], feature["outline_error"] or 0.0)
+
+
 def _feature(
-    result: Result, feature: FeatureResult, files: Mapping[str, WrittenPart]
+    result: Result,
+    feature: FeatureResult,
+    files: Mapping[str, WrittenPart],
+    rests: Mapping[str, np.ndarray],
 ) -> dict[str, Any]:
     mesh = result.session.meshes[feature.part]
     vertices = result.session.feature_vertices(feature.name)
     edges = feature_edges(mesh, vertices)
 
     def error_of(positions: np.ndarray) -> float:
-        return edge_error(mesh.points, positions, edges, feature.rotation)
+        return edge_error(rests[feature.part], positions, edges, feature.rotation)
 
     written = files.get(feature.part)
     return {
@@ -91,6 +106,11 @@ def _feature(
         "vertices": len(vertices),
         "edge_error": error_of(result.positions[feature.part]),
         "file_edge_error": None if written is None else error_of(written.positions),
+        "rotation_type": feature.rotation_type,
+        "motion": feature.motion,
+        "kind": feature.kind,
+        "size": feature.size,
+        "outline_error": feature.outline_error,
         "rotation": feature.rotation.tolist(),
         "translation": feature.translation.tolist(),
         "centre": feature.centre.tolist(),

@@ -24,7 +24,10 @@ class FeatureResult:
     """How a form feature moved: p = centre + translation + rotation (p_hat - centre).
 
     rotation: (3, 3); translation, centre: (3,), mm; edge_error: worst |p_i - p_j - R (p_hat_i -
-    p_hat_j)| over its edges, mm (2.4).
+    p_hat_j)| over its edges, mm (2.4); rotation_type: "free", "interpolated" or "prescribed";
+    motion: its type; size: mm, None unless it is set, then kind is "hole" (diameter), "slot"
+    (length) or "cylinder" (radius), p_hat has that size, and outline_error is the worst distance of
+    its rim from the exact outline, mm.
     """
 
     name: str
@@ -33,6 +36,11 @@ class FeatureResult:
     translation: np.ndarray
     centre: np.ndarray
     edge_error: float
+    rotation_type: str = "free"
+    motion: str = "free"
+    kind: str | None = None
+    size: float | None = None
+    outline_error: float | None = None
 
 
 @dataclass(frozen=True)
@@ -161,8 +169,17 @@ class Session:
 
     def feature_vertices(self, name: str) -> np.ndarray:
         """Indices (k,) of a form feature's vertices in its part."""
-        feature = next(entry for entry in self._model.of_kind("feature") if entry.name == name)
-        return self._translator.indices(feature)
+        return next(entry.vertices for entry in self._kernel.features if entry.name == name)
+
+    def rest_of(self, part: str, features: list[FeatureResult]) -> np.ndarray:
+        """Positions (n, 3) of a part at rest, with the sizes its form features have; mm."""
+        points = self.meshes[part].points
+        rest = points.copy()
+        for feature, shape in zip(features, self._kernel.shapes):
+            if feature.part == part and feature.size is not None:
+                vertices = self.feature_vertices(feature.name)
+                rest[vertices] = shape.resized(points[vertices], feature.size)
+        return rest
 
     def deform(self, pose: dict[str, Any] | None = None, exact: bool = True) -> Result:
         """All parts in a pose, always from rest; None: the recipe's pose.
@@ -176,7 +193,7 @@ class Session:
         return Result(
             session=self,
             positions={name: deformed.positions(k) for k, name in enumerate(self.parts)},
-            features=[self._feature(found) for found in deformed.features],
+            features=self._features(deformed.features),
             contacts=[self._contact(found) for found in deformed.contacts],
             spread=float(deformed.spread),
             pose=dict(wanted),
@@ -190,15 +207,24 @@ class Session:
             raise ValueError(f'there is no contact "{contact}"; names are {", ".join(names)}')
         return self._kernel.control_mesh(-1 if contact is None else names.index(contact), deformed)
 
-    def _feature(self, found: Any) -> FeatureResult:
-        return FeatureResult(
-            name=found.name,
-            part=self.parts[found.part],
-            rotation=found.rotation,
-            translation=found.translation,
-            centre=found.centre,
-            edge_error=float(found.edge_error),
-        )
+    def _features(self, found: list[Any]) -> list[FeatureResult]:
+        entries = zip(found, self._kernel.features, self._kernel.shapes)
+        return [
+            FeatureResult(
+                name=feature.name,
+                part=self.parts[feature.part],
+                rotation=feature.rotation,
+                translation=feature.translation,
+                centre=feature.centre,
+                edge_error=float(feature.edge_error),
+                rotation_type=entry.rotation,
+                motion=entry.motion,
+                kind=None if feature.size is None else shape.kind,
+                size=feature.size,
+                outline_error=None if feature.size is None else float(feature.outline_error),
+            )
+            for feature, entry, shape in entries
+        ]
 
     def _contact(self, found: Any) -> ContactResult:
         entry = self._model.contacts[found.contact]

@@ -16,6 +16,7 @@ from .part_mesh import PartMesh
 from .recipe.model import ContactEntry, Model, Motion, PartEntry, RegionEntry, Rotation
 
 _NO_TURN = (0.0, 0.0, 0.0)
+_UPWARDS = (0.0, 0.0, 1.0)
 
 
 class Translator:
@@ -55,14 +56,28 @@ class Translator:
         followers = self._model.of_kind("follower")
         assembly.followers = [self._region(core.Region, f) for f in followers]
         handles = self._model.of_kind("handle")
-        assembly.handles = [self._region(core.Handle, h) for h in handles if not h.is_point]
+        assembly.handles = [self._handle(h) for h in handles if not h.is_point]
         assembly.features = [self._feature(entry) for entry in self._model.of_kind("feature")]
         points = [h for h in handles if h.is_point] + self._model.of_kind("point")
         assembly.points = [self._point(entry) for entry in points]
         assembly.contacts = [self._contact(entry) for entry in self._model.contacts]
+        self._relate(assembly)
+        if (plane := self._model.symmetry) is not None:
+            assembly.symmetry = core.SymmetryPlane(plane.point, plane.normal)
+        assembly.is_refined = self._model.refine
         way = self._model.propagation
         assembly.propagation = core.Propagation(way.type == "single", way.levels, way.smoothness)
         return assembly
+
+    def _relate(self, assembly: Any) -> None:
+        features = [entry.name for entry in self._model.of_kind("feature")]
+        for entry in self._model.relations:
+            members = [features.index(name) for name in entry.features]
+            if entry.type == "group":
+                assembly.groups = [*assembly.groups, self._core.FeatureGroup(entry.name, members)]
+            else:
+                pair = self._core.FeaturePair(entry.name, entry.type, *members)
+                assembly.pairs = [*assembly.pairs, pair]
 
     def _contact(self, entry: ContactEntry) -> Any:
         sides = [self._region(self._core.Region, side) for side in (entry.a, entry.b)]
@@ -77,16 +92,25 @@ class Translator:
     def _region(self, kind: Any, entry: RegionEntry) -> Any:
         return kind(entry.name, self._part_index[entry.part], self.indices(entry))
 
+    def _handle(self, entry: RegionEntry) -> Any:
+        place = self._part_index[entry.part], self.indices(entry)
+        return self._core.Handle(entry.name, *place, entry.turning == "free")
+
     def _feature(self, entry: RegionEntry) -> Any:
-        part = self._part_index[entry.part]
-        prescribed = entry.rotation is not None
-        return self._core.FormFeature(entry.name, part, self.indices(entry), prescribed)
+        place = self._part_index[entry.part], self.indices(entry)
+        given = entry.motion
+        motion = self._core.FeatureMotion(
+            given.type, given.point or _NO_TURN, given.direction or _UPWARDS
+        )
+        told = entry.turning, motion, entry.size, entry.size is not None
+        return self._core.FormFeature(entry.name, *place, *told)
 
     def _point(self, entry: RegionEntry) -> Any:
-        turned = entry.kind == "handle" or entry.rotation is not None
+        is_free = entry.kind == "handle" and entry.turning == "free"
+        turned = not is_free and (entry.kind == "handle" or entry.rotation is not None)
         part = self._part_index[entry.part]
         place = entry.triangle, entry.barycentric
-        return self._core.PointConstraint(entry.name, part, *place, turned)
+        return self._core.PointConstraint(entry.name, part, *place, turned, is_free)
 
     def pose(self, motions: Mapping[str, Motion]) -> Any:
         """The kernel's Pose; what the motions leave out keeps the recipe's own values."""
@@ -95,14 +119,20 @@ class Translator:
             motion = motions.get(entry.name, Motion(entry.where))
             if entry.kind == "handle":
                 self._move_handle(pose, entry, motion)
-            elif entry.kind == "feature" and entry.rotation is not None:
-                pose.turn_feature(entry.name, self._log(motion.rotation or entry.rotation))
+            elif entry.kind == "feature":
+                self._tell_feature(pose, entry, motion)
             elif entry.kind == "point":
                 target = motion.target or entry.target
                 place = self._places[entry.name] if target is None else np.array(target)
                 log = self._log(motion.rotation or entry.rotation)
                 pose.place_point(entry.name, place, log)
         return pose
+
+    def _tell_feature(self, pose: Any, entry: RegionEntry, motion: Motion) -> None:
+        if entry.rotation is not None:
+            pose.turn_feature(entry.name, self._log(motion.rotation or entry.rotation))
+        if motion.size is not None:
+            pose.size_feature(entry.name, motion.size)
 
     def _move_handle(self, pose: Any, entry: RegionEntry, motion: Motion) -> None:
         place = self._places[entry.name]

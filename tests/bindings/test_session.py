@@ -16,7 +16,10 @@ def assembly(points, triangles, rims, energy="neumann", **changes):
     )
     whole.fixed = [_core.Region("root", 0, changes.get("fixed", left))]
     whole.handles = [_core.Handle("tip", 0, changes.get("handle", right))]
-    whole.features = [_core.FormFeature(f"hole{k}", 0, rim) for k, rim in enumerate(rims)]
+    whole.features = [
+        _core.FormFeature(f"hole{k}", 0, rim, changes.get("rotation", "interpolated"))
+        for k, rim in enumerate(rims)
+    ]
     return whole
 
 

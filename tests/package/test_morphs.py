@@ -181,7 +181,7 @@ def test_a_session_checks_recipe_meshes_and_poses():
         session.deform({"tup": {}})
     with pytest.raises(RecipeError, match="pose.tip.translation: it has 2 entries"):
         session.deform({"tip": {"translation": [1, 2]}})
-    with pytest.raises(RecipeError, match="not available in this version: size"):
+    with pytest.raises(RecipeError, match="pose.tip.size: .size. has no meaning"):
         session.deform({"tip": {"size": 2.0}})
 
 

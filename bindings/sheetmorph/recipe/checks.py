@@ -13,6 +13,7 @@ from ..errors import Fault, list_ids
 from ..part_mesh import PartMesh
 from .model import Model, Motion, PartEntry, RegionEntry, Rotation
 from .places import names_in
+from .relations import relation_faults
 
 _POSED = ("handles", "features", "points")
 _HOLDING = ("fixed", "handles", "points")
@@ -58,6 +59,7 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
         if contact.a.part == contact.b.part:
             what = f'both sides are on the part "{contact.a.part}"'
             faults.append(Fault(contact.where, what, "pick sides on two different parts"))
+    faults += relation_faults(model, known.posed)
     if not known.is_held:
         what = "nothing is fixed and nothing is moved"
         faults.append(Fault("recipe", what, "add a fixed region and a handle"))
@@ -128,6 +130,8 @@ def _repeated_names(model: Model) -> Iterator[Fault]:
         ("part", model.parts),
         ("region", model.regions),
         ("contact", model.contacts),
+        ("group", [entry for entry in model.relations if entry.type == "group"]),
+        ("pair", [entry for entry in model.relations if entry.type != "group"]),
     ):
         seen: dict[str, str] = {}
         for entry in entries:
@@ -179,13 +183,17 @@ def _axis(where: str, rotation: Rotation | None) -> Iterator[Fault]:
 
 
 _MEANINGLESS = {
-    "handle": (("target", "a handle is moved by a translation and a rotation"),),
+    "handle": (
+        ("target", "a handle is moved by a translation and a rotation"),
+        ("size", "only form features have a size"),
+    ),
     "feature": (
-        ("translation", "a form feature follows the sheet; a pose can only turn it"),
+        ("translation", "a form feature follows the sheet; a pose can turn it and set its size"),
         ("pivot", "a form feature turns about its own centre"),
-        ("target", "a form feature follows the sheet; a pose can only turn it"),
+        ("target", "a form feature follows the sheet; a pose can turn it and set its size"),
     ),
     "point": (
+        ("size", "only form features have a size"),
         ("translation", "a point goes to its target"),
         ("pivot", "a point goes to its target"),
     ),
@@ -197,6 +205,13 @@ def _motion(region: RegionEntry, motion: Motion) -> Iterator[Fault]:
         if getattr(motion, key) is not None:
             what = f'"{key}" has no meaning for the {region.kind} "{region.name}"'
             yield Fault(f"{motion.where}.{key}", what, f"leave it out: {reason}")
+    if motion.size is not None and region.kind == "feature" and region.size is None:
+        what = f'the feature "{region.name}" has no size in the recipe'
+        yield Fault(f"{motion.where}.size", what, f'add "size": ... to {region.where}')
+    if motion.rotation is not None and region.kind == "handle" and region.turning == "free":
+        what = f'the rotation of the handle "{region.name}" is free'
+        todo = f'leave it out, or remove "rotation": "free" from {region.where}'
+        yield Fault(f"{motion.where}.rotation", what, todo)
     if motion.rotation is not None and region.rotation is None and region.kind != "handle":
         what = f'the {region.kind} "{region.name}" has no rotation of its own in the recipe'
         todo = f'add "rotation": {{"axis": ..., "degrees": 0}} to {region.where}'

@@ -9,9 +9,19 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from .feature_entries import (
+    RELATIONS,
+    FeatureMotion,
+    RelationEntry,
+    SymmetryEntry,
+    Vector,
+    feature_motion_of,
+    number_of,
+    relation_of,
+    symmetry_of,
+    vector_of,
+)
 from .places import place_of
-
-Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -48,8 +58,9 @@ class RegionEntry:
     """Vertices of a part (file ids, each once, in the recipe's order) or a point on a triangle.
 
     kind: "fixed", "handle", "feature", "point", "follower" or "side" (of a contact); pivot of a
-    handle (None: centroid); rotation of a feature (None: interpolated) or of a point (None: free to
-    turn); target of a point.
+    handle (None: centroid); turning: "free" (the energy's), "interpolated" or "prescribed" of a
+    feature, "free" or "prescribed" of a handle; rotation of a prescribed feature or of a point
+    (None: free to turn); motion and size (mm) of a feature; target of a point.
     """
 
     where: str
@@ -62,6 +73,9 @@ class RegionEntry:
     pivot: Vector | None = None
     rotation: Rotation | None = None
     target: Vector | None = None
+    turning: str = "prescribed"
+    motion: FeatureMotion = FeatureMotion()
+    size: float | None = None
 
     @property
     def is_point(self) -> bool:
@@ -78,6 +92,7 @@ class Motion:
     rotation: Rotation | None = None
     pivot: Vector | None = None
     target: Vector | None = None
+    size: float | None = None
 
 
 @dataclass(frozen=True)
@@ -109,6 +124,9 @@ class Model:
     energy: str = "neumann"
     regions: list[RegionEntry] = field(default_factory=list)
     contacts: list[ContactEntry] = field(default_factory=list)
+    relations: list[RelationEntry] = field(default_factory=list)
+    symmetry: SymmetryEntry | None = None
+    refine: bool = False
     propagation: PropagationEntry = PropagationEntry()
     pose: dict[str, Motion] = field(default_factory=dict)
 
@@ -153,6 +171,13 @@ def model_of(recipe: dict[str, Any]) -> Model:
         energy=recipe.get("energy", "neumann"),
         regions=regions,
         contacts=contacts,
+        relations=[
+            relation_of(kind, where, k, entry)
+            for section, kind in RELATIONS
+            for where, k, entry in _entries(recipe, section)
+        ],
+        symmetry=symmetry_of(recipe.get("symmetry")),
+        refine=bool(recipe.get("refine", False)),
         propagation=_propagation(**recipe.get("propagation", {})),
         pose=motions_of(recipe.get("pose", {})),
     )
@@ -193,10 +218,11 @@ def motions_of(pose: dict[str, Any]) -> dict[str, Motion]:
     return {
         name: Motion(
             f"pose.{name}",
-            _vector(entry.get("translation")),
+            vector_of(entry.get("translation")),
             _rotation(entry.get("rotation")),
-            _vector(entry.get("pivot")),
-            _vector(entry.get("target")),
+            vector_of(entry.get("pivot")),
+            vector_of(entry.get("target")),
+            number_of(entry.get("size")),
         )
         for name, entry in pose.items()
     }
@@ -212,18 +238,23 @@ def _region(kind: str, where: str, k: int, entry: dict[str, Any]) -> RegionEntry
         part=entry["part"],
         vertices=None if vertices is None else list(dict.fromkeys(map(int, vertices))),
         triangle=None if triangle is None else int(triangle),
-        barycentric=_vector(entry.get("barycentric")),
-        pivot=_vector(entry.get("pivot")),
+        barycentric=vector_of(entry.get("barycentric")),
+        pivot=vector_of(entry.get("pivot")),
         rotation=_rotation(entry.get("rotation")),
-        target=_vector(entry.get("target")),
+        target=vector_of(entry.get("target")),
+        turning=_turning(entry.get("rotation"), "free" if kind == "feature" else "prescribed"),
+        motion=feature_motion_of(entry.get("motion", {})),
+        size=number_of(entry.get("size")),
     )
 
 
-def _vector(value: Any) -> Vector | None:
-    return None if value is None else (float(value[0]), float(value[1]), float(value[2]))
+def _turning(rotation: Any, default: str) -> str:
+    if isinstance(rotation, dict):
+        return "prescribed"
+    return default if rotation is None else rotation
 
 
 def _rotation(value: Any) -> Rotation | None:
     if not isinstance(value, dict):
         return None
-    return Rotation(_vector(value["axis"]), math.radians(value["degrees"]))
+    return Rotation(vector_of(value["axis"]), math.radians(value["degrees"]))

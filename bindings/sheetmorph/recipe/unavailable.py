@@ -22,23 +22,15 @@ class _Reserved:
     todo: str = "leave it out"
 
 
-_TOP = ("groups", "coaxial", "distance", "symmetry")
-_OPTIONS = ("refine", "remesh", "thin", "weld", "margin", "thickness", "criteria", "poses", "modes")
+_OPTIONS = ("remesh", "thin", "weld", "margin", "thickness", "criteria", "poses", "modes")
 _RESERVED = (
-    *(_Reserved((key,)) for key in (*_TOP, *_OPTIONS)),
-    *(_Reserved(("parts", "*", key)) for key in _OPTIONS),
-    *(_Reserved(("features", "*", key)) for key in ("size", "groups", "coaxial", "distance")),
-    _Reserved(("handles", "*", "rotation")),
-    _Reserved(("pose", "*", "size")),
+    *(_Reserved((key,)) for key in _OPTIONS),
+    *(_Reserved(("parts", "*", key)) for key in ("refine", *_OPTIONS)),
+    *(_Reserved(("features", "*", key)) for key in ("groups", "coaxial", "distance")),
     _Reserved(("features",), "auto", "list the features"),
     _Reserved(("contacts",), "auto", "list the contacts"),
     _Reserved(("energy",), "natural", 'use "neumann" or "paper"'),
     _Reserved(("operator",), "intrinsic", 'use "cotangent"'),
-    _Reserved(("features", "*", "rotation"), "free", 'use "interpolated" or a rotation'),
-    *(
-        _Reserved(("features", "*", "motion"), kind, 'use {"type": "free"} or leave motion out')
-        for kind in ("fixed", "translation", "plane", "line", "axis")
-    ),
 )
 
 
@@ -49,9 +41,8 @@ def take_out(recipe: dict[str, Any]) -> tuple[dict[str, Any], list[Fault]]:
     for reserved in _RESERVED:
         for holder, key, place in _matches(rest, reserved.path):
             value = holder[key]
-            asked = value.get("type") if key == "motion" and isinstance(value, dict) else value
-            if reserved.value is _ANY or asked == reserved.value:
-                text = key if reserved.value is _ANY else f'{key} "{asked}"'
+            if reserved.value is _ANY or value == reserved.value:
+                text = key if reserved.value is _ANY else f'{key} "{value}"'
                 what = f"not available in this version: {text}"
                 faults.append(Fault(place_of(recipe, place), what, reserved.todo))
                 del holder[key]

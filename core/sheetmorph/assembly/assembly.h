@@ -2,10 +2,11 @@
 #pragma once
 
 #include "sheetmorph/assembly/contact.h"
+#include "sheetmorph/assembly/pose.h"
+#include "sheetmorph/assembly/relations.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/constraints.h"
 
-#include <map>
 #include <optional>
 
 namespace sheetmorph
@@ -35,15 +36,19 @@ struct PartHandle
     std::string name;
     int part = 0;
     VertexIds vertices;
+    bool is_rotation_free = false;  //!< the pose shifts it, the energy turns it
 };
 
-//! A form feature of one part; its rotation is interpolated, or the pose prescribes it.
+//! A form feature of one part.
 struct PartFeature
 {
     std::string name;
     int part = 0;
     VertexIds vertices;
-    bool is_prescribed = false;
+    FeatureRotation rotation = FeatureRotation::free;
+    FeatureMotion motion;
+    std::optional<double> size;  //!< mm: diameter of a hole, length of a slot, radius of a cylinder
+    bool is_resizable = false;   //!< a pose may set its size too
 };
 
 //! A point on a triangle of one part.
@@ -66,15 +71,11 @@ struct Assembly
     std::vector<PartPoint> points;
     std::vector<PartRegion> followers;  //!< regions of modes 2 that no contact names
     std::vector<Contact> contacts;
+    std::vector<FeatureGroup> groups;
+    std::vector<FeaturePair> pairs;
+    std::optional<SymmetryPlane> symmetry;
+    bool is_refined = false;  //!< exact answers are refined for large rotations (local-global)
     Propagation propagation;
-};
-
-//! The few numbers that decide every shape: what a document stores and a drag changes.
-struct Pose
-{
-    std::map<std::string, RigidMotion> handles;   //!< no motion where left out
-    std::map<std::string, Vector3> feature_logs;  //!< of prescribed features (2.6); none left out
-    std::map<std::string, PointTarget> points;    //!< every point needs one
 };
 
 }  // namespace sheetmorph

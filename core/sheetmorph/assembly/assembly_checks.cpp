@@ -4,6 +4,7 @@
 #include "sheetmorph/base/errors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace sheetmorph
@@ -11,6 +12,11 @@ namespace sheetmorph
 
 namespace
 {
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
 
 template <typename Named>
 void check_names(const std::string& kind, const std::vector<Named>& list)
@@ -105,6 +111,78 @@ void check_followers(const Assembly& assembly)
         check_side(assembly, {"follower " + follower.name, {}, {}, {}}, follower);
 }
 
+bool has_direction(FeatureMotion::Type type)
+{
+    return type == FeatureMotion::Type::plane || type == FeatureMotion::Type::line
+           || type == FeatureMotion::Type::axis;
+}
+
+void check_motions(const Assembly& assembly)
+{
+    for (const PartFeature& feature : assembly.features)
+    {
+        const FeatureMotion& motion = feature.motion;
+        if (!has_direction(motion.type))
+            continue;
+        if (!motion.point.allFinite() || !(std::abs(motion.direction.norm() - 1.0) < 1e-9))
+            throw InvalidInput("feature '" + feature.name
+                               + "': its motion needs a direction of length 1 and a finite point");
+    }
+}
+
+void check_feature_index(const Assembly& assembly, const std::string& what, int feature)
+{
+    if (feature < 0 || static_cast<std::size_t>(feature) >= assembly.features.size())
+        throw InvalidInput(what + " names feature " + std::to_string(feature)
+                           + ", which does not exist");
+}
+
+void check_groups(const Assembly& assembly)
+{
+    for (const FeatureGroup& group : assembly.groups)
+    {
+        const std::string what = "group '" + group.name + "'";
+        if (group.features.size() < 2)
+            throw InvalidInput(what + " has fewer than two features; add one or delete it");
+        for (const int feature : group.features)
+        {
+            check_feature_index(assembly, what, feature);
+            const PartFeature& first = assembly.features[at(group.features.front())];
+            const PartFeature& other = assembly.features[at(feature)];
+            if (first.part != other.part)
+                throw InvalidInput(what + " joins feature '" + first.name + "' of part '"
+                                   + assembly.parts[at(first.part)].name + "' and feature '"
+                                   + other.name + "' of part '"
+                                   + assembly.parts[at(other.part)].name
+                                   + "'; a group is on one part, join parts by a contact of type "
+                                     "rigid");
+        }
+    }
+}
+
+void check_pairs(const Assembly& assembly)
+{
+    for (const FeaturePair& pair : assembly.pairs)
+    {
+        const std::string what = "pair '" + pair.name + "'";
+        check_feature_index(assembly, what, pair.a);
+        check_feature_index(assembly, what, pair.b);
+        if (pair.a == pair.b)
+            throw InvalidInput(what + " names feature '" + assembly.features[at(pair.a)].name
+                               + "' twice; choose two features");
+    }
+}
+
+void check_symmetry(const Assembly& assembly)
+{
+    if (!assembly.symmetry)
+        return;
+    const SymmetryPlane& plane = *assembly.symmetry;
+    if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1.0) < 1e-9))
+        throw InvalidInput(
+            "the plane of symmetry needs a finite point and a normal of length 1; give both");
+}
+
 }  // namespace
 
 void check_assembly(const Assembly& assembly)
@@ -131,6 +209,12 @@ void check_assembly(const Assembly& assembly)
     check_vertices("feature", assembly.features, assembly);
     check_names("contact", assembly.contacts);
     check_contacts(assembly);
+    check_names("group", assembly.groups);
+    check_names("pair", assembly.pairs);
+    check_motions(assembly);
+    check_groups(assembly);
+    check_pairs(assembly);
+    check_symmetry(assembly);
     check_followers(assembly);
     check_propagation(assembly.propagation);
 }

@@ -30,18 +30,17 @@ DeformationSession& DeformationSession::operator=(DeformationSession&&) noexcept
 
 Deformed DeformationSession::deform(const Pose& pose, Exactness exactness) const
 {
-    check_pose_names(data_->assembly, pose);
-    return Wave(*data_, pose, exactness).run();
+    const Pose told = told_pose(*data_, pose);
+    return Wave(*data_, told, exactness).run();
 }
 
 std::unique_ptr<LiveDrag> DeformationSession::begin_drag(const std::vector<std::string>& handles,
                                                          const Pose& start) const
 {
     for (const std::string& name : handles)
-        check_pose_names(data_->assembly, Pose{{{name, RigidMotion{}}}, {}, {}});
-    check_pose_names(data_->assembly, start);
-    return std::make_unique<LiveDrag>(data_, std::set<std::string>(handles.begin(), handles.end()),
-                                      start);
+        check_pose_names(data_->assembly, Pose{{{name, RigidMotion{}}}, {}, {}, {}});
+    return std::make_unique<LiveDrag>(data_, with_mirrors(*data_, handles),
+                                      told_pose(*data_, start));
 }
 
 std::optional<ShownControlMesh> DeformationSession::control_mesh(int contact,
@@ -57,6 +56,11 @@ std::optional<ShownControlMesh> DeformationSession::control_mesh(int contact,
 const Assembly& DeformationSession::assembly() const
 {
     return data_->assembly;
+}
+
+const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() const
+{
+    return data_->shapes;
 }
 
 const PropagationPlan& DeformationSession::plan() const

@@ -5,6 +5,7 @@
 #include "sheetmorph/assembly/motion_link.h"
 #include "sheetmorph/assembly/propagation_plan.h"
 #include "sheetmorph/base/progress.h"
+#include "sheetmorph/mesh/feature_shape.h"
 #include "sheetmorph/surface/surface_deformer.h"
 
 #include <memory>
@@ -17,8 +18,10 @@ struct FeatureResult
 {
     std::string name;
     int part = 0;
-    RigidMotion motion;       //!< about the feature's rest centroid
-    double edge_error = 0.0;  //!< worst |p_i - p_j - R (p_hat_i - p_hat_j)| over its edges, mm
+    RigidMotion motion;          //!< about the feature's rest centroid
+    double edge_error = 0.0;     //!< worst |p_i - p_j - R (p_hat_i - p_hat_j)| over its edges, mm
+    std::optional<double> size;  //!< mm, of features whose size is set
+    double outline_error = 0.0;  //!< worst distance of its rim from the exact circle of that size
 };
 
 //! Every part in one pose. Edge errors, contacts and spread are measured by
@@ -26,7 +29,7 @@ struct FeatureResult
 struct Deformed
 {
     std::vector<Deformation> parts;         //!< by part; features hold those of the assembly first
-    std::vector<FeatureResult> features;    //!< in the assembly's order
+    std::vector<FeatureResult> features;    //!< in the order of assembly().features
     std::vector<ContactFidelity> contacts;  //!< of plan().measured
     double spread = 0.0;  //!< mm: how far apart, at most, several contacts want one vertex
 };
@@ -72,7 +75,11 @@ public:
     //! for other contacts.
     std::optional<ShownControlMesh> control_mesh(int contact, const Deformed& pose) const;
 
+    //! What the session deforms: with a plane of symmetry, more than it was given.
     const Assembly& assembly() const;
+
+    //! By feature of assembly(): what it is, where its size can be set.
+    const std::vector<std::optional<FeatureShape>>& shapes() const;
 
     //! Order, levels, directions of contacts and unreached parts.
     const PropagationPlan& plan() const;

@@ -32,18 +32,26 @@ std::vector<FeatureEdges> edges_of_features(const TriangleMesh& rest,
     return edges;
 }
 
-double edge_error(const TriangleMesh& rest, const FeatureEdges& edges, const Points& positions,
+double edge_error(const Points& rest, const FeatureEdges& edges, const Points& positions,
                   const RigidMotion& motion)
 {
     const Matrix3 rotation = motion.rotation();
     double worst = 0.0;
     for (const auto& [a, b] : edges)
     {
-        const Vector3 before = (rest.points().row(a) - rest.points().row(b)).transpose();
+        const Vector3 before = (rest.row(a) - rest.row(b)).transpose();
         const Vector3 after = (positions.row(a) - positions.row(b)).transpose();
         worst = std::max(worst, (after - rotation * before).norm());
     }
     return worst;
+}
+
+double outline_error(const SizedForm& form, const Points& deformed, const Matrix3& rotation)
+{
+    const Eigen::RowVector3d from = deformed.colwise().mean();
+    const Points turned_back = (deformed.rowwise() - from) * rotation;
+    const Points placed = turned_back.rowwise() + form.rest.colwise().mean();
+    return form.shape.outline_error(placed, form.size);
 }
 
 }  // namespace sheetmorph

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/mesh/feature_shape.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
 #include <utility>
@@ -17,7 +18,20 @@ std::vector<FeatureEdges> edges_of_features(const TriangleMesh& rest,
                                             const std::vector<VertexIds>& features);
 
 //! How far a form feature is from (2.4): the worst |p_i - p_j - R (p_hat_i - p_hat_j)|, mm.
-double edge_error(const TriangleMesh& rest, const FeatureEdges& edges, const Points& positions,
+//! \param rest  (n, 3) mm; where features have a size, with that
+double edge_error(const Points& rest, const FeatureEdges& edges, const Points& positions,
                   const RigidMotion& motion);
+
+//! A form feature with the size that a pose gives it.
+struct SizedForm
+{
+    const FeatureShape& shape;
+    double size = 0.0;  //!< mm
+    Points rest;        //!< (k, 3) mm, with that size
+};
+
+//! How far its rim is, at most, from the exact circle (slot, cylinder) of its size, mm.
+//! \param deformed  (k, 3) mm
+double outline_error(const SizedForm& form, const Points& deformed, const Matrix3& rotation);
 
 }  // namespace sheetmorph

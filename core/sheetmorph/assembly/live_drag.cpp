@@ -64,7 +64,8 @@ public:
         for (const int part : prepared.plan.order)
         {
             const PreparedPart& ready = prepared.parts[at(part)];
-            if (!ready.deformer || !SurfaceResponse::is_possible(ready.problem.own.surface))
+            if (!ready.deformer || ready.deformer->turns_by_energy()
+                || !SurfaceResponse::is_possible(ready.problem.own.surface))
                 continue;
             ResponseOptions options = options_of(prepared, part, dragged, start);
             if (!options.turning.empty() && options.turning.size() <= 2)
@@ -159,8 +160,8 @@ LiveDrag::~LiveDrag() = default;
 
 const Deformed& LiveDrag::frame(const Pose& pose)
 {
-    check_pose_names(prepared_->assembly, pose);
-    answered_ = Wave(*prepared_, pose, Exactness::live).run_live(background_->ready(), result_);
+    const Pose told = told_pose(*prepared_, pose);
+    answered_ = Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), result_);
     return result_;
 }
 

@@ -13,20 +13,26 @@ struct PartConstraints
     std::vector<int> handles;   //!< index into Assembly::handles, in the order of surface.handles
     std::vector<int> features;  //!< index into Assembly::features
     std::vector<int> points;    //!< index into Assembly::points
+    std::vector<int> leaders;   //!< by link: the leading feature if on another part, else -1
 
     //! Whether a pose can move the part.
     bool is_driven() const;
 };
 
-//! Collects what an assembly says about one part.
+//! Collects what an assembly says about one part; groups too, but not the pairs of features, whose
+//! leaders the propagation order decides.
 PartConstraints constraints_of_part(const Assembly& assembly, int part);
 
-//! The pose of one part; handles left out do not move, prescribed rotations left out are none.
+//! Where a feature of the assembly stands among those of its part.
+int local_feature(const PartConstraints& constraints, int feature);
+
+//! The pose of one part; handles left out do not move, prescribed rotations left out are none,
+//! sizes left out are the description's.
 //! \throws InvalidInput if a point has no target
 SurfaceTargets targets_of_part(const Assembly& assembly, const PartConstraints& constraints,
                                const Pose& pose);
 
-//! \throws InvalidInput naming what the pose moves but the assembly does not have
+//! \throws InvalidInput naming what the pose tells but the assembly does not have or cannot be told
 void check_pose_names(const Assembly& assembly, const Pose& pose);
 
 }  // namespace sheetmorph

@@ -29,9 +29,29 @@ void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& wel
         if (weld.source_part == part)
         {
             problem.own.surface.features.push_back(
-                {weld.name, weld.source, false, "rigid contact"});
+                {weld.name, weld.source, FeatureRotation::free, "rigid contact", {}, false});
             problem.carriers.push_back(static_cast<int>(k));
         }
+    }
+}
+
+void add_pairs(const Assembly& assembly, int part, const std::vector<PlannedPair>& pairs,
+               PartProblem& problem)
+{
+    for (const PlannedPair& pair : pairs)
+    {
+        if (assembly.features[at(pair.follower)].part != part)
+            continue;
+        const bool is_led_here = assembly.features[at(pair.leader)].part == part;
+        FeatureLink link;
+        link.name = pair.name;
+        link.type = pair.type;
+        link.follower = local_feature(problem.own, pair.follower);
+        link.leader = is_led_here ? local_feature(problem.own, pair.leader) : -1;
+        link.centre = pair.centre;
+        link.direction = pair.direction;
+        problem.own.surface.links.push_back(link);
+        problem.own.leaders.push_back(is_led_here ? -1 : pair.leader);
     }
 }
 
@@ -114,14 +134,13 @@ Matrix3 mean_rotation(const std::vector<LinkRow>& rows, const EarlierParts& earl
 
 }  // namespace
 
-PartProblem problem_of_part(const Assembly& assembly, int part,
-                            const std::vector<PlannedLink>& links,
-                            const std::vector<RigidWeld>& welds)
+PartProblem problem_of_part(const Assembly& assembly, int part, const Passages& passages)
 {
     PartProblem problem;
     problem.own = constraints_of_part(assembly, part);
-    add_welds(problem, part, welds);
-    add_propagated(problem, claims_on(assembly, part, links), links);
+    add_welds(problem, part, passages.welds);
+    add_pairs(assembly, part, passages.pairs, problem);
+    add_propagated(problem, claims_on(assembly, part, passages.links), passages.links);
     return problem;
 }
 
@@ -132,6 +151,9 @@ SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& pro
     for (const int weld : problem.carried)
         targets.handles.push_back(earlier.welds[at(weld)]);
     targets.feature_logs.resize(problem.own.surface.features.size(), Vector3::Zero());
+    targets.sizes.resize(problem.own.surface.features.size());
+    for (const int leader : problem.own.leaders)
+        targets.leaders.push_back(leader < 0 ? RigidMotion{} : earlier.features[at(leader)]);
     for (const auto& region : problem.propagated)
     {
         const auto count = static_cast<Eigen::Index>(region.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/assembly/link_plan.h"
+#include "sheetmorph/assembly/pair_plan.h"
 #include "sheetmorph/assembly/part_pose.h"
 #include "sheetmorph/surface/surface_deformer.h"
 #include "sheetmorph/volume/volume_link.h"
@@ -31,16 +32,22 @@ struct PartProblem
     bool is_driven() const { return own.is_driven(); }
 };
 
-//! \param plan_links, plan_welds of the whole assembly
-PartProblem problem_of_part(const Assembly& assembly, int part,
-                            const std::vector<PlannedLink>& links,
-                            const std::vector<RigidWeld>& welds);
+//! What passes motion from part to part, of the whole assembly.
+struct Passages
+{
+    const std::vector<PlannedLink>& links;
+    const std::vector<RigidWeld>& welds;
+    const std::vector<PlannedPair>& pairs;
+};
+
+PartProblem problem_of_part(const Assembly& assembly, int part, const Passages& passages);
 
 //! What the earlier parts of the order have become.
 struct EarlierParts
 {
-    const std::vector<LinkedTargets>& links;  //!< by link; empty if not reached yet
-    const std::vector<RigidMotion>& welds;    //!< by weld: motion of its body
+    const std::vector<LinkedTargets>& links;   //!< by link; empty if not reached yet
+    const std::vector<RigidMotion>& welds;     //!< by weld: motion of its body
+    const std::vector<RigidMotion>& features;  //!< of the assembly: about its rest centroid
 };
 
 //! The pose of one part, with what earlier parts bring.

@@ -146,19 +146,26 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
 {
     check_assembly(assembly);
     PreparedAssembly prepared;
+    if (assembly.symmetry)
+    {
+        prepared.symmetry = complete_by_symmetry(assembly);
+        check_assembly(assembly);
+    }
     prepared.assembly = std::move(assembly);
+    prepared.shapes = shapes_of_sized(prepared.assembly);
     const Assembly& given = prepared.assembly;
     prepared.plan = plan_propagation(given);
     const ControlBoxes boxes(given);
     prepared.planned = plan_links(given, prepared.plan, boxes);
     prepared.welds = plan_welds(given, prepared.plan);
+    prepared.pairs = plan_pairs(given, prepared.plan);
     for (const DirectedContact& contact : prepared.plan.measured)
         prepared.gauges.emplace_back(given, contact);
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
+    const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
-        prepared.parts.push_back(
-            {problem_of_part(given, part, prepared.planned, prepared.welds), {}, nullptr});
+        prepared.parts.push_back({problem_of_part(given, part, passages), {}, nullptr});
     Preparation preparation(prepared, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);
@@ -167,6 +174,27 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     preparation.run(progress);
     progress.report(1.0, "ready");
     return prepared;
+}
+
+Pose told_pose(const PreparedAssembly& prepared, const Pose& pose)
+{
+    check_pose_names(prepared.assembly, pose);
+    check_sizes(prepared.assembly, prepared.shapes, pose);
+    return prepared.symmetry ? symmetric_pose(prepared.assembly, *prepared.symmetry, pose) : pose;
+}
+
+std::set<std::string> with_mirrors(const PreparedAssembly& prepared,
+                                   const std::vector<std::string>& handles)
+{
+    std::set<std::string> names(handles.begin(), handles.end());
+    if (!prepared.symmetry)
+        return names;
+    const std::set<std::string> given = names;
+    for (const auto& [a, b] : prepared.symmetry->handles)
+        for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+            if (given.count(prepared.assembly.handles[at(one)].name) > 0)
+                names.insert(prepared.assembly.handles[at(other)].name);
+    return names;
 }
 
 }  // namespace sheetmorph

@@ -3,7 +3,11 @@
 
 #include "sheetmorph/assembly/deformation_session.h"
 #include "sheetmorph/assembly/feature_error.h"
+#include "sheetmorph/assembly/feature_sizes.h"
 #include "sheetmorph/assembly/part_problem.h"
+#include "sheetmorph/assembly/symmetry_plan.h"
+
+#include <set>
 
 namespace sheetmorph
 {
@@ -29,10 +33,13 @@ struct PreparedPart
 //! Everything a session knows before a pose.
 struct PreparedAssembly
 {
-    Assembly assembly;
+    Assembly assembly;  //!< completed where it has a plane of symmetry
+    std::optional<SymmetryPlan> symmetry;
+    std::vector<std::optional<FeatureShape>> shapes;  //!< by feature, of sized ones
     PropagationPlan plan;
     std::vector<PlannedLink> planned;
     std::vector<RigidWeld> welds;
+    std::vector<PlannedPair> pairs;
     std::vector<PreparedLink> links;  //!< as planned
     std::vector<PreparedPart> parts;
     std::vector<ContactGauge> gauges;  //!< as plan.measured
@@ -42,5 +49,13 @@ struct PreparedAssembly
 //! Plans, then builds all parts and links in parallel, taking over from `previous` what fits.
 PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
                                   const PreparedAssembly* previous);
+
+//! What a pose tells the prepared assembly: with a plane of symmetry, of both sides.
+//! \throws InvalidInput naming what the pose tells in vain, or differently on both sides
+Pose told_pose(const PreparedAssembly& prepared, const Pose& pose);
+
+//! Handles, with those that mirror them.
+std::set<std::string> with_mirrors(const PreparedAssembly& prepared,
+                                   const std::vector<std::string>& handles);
 
 }  // namespace sheetmorph

@@ -25,6 +25,15 @@ std::vector<std::vector<int>> neighbours(const Assembly& assembly)
         found[at(contact.a.part)].push_back(contact.b.part);
         found[at(contact.b.part)].push_back(contact.a.part);
     }
+    for (const FeaturePair& pair : assembly.pairs)
+    {
+        const int a = assembly.features[at(pair.a)].part;
+        const int b = assembly.features[at(pair.b)].part;
+        if (a == b)
+            continue;
+        found[at(a)].push_back(b);
+        found[at(b)].push_back(a);
+    }
     return found;
 }
 

@@ -18,7 +18,9 @@ struct DirectedContact
 
 //! In which order parts are deformed, and which contacts decide each (section 4.2).
 //! Breadth-first from the primary part, ties inside a level by part name; a part is constrained by
-//! every contact with an earlier part, so that the order is a directed acyclic graph.
+//! every contact with an earlier part, so that the order is a directed acyclic graph. Two parts
+//! with a pair of form features that keep an axis or a distance are neighbours like those in
+//! contact.
 struct PropagationPlan
 {
     std::vector<int> order;  //!< parts that are reached, the primary first

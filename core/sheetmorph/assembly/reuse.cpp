@@ -26,21 +26,50 @@ bool same_regions(const std::vector<Region>& a, const std::vector<Region>& b)
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
-bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
+bool same_features(const std::vector<FormFeature>& a, const std::vector<FormFeature>& b)
 {
-    const auto equal_prescription = [](const FormFeature& x, const FormFeature& y)
-    { return x.is_prescribed == y.is_prescribed; };
-    const auto equal_point = [](const PointConstraint& x, const PointConstraint& y)
+    const auto equal = [](const FormFeature& x, const FormFeature& y)
+    {
+        return x.rotation == y.rotation && x.motion.type == y.motion.type
+               && x.motion.point == y.motion.point && x.motion.direction == y.motion.direction
+               && x.is_resizable == y.is_resizable;
+    };
+    return same_regions(a, b) && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_handles(const std::vector<KnownRegion>& a, const std::vector<KnownRegion>& b)
+{
+    const auto equal = [](const KnownRegion& x, const KnownRegion& y)
+    { return x.is_rotation_free == y.is_rotation_free; };
+    return same_regions(a, b) && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_points(const std::vector<PointConstraint>& a, const std::vector<PointConstraint>& b)
+{
+    const auto equal = [](const PointConstraint& x, const PointConstraint& y)
     {
         return x.name == y.name && x.triangle == y.triangle && x.barycentric == y.barycentric
-               && x.is_turned == y.is_turned;
+               && x.is_turned == y.is_turned && x.is_rotation_free == y.is_rotation_free;
     };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_links(const std::vector<FeatureLink>& a, const std::vector<FeatureLink>& b)
+{
+    const auto equal = [](const FeatureLink& x, const FeatureLink& y)
+    {
+        return x.name == y.name && x.type == y.type && x.follower == y.follower
+               && x.leader == y.leader && x.centre == y.centre && x.direction == y.direction;
+    };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
+{
     return a.energy == b.energy && same_regions(a.fixed, b.fixed)
-           && same_regions(a.handles, b.handles) && same_regions(a.features, b.features)
-           && std::equal(a.features.begin(), a.features.end(), b.features.begin(),
-                         equal_prescription)
-           && same_regions(a.propagated, b.propagated) && a.points.size() == b.points.size()
-           && std::equal(a.points.begin(), a.points.end(), b.points.begin(), equal_point);
+           && same_handles(a.handles, b.handles) && same_features(a.features, b.features)
+           && same_regions(a.propagated, b.propagated) && same_points(a.points, b.points)
+           && a.groups == b.groups && same_links(a.links, b.links);
 }
 
 bool same_box(const OrientedBox& a, const OrientedBox& b)

@@ -29,7 +29,8 @@ Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactne
       pose_(pose),
       exactness_(exactness),
       links_(prepared.links.size()),
-      welds_(prepared.welds.size())
+      welds_(prepared.welds.size()),
+      motions_(prepared.assembly.features.size())
 {
 }
 
@@ -97,7 +98,7 @@ void Wave::set_at_rest(int part, Deformation& shape) const
 SurfaceTargets Wave::targets_of(int part) const
 {
     return targets_in_order(prepared_.assembly, prepared_.parts[at(part)].problem, pose_,
-                            {links_, welds_});
+                            {links_, welds_, motions_});
 }
 
 void Wave::substitute(int index)
@@ -109,8 +110,8 @@ void Wave::substitute(int index)
     try
     {
         if (exactness_ == Exactness::exact)
-            result_->spread =
-                std::max(result_->spread, spread_of_targets(part.problem, {links_, welds_}));
+            result_->spread = std::max(result_->spread,
+                                       spread_of_targets(part.problem, {links_, welds_, motions_}));
         shape = part.deformer->deform(targets_of(index), exactness_);
     }
     catch (const InvalidInput& fault)
@@ -169,23 +170,62 @@ void Wave::pass_on(int index)
     const PartProblem& problem = prepared_.parts[at(index)].problem;
     for (std::size_t k = 0; k < problem.carriers.size(); ++k)
         welds_[at(problem.carriers[k])] = shape.features[problem.own.features.size() + k];
+    for (std::size_t k = 0; k < problem.own.features.size(); ++k)
+        motions_[at(problem.own.features[k])] = shape.features[k];
+}
+
+// The part at rest with the sizes of the pose.
+Points Wave::sized_rest(int index) const
+{
+    Points rest = prepared_.assembly.parts[at(index)].mesh.points();
+    for (const int feature : prepared_.parts[at(index)].problem.own.features)
+        if (const std::optional<SizedForm> form = sized_form(feature))
+            for (Eigen::Index k = 0; k < form->rest.rows(); ++k)
+                rest.row(prepared_.assembly.features[at(feature)]
+                             .vertices[static_cast<std::size_t>(k)]) = form->rest.row(k);
+    return rest;
+}
+
+std::optional<SizedForm> Wave::sized_form(int index) const
+{
+    const PartFeature& feature = prepared_.assembly.features[at(index)];
+    const std::optional<FeatureShape>& shape = prepared_.shapes[at(index)];
+    const std::optional<double> size = size_in_pose(feature, pose_);
+    if (!shape || !size)
+        return std::nullopt;
+    const Points rest =
+        rows_of(prepared_.assembly.parts[at(feature.part)].mesh.points(), feature.vertices);
+    return SizedForm{*shape, *size, shape->resized(rest, *size)};
+}
+
+void Wave::report_feature(int part, std::size_t own, const Points& rest)
+{
+    const Deformation& shape = result_->parts[at(part)];
+    const int global = prepared_.parts[at(part)].problem.own.features[own];
+    const PartFeature& feature = prepared_.assembly.features[at(global)];
+    FeatureResult& result = result_->features[at(global)];
+    result = {};
+    result.name = feature.name;
+    result.part = feature.part;
+    result.motion = shape.features[own];
+    if (prepared_.shapes[at(global)])
+        result.size = size_in_pose(feature, pose_);
+    if (rest.rows() == 0)
+        return;
+    result.edge_error =
+        edge_error(rest, prepared_.parts[at(part)].edges[own], shape.positions, result.motion);
+    if (const std::optional<SizedForm> form = sized_form(global))
+        result.outline_error = outline_error(*form, rows_of(shape.positions, feature.vertices),
+                                             result.motion.rotation());
 }
 
 void Wave::report_features(int index)
 {
     const PreparedPart& part = prepared_.parts[at(index)];
-    const Deformation& shape = result_->parts[at(index)];
+    const bool is_measured = exactness_ == Exactness::exact && part.deformer;
+    const Points rest = is_measured ? sized_rest(index) : Points();
     for (std::size_t f = 0; f < part.problem.own.features.size(); ++f)
-    {
-        const std::size_t global = at(part.problem.own.features[f]);
-        const PartFeature& feature = prepared_.assembly.features[global];
-        const bool is_measured = exactness_ == Exactness::exact;
-        const double error = !is_measured
-                                 ? 0.0
-                                 : edge_error(prepared_.assembly.parts[at(index)].mesh,
-                                              part.edges[f], shape.positions, shape.features[f]);
-        result_->features[global] = {feature.name, feature.part, shape.features[f], error};
-    }
+        report_feature(index, f, rest);
 }
 
 void Wave::report_contacts()

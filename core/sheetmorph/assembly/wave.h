@@ -39,7 +39,10 @@ private:
     bool respond(int part, const std::shared_ptr<const SurfaceResponse>& response);
     void pass_on(int part);
     void place_answers() const;
+    Points sized_rest(int part) const;
+    std::optional<SizedForm> sized_form(int feature) const;
     void report_features(int part);
+    void report_feature(int part, std::size_t own, const Points& rest);
     void report_contacts();
 
     const PreparedAssembly& prepared_;
@@ -47,7 +50,8 @@ private:
     Exactness exactness_;
     std::vector<LinkedTargets> links_;
     std::vector<RigidMotion> welds_;
-    std::vector<Answer> answers_;  // rigid motions known, vertices still to be placed
+    std::vector<RigidMotion> motions_;  // by feature of the assembly
+    std::vector<Answer> answers_;       // rigid motions known, vertices still to be placed
     Deformed* result_ = nullptr;
 };
 

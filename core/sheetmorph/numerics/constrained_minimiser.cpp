@@ -109,6 +109,24 @@ ConstrainedMinimiser::Step ConstrainedMinimiser::correct(const Eigen::MatrixXd& 
 
 Eigen::MatrixXd ConstrainedMinimiser::solve(const Targets& targets, int refinements) const
 {
+    return minimum(targets, refinements).u;
+}
+
+ConstrainedMinimiser::Balance ConstrainedMinimiser::balance(const Targets& targets,
+                                                            const Solution& solution) const
+{
+    Balance left;
+    left.residual = problem_.rows * solution.u - targets.rows;
+    left.forces =
+        problem_.rows.transpose() * Eigen::MatrixXd(problem_.weights.asDiagonal() * left.residual);
+    if (problem_.constraints.rows() != 0)
+        left.forces += problem_.constraints.transpose() * solution.multipliers;
+    return left;
+}
+
+ConstrainedMinimiser::Solution ConstrainedMinimiser::minimum(const Targets& targets,
+                                                             int refinements) const
+{
     const Eigen::Index columns = targets.rows.cols();
     Eigen::MatrixXd u = targets.offset;
     Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(problem_.basis.cols(), columns);
@@ -136,7 +154,7 @@ Eigen::MatrixXd ConstrainedMinimiser::solve(const Targets& targets, int refineme
             break;
         last_change = changed;
     }
-    return u;
+    return {std::move(u), std::move(multipliers)};
 }
 
 Eigen::VectorXd ConstrainedMinimiser::constraint_error(const Eigen::MatrixXd& u,

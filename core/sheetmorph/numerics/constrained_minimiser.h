@@ -35,11 +35,29 @@ public:
         Eigen::MatrixXd constraints;  //!< c (c, k)
     };
 
+    struct Solution
+    {
+        Eigen::MatrixXd u;            //!< (n, k)
+        Eigen::MatrixXd multipliers;  //!< (c, k) of C u = c
+    };
+
+    //! What is left at a minimum: forces vanish on everything the basis can move.
+    struct Balance
+    {
+        Eigen::MatrixXd residual;  //!< (r, k) B u - f
+        Eigen::MatrixXd forces;    //!< (n, k) B^T W (B u - f) + C^T multipliers
+    };
+
     //! \param refinements  most steps of iterative refinement on the residual in factored form;
     //!                     fewer are taken once they change nothing that counts
     //! \returns u (n, k); redundant constraints are met, contradicting ones in the mean: compare
     //!          C u with c (constraint_error) where they can occur
     Eigen::MatrixXd solve(const Targets& targets, int refinements) const;
+
+    //! The same with what balance() needs.
+    Solution minimum(const Targets& targets, int refinements) const;
+
+    Balance balance(const Targets& targets, const Solution& solution) const;
 
     //! (c) largest violation of each constraint by u.
     Eigen::VectorXd constraint_error(const Eigen::MatrixXd& u, const Eigen::MatrixXd& c) const;

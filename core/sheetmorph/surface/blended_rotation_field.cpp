@@ -42,6 +42,7 @@ int source_of_body(const Sources& sources, const Body& body, int index)
         case Body::Motion::prescribed:
             return sources.first_body + index;
         case Body::Motion::interpolated:
+        case Body::Motion::free:
             break;
     }
     return Sources::none;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/body_motions.h"
 
+#include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/surface/allowed_motion.h"
+
+#include <Eigen/Geometry>
 
 namespace sheetmorph
 {
@@ -27,6 +31,7 @@ RigidMotion about(const Vector3& centre, const RigidMotion& motion)
 //! The propagated vertices that lie on one body.
 struct Carriers
 {
+    int body = 0;
     Points rest;
     Points targets;
     Points logs;
@@ -53,7 +58,7 @@ Carriers carriers_of(const PlacementInput& part, int body, const SurfaceTargets&
                 found.emplace_back(region, k);
     }
     const auto count = static_cast<Eigen::Index>(found.size());
-    Carriers carriers{Points(count, 3), Points(count, 3), Points(count, 3), {}};
+    Carriers carriers{body, Points(count, 3), Points(count, 3), Points(count, 3), {}};
     for (Eigen::Index row = 0; row < count; ++row)
     {
         const auto [region, k] = found[static_cast<std::size_t>(row)];
@@ -116,38 +121,87 @@ void add_propagated(const PlacementInput& part, const SurfaceTargets& targets,
     }
 }
 
+// The rotation a pose prescribes, none for a feature that only shifts.
+Vector3 told_rotation(const PlacementInput& part, const SurfaceTargets& targets, const Body& body)
+{
+    const FormFeature& feature = part.constraints.features[at(body.driver)];
+    if (feature.rotation != FeatureRotation::prescribed)
+        return Vector3::Zero();
+    const Vector3& log = targets.feature_logs[at(body.driver)];
+    const bool turns_about_axis =
+        body.restricted >= 0
+        && part.constraints.features[at(body.restricted)].motion.type == FeatureMotion::Type::axis;
+    if (turns_about_axis)
+    {
+        const Vector3& axis = part.constraints.features[at(body.restricted)].motion.direction;
+        if (log.cross(axis).norm() > 1e-9 * (1.0 + log.norm()))
+            throw InvalidInput(feature.label()
+                               + " turns about its axis only, but the pose prescribes a rotation "
+                                 "about another one; change the rotation or the motion");
+    }
+    return log;
+}
+
+// The motion of a body that propagated vertices carry, within what its own motion or link allows.
+RigidMotion carried_body(const PlacementInput& part, const SurfaceTargets& targets,
+                         const Carriers& carriers, const BodyMotions& earlier)
+{
+    const Body& body = part.roles.bodies[at(carriers.body)];
+    const RigidMotion best =
+        body.driver < 0
+            ? carried_motion(carriers, body.centre)
+            : carried_with_rotation(carriers, body.centre, told_rotation(part, targets, body));
+    const BodyState wanted{best.rotation(), best.apply(body.centre)};
+    if (body.restricted >= 0)
+        return motion_of(body, nearest_restricted(part, body, wanted), best.rotation_log);
+    if (!body.following)
+        return best;
+    const Following& following = *body.following;
+    const RigidMotion& leading = following.leader < 0 ? targets.leaders[at(following.link)]
+                                                      : earlier.motions[at(following.leader)];
+    const BodyState leader{leading.rotation(), leading.apply(following.centre)};
+    return motion_of(body, nearest_following(part, body, leader, wanted), best.rotation_log);
+}
+
 }  // namespace
+
+RigidMotion motion_of(const Body& body, const BodyState& state, const Vector3& reference)
+{
+    RigidMotion motion;
+    motion.pivot = body.centre;
+    motion.rotation_log = nearest_branch(log_from_rotation(state.rotation), reference);
+    motion.translation = state.centre - body.centre;
+    return motion;
+}
 
 BodyMotions known_body_motions(const PlacementInput& part, const SurfaceTargets& targets)
 {
     const std::vector<Body>& bodies = part.roles.bodies;
     const auto count = static_cast<Eigen::Index>(bodies.size());
     BodyMotions known{std::vector<RigidMotion>(bodies.size()), Points::Zero(count, 3),
-                      Points::Zero(count, 3)};
-    for (std::size_t k = 0; k < bodies.size(); ++k)
+                      Points::Zero(count, 3), part.rest.points()};
+    for (const int index : leaders_first(bodies))
     {
-        const Body& body = bodies[k];
-        RigidMotion& motion = known.motions[k];
+        const Body& body = bodies[at(index)];
+        RigidMotion& motion = known.motions[at(index)];
         motion.pivot = body.centre;
         Vector3 tilt = Vector3::Zero();
         if (body.motion == Body::Motion::handle)
             motion = about(body.centre, targets.handles[at(body.driver)]);
         else if (body.motion == Body::Motion::prescribed)
-            motion.rotation_log = targets.feature_logs[at(body.driver)];
+            motion.rotation_log = told_rotation(part, targets, body);
         Vector3 log = motion.rotation_log;
         if (body.motion == Body::Motion::propagated)
         {
-            const Carriers carriers = carriers_of(part, static_cast<int>(k), targets);
-            motion = body.driver < 0 ? carried_motion(carriers, body.centre)
-                                     : carried_with_rotation(carriers, body.centre,
-                                                             targets.feature_logs[at(body.driver)]);
+            const Carriers carriers = carriers_of(part, index, targets);
+            motion = carried_body(part, targets, carriers, known);
             log = body.driver < 0
                       ? log_near(motion.rotation(), carriers.logs.colwise().mean().transpose())
                       : motion.rotation_log;
             tilt = tilt_beyond(motion.rotation(), log);
         }
-        known.logs.row(static_cast<Eigen::Index>(k)) = log.transpose();
-        known.tilts.row(static_cast<Eigen::Index>(k)) = tilt.transpose();
+        known.logs.row(index) = log.transpose();
+        known.tilts.row(index) = tilt.transpose();
     }
     return known;
 }

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/rotation_field.h"
+#include "sheetmorph/surface/targets.h"
 
 namespace sheetmorph
 {
@@ -13,6 +14,7 @@ struct BodyMotions
     std::vector<RigidMotion> motions;  //!< whole motion of known bodies, about the body's centre
     Points logs;                       //!< (b, 3) rotations, zero where interpolated
     Points tilts;                      //!< (b, 3) what the logs cannot tell: R = exp(tilt) exp(log)
+    Points shape;                      //!< (n, 3) rest positions with the sizes of the pose
 };
 
 //! What the rotation field is given. Near whole turns the logarithm of a rotation leaps; there the
@@ -31,6 +33,16 @@ struct PlacementInput
     const SurfaceConstraints& constraints;
     const VertexRoles& roles;
 };
+
+//! Where a body is: x -> centre + rotation (x - centre at rest).
+struct BodyState
+{
+    Matrix3 rotation = Matrix3::Identity();
+    Vector3 centre = Vector3::Zero();  //!< of the body, mm
+};
+
+//! The same as a motion about the body's centre; the log is the branch nearest to `reference`.
+RigidMotion motion_of(const Body& body, const BodyState& state, const Vector3& reference);
 
 //! Motions of bodies that fixed regions, handles or propagated vertices carry, and the rotations
 //! of prescribed ones.

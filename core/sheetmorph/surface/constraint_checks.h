@@ -3,6 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/targets.h"
 
 namespace sheetmorph
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/surface/feature_motion.h"
 
 #include <string>
 
@@ -22,6 +23,9 @@ struct KnownRegion
     VertexIds vertices;
     std::string kind = "region";  //!< what the user calls it, for messages
 
+    //! A handle alone: the pose gives the displacement of its pivot, the energy its rotation.
+    bool is_rotation_free = false;
+
     //! "handle 'tip'", "contact 'weld1'".
     std::string label() const { return kind + " '" + name + "'"; }
 };
@@ -31,8 +35,10 @@ struct FormFeature
 {
     std::string name;
     VertexIds vertices;
-    bool is_prescribed = false;    //!< its rotation comes with the pose, not from interpolation
+    FeatureRotation rotation = FeatureRotation::free;
     std::string kind = "feature";  //!< what the user calls it, for messages
+    FeatureMotion motion = {};
+    bool is_resizable = false;  //!< a pose may set its size (FeatureShape)
 
     //! "feature 'hole1'", "contact 'weld1'".
     std::string label() const { return kind + " '" + name + "'"; }
@@ -45,6 +51,19 @@ struct PointConstraint
     int triangle = 0;
     Vector3 barycentric = Vector3::Zero();  //!< s, t, u >= 0 with s + t + u = 1
     bool is_turned = false;                 //!< its rotation is given too (2.8)
+    bool is_rotation_free = false;          //!< the energy turns the sheet there
+};
+
+//! Two form features that keep an axis or a distance; the leader's motion may come from another
+//! part.
+struct FeatureLink
+{
+    std::string name;
+    FeatureLinkType type = FeatureLinkType::coaxial;
+    int follower = 0;                      //!< index of the form feature
+    int leader = -1;                       //!< index of the form feature; -1: of another part
+    Vector3 centre = Vector3::Zero();      //!< of the leader at rest, mm
+    Vector3 direction = Vector3::UnitZ();  //!< of the leader's axis at rest, for `coaxial`
 };
 
 //! Everything known about one part before a pose is known.
@@ -54,35 +73,10 @@ struct SurfaceConstraints
     std::vector<KnownRegion> handles;
     std::vector<FormFeature> features;
     std::vector<PointConstraint> points;
-    std::vector<KnownRegion> propagated;  //!< driven by other parts; disjoint from each other
+    std::vector<KnownRegion> propagated;   //!< driven by other parts; disjoint from each other
+    std::vector<std::vector<int>> groups;  //!< form features that move as one rigid body
+    std::vector<FeatureLink> links;
     Energy energy = Energy::neumann;
-};
-
-//! Where a pose puts one point, and how it turns it if the point is turned.
-struct PointTarget
-{
-    Vector3 position = Vector3::Zero();      //!< mm
-    Vector3 rotation_log = Vector3::Zero();  //!< radians (2.6)
-};
-
-//! Where other parts put the vertices of one propagated region.
-struct PropagatedTarget
-{
-    Points positions;      //!< (k, 3) mm
-    Points rotation_logs;  //!< (k, 3) radians (2.6)
-
-    //! k rotations where they are more than their logs can tell (log_near()); empty: those of the
-    //! logs.
-    std::vector<Matrix3> rotations;
-};
-
-//! A pose of one part, in the order of its SurfaceConstraints.
-struct SurfaceTargets
-{
-    std::vector<RigidMotion> handles;
-    std::vector<Vector3> feature_logs;  //!< read for prescribed features only
-    std::vector<PointTarget> points;
-    std::vector<PropagatedTarget> propagated;
 };
 
 }  // namespace sheetmorph

@@ -32,7 +32,7 @@ void place_known(const PlacementInput& part, const SurfaceTargets& targets,
         if (part.roles.role[at(i)] == Role::handle)
             place(i, targets.handles[at(owner)].apply(point));
         else if (part.roles.role[at(i)] == Role::body)
-            place(i, bodies.motions[at(owner)].apply(point));
+            place(i, bodies.motions[at(owner)].apply(Vector3(bodies.shape.row(i))));
     }
 }
 
@@ -54,13 +54,14 @@ void complete_bodies(const PlacementInput& part, const Eigen::MatrixXd& displace
     for (std::size_t k = 0; k < part.roles.bodies.size(); ++k)
     {
         const Body& body = part.roles.bodies[k];
-        if (body.is_known())
+        if (!body.is_open())
             continue;
         const int first = body.vertices.front();
         const Vector3 start = part.rest.points().row(first).transpose();
         RigidMotion& motion = bodies.motions[k];
         motion.translation.setZero();
-        motion.translation = displacements.row(first).transpose() - (motion.apply(start) - start);
+        motion.translation = displacements.row(first).transpose()
+                             - (motion.apply(Vector3(bodies.shape.row(first))) - start);
     }
 }
 

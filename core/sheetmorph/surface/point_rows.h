@@ -4,6 +4,7 @@
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/numerics/sparse_cholesky.h"
 #include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/targets.h"
 
 namespace sheetmorph
 {

@@ -4,6 +4,7 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/targets.h"
 
 #include <memory>
 
@@ -53,6 +54,10 @@ public:
     //! \throws Cancelled if the progress callback asks for it
     std::unique_ptr<SurfaceResponse> response(const ResponseOptions& options,
                                               const Progress& progress = {}) const;
+
+    //! Whether features, handles or points turn or move as the energy decides: every frame then
+    //! finds its minimum anew, and response() knows none of it.
+    bool turns_by_energy() const;
 
     const TriangleMesh& rest() const;
     const SurfaceConstraints& constraints() const;

@@ -182,7 +182,8 @@ bool SurfaceResponse::covers(const SurfaceTargets& targets) const
     const SurfaceConstraints& constraints = input_.part.constraints;
     const auto has = [](const std::vector<int>& list, std::size_t k)
     { return std::find(list.begin(), list.end(), static_cast<int>(k)) != list.end(); };
-    bool is_covered = true;
+    const auto is_set = [](const std::optional<double>& size) { return size.has_value(); };
+    bool is_covered = std::none_of(targets.sizes.begin(), targets.sizes.end(), is_set);
     for (std::size_t k = 0; k < targets.handles.size(); ++k)
     {
         const RigidMotion& motion = targets.handles[k];
@@ -190,9 +191,9 @@ bool SurfaceResponse::covers(const SurfaceTargets& targets) const
                      && (has(shifting_, k) || motion.translation.isZero(0.0));
     }
     for (std::size_t k = 0; k < constraints.features.size(); ++k)
-        is_covered =
-            is_covered
-            && !(constraints.features[k].is_prescribed && !targets.feature_logs[k].isZero(0.0));
+        is_covered = is_covered
+                     && !(constraints.features[k].rotation == FeatureRotation::prescribed
+                          && !targets.feature_logs[k].isZero(0.0));
     for (std::size_t k = 0; k < constraints.points.size(); ++k)
         is_covered =
             is_covered

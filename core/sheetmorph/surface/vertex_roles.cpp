@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/vertex_roles.h"
 
-#include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/surface/constraint_checks.h"
 
 #include <algorithm>
-#include <set>
 
 namespace sheetmorph
 {
@@ -68,67 +66,26 @@ void mark_handle(VertexRoles& roles, const SurfaceConstraints& constraints, int 
                            + " is fixed, so it cannot move; take them out of the fixed region");
 }
 
-std::vector<Body> merge_features(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+// Points of a body's own triangles that turn it: one that is turned, or several that pin it.
+bool is_turned_by_points(const Body& body, const TriangleMesh& mesh,
+                         const SurfaceConstraints& constraints)
 {
-    const auto count = static_cast<int>(constraints.features.size());
-    DisjointSets sets(count);
-    std::vector<int> first_owner(at(mesh.vertex_count()), -1);
-    for (int feature = 0; feature < count; ++feature)
-        for (const int vertex : constraints.features[at(feature)].vertices)
-        {
-            int& owner = first_owner[at(vertex)];
-            if (owner < 0)
-                owner = feature;
-            sets.join(owner, feature);
-        }
-    std::vector<Body> bodies;
-    std::vector<int> body_of(at(count), -1);
-    for (int feature = 0; feature < count; ++feature)
+    const auto is_own = [&](int vertex)
+    { return std::binary_search(body.vertices.begin(), body.vertices.end(), vertex); };
+    int pins = 0;
+    for (const PointConstraint& point : constraints.points)
     {
-        int& body = body_of[at(sets.root(feature))];
-        if (body < 0)
-        {
-            body = static_cast<int>(bodies.size());
-            bodies.emplace_back();
-        }
-        bodies[at(body)].features.push_back(feature);
-        VertexIds& vertices = bodies[at(body)].vertices;
-        const VertexIds& more = constraints.features[at(feature)].vertices;
-        vertices.insert(vertices.end(), more.begin(), more.end());
+        int corners = 0;
+        for (int corner = 0; corner < 3; ++corner)
+            corners += is_own(mesh.triangles()(point.triangle, corner)) ? 1 : 0;
+        if (point.is_turned && corners > 0)
+            return true;
+        pins += corners == 3 ? 1 : 0;
     }
-    for (Body& body : bodies)
-    {
-        std::sort(body.vertices.begin(), body.vertices.end());
-        body.vertices.erase(std::unique(body.vertices.begin(), body.vertices.end()),
-                            body.vertices.end());
-        for (const int vertex : body.vertices)
-            body.centre += mesh.points().row(vertex).transpose();
-        body.centre /= static_cast<double>(body.vertices.size());
-    }
-    return bodies;
+    return pins > 1;
 }
 
-std::string names_of(const Body& body, const SurfaceConstraints& constraints)
-{
-    std::string text;
-    for (const int feature : body.features)
-        text += (text.empty() ? "" : ", ") + constraints.features[at(feature)].label();
-    if (body.features.size() > 1)
-        text += " (one body, since they share vertices)";
-    return text;
-}
-
-//! Everything that wants to move one body.
-struct Drivers
-{
-    bool fixed = false;
-    bool propagated = false;
-    std::set<int> handles;
-    std::vector<int> prescribed;
-};
-
-Drivers drivers_of(const Body& body, const VertexRoles& roles,
-                   const SurfaceConstraints& constraints)
+Drivers drivers_of(const Body& body, const VertexRoles& roles)
 {
     Drivers drivers;
     for (const int vertex : body.vertices)
@@ -138,62 +95,28 @@ Drivers drivers_of(const Body& body, const VertexRoles& roles,
         if (roles.role[at(vertex)] == Role::handle)
             drivers.handles.insert(roles.owner[at(vertex)]);
     }
-    for (const int feature : body.features)
-        if (constraints.features[at(feature)].is_prescribed)
-            drivers.prescribed.push_back(feature);
     return drivers;
 }
 
-void refuse_contradictions(const Body& body, const Drivers& drivers,
-                           const SurfaceConstraints& constraints)
-{
-    std::vector<std::string> movers;
-    if (drivers.fixed)
-        movers.emplace_back("a fixed region");
-    for (const int handle : drivers.handles)
-        movers.push_back(constraints.handles[at(handle)].label());
-    for (const int feature : drivers.prescribed)
-        movers.push_back("the rotation prescribed for '" + constraints.features[at(feature)].name
-                         + "'");
-    if (movers.size() < 2)
-        return;
-    throw InvalidInput(names_of(body, constraints) + " would be torn between " + movers[0] + " and "
-                       + movers[1]
-                       + ", which can move differently; let the rigid shape touch only one");
-}
-
-void decide_motion(Body& body, const Drivers& drivers)
-{
-    if (drivers.fixed)
-        body.motion = Body::Motion::fixed;
-    else if (!drivers.handles.empty())
-    {
-        body.motion = Body::Motion::handle;
-        body.driver = *drivers.handles.begin();
-    }
-    else
-    {
-        if (!drivers.prescribed.empty())
-            body.driver = drivers.prescribed.front();
-        if (drivers.propagated)
-            body.motion = Body::Motion::propagated;
-        else if (!drivers.prescribed.empty())
-            body.motion = Body::Motion::prescribed;
-    }
-}
-
-void mark_bodies(VertexRoles& roles, const SurfaceConstraints& constraints)
+void mark_bodies(VertexRoles& roles, const TriangleMesh& mesh,
+                 const SurfaceConstraints& constraints)
 {
     for (std::size_t k = 0; k < roles.bodies.size(); ++k)
     {
         Body& body = roles.bodies[k];
-        const Drivers drivers = drivers_of(body, roles, constraints);
-        refuse_contradictions(body, drivers, constraints);
-        decide_motion(body, drivers);
+        Drivers drivers = drivers_of(body, roles);
+        drivers.turned = is_turned_by_points(body, mesh, constraints);
+        decide_motion(body, drivers, constraints);
         for (const int vertex : body.vertices)
             if (roles.role[at(vertex)] != Role::fixed && roles.role[at(vertex)] != Role::handle)
                 set_role(roles, vertex, Role::body, static_cast<int>(k));
+        // A size moves what fixed regions and handles would hold.
+        for (const int feature : body.features)
+            if (constraints.features[at(feature)].is_resizable)
+                for (const int vertex : constraints.features[at(feature)].vertices)
+                    set_role(roles, vertex, Role::body, static_cast<int>(k));
     }
+    decide_links(mesh, constraints, roles.bodies);
 }
 
 void require_bodies_on_the_sheet(const VertexRoles& roles, const SurfaceConstraints& constraints)
@@ -208,6 +131,12 @@ void require_bodies_on_the_sheet(const VertexRoles& roles, const SurfaceConstrai
     }
 }
 
+// A handle whose rotation is free holds its part by its pivot.
+bool is_held(const Body& body)
+{
+    return body.is_known() || body.handle >= 0;
+}
+
 std::vector<char> held_components(const VertexRoles& roles)
 {
     std::vector<char> held(at(roles.components.count), 0);
@@ -215,7 +144,7 @@ std::vector<char> held_components(const VertexRoles& roles)
     {
         const Role role = roles.role[i];
         const bool known = role == Role::fixed || role == Role::handle || role == Role::propagated
-                           || (role == Role::body && roles.bodies[at(roles.owner[i])].is_known());
+                           || (role == Role::body && is_held(roles.bodies[at(roles.owner[i])]));
         if (known && roles.components.label[i] != Components::unused)
             held[at(roles.components.label[i])] = 1;
     }
@@ -255,7 +184,7 @@ VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& con
     VertexRoles roles;
     roles.role.assign(at(mesh.vertex_count()), Role::free);
     roles.owner.assign(at(mesh.vertex_count()), -1);
-    roles.bodies = merge_features(mesh, constraints);
+    roles.bodies = merge_bodies(mesh, constraints);
     std::vector<VertexIds> joined;
     for (const Body& body : roles.bodies)
         joined.push_back(body.vertices);
@@ -263,8 +192,9 @@ VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& con
     mark_propagated(roles, constraints);
     mark_fixed(roles, constraints);
     for (std::size_t handle = 0; handle < constraints.handles.size(); ++handle)
-        mark_handle(roles, constraints, static_cast<int>(handle));
-    mark_bodies(roles, constraints);
+        if (!constraints.handles[handle].is_rotation_free)
+            mark_handle(roles, constraints, static_cast<int>(handle));
+    mark_bodies(roles, mesh, constraints);
     require_bodies_on_the_sheet(roles, constraints);
     require_held_components(roles, mesh, constraints);
     for (std::size_t i = 0; i < roles.role.size(); ++i)

@@ -2,36 +2,10 @@
 #pragma once
 
 #include "sheetmorph/mesh/components.h"
-#include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/bodies.h"
 
 namespace sheetmorph
 {
-
-//! Form features that share vertices, moving as one rigid body.
-struct Body
-{
-    //! What decides its motion. Fixed, handle and propagated vertices carry the features they
-    //! touch along with them.
-    enum class Motion
-    {
-        fixed,
-        handle,
-        propagated,   //!< best rigid motion of its propagated vertices; a prescribed rotation stays
-        prescribed,   //!< rotation from the pose, translation from the energy
-        interpolated  //!< rotation from the field, translation from the energy
-    };
-
-    std::vector<int> features;
-    VertexIds vertices;
-    Vector3 centre = Vector3::Zero();
-    Motion motion = Motion::interpolated;
-    int driver = -1;  //!< the handle, or the feature whose rotation is prescribed
-
-    bool is_known() const
-    {
-        return motion == Motion::fixed || motion == Motion::handle || motion == Motion::propagated;
-    }
-};
 
 enum class Role : char
 {

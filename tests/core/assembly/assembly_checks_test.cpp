@@ -38,6 +38,9 @@ TEST(AssemblyChecks, RefusesAFeatureTornBetweenTwoRigidWelds)
                            2,
                            {frame.assembly.contacts[1].b.vertices.front(),
                             frame.assembly.contacts[3].b.vertices.front()},
+                           FeatureRotation::interpolated,
+                           {},
+                           {},
                            false};
     frame.assembly.features.push_back(torn);
     EXPECT_THAT(prepares(frame.assembly),
@@ -62,7 +65,8 @@ TEST(AssemblyChecks, RefusesIdsOutOfRangeOfPartsThatNothingReaches)
     for (const int vertex : {-5, 1000000})
     {
         Frame wrong = frame;
-        wrong.assembly.features.push_back({"wild", 2, {0, vertex}, false});
+        wrong.assembly.features.push_back(
+            {"wild", 2, {0, vertex}, FeatureRotation::interpolated, {}, {}, false});
         EXPECT_THAT(prepares(wrong.assembly),
                     ThrowsMessage<InvalidInput>(AllOf(HasSubstr("'wild'"), HasSubstr("'third'"),
                                                       HasSubstr(std::to_string(vertex)))));
@@ -72,7 +76,8 @@ TEST(AssemblyChecks, RefusesIdsOutOfRangeOfPartsThatNothingReaches)
 TEST(AssemblyChecks, SaysWhyAModeIsNotPossible)
 {
     Frame featured = frames::single(Mode::all);
-    featured.assembly.features.push_back({"hole", 1, {0, 1, 2}, false});
+    featured.assembly.features.push_back(
+        {"hole", 1, {0, 1, 2}, FeatureRotation::interpolated, {}, {}, false});
     EXPECT_THAT(prepares(featured.assembly),
                 ThrowsMessage<InvalidInput>(AllOf(HasSubstr("'second'"), HasSubstr("mode 1"))));
     Frame two_contacts = frames::with_modes(frames::ring(ContactType::tied), Mode::all);

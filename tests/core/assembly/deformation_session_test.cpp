@@ -92,7 +92,8 @@ TEST(DeformationSession, APrescribedFeatureInAContactTurnsAsToldAndGoesWhereTheC
 {
     Frame frame = frames::open_chain(ContactType::tied);
     const Deformed before = DeformationSession(frame.assembly).deform(frame.pose);
-    frame.assembly.features[3].is_prescribed = true;  // the hole of the second plate in the contact
+    // The hole of the second plate in the contact.
+    frame.assembly.features[3].rotation = FeatureRotation::prescribed;
     const Vector3 log = rotation_log({0.0, 0.0, 1.0}, 0.5);
     frame.pose.feature_logs["second hole0"] = log;
     const Deformed after = DeformationSession(frame.assembly).deform(frame.pose);

@@ -33,8 +33,13 @@ inline void add_plate(Assembly& assembly, const std::string& name, const Vector3
     const auto part = static_cast<int>(assembly.parts.size());
     assembly.parts.push_back({name, shapes::mapped(plate.mesh, place), {}, Mode::automatic});
     for (std::size_t k = 0; with_features && k < plate.rims.size(); ++k)
-        assembly.features.push_back(
-            {name + " hole" + std::to_string(k), part, plate.rims[k], false});
+        assembly.features.push_back({name + " hole" + std::to_string(k),
+                                     part,
+                                     plate.rims[k],
+                                     FeatureRotation::interpolated,
+                                     {},
+                                     {},
+                                     false});
 }
 
 // Both sides reach 30 mm: over the border of a cell and through the middle of a hole.

@@ -73,4 +73,13 @@ inline std::vector<Case> all_with_both_energies()
     return cases;
 }
 
+//! The same with features that the energy turns.
+inline std::vector<Case> with_free_features(std::vector<Case> cases)
+{
+    for (Case& one : cases)
+        for (FormFeature& feature : one.constraints.features)
+            feature.rotation = FeatureRotation::free;
+    return cases;
+}
+
 }  // namespace sheetmorph::cases

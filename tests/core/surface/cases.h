@@ -44,7 +44,7 @@ inline FormFeature patch(const std::string& name, const TriangleMesh& mesh, cons
     return {name,
             shapes::vertices_where(mesh,
                                    [&](const Vector3& p) { return (p - centre).norm() < radius; }),
-            false, "feature"};
+            FeatureRotation::interpolated, "feature"};
 }
 
 inline Case plate(const std::string& name, TriangleMesh mesh, const shapes::PlateWithHoles& plate)
@@ -55,7 +55,7 @@ inline Case plate(const std::string& name, TriangleMesh mesh, const shapes::Plat
     for (std::size_t k = 0; k < plate.rims.size(); ++k)
     {
         one.constraints.features.push_back(
-            {"hole" + std::to_string(k), plate.rims[k], false, "feature"});
+            {"hole" + std::to_string(k), plate.rims[k], FeatureRotation::interpolated, "feature"});
         one.targets.feature_logs.emplace_back(Vector3::Zero());
     }
     const Vector3 pivot = one.mesh.points().row(plate.right.front()).transpose();

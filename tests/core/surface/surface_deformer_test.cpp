@@ -117,7 +117,7 @@ TEST(SurfaceDeformer, AcceptsRedundantPointsAndRefusesContradictingOnes)
 TEST(SurfaceDeformer, APrescribedFeatureTurnsAsToldAndShiftsFreely)
 {
     Case one = cases::flat_plate();
-    one.constraints.features[1].is_prescribed = true;
+    one.constraints.features[1].rotation = FeatureRotation::prescribed;
     one.targets.feature_logs[1] = rotation_log({0.0, 0.0, 1.0}, 2.0 * shapes::pi / 3.0);
     for (const Energy energy : {Energy::paper, Energy::neumann})
     {

@@ -132,7 +132,7 @@ TEST(SurfaceResponse, DoesNotCoverWhatItHasNoFieldsFor)
     one.targets.handles[0].rotation_log *= 9.0;
     EXPECT_FALSE(answered(one, {{0}, {}, 8}).has_value());
     one = cases::bent_plate();
-    one.constraints.features[0].is_prescribed = true;
+    one.constraints.features[0].rotation = FeatureRotation::prescribed;
     EXPECT_TRUE(answered(one, {{0}, {}, 8}).has_value());
     one.targets.feature_logs[0] = Vector3(0.0, 0.1, 0.0);
     EXPECT_FALSE(answered(one, {{0}, {}, 8}).has_value());

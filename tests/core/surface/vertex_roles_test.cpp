@@ -75,7 +75,7 @@ TEST(VertexRoles, RefusesIdsOutOfRangeEmptyRegionsAndNumbersThatAreNone)
     EXPECT_THAT(refuses(outside),
                 ThrowsMessage<InvalidInput>(AllOf(HasSubstr("'root'"), HasSubstr("100000"))));
     Case empty = strip();
-    empty.constraints.features = {{"hole", {}, false, "feature"}};
+    empty.constraints.features = {{"hole", {}, FeatureRotation::free, "feature"}};
     EXPECT_THAT(refuses(empty), ThrowsMessage<InvalidInput>(HasSubstr("no vertices")));
     Case nan = strip();
     nan.targets.handles[0].translation.x() = std::numeric_limits<double>::quiet_NaN();

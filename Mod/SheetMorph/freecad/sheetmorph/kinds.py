@@ -6,9 +6,11 @@ CONTACT = "SheetMorph::Contact"
 DEFORMATION = "SheetMorph::Deformation"
 PART = "SheetMorph::Part"
 REGION = "SheetMorph::Region"
+RELATION = "SheetMorph::Relation"
+ALL = (ASSEMBLY, CONTACT, DEFORMATION, PART, REGION, RELATION)
 
 
 def kind(obj) -> str:
     """Return the type of one of our objects, an empty string for any other."""
     found = str(getattr(getattr(obj, "Proxy", None), "Type", ""))
-    return found if found in (ASSEMBLY, CONTACT, DEFORMATION, PART, REGION) else ""
+    return found if found in ALL else ""

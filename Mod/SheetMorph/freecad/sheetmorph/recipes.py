@@ -10,12 +10,17 @@ import numpy as np
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.part import MODES
 from freecad.sheetmorph.objects.region import (
+    AXIS,
     FIXED,
     FOLLOWER,
     FORM_FEATURE,
+    FREE,
     HANDLE,
+    LINE,
+    PLANE,
     PRESCRIBED,
 )
+from freecad.sheetmorph.objects.relation import COAXIAL, DISTANCE, GROUP
 
 FORMAT = 1
 """Version of the recipe's format."""
@@ -23,14 +28,18 @@ FORMAT = 1
 KEYS = {FIXED: "fixed", HANDLE: "handles", FORM_FEATURE: "features", FOLLOWER: "regions"}
 """Where a recipe lists the regions of a role."""
 
+RELATION_KEYS = {GROUP: "groups", COAXIAL: "coaxial", DISTANCE: "distance"}
+"""Where a recipe lists the relations of a type."""
+
 
 def names_of(assembly) -> dict[str, str]:
-    """Return the recipe's name of every part, region and contact by document object name.
+    """Return the recipe's name of every part, region, contact, relation by document object name.
 
     Labels, because the user reads them; an equal label gets the object's own name behind it.
     """
     names: dict[str, str] = {}
-    for objects in (model.parts(assembly), model.regions(assembly), model.contacts(assembly)):
+    kinds = (model.parts, model.regions, model.contacts, model.relations)
+    for objects in (of_kind(assembly) for of_kind in kinds):
         taken: set[str] = set()
         for obj in objects:
             name = obj.Label if obj.Label not in taken else f"{obj.Label} ({obj.Name})"
@@ -64,6 +73,8 @@ def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
             continue
         recipe[KEYS[region.Role]].append(entry_of(region, names, ids[region.Part.Name]))
     recipe["contacts"] = [contact_entry(c, names, ids) for c in used_contacts(assembly)]
+    recipe.update(relation_entries(assembly, names))
+    recipe.update(answer_options(assembly))
     for key, entries in extras_of(assembly).items():
         named = [{**e, "part": names[e["part"]]} for e in entries if e["part"] in names]
         recipe[key] = recipe.get(key, []) + named
@@ -76,6 +87,28 @@ def primary_of(assembly):
     if assembly.Primary in found:
         return assembly.Primary
     return found[0] if found else None
+
+
+def relation_entries(assembly, names: dict[str, str]) -> dict[str, list]:
+    """Return the groups and pairs of form features that are complete, by key of the recipe."""
+    entries: dict[str, list] = {}
+    for relation in model.relations(assembly):
+        features = [f for f in relation.Features if f in assembly.Group and f.Part is not None]
+        if len(features) >= 2 and all(f.Role == FORM_FEATURE for f in features):
+            entry = {"name": names[relation.Name], "features": [names[f.Name] for f in features]}
+            entries.setdefault(RELATION_KEYS[relation.Type], []).append(entry)
+    return entries
+
+
+def answer_options(assembly) -> dict:
+    """Return the plane of symmetry and the refinement, where they are switched on."""
+    found: dict = {}
+    if assembly.Symmetry:
+        point, normal = list(assembly.SymmetryPoint), list(assembly.SymmetryNormal)
+        found["symmetry"] = {"point": point, "normal": normal}
+    if assembly.Refine:
+        found["refine"] = True
+    return found
 
 
 def part_entry(part, names: dict[str, str]) -> dict:
@@ -143,8 +176,28 @@ def entry_of(region, names: dict[str, str], ids: np.ndarray) -> dict:
     if region.Role == FORM_FEATURE:
         # Only whether it is prescribed is structure; by how much is in the pose.
         is_prescribed = region.Rotation == PRESCRIBED
-        entry["rotation"] = {"axis": [0, 0, 1], "degrees": 0} if is_prescribed else "interpolated"
+        entry["rotation"] = {"axis": [0, 0, 1], "degrees": 0} if is_prescribed else region.Rotation
+        entry.update(allowed_of(region))
+    if region.Role == HANDLE and region.FreeRotation:
+        entry["rotation"] = FREE
     return entry
+
+
+def allowed_of(feature) -> dict:
+    """Return the motion and the size of a form feature, as far as they are set."""
+    found: dict = {}
+    direction = list(feature.MotionDirection)
+    if feature.Motion != FREE:
+        found["motion"] = {"type": feature.Motion}
+    if feature.Motion == PLANE:
+        found["motion"]["normal"] = direction
+    elif feature.Motion in (LINE, AXIS):
+        found["motion"]["direction"] = direction
+    if feature.Motion == AXIS:
+        found["motion"]["point"] = list(feature.MotionPoint)
+    if feature.Size.Value > 0.0:
+        found["size"] = feature.Size.Value
+    return found
 
 
 def pose_of(assembly, names: dict[str, str] | None = None) -> dict:
@@ -166,7 +219,7 @@ def motion_of(handle) -> dict:
     """Return the pose entry of a handle: translation, and rotation and pivot where there is one."""
     lengths = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
     motion: dict = {"translation": [length.Value for length in lengths]}
-    if handle.Angle.Value != 0.0:
+    if handle.Angle.Value != 0.0 and not handle.FreeRotation:
         motion["rotation"] = rotation_entry(handle.Axis, handle.Angle)
     if not handle.PivotAtCentroid:
         motion["pivot"] = list(handle.Pivot)

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from freecad.sheetmorph import conversion
-from freecad.sheetmorph.api.checks import require_assembly, require_part_of
+from freecad.sheetmorph.api.checks import direction, require_assembly, require_part_of, vector
 from freecad.sheetmorph.objects import (
     assembly_of,
     contacts,
@@ -13,6 +15,7 @@ from freecad.sheetmorph.objects import (
     model,
     parts,
     regions,
+    relations,
 )
 from freecad.sheetmorph.objects.assembly import ENERGIES, AssemblyProxy, follow_group
 from freecad.sheetmorph.objects.deformation import DeformationProxy
@@ -85,8 +88,31 @@ def set_energy(assembly, energy: str) -> None:
     assembly.Energy = energy
 
 
+def set_symmetry(
+    assembly, normal: Sequence[float] | None, point: Sequence[float] = (0.0, 0.0, 0.0)
+) -> None:
+    """Declare a plane of symmetry, so that what one side is told the other does mirrored.
+
+    `normal` (3,) and a `point` (3,) mm of the plane, global; `normal` None: no symmetry.
+    Raises ValueError.
+    """
+    require_assembly(assembly)
+    if normal is None:
+        assembly.Symmetry = False
+        return
+    across, place = direction(normal, "normal"), vector(point, "point")
+    assembly.SymmetryNormal, assembly.SymmetryPoint = across, place
+    assembly.Symmetry = True
+
+
+def set_refine(assembly, refine: bool) -> None:
+    """Refine large rotations, or not: slower, and nearer to how sheet bends."""
+    require_assembly(assembly)
+    assembly.Refine = bool(refine)
+
+
 def remove(obj) -> None:
-    """Delete a region, a contact, a part with its regions and contacts, or a whole assembly.
+    """Delete a region, contact or relation, a part with all that is on it, or a whole assembly.
 
     The source meshes stay and are shown again. Raises ValueError for any other object.
     """
@@ -95,12 +121,24 @@ def remove(obj) -> None:
         remove_assembly(obj)
     elif what == model.PART:
         remove_part(obj)
-    elif what in (model.REGION, model.CONTACT):
+    elif what == model.REGION:
+        remove_region(obj)
+    elif what in (model.CONTACT, model.RELATION):
         obj.Document.removeObject(obj.Name)
     else:
         raise ValueError(
             f"'{obj.Label}' is no assembly, part, region or contact; delete it yourself."
         )
+
+
+def remove_region(region) -> None:
+    """Delete a region and the relations of form features that have nothing to relate without it."""
+    document, assembly = region.Document, assembly_of(region)
+    if assembly is not None:
+        for relation in relations(assembly, region):
+            if len(relation.Features) <= 2:
+                document.removeObject(relation.Name)
+    document.removeObject(region.Name)
 
 
 def remove_assembly(assembly) -> None:
@@ -118,8 +156,10 @@ def remove_part(part) -> None:
     document, assembly = part.Document, assembly_of(part)
     source, deformation = part.Source, part.Deformation
     if assembly is not None:
-        for user in regions(assembly, part) + contacts(assembly, part):
-            document.removeObject(user.Name)
+        for region in regions(assembly, part):
+            remove_region(region)
+        for contact in contacts(assembly, part):
+            document.removeObject(contact.Name)
     document.removeObject(part.Name)
     if source is not None and not any(kind(user) == model.PART for user in source.InList):
         source.Visibility = True

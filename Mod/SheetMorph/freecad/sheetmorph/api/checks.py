@@ -9,6 +9,7 @@ import FreeCAD
 import numpy as np
 
 from freecad.sheetmorph.objects import assembly_of, deformation_of, kind, model
+from freecad.sheetmorph.objects.region import FORM_FEATURE
 
 
 def require_kind(obj, wanted: str, word: str) -> None:
@@ -43,6 +44,17 @@ def require_role(region, role: str) -> None:
     require_kind(region, model.REGION, "region")
     if region.Role != role:
         raise ValueError(f"Region '{region.Label}' is {region.Role}, not {role}; pass a {role}.")
+
+
+def require_features_of(assembly, features: list) -> None:
+    """Raise ValueError unless `features` are two or more form features of `assembly`."""
+    require_assembly(assembly)
+    for feature in features:
+        require_role(feature, FORM_FEATURE)
+        if assembly_of(feature) != assembly:
+            raise ValueError(f"'{feature.Label}' is not in '{assembly.Label}'; pass its features.")
+    if len(set(features)) < 2 or len(set(features)) < len(features):
+        raise ValueError("Two different form features are needed; pass at least two, each once.")
 
 
 def vertex_count(part) -> int:

@@ -14,6 +14,8 @@ from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.loading import (
     add_contacts,
     add_regions,
+    add_relations,
+    apply_options,
     apply_pose,
     apply_propagation,
     keep_extras,
@@ -108,6 +110,8 @@ def import_recipe(document, path: str | os.PathLike):
     apply_propagation(assembly, recipe)
     regions = add_regions(assembly, recipe, found, ids)
     add_contacts(assembly, recipe, found, ids)
+    add_relations(assembly, recipe, regions)
+    apply_options(assembly, recipe)
     apply_pose(regions, recipe)
     keep_extras(assembly, recipe, regions, found)
     assembly.Label = path.stem  # last: where labels clash, those of the parts stay

@@ -7,12 +7,16 @@ import json
 
 import numpy as np
 
+from freecad.sheetmorph.api.assemblies import set_refine, set_symmetry
 from freecad.sheetmorph.api.contacts import add_contact
-from freecad.sheetmorph.api.motions import set_motion, set_rotation
+from freecad.sheetmorph.api.features import add_relation, set_feature_motion, set_size
+from freecad.sheetmorph.api.motions import set_free_rotation, set_motion, set_rotation
 from freecad.sheetmorph.api.propagations import set_propagation
 from freecad.sheetmorph.api.regions import add_feature, add_fixed, add_follower, add_handle
 from freecad.sheetmorph.objects.assembly import LOCAL
 from freecad.sheetmorph.objects.contact import CONTROL_MESH
+from freecad.sheetmorph.objects.region import AXIS, FREE, LINE, PLANE
+from freecad.sheetmorph.recipes import RELATION_KEYS
 
 
 WORDS = (
@@ -23,6 +27,9 @@ WORDS = (
     ("points", "point"),
     ("regions", "region"),
     ("contacts", "contact"),
+    ("groups", "group"),
+    ("coaxial", "coaxial"),
+    ("distance", "distance"),
 )
 """What the entries of a list in a recipe are called that have no name: fixed0, fixed1, ..."""
 ADDERS = (
@@ -90,16 +97,46 @@ def indices_of(file_ids: list[int], ids: np.ndarray | None) -> np.ndarray:
     return order[np.searchsorted(ids, wanted, sorter=order)]
 
 
+def add_relations(assembly, recipe: dict, regions: dict) -> None:
+    """Add the groups and pairs of form features; `regions`: from `add_regions`."""
+    for kind, key in RELATION_KEYS.items():
+        for entry in recipe[key]:
+            features = [regions[name] for name in entry["features"]]
+            add_relation(assembly, kind, features, entry["name"])
+
+
+def apply_options(assembly, recipe: dict) -> None:
+    """Set the plane of symmetry and the refinement as a recipe has them."""
+    if "symmetry" in recipe:
+        set_symmetry(assembly, recipe["symmetry"]["normal"], recipe["symmetry"]["point"])
+    set_refine(assembly, recipe.get("refine", False))
+
+
+def apply_allowed(feature, entry: dict) -> None:
+    """Set one feature's motion and size from its entry in a recipe."""
+    motion = entry.get("motion", {})
+    direction = motion.get("normal", motion.get("direction"))
+    kind = motion.get("type", FREE)
+    has_direction = kind in (PLANE, LINE, AXIS)
+    set_feature_motion(
+        feature, kind, direction=direction if has_direction else None, point=motion.get("point")
+    )
+    if "size" in entry:
+        set_size(feature, entry["size"])
+
+
 def apply_pose(regions: dict, recipe: dict) -> None:
-    """Set motions of handles and rotations of features as a recipe and its pose have them."""
+    """Set motions of handles, rotations, motions and sizes of features as a recipe has them."""
     pose = recipe.get("pose", {})
     for entry in recipe["handles"]:
         region = regions.get(entry["name"])
         if region is not None:
             apply_motion(region, {**pick(entry, "pivot"), **pose.get(entry["name"], {})})
+            set_free_rotation(region, entry.get("rotation") == FREE)
     for entry in recipe["features"]:
-        merged = {**pick(entry, "rotation"), **pose.get(entry["name"], {})}
-        apply_rotation(regions[entry["name"]], merged.get("rotation", "interpolated"))
+        merged = {**entry, **pose.get(entry["name"], {})}
+        apply_rotation(regions[entry["name"]], merged.get("rotation", FREE))
+        apply_allowed(regions[entry["name"]], merged)
 
 
 def pick(entry: dict, key: str) -> dict:

@@ -11,7 +11,7 @@ import numpy as np
 from freecad.sheetmorph import session
 from freecad.sheetmorph.api.checks import direction, number, require_assembly, require_role, vector
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.region import FORM_FEATURE, HANDLE, INTERPOLATED, PRESCRIBED
+from freecad.sheetmorph.objects.region import FORM_FEATURE, FREE, HANDLE, INTERPOLATED, PRESCRIBED
 from freecad.sheetmorph.rest import read_rest
 
 
@@ -64,15 +64,25 @@ def rest_centroid(region) -> FreeCAD.Vector:
     return FreeCAD.Vector(*np.mean(points, axis=0).tolist())
 
 
+def set_free_rotation(handle, free: bool) -> None:
+    """Let the sheet decide how a handle turns: it is only shifted then; or turn it yourself."""
+    require_role(handle, HANDLE)
+    handle.FreeRotation = bool(free)
+
+
 def set_rotation(feature, rotation: str | Sequence) -> None:
-    """Say how a form feature turns: "interpolated", or `(axis (3,), degrees)` to prescribe it."""
+    """Say how a form feature turns: "free", "interpolated", or `(axis (3,), degrees)`.
+
+    Free: as a rigid body in an elastic sheet; interpolated: as the handles around it turn.
+    """
     require_role(feature, FORM_FEATURE)
-    if rotation == INTERPOLATED:
-        feature.Rotation = INTERPOLATED
+    if isinstance(rotation, str) and rotation in (FREE, INTERPOLATED):
+        feature.Rotation = rotation
         return
     if isinstance(rotation, str) or len(rotation) != 2:
         raise ValueError(
-            f"The rotation '{rotation}' is not available; pass '{INTERPOLATED}' or (axis, degrees)."
+            f"The rotation '{rotation}' is not available; pass '{FREE}', '{INTERPOLATED}' or "
+            "(axis, degrees)."
         )
     axis, degrees = direction(rotation[0], "axis"), number(rotation[1], "angle")
     feature.RotationAxis = axis

@@ -33,11 +33,12 @@ def add_feature(
     vertices: Iterable[int],
     label: str = "Feature",
     *,
-    rotation: str | Sequence = "interpolated",
+    rotation: str | Sequence = "free",
 ):
     """Add a form feature to `part` and return it: its vertices keep their shape exactly.
 
-    `rotation`: "interpolated" (turns as the sheet around it) or `(axis (3,), degrees)`.
+    `rotation`: "free" (turns as a rigid body in an elastic sheet), "interpolated" (as the handles
+    around it turn) or `(axis (3,), degrees)`.
     Raises ValueError: no or unknown vertices, another rotation.
     """
     region = add_region(assembly, part, vertices, (FORM_FEATURE, label))

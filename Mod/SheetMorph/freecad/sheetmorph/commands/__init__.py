@@ -3,7 +3,8 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.commands import contacts, create, exchange, installation, motion, regions
+from freecad.sheetmorph.commands import contacts, create, exchange, features
+from freecad.sheetmorph.commands import installation, motion, regions
 
 _TOOLBARS = {
     "Morph": (create.CreateMorph, create.AddPart, create.ImportPart),
@@ -12,6 +13,12 @@ _TOOLBARS = {
         regions.MarkHandle,
         regions.MarkFeature,
         regions.MarkFollower,
+    ),
+    "Features": (
+        features.FeatureSettings,
+        features.GroupFeatures,
+        features.MakeCoaxial,
+        features.KeepDistance,
     ),
     "Contacts": (contacts.MarkContact, contacts.Propagation, contacts.SetPrimary),
     "Motion": (motion.MoveHandle, motion.ResetMotion),

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document objects of a morph and how to find one's way between them.
 
-Assembly (a group) holds parts (results), regions, contacts and one hidden deformation.
-Dependencies run source meshes, regions and contacts -> deformation -> parts; the group and the
-links of regions and contacts to their parts are no dependencies, so there are no cycles.
+Assembly (a group) holds parts (results), regions, contacts, relations of form features and one
+hidden deformation. Dependencies run source meshes, regions, contacts and relations -> deformation
+-> parts; the group and the links of regions and contacts to their parts are no dependencies, so
+there are no cycles.
 """
 
 from freecad.sheetmorph.objects.model import (
@@ -14,6 +15,7 @@ from freecad.sheetmorph.objects.model import (
     kind,
     parts,
     regions,
+    relations,
     set_contact_vertices,
     set_vertices,
     vertices,
@@ -27,6 +29,7 @@ __all__ = [
     "kind",
     "parts",
     "regions",
+    "relations",
     "set_contact_vertices",
     "set_vertices",
     "vertices",

@@ -3,7 +3,16 @@
 
 from __future__ import annotations
 
-from freecad.sheetmorph.objects.model import ASSEMBLY, contacts, deformation_of, parts, regions
+import FreeCAD
+
+from freecad.sheetmorph.objects.model import (
+    ASSEMBLY,
+    contacts,
+    deformation_of,
+    parts,
+    regions,
+    relations,
+)
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy, is_settled, make_due
 
@@ -22,7 +31,13 @@ SMOOTHNESS_DOC = (
     "How smooth control meshes stay: small follows the source closely, large evens out its "
     "details (default 0.05)"
 )
+SYMMETRY_DOC = (
+    "What one side of the plane is told, the other does mirrored: handles, sizes and prescribed "
+    "rotations act on both sides"
+)
+REFINE_DOC = "Refine large rotations: slower and nearer to the true bending; off by default"
 INPUTS = ("Group", "Primary", "Energy", "Extras", "Propagation", "Levels", "Smoothness")
+INPUTS += ("Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine")
 
 
 class AssemblyProxy(ObjectProxy):
@@ -41,6 +56,12 @@ class AssemblyProxy(ObjectProxy):
         Property("Enumeration", "Propagation", "Propagation", PROPAGATION_DOC, [LOCAL, SINGLE]),
         Property("Integer", "Levels", "Propagation", LEVELS_DOC, 3),
         Property("Float", "Smoothness", "Propagation", SMOOTHNESS_DOC, 0.05),
+        Property("Bool", "Symmetry", "Symmetry", SYMMETRY_DOC),
+        Property("Vector", "SymmetryPoint", "Symmetry", "A point of the plane, global"),
+        Property(
+            "Vector", "SymmetryNormal", "Symmetry", "Normal of the plane", FreeCAD.Vector(1, 0, 0)
+        ),
+        Property("Bool", "Refine", "Morph", REFINE_DOC),
         Property(
             "StringList",
             "Order",
@@ -92,6 +113,7 @@ def follow_group(assembly) -> None:
         return
     update_links(deformation, "Regions", regions(assembly))
     update_links(deformation, "Contacts", contacts(assembly))
+    update_links(deformation, "Relations", relations(assembly))
     sources = [part.Source for part in parts(assembly) if part.Source is not None]
     update_links(deformation, "Sources", sources)
     deformation.touch()

@@ -21,6 +21,7 @@ class DeformationProxy(ObjectProxy):
     PROPERTIES = (
         Property("LinkListGlobal", "Sources", "Morph", "Rest meshes", mode=HIDDEN),
         Property("LinkList", "Regions", "Morph", "Regions of all parts", mode=HIDDEN),
+        Property("LinkList", "Relations", "Morph", "Relations of form features", mode=HIDDEN),
         Property("LinkList", "Contacts", "Morph", "Contacts of all parts", mode=HIDDEN),
     )
     _cache: SessionCache | None = None

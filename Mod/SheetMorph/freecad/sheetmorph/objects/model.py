@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DEFORMATION, PART, REGION, kind
+from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DEFORMATION, PART, REGION, RELATION, kind
 
 
 def assembly_of(obj):
@@ -40,6 +40,12 @@ def contacts(assembly, part=None) -> list:
     """Return the contacts of an assembly, or those that touch one of its parts."""
     mine = [obj for obj in assembly.Group if kind(obj) == CONTACT]
     return [obj for obj in mine if part is None or part in (obj.PartA, obj.PartB)]
+
+
+def relations(assembly, feature=None) -> list:
+    """Return the groups and pairs of form features of an assembly, or those with one feature."""
+    mine = [obj for obj in assembly.Group if kind(obj) == RELATION]
+    return [obj for obj in mine if feature is None or feature in obj.Features]
 
 
 def deformation_of(assembly):

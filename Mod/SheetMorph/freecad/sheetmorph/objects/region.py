@@ -11,7 +11,19 @@ from freecad.sheetmorph.objects.proxy import ObjectProxy
 
 FIXED, HANDLE, FORM_FEATURE, FOLLOWER = "fixed", "handle", "form feature", "follower"
 ROLES = [FIXED, HANDLE, FORM_FEATURE, FOLLOWER]
-INTERPOLATED, PRESCRIBED = "interpolated", "prescribed"
+FREE, INTERPOLATED, PRESCRIBED = "free", "interpolated", "prescribed"
+ROTATIONS = [FREE, INTERPOLATED, PRESCRIBED]
+PLANE, LINE, AXIS = "plane", "line", "axis"
+MOTIONS = [FREE, "fixed", "translation", PLANE, LINE, AXIS]
+MOTION_DOC = (
+    "What the form feature may do. Free: anything; fixed: nothing; translation: shift without "
+    "turning; plane: shift in a plane and turn about its normal; line: shift along a line; axis: "
+    "turn about an axis"
+)
+SIZE_DOC = (
+    "Diameter of a hole, length of a slot, radius of a cylinder; its rim is then an exact circle, "
+    "slot or cylinder of that size. 0: as in the mesh"
+)
 UP = FreeCAD.Vector(0, 0, 1)
 
 COMMON = (
@@ -34,25 +46,35 @@ MOTION = (
     Property("Angle", "Angle", "Motion", "Angle of the rotation, any number of turns"),
     Property("Vector", "Pivot", "Motion", "Point the rotation turns about, global, at rest"),
     Property("Bool", "PivotAtCentroid", "Motion", "Turn about the centroid of the region", True),
+    Property("Bool", "FreeRotation", "Motion", "The sheet decides how the handle turns"),
 )
-ROTATION = (
+FEATURE = (
     Property(
         "Enumeration",
         "Rotation",
         "Form Feature",
-        "Turned as the sheet around it, or as prescribed",
-        [INTERPOLATED, PRESCRIBED],
+        "Free: a rigid body in an elastic sheet; interpolated: as the handles around it turn (the "
+        "paper's way); or as prescribed",
+        ROTATIONS,
     ),
     Property("Vector", "RotationAxis", "Form Feature", "Axis of a prescribed rotation", UP),
     Property("Angle", "RotationAngle", "Form Feature", "Angle of a prescribed rotation"),
+    Property("Enumeration", "Motion", "Form Feature", MOTION_DOC, MOTIONS),
+    Property("Vector", "MotionDirection", "Form Feature", "Normal, line or axis, global", UP),
+    Property("Vector", "MotionPoint", "Form Feature", "Point on the axis, global, at rest"),
+    Property("Length", "Size", "Form Feature", SIZE_DOC),
 )
+
+
+SHOWING = ("Role", "PivotAtCentroid", "FreeRotation", "Rotation", "Motion")
+"""Properties on which it depends which others are shown."""
 
 
 class RegionProxy(ObjectProxy):
     """Proxy of a region; all properties exist whatever the role, those of the role are shown."""
 
     Type = REGION
-    PROPERTIES = COMMON + MOTION + ROTATION
+    PROPERTIES = COMMON + MOTION + FEATURE
 
     def __init__(self, obj):
         super().__init__(obj)
@@ -60,11 +82,12 @@ class RegionProxy(ObjectProxy):
 
     def onDocumentRestored(self, obj) -> None:
         super().onDocumentRestored(obj)
+        offer_all_rotations(obj)
         show_properties_of_role(obj)
 
     def onChanged(self, obj, name: str) -> None:
         """Follow a change of role or of the kind of pivot in the property editor."""
-        if name in ("Role", "PivotAtCentroid", "Rotation") and is_complete(obj):
+        if name in SHOWING and is_complete(obj):
             show_properties_of_role(obj)
 
     def execute(self, _obj) -> None:
@@ -83,7 +106,23 @@ def show_properties_of_role(obj) -> None:
         obj.setEditorMode(row.name, SHOWN if is_handle else HIDDEN)
     if is_handle and obj.PivotAtCentroid:
         obj.setEditorMode("Pivot", READ_ONLY)
-    is_prescribed = is_feature and obj.Rotation == PRESCRIBED
-    obj.setEditorMode("Rotation", SHOWN if is_feature else HIDDEN)
-    for name in ("RotationAxis", "RotationAngle"):
-        obj.setEditorMode(name, SHOWN if is_prescribed else HIDDEN)
+    if obj.FreeRotation:
+        obj.setEditorMode("Axis", HIDDEN)
+        obj.setEditorMode("Angle", HIDDEN)
+    for row in FEATURE:
+        obj.setEditorMode(row.name, SHOWN if is_feature else HIDDEN)
+    if obj.Rotation != PRESCRIBED:
+        obj.setEditorMode("RotationAxis", HIDDEN)
+        obj.setEditorMode("RotationAngle", HIDDEN)
+    if obj.Motion not in (PLANE, LINE, AXIS):
+        obj.setEditorMode("MotionDirection", HIDDEN)
+    if obj.Motion != AXIS:
+        obj.setEditorMode("MotionPoint", HIDDEN)
+
+
+def offer_all_rotations(obj) -> None:
+    """Let a region of an earlier version choose all rotations; what it has stays."""
+    if obj.getEnumerationsOfProperty("Rotation") != ROTATIONS:
+        chosen = obj.Rotation
+        obj.Rotation = ROTATIONS
+        obj.Rotation = chosen

@@ -9,6 +9,7 @@ MODULES = tuple(
         "objects",
         "regions",
         "motions",
+        "features",
         "placements",
         "documents",
         "undo",

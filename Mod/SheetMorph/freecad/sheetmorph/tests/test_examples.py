@@ -40,7 +40,7 @@ def spelled_out(recipe: dict) -> dict:
     for key in LISTS:
         full[key] = [dict(entry) for entry in recipe.get(key, [])]
     full["contacts"] = [{"type": "control mesh", **entry} for entry in full["contacts"]]
-    full["features"] = [{"rotation": "interpolated", **entry} for entry in full["features"]]
+    full["features"] = [{"rotation": "free", **entry} for entry in full["features"]]
     full["pose"] = {name: dict(move) for name, move in recipe.get("pose", {}).items()}
     for handle in full["handles"]:
         pivot = handle.pop("pivot", None)

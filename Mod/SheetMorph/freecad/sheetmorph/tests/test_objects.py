@@ -5,7 +5,7 @@ import unittest
 
 from freecad.sheetmorph import api, objects
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.region import MOTION, ROTATION
+from freecad.sheetmorph.objects.region import FEATURE, MOTION
 from freecad.sheetmorph.tests import support
 
 HIDDEN = "Hidden"
@@ -81,7 +81,7 @@ class TestProperties(support.DocumentTest):
             self.assertIn(HIDDEN, handle.getEditorMode(row.name))
         self.assertNotIn(HIDDEN, handle.getEditorMode("Rotation"))
         handle.Role = "fixed"
-        for row in MOTION + ROTATION:
+        for row in MOTION + FEATURE:
             self.assertIn(HIDDEN, handle.getEditorMode(row.name))
 
     def test_a_role_changed_in_the_editor_counts(self):

@@ -29,7 +29,7 @@ class TestAdding(RegionTest):
         self.assertEqual([r.Label for r in (fixed, handle, feature)], ["Fixed", "Tip", "Feature"])
         self.assertEqual(api.vertices(fixed), [1, 2, 3])
         self.assertEqual(api.vertices(handle), [5, 6])
-        self.assertEqual(feature.Rotation, "interpolated")
+        self.assertEqual(feature.Rotation, "free")
         for region in (fixed, handle, feature):
             self.assertEqual(region.Part, self.part)
             self.assertIn(region, self.assembly.Group)
@@ -63,7 +63,7 @@ class TestAdding(RegionTest):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 api.add_fixed(self.assembly, self.part, vertices)
         with self.assertRaisesRegex(ValueError, "not available"):
-            api.add_feature(self.assembly, self.part, [1, 2], rotation="free")
+            api.add_feature(self.assembly, self.part, [1, 2], rotation="loose")
         with self.assertRaisesRegex(ValueError, "axis is zero"):
             api.add_feature(self.assembly, self.part, [1, 2], rotation=((0, 0, 0), 3))
         with self.assertRaisesRegex(ValueError, "not in the morph"):

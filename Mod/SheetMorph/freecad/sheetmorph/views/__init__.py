@@ -4,7 +4,7 @@
 
 def attach(obj) -> None:
     """Gives one of our objects its view provider; the objects call it through ``appearance``."""
-    from freecad.sheetmorph.views import assembly, contact, part, region
+    from freecad.sheetmorph.views import assembly, contact, part, region, relation
 
     providers = {
         "SheetMorph::Assembly": assembly.AssemblyView,
@@ -12,6 +12,7 @@ def attach(obj) -> None:
         "SheetMorph::Deformation": assembly.DeformationView,
         "SheetMorph::Part": part.PartView,
         "SheetMorph::Region": region.RegionView,
+        "SheetMorph::Relation": relation.RelationView,
     }
     provider = providers.get(getattr(obj.Proxy, "Type", ""))
     view = obj.ViewObject

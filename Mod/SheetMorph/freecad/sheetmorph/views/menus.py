@@ -24,6 +24,17 @@ def edit(region) -> None:
         region_panel.edit(region)
 
 
+def edit_feature(feature) -> None:
+    """Opens the panel of a form feature; what stands against it is told."""
+    from freecad.sheetmorph.panels import feature_panel
+
+    if not Gui.Control.activeDialog():
+        try:
+            feature_panel.open_panel(feature)
+        except actions.FAULTS as error:
+            actions.tell("Form Feature", error)
+
+
 def edit_contact(contact) -> None:
     """Opens the panel of a contact that exists; what stands against it is told."""
     from freecad.sheetmorph.panels import contact_panel
@@ -72,6 +83,8 @@ def add_region_actions(menu, region) -> None:
         line = call("reset_motion", name(region))
         _add(menu, "MoveHandle", "Move Handle…", lambda: move(region))
         _add(menu, "ResetMotion", "Reset Motion", lambda: actions.attempt("Reset Motion", line))
+    if region.Role == "form feature":
+        _add(menu, "FeatureSettings", "Form Feature Settings…", lambda: edit_feature(region))
     _add(menu, "PickFace", "Edit Region…", lambda: edit(region))
 
 

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Form features: what they may do, their size, and what they keep between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+from freecad.sheetmorph import kernel
+from freecad.sheetmorph.api import checks
+from freecad.sheetmorph.api.checks import (
+    number,
+    require_features_of,
+    require_role,
+    vector,
+)
+from freecad.sheetmorph.api.picking import rest_mesh
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, FREE, LINE, MOTIONS, PLANE
+from freecad.sheetmorph.objects.relation import COAXIAL, DISTANCE, GROUP, RelationProxy
+
+
+class Shape(NamedTuple):
+    """What a form feature is where its size can be set."""
+
+    kind: str  # "hole", "slot" or "cylinder"
+    measure: str  # "diameter", "length" or "radius"
+    size: float  # at rest, mm
+
+
+def set_feature_motion(
+    feature,
+    kind: str = FREE,
+    *,
+    direction: Sequence[float] | None = None,
+    point: Sequence[float] | None = None,
+) -> None:
+    """Say what a form feature may do.
+
+    `kind`: "free", "fixed", "translation" (shifts without turning), "plane" (shifts at right
+    angles to `direction` and turns about it), "line" (shifts along `direction`) or "axis" (turns
+    about the axis through `point` along `direction`). Global; what is left out stays as it is.
+    Raises ValueError.
+    """
+    require_role(feature, FORM_FEATURE)
+    if kind not in MOTIONS:
+        raise ValueError(f"The motion '{kind}' does not exist; choose {', '.join(MOTIONS)}.")
+    if direction is not None and kind not in (PLANE, LINE, AXIS):
+        raise ValueError(f"The motion '{kind}' has no direction; leave it out.")
+    along = None if direction is None else checks.direction(direction, "direction")
+    place = None if point is None else vector(point, "point")
+    feature.Motion = kind
+    if along is not None:
+        feature.MotionDirection = along
+    if place is not None:
+        feature.MotionPoint = place
+
+
+def set_size(feature, size: float | None) -> None:
+    """Set the diameter of a hole, the length of a slot or the radius of a cylinder, mm.
+
+    Its rim becomes an exact circle, slot or cylinder of that size. None: as in the mesh. Raises
+    ValueError: the form feature is nothing of that kind, or cannot be so small; a size that is too
+    large for the sheet is told at the recompute.
+    """
+    require_role(feature, FORM_FEATURE)
+    if size is None:
+        feature.Size = 0.0
+        return
+    wanted = number(size, "size")
+    found = shape_of(feature)
+    if found is None:
+        raise ValueError(
+            f"'{feature.Label}' is no hole, slot or cylinder, so it has no size to set; "
+            "pick a whole rim or wall."
+        )
+    if wanted <= 0.0:
+        raise ValueError(f"The {found.measure} is {wanted} mm; pass more than 0.")
+    feature.Size = wanted
+
+
+def shape_of(feature) -> Shape | None:
+    """Return what a form feature is if its size can be set: kind, measure and size; else None."""
+    require_role(feature, FORM_FEATURE)
+    points, triangles = rest_mesh(feature.Part)
+    found = kernel.core().feature_shape(points, triangles, model.vertices(feature))
+    return None if found is None else Shape(found.kind, found.measure, found.size)
+
+
+def group(assembly, features: Iterable, label: str = "Group"):
+    """Let form features of one part move as one rigid body; return the relation.
+
+    Raises ValueError: fewer than two, or of several parts.
+    """
+    members = list(features)
+    require_features_of(assembly, members)
+    if len({feature.Part for feature in members}) > 1:
+        raise ValueError(
+            "The form features are on several parts, and a group is on one; join the parts by a "
+            "rigid contact."
+        )
+    return add_relation(assembly, GROUP, members, label)
+
+
+def coaxial(assembly, a, b, label: str = "Coaxial"):
+    """Let two form features, of one part or of two, keep their common axis; return the relation.
+
+    They have to share it at rest; if they do not, the recompute tells by how much.
+    """
+    require_features_of(assembly, [a, b])
+    return add_relation(assembly, COAXIAL, [a, b], label)
+
+
+def keep_distance(assembly, a, b, label: str = "Distance"):
+    """Let two form features, of one part or of two, keep the distance of their centres."""
+    require_features_of(assembly, [a, b])
+    return add_relation(assembly, DISTANCE, [a, b], label)
+
+
+def add_relation(assembly, kind: str, features: list, label: str):
+    """Add a relation of any type; what `group`, `coaxial` and `keep_distance` share."""
+    relation = assembly.Document.addObject("App::FeaturePython", "Relation")
+    RelationProxy(relation)
+    relation.Label = label
+    relation.Type = kind
+    relation.Features = features
+    assembly.addObject(relation)
+    return relation

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A relation: form features that move as one body, or keep a common axis or their distance."""
+
+from __future__ import annotations
+
+from freecad.sheetmorph.objects.model import RELATION
+from freecad.sheetmorph.objects.properties import Property
+from freecad.sheetmorph.objects.proxy import ObjectProxy
+
+GROUP, COAXIAL, DISTANCE = "group", "coaxial", "distance"
+RELATIONS = [GROUP, COAXIAL, DISTANCE]
+RELATION_DOC = (
+    "Group: the form features move as one rigid body. Coaxial: two keep their common axis, along "
+    "and about which each may move. Distance: two keep the distance of their centres"
+)
+
+
+class RelationProxy(ObjectProxy):
+    """Proxy of a relation; it is used as long as all its form features exist."""
+
+    Type = RELATION
+    PROPERTIES = (
+        Property("Enumeration", "Type", "Relation", RELATION_DOC, RELATIONS),
+        Property("LinkList", "Features", "Relation", "The form features"),
+    )
+
+    def execute(self, _obj) -> None:
+        """Do nothing: the deformation that depends on the relation reads it."""

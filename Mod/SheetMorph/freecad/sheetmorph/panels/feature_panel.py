@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of a form feature: how it turns, what it may do, its size, and its relations."""
+
+from freecad.sheetmorph import actions, api
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
+from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
+from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.qt import QtCore, QtWidgets
+
+RELATE = ("", "group", "coaxial", "keep_distance")
+"""The functions of the interface that relate form features, as the combo box lists them."""
+
+
+Change = tuple[str, tuple, dict]
+"""A call of the interface: function, arguments, keywords."""
+
+
+def line_of(function: str, arguments: tuple, keywords: dict) -> str:
+    """The macro line of a call of the interface."""
+    texts = {key: repr(value) for key, value in keywords.items()}
+    return call(function, *[text_of(argument) for argument in arguments], **texts)
+
+
+def text_of(argument) -> str:
+    """How a macro line writes a document object, a list of them, or a value."""
+    if isinstance(argument, list):
+        return f"[{', '.join(text_of(entry) for entry in argument)}]"
+    return name(argument) if hasattr(argument, "Name") else repr(argument)
+
+
+def open_panel(feature):
+    """Opens the panel of a form feature; returns it."""
+    panel = FeaturePanel(feature)
+    panel.present()
+    return panel
+
+
+class FeaturePanel(Panel):
+    """Says what a form feature may do; the document changes when the user says OK."""
+
+    def __init__(self, feature):
+        super().__init__("feature", "FeatureSettings", "Form Feature")
+        self._feature = feature
+        self._assembly = model.assembly_of(feature)
+        self._shape = api.shape_of(feature)
+        self._others = [
+            other
+            for other in model.regions(self._assembly)
+            if other.Role == FORM_FEATURE and other != feature and other.Part is not None
+        ]
+        self._prepare_widgets()
+        self._show_values()
+        self._refresh()
+
+    # -- the buttons of the task view
+
+    def accept(self) -> bool:
+        """OK: one undo step; what is not possible is told, and the panel stays."""
+        try:
+            changes = self._changes()
+            if changes:
+                self._try(changes)
+                lines = [line_of(*change) for change in changes]
+                actions.run("Form Feature", *lines, document=self._feature.Document)
+        except actions.FAULTS as error:
+            say(self.form.message, str(error), True)
+            return False
+        return self.finish()
+
+    def reject(self) -> bool:
+        """Cancel: nothing has changed."""
+        return self.finish()
+
+    def _try(self, changes: list[Change]) -> None:
+        """Raises what would be wrong with the changes; the document stays as it is."""
+        document = self._feature.Document
+        document.openTransaction("Form Feature")
+        try:
+            with actions.waiting():
+                for function, arguments, keywords in changes:
+                    getattr(api, function)(*arguments, **keywords)
+                api.deform(self._assembly)
+        finally:
+            document.abortTransaction()
+
+    def _changes(self) -> list[Change]:
+        """The calls of the API that change what is different now."""
+        made = [self._rotation(), self._motion(), self._size(), self._relation()]
+        return [change for change in made if change is not None]
+
+    def _rotation(self) -> Change | None:
+        feature, chosen = self._feature, ROTATIONS[self.form.rotation.currentIndex()]
+        axis, degrees = self._vector("rotation"), self.form.angle.value()
+        if chosen != PRESCRIBED:
+            is_same, wanted = chosen == feature.Rotation, chosen
+        else:
+            before = (feature.Rotation, tuple(feature.RotationAxis), feature.RotationAngle.Value)
+            is_same, wanted = before == (chosen, axis, degrees), (axis, degrees)
+        return None if is_same else ("set_rotation", (feature, wanted), {})
+
+    def _motion(self) -> Change | None:
+        feature, chosen = self._feature, MOTIONS[self.form.motion.currentIndex()]
+        given = {}
+        if chosen in (PLANE, LINE, AXIS) and self._vector("direction") != self._given[0]:
+            given["direction"] = self._vector("direction")
+        if chosen == AXIS and self._vector("point") != self._given[1]:
+            given["point"] = self._vector("point")
+        if chosen == feature.Motion and not given:
+            return None
+        return "set_feature_motion", (feature, chosen), given
+
+    def _size(self) -> Change | None:
+        if self._shape is None:
+            return None
+        size = (
+            float(self.form.feature_size.property("rawValue"))
+            if self.form.has_size.isChecked()
+            else 0.0
+        )
+        is_same = size == self._feature.Size.Value
+        return None if is_same else ("set_size", (self._feature, size or None), {})
+
+    def _relation(self) -> Change | None:
+        function, chosen = RELATE[self.form.relation.currentIndex()], self._ticked()
+        if not function:
+            return None
+        if not chosen:
+            raise ValueError("Tick the form features it is related to, or choose no relation.")
+        members = [self._feature, *chosen]
+        if function == "group":
+            return function, (self._assembly, members), {}
+        if len(chosen) > 1:
+            raise ValueError("A pair has two form features; tick one.")
+        return function, (self._assembly, *members), {}
+
+    # -- the widgets
+
+    def _prepare_widgets(self) -> None:
+        form = self.form
+        form.part.setText(f"<b>{self._feature.Label}</b> on {self._feature.Part.Label}")
+        form.feature_size.setProperty("unit", "mm")
+        form.feature_size.setProperty("minimum", 0.0)
+        for other in self._others:
+            item = QtWidgets.QListWidgetItem(f"{other.Label} on {other.Part.Label}", form.others)
+            item.setFlags(item.flags() | QtCore.Qt.ItemIsUserCheckable)
+            item.setCheckState(QtCore.Qt.Unchecked)
+        form.relation.setEnabled(bool(self._others))
+        for box in (form.rotation, form.motion, form.relation):
+            box.currentIndexChanged.connect(self._refresh)
+        form.has_size.toggled.connect(self._refresh)
+        related = model.relations(self._assembly, self._feature)
+        text = ", ".join(f"{relation.Label} ({relation.Type})" for relation in related)
+        say(form.related, f"Relations: {text}" if text else "")
+        say(form.message, "")
+
+    def _show_values(self) -> None:
+        form, feature, shape = self.form, self._feature, self._shape
+        form.rotation.setCurrentIndex(ROTATIONS.index(feature.Rotation))
+        form.motion.setCurrentIndex(MOTIONS.index(feature.Motion))
+        self._show("rotation", feature.RotationAxis)
+        self._show("direction", feature.MotionDirection)
+        self._show("point", feature.MotionPoint)
+        self._given = self._vector("direction"), self._vector("point")
+        form.angle.setValue(feature.RotationAngle.Value)
+        form.has_size.setEnabled(shape is not None)
+        form.has_size.setChecked(shape is not None and feature.Size.Value > 0.0)
+        if shape is None:
+            form.size_text.setText("No hole, slot or cylinder: it has no size to set.")
+            return
+        form.feature_size.setProperty("rawValue", feature.Size.Value or shape.size)
+        form.size_text.setText(f"{shape.kind.capitalize()}, {shape.measure} {shape.size:.6g} mm.")
+
+    def _refresh(self, *_) -> None:
+        """Shows the fields that mean something now."""
+        form = self.form
+        motion = MOTIONS[form.motion.currentIndex()]
+        is_turned = ROTATIONS[form.rotation.currentIndex()] == PRESCRIBED
+        self._show_row(("rotation_axis_label", "rotation_x", "rotation_y", "rotation_z"), is_turned)
+        self._show_row(("angle_label", "angle"), is_turned)
+        has_direction = motion in (PLANE, LINE, AXIS)
+        rows = ("direction_label", "direction_x", "direction_y", "direction_z")
+        self._show_row(rows, has_direction)
+        form.direction_label.setText({PLANE: "Normal", AXIS: "Axis"}.get(motion, "Direction"))
+        self._show_row(("point_label", "point_x", "point_y", "point_z"), motion == AXIS)
+        form.feature_size.setEnabled(form.has_size.isChecked())
+        form.others.setVisible(form.relation.currentIndex() > 0)
+        say(form.message, "")
+
+    def _show_row(self, widgets, is_shown: bool) -> None:
+        for widget in widgets:
+            getattr(self.form, widget).setVisible(is_shown)
+
+    def _show(self, prefix: str, vector) -> None:
+        for axis, value in zip("xyz", vector):
+            getattr(self.form, f"{prefix}_{axis}").setValue(value)
+
+    def _vector(self, prefix: str) -> tuple[float, float, float]:
+        return tuple(getattr(self.form, f"{prefix}_{axis}").value() for axis in "xyz")
+
+    def _ticked(self) -> list:
+        """The other form features that are ticked."""
+        states = [self.form.others.item(row).checkState() for row in range(len(self._others))]
+        return [o for o, state in zip(self._others, states) if state == QtCore.Qt.Checked]

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/targets.h"
+
+#include <map>
+#include <string>
+
+namespace sheetmorph
+{
+
+//! The few numbers that decide every shape: what a document stores and a drag changes.
+struct Pose
+{
+    std::map<std::string, RigidMotion> handles;   //!< no motion where left out
+    std::map<std::string, Vector3> feature_logs;  //!< of prescribed features (2.6); none left out
+    std::map<std::string, PointTarget> points;    //!< every point needs one
+    std::map<std::string, double> sizes;          //!< mm, of resizable features
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/feature_motion.h"
+
+#include <vector>
+
+namespace sheetmorph
+{
+
+//! Form features of one part that move as one rigid body.
+struct FeatureGroup
+{
+    std::string name;
+    std::vector<int> features;  //!< indices into Assembly::features
+};
+
+//! Two form features, of one part or of two, that keep their common axis or their distance.
+struct FeaturePair
+{
+    std::string name;
+    FeatureLinkType type = FeatureLinkType::coaxial;
+    int a = 0;  //!< index into Assembly::features
+    int b = 0;
+};
+
+//! A plane the assembly is symmetric about: what one side is told, the other does mirrored.
+struct SymmetryPlane
+{
+    Vector3 point = Vector3::Zero();    //!< mm
+    Vector3 normal = Vector3::UnitX();  //!< unit length
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+namespace sheetmorph
+{
+
+//! A form feature with the triangles that touch it, as a small mesh of its own.
+class FeaturePatch
+{
+public:
+    //! \param vertices  of the feature, in any order, repeated or not
+    FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices);
+
+    //! The feature's vertices and their neighbours; every index below is one of this mesh.
+    const TriangleMesh& mesh() const { return mesh_; }
+
+    const VertexIds& feature() const { return feature_; }  //!< each once
+    const VertexIds& rows() const { return rows_; }        //!< as given to the constructor
+
+    //! The closed loops that may be its rim, the shortest first: borders of the sheet inside it;
+    //! without those, the borders of its triangles; without triangles, its edges.
+    const std::vector<VertexIds>& loops() const { return loops_; }
+
+    //! Whether it fills the inside of its only loop.
+    bool is_disk() const { return is_disk_; }
+
+    //! The borders of the triangles whose corners are all among the vertices.
+    std::vector<VertexIds> loops_of(const VertexIds& vertices) const;
+
+    bool has_triangles(const VertexIds& vertices) const;
+    VertexIds neighbours_of(const VertexIds& vertices) const;
+    Points points_of(const VertexIds& vertices) const;
+
+    //! Its own triangles, without vertices that are on none.
+    TriangleMesh covered_mesh() const;
+
+private:
+    std::vector<char> marked(const VertexIds& vertices) const;
+    Triangles triangles_among(const VertexIds& vertices) const;
+    std::vector<VertexIds> border_loops() const;
+    std::vector<VertexIds> edge_loop() const;
+    double length_of(const VertexIds& loop) const;
+
+    TriangleMesh mesh_;
+    VertexIds feature_;
+    VertexIds rows_;
+    std::vector<VertexIds> loops_;
+    bool is_disk_ = false;
+};
+
+}  // namespace sheetmorph

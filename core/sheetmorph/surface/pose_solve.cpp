@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/pose_solve.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/rotation.h"
+#include "sheetmorph/surface/constraint_checks.h"
+#include "sheetmorph/surface/placement.h"
+#include "sheetmorph/surface/point_rows.h"
+#include "sheetmorph/surface/reachable_size.h"
+#include "sheetmorph/surface/reduced_minimum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Clean meshes settle after one or two; a few needles in the mesh need more.
+constexpr int most_refinements = 8;
+
+std::size_t at(Eigen::Index index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& displacements,
+                        const Eigen::MatrixXd& wanted, Exactness level)
+{
+    const Eigen::VectorXd error = part.minimiser.constraint_error(displacements, wanted);
+    const double reach = part.rest.size() + (wanted.size() ? wanted.cwiseAbs().maxCoeff() : 0.0);
+    const double allowed =
+        level == Exactness::exact ? exactness(part.rest.points(), reach) : 1e-6 * reach;
+    std::string missed;
+    for (Eigen::Index k = 0; k < error.size(); ++k)
+        if (error(k) > allowed)
+            missed += (missed.empty() ? "'" : ", '") + part.constraints.points[at(k)].name + "'";
+    if (!missed.empty())
+        throw InvalidInput("the targets of points " + missed
+                           + " contradict each other or the fixed, handle or feature vertices they "
+                             "lie on; move a target or remove a point");
+}
+
+//! The rotation field of one pose.
+struct Field
+{
+    Points logs;   // (n, 3)
+    Points tilts;  // (n, 3)
+};
+
+Field field_of(const PreparedSurface& part, const GivenRotations& given)
+{
+    Field field{part.field->logs(given.logs), Points::Zero(part.rest.vertex_count(), 3)};
+    if (given.is_tilted)
+        field.tilts = part.field->logs(given.tilts);
+    return field;
+}
+
+// Rows of the turners' weights: what of the sheet's turn at a vertex is theirs.
+using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+// (R - I) D p_hat: how the rest rows turn; R is the field, and of what turners own of it the
+// rotation in `turns`, or none of it where `turns` is empty.
+Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
+                            const std::vector<BodyState>& turns)
+{
+    const SurfaceOperators& operators = part.operators;
+    const Weights weights =
+        part.responses ? Weights(part.responses->weights()) : Weights(part.rest.vertex_count(), 0);
+    std::vector<Matrix3> turn(at(part.rest.vertex_count()));
+    for (Eigen::Index i = 0; i < part.rest.vertex_count(); ++i)
+    {
+        Matrix3& change = turn[at(i)];
+        change = tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
+        double left = 1.0;
+        for (Weights::InnerIterator entry(weights, i); entry; ++entry)
+            left -= entry.value();
+        change *= left;
+        for (Weights::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
+            change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
+    }
+    Eigen::MatrixXd rows(operators.rest_rows.rows(), 3);
+    for (Eigen::Index row = 0; row < rows.rows(); ++row)
+        rows.row(row) =
+            (turn[at(operators.row_vertices[at(row)])] * operators.rest_rows.row(row).transpose())
+                .transpose();
+    return rows;
+}
+
+// Bodies with every turner where it was at rest.
+BodyMotions unmoved_turners(const PreparedSurface& part, const BodyMotions& bodies)
+{
+    BodyMotions unmoved = bodies;
+    for (const Turner& turner : part.responses->turners())
+        if (turner.body >= 0 && turner.turns)
+            unmoved.motions[at(turner.body)].rotation_log.setZero();
+    return unmoved;
+}
+
+// What the sheet turns like at every vertex, as far as logs can tell.
+void blend_logs(const PreparedSurface& part, const Joints& joints, Points& logs)
+{
+    const Points field = logs;
+    const SparseMatrix& weights = part.responses->weights();
+    for (Eigen::Index k = 0; k < weights.cols(); ++k)
+    {
+        const Turner& turner = part.responses->turners()[at(k)];
+        if (!turner.turns || turner.vertices.empty())
+            continue;
+        const Vector3 reference = field.row(turner.vertices.front()).transpose();
+        const Vector3 log = log_near(joints.states()[at(k)].rotation, reference);
+        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
+            logs.row(entry.row()) += entry.value() * (log.transpose() - field.row(entry.row()));
+    }
+}
+
+//! One pose on its way to its solution.
+struct Solving
+{
+    const SurfaceTargets& targets;
+    Exactness exactness;
+    BodyMotions bodies;
+    Field field;
+    SizeChanges sizes;
+    ConstrainedMinimiser::Targets asked;
+
+    int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
+};
+
+// How much a feature is held at the field's rotation, by the largest turn of the field between it
+// and what lies around it. Between neighbours turned by more than a right angle the energy of a
+// flat sheet, which sees cosines, has no minimum of its own: there the field decides.
+double hold(double angle)
+{
+    constexpr double begins = 75.0 / 180.0 * 3.14159265358979323846;
+    constexpr double complete = 150.0 / 180.0 * 3.14159265358979323846;
+    const double t = std::clamp((angle - begins) / (complete - begins), 0.0, 1.0);
+    return 4.0 * t * t * (3.0 - 2.0 * t);
+}
+
+void hold_far_turned(const PreparedSurface& part, const Solving& pose, const Joints& start,
+                     ReducedEnergy& energy)
+{
+    const SparseMatrix& weights = part.responses->weights();
+    for (Eigen::Index k = 0; k < weights.cols(); ++k)
+    {
+        const Turner& turner = part.responses->turners()[at(k)];
+        if (!turner.turns || turner.body < 0)
+            continue;
+        const Points& logs = pose.field.logs;
+        double farthest = 0.0;
+        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
+            farthest = std::max(farthest,
+                                (logs.row(entry.row()) - logs.row(turner.vertices.front())).norm());
+        const double amount = hold(2.0 * farthest);
+        if (amount == 0.0)
+            continue;
+        const int column = part.responses->columns()[at(k)].turn;
+        const Matrix3 stiffness = amount * energy.stiffness.block<3, 3>(column, column);
+        const Matrix3 wanted = start.states()[at(k)].rotation - Matrix3::Identity();
+        energy.stiffness.block<3, 3>(column, column) += stiffness;
+        energy.slope.middleRows<3>(column) -= stiffness * wanted.transpose();
+    }
+}
+
+// Lets the energy turn what it may turn; the sheet's displacements, known already in a live frame.
+std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solving& pose)
+{
+    const BodyMotions unmoved = unmoved_turners(part, pose.bodies);
+    ConstrainedMinimiser::Targets& asked = pose.asked;
+    asked.rows = turned_rows(part, pose.field, {});
+    asked.offset = known_displacements(part.placement(), pose.targets, unmoved);
+    const ConstrainedMinimiser::Solution base =
+        part.minimiser.minimum(asked, std::min(pose.refinements(), 1));
+    ReducedEnergy energy = part.responses->energy(asked, base, pose.sizes);
+    const PlacementInput placement = part.placement();
+    Joints joints(placement, pose.targets, part.responses->turners(), pose.bodies);
+    hold_far_turned(part, pose, joints, energy);
+    minimise(joints, placement, *part.responses, energy);
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+    {
+        const int body = part.responses->turners()[k].body;
+        if (body >= 0)
+            pose.bodies.motions[at(body)] =
+                motion_of(part.roles.bodies[at(body)], joints.states()[k],
+                          pose.bodies.motions[at(body)].rotation_log);
+    }
+    const Field field = pose.field;
+    blend_logs(part, joints, pose.field.logs);
+    if (pose.exactness == Exactness::live)
+    {
+        const Eigen::MatrixXd rho = entries_of(joints, placement, *part.responses);
+        if (const auto change = part.responses->displacements(rho, pose.sizes))
+            return base.u + *change;
+    }
+    asked.rows = turned_rows(part, field, joints.states());
+    return std::nullopt;
+}
+
+Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, Exactness exactness)
+{
+    check_targets(part.constraints, targets);
+    const PlacementInput placement = part.placement();
+    Solving pose{targets, exactness, known_body_motions(placement, targets), {}, {}, {}};
+    pose.sizes = size_changes(part.constraints, part.shapes, targets);
+    pose.bodies.shape = shaped_points(part.rest, part.constraints, part.shapes, pose.sizes);
+    pose.field = field_of(part, given_rotations(placement, targets, pose.bodies));
+    turn_open_bodies(placement, pose.field.logs, pose.field.tilts, pose.bodies);
+    pose.asked.constraints =
+        point_displacements(part.rest, part.constraints.points, targets.points);
+    std::optional<Eigen::MatrixXd> displacements;
+    if (part.responses)
+        displacements = turn_features(part, pose);
+    else
+        pose.asked.rows = turned_rows(part, pose.field, {});
+    if (!displacements)
+    {
+        pose.asked.offset = known_displacements(placement, targets, pose.bodies);
+        displacements = part.minimiser.solve(pose.asked, pose.refinements());
+    }
+    require_met_points(part, *displacements, pose.asked.constraints, exactness);
+    complete_bodies(placement, *displacements, pose.bodies);
+    Deformation result;
+    result.rotation_logs = pose.field.logs;
+    result.positions = placed_positions(placement, targets, pose.bodies, *displacements);
+    part.followers.place(part.rest, result.positions, result.rotation_logs);
+    result.features = feature_motions(placement, pose.bodies);
+    if (!result.positions.allFinite())
+        throw SolverError("the deformed shape is not finite; the mesh may be too distorted");
+    return result;
+}
+
+}  // namespace
+
+Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
+                       Exactness exactness)
+{
+    Deformation result = solved(part, targets, exactness);
+    const auto is_set = [](const std::optional<double>& size) { return size.has_value(); };
+    if (exactness == Exactness::exact
+        && std::any_of(targets.sizes.begin(), targets.sizes.end(), is_set))
+        require_reachable_sizes(part, targets, result,
+                                [&](const SurfaceTargets& other)
+                                { return solved(part, other, Exactness::live); });
+    return result;
+}
+
+}  // namespace sheetmorph

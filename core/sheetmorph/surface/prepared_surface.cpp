@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/prepared_surface.h"
+
+#include "sheetmorph/surface/point_rows.h"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(Eigen::Index index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+// Free vertices have an unknown each, bodies whose translation is open share one.
+Unknowns position_unknowns(const VertexRoles& roles)
+{
+    Unknowns unknowns;
+    std::vector<int> of_body(roles.bodies.size(), Unknowns::known);
+    for (std::size_t i = 0; i < roles.role.size(); ++i)
+    {
+        int unknown = Unknowns::known;
+        if (roles.role[i] == Role::free)
+            unknown = unknowns.count++;
+        else if (roles.role[i] == Role::body && roles.bodies[at(roles.owner[i])].is_open())
+        {
+            int& shared = of_body[at(roles.owner[i])];
+            if (shared == Unknowns::known)
+                shared = unknowns.count++;
+            unknown = shared;
+        }
+        unknowns.of_vertex.push_back(unknown);
+    }
+    return unknowns;
+}
+
+std::vector<int> all_of(std::size_t count)
+{
+    std::vector<int> ids;
+    for (std::size_t k = 0; k < count; ++k)
+        ids.push_back(static_cast<int>(k));
+    return ids;
+}
+
+// Points that alone hold a component: the energy does not see where it is.
+std::vector<int> supporting_points(const TriangleMesh& rest, const VertexRoles& roles,
+                                   const SurfaceConstraints& constraints)
+{
+    std::vector<int> supporting;
+    for (std::size_t k = 0; k < constraints.points.size(); ++k)
+    {
+        const int corner = rest.triangles()(constraints.points[k].triangle, 0);
+        const int component = roles.components.label[at(corner)];
+        for (const int held : roles.held_by_points)
+            if (held == component)
+                supporting.push_back(static_cast<int>(k));
+    }
+    return supporting;
+}
+
+ConstrainedMinimiser position_minimiser(const RotationFieldInput& input, const Unknowns& unknowns)
+{
+    QuadraticProblem problem;
+    problem.rows = input.operators.rows;
+    problem.weights = input.operators.weights;
+    problem.basis = unknowns.basis();
+    const std::vector<PointConstraint>& points = input.constraints.points;
+    problem.constraints = point_rows(input.mesh, points, all_of(points.size()));
+    problem.supporting = supporting_points(input.mesh, input.roles, input.constraints);
+    return ConstrainedMinimiser(std::move(problem));
+}
+
+std::unique_ptr<RotationField> rotation_field(const RotationFieldInput& input)
+{
+    return input.constraints.energy == Energy::paper ? biharmonic_rotation_field(input)
+                                                     : blended_rotation_field(input);
+}
+
+VertexRoles reported_roles(const TriangleMesh& rest, const SurfaceConstraints& constraints,
+                           const Progress& progress)
+{
+    progress.report(0.0, "checking constraints");
+    return assign_roles(rest, constraints);
+}
+
+SurfaceOperators reported_operators(const TriangleMesh& rest, Energy energy,
+                                    const Progress& progress)
+{
+    progress.report(0.1, "operators");
+    return surface_operators(rest, energy);
+}
+
+std::unique_ptr<RotationField> reported_field(const RotationFieldInput& input,
+                                              const Progress& progress)
+{
+    progress.report(0.2, "rotation field");
+    return rotation_field(input);
+}
+
+ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input, const Unknowns& unknowns,
+                                        const Progress& progress)
+{
+    progress.report(0.4, "factorisation");
+    return position_minimiser(input, unknowns);
+}
+
+std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& input,
+                                                     const ConstrainedMinimiser& minimiser,
+                                                     const FeatureShapes& shapes,
+                                                     const Progress& progress)
+{
+    std::vector<Turner> turners = turners_of(input.mesh, input.constraints, input.roles);
+    if (turners.empty())
+        return nullptr;
+    progress.report(0.7, "responses of features");
+    return std::make_unique<FeatureResponses>(input, minimiser, std::move(turners), shapes);
+}
+
+}  // namespace
+
+PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
+                                 const Progress& progress)
+    : rest(rest_mesh),
+      constraints(given),
+      roles(reported_roles(rest, constraints, progress)),
+      shapes(resizable_shapes(rest, constraints)),
+      operators(reported_operators(rest, constraints.energy, progress)),
+      unknowns(position_unknowns(roles)),
+      field(reported_field({rest, constraints, roles, operators}, progress)),
+      minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, progress)),
+      responses(
+          reported_responses({rest, constraints, roles, operators}, minimiser, shapes, progress)),
+      followers(rest, roles)
+{
+    progress.report(1.0, "ready");
+}
+
+}  // namespace sheetmorph

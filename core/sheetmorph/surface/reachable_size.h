@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/prepared_surface.h"
+#include "sheetmorph/surface/surface_deformer.h"
+
+#include <functional>
+
+namespace sheetmorph
+{
+
+//! Triangles that a deformation turned over: their normal is against the one the sheet's rotation
+//! there gives them.
+std::vector<int> overturned_triangles(const TriangleMesh& rest, const Deformation& deformation);
+
+//! Refuses sizes that turn triangles over which stand without them.
+//! \param solve  a pose like the one given with other sizes
+//! \throws InvalidInput naming the feature, triangles and the size nearest to the wanted one that
+//! can be reached
+void require_reachable_sizes(const PreparedSurface& part, const SurfaceTargets& targets,
+                             const Deformation& deformation,
+                             const std::function<Deformation(const SurfaceTargets&)>& solve);
+
+}  // namespace sheetmorph

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/feature_responses.h"
+#include "sheetmorph/surface/joints.h"
+
+namespace sheetmorph
+{
+
+//! Entries (c, 3) of the turners' motions, as a ReducedEnergy counts them.
+Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
+                           const FeatureResponses& responses);
+
+//! Moves the joints to the minimum of the energy near where they are: Newton's method on their own
+//! freedoms, with the full second derivative, its eigenvalues made positive, and step halving.
+//! Directions the energy does not feel stay as they are.
+void minimise(Joints& joints, const PlacementInput& part, const FeatureResponses& responses,
+              const ReducedEnergy& energy);
+
+}  // namespace sheetmorph
