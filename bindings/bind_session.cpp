@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/deformation_session.h"
 #include "arrays.h"
 #include "layers.h"
+#include "progress.h"
 
 #include <pybind11/stl.h>
 
@@ -12,21 +13,6 @@ namespace sheetmorph
 
 namespace
 {
-
-// A Python callable (fraction, task) -> anything; returning False cancels. The session is built
-// without the GIL, so it is taken for each report.
-Progress progress_from(const py::object& callback)
-{
-    if (callback.is_none())
-        return {};
-    return Progress(
-        [&callback](double fraction, const std::string& task)
-        {
-            const py::gil_scoped_acquire gil;
-            const py::object answer = callback(fraction, task);
-            return answer.is_none() || PyObject_IsTrue(answer.ptr()) != 0;
-        });
-}
 
 void bind_result(py::module_& module)
 {

@@ -9,6 +9,7 @@ PYBIND11_MODULE(_core, module)
     sheetmorph::bind_mesh(module);
     sheetmorph::bind_features(module);
     sheetmorph::bind_diagnosis(module);
+    sheetmorph::bind_repair(module);
     sheetmorph::bind_description(module);
     sheetmorph::bind_session(module);
 }

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
 
 import numpy as np
 
@@ -104,6 +106,26 @@ class PartMesh:
         if self.ids is None:
             return np.asarray(indices, dtype=np.int64).tolist()
         return self.ids[np.asarray(indices, dtype=np.int64)].tolist()
+
+    @property
+    def preparation(self) -> dict[str, Any] | None:
+        """What weld and remesh did to the mesh of the file; None if they did nothing."""
+        return None
+
+    @property
+    def file_triangle_count(self) -> int:
+        """How many triangles a recipe may name."""
+        return len(self.triangles)
+
+    def place_on(
+        self, _core: ModuleType, triangle: int, barycentric: Sequence[float]
+    ) -> tuple[int, Sequence[float]]:
+        """Triangle and barycentric coordinates here of a point on a triangle of the file."""
+        return triangle, barycentric
+
+    def restricted(self, vertices: np.ndarray, corners: np.ndarray, name: str) -> PartMesh:
+        """Some of its vertices (k,), and triangles (m, 3) over them; the ids stay."""
+        return PartMesh(self.points[vertices], corners, np.array(self.file_ids(vertices)), name)
 
     def describe_ids(self) -> str:
         """The ids a recipe may use, for messages: "0 .. 41" or "node ids 1 .. 9999 of the deck"."""

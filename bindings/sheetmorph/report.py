@@ -127,6 +127,7 @@ def _part(result: Result, name: str, written: WrittenPart | None) -> dict[str, A
         "is_reached": name not in result.session.unreached,
         "largest_displacement": _largest_distance(mesh.points, positions),
         "quality": _quality(result.session.core, mesh, positions),
+        "preparation": mesh.preparation,
         "file": None,
     }
     if written is not None:

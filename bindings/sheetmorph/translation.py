@@ -42,9 +42,14 @@ class Translator:
         """Rest position (3,) of a point on a triangle, centroid of a set of vertices; mm."""
         mesh = self._meshes[region.part]
         if region.is_point:
-            corners = mesh.points[mesh.triangles[region.triangle]]
-            return np.asarray(region.barycentric) @ corners
+            triangle, barycentric = self._on_mesh(region)
+            return np.asarray(barycentric) @ mesh.points[mesh.triangles[triangle]]
         return mesh.points[self.indices(region)].mean(axis=0)
+
+    def _on_mesh(self, point: RegionEntry) -> tuple[int, Any]:
+        """Triangle and barycentric coordinates of a point on the mesh that is deformed."""
+        mesh = self._meshes[point.part]
+        return mesh.place_on(self._core, point.triangle, point.barycentric)
 
     def assembly(self) -> Any:
         """The kernel's Assembly: everything but the pose."""
@@ -109,7 +114,7 @@ class Translator:
         is_free = entry.kind == "handle" and entry.turning == "free"
         turned = not is_free and (entry.kind == "handle" or entry.rotation is not None)
         part = self._part_index[entry.part]
-        place = entry.triangle, entry.barycentric
+        place = self._on_mesh(entry)
         return self._core.PointConstraint(entry.name, part, *place, turned, is_free)
 
     def pose(self, motions: Mapping[str, Motion]) -> Any:

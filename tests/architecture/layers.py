@@ -8,6 +8,7 @@ MAY_INCLUDE = {
     "base": {"base"},
     "numerics": {"base", "numerics"},
     "mesh": {"base", "mesh"},
+    "repair": {"base", "mesh", "repair"},
     "surface": BELOW_ASSEMBLY | {"surface"},
     "volume": BELOW_ASSEMBLY | {"volume"},
     "recognise": BELOW_ASSEMBLY | {"recognise"},

@@ -103,9 +103,9 @@ def mesh_faults(model: Model, meshes: Mapping[str, PartMesh]) -> list[Fault]:
                 what = f"vertices {list_ids(missing)} are not in part {region.part}"
                 todo = f"use its ids, {mesh.describe_ids()}"
                 faults.append(Fault(f"{region.where}.vertices", what, todo))
-        if region.triangle is not None and region.triangle >= len(mesh.triangles):
+        if region.triangle is not None and region.triangle >= mesh.file_triangle_count:
             what = f"triangle {region.triangle} is not in part {region.part}"
-            todo = f"use one of its triangles, 0 .. {len(mesh.triangles) - 1}"
+            todo = f"use one of its triangles, 0 .. {mesh.file_triangle_count - 1}"
             faults.append(Fault(f"{region.where}.triangle", what, todo))
     return faults
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from ..prepared_mesh import Wanted
 from .feature_entries import (
     RELATIONS,
     FeatureMotion,
@@ -37,7 +38,8 @@ class PartEntry:
     """A part; where: its place in the recipe, for messages; file: "" if none is given.
 
     mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
-    entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
+    entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file;
+    wanted: weld and remesh.
     """
 
     where: str
@@ -46,6 +48,7 @@ class PartEntry:
     mode: int = 0
     split: str = ""
     meshing: dict[str, float] | None = None
+    wanted: Wanted = Wanted()
 
     @property
     def stem(self) -> str:
@@ -195,7 +198,12 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
     split = {True: "components", False: ""}.get(split, split)
     name = entry.get("name", "" if split else f"part{k}")
     file, mode = entry.get("file", ""), int(entry.get("mode", 0))
-    return PartEntry(where, name, file, mode, split, entry.get("mesh"))
+    return PartEntry(where, name, file, mode, split, entry.get("mesh"), _wanted(entry))
+
+
+def _wanted(entry: dict[str, Any]) -> Wanted:
+    remesh = entry.get("remesh") or {}
+    return Wanted(entry.get("weld"), remesh.get("edge"), remesh.get("rims", "polygon"))
 
 
 def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:

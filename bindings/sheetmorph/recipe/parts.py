@@ -10,6 +10,7 @@ import numpy as np
 
 from ..errors import Fault, FileError
 from ..files import PartFile, is_cad, output_name, read_part
+from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
 from .model import PartEntry
 from .splitting import SplitError, part_of, split_triangles
@@ -70,13 +71,23 @@ def read_parts(entries: list[PartEntry], base: str | Path) -> Parts:
             parts.faults.append(Fault(f"{entry.where}.mesh", what, "leave it out"))
         try:
             meshing = entry.meshing if is_cad(entry.file) else None
-            parts.add(entry, read_part(Path(base) / entry.file, meshing))
+            file = read_part(Path(base) / entry.file, meshing)
+            parts.add(entry, _prepared(file, entry) if entry.wanted else file)
         except (FileError, SplitError) as error:
             parts.faults.append(_fault(entry, error))
             parts.entries += [] if entry.split else [entry]
             parts.unread += [f"{entry.stem}/"] if entry.split else []
     parts.faults += _clashes(entries)
     return parts
+
+
+def _prepared(file: PartFile, entry: PartEntry) -> PartFile:
+    """The file after weld and remesh. Raises FileError."""
+    try:
+        return PreparedFile(file, entry.wanted)
+    except ValueError as error:
+        what, _, todo = str(error).rpartition("; ")
+        raise FileError(file.path, f"it cannot be prepared: {what}", todo) from error
 
 
 def parts_of_meshes(entries: list[PartEntry], meshes: dict[str, PartMesh]) -> list[PartEntry]:
@@ -101,6 +112,7 @@ def _clashes(entries: list[PartEntry]) -> list[Fault]:
     seen: dict[str, str] = {}
     for entry in entries:
         name = output_name(entry.file) if entry.file else ""
+        name = f"{entry.stem}.obj" if name and entry.wanted else name
         if name and name in seen:
             what = f'the file name "{name}" is used already by {seen[name]}'
             todo = "rename one of the files; results are written into one folder"

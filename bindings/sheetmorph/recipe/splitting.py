@@ -68,5 +68,4 @@ def _check_apart(mesh: PartMesh, found: dict[str, np.ndarray]) -> None:
 def part_of(mesh: PartMesh, rows: np.ndarray, name: str) -> tuple[PartMesh, np.ndarray]:
     """The mesh of some triangles with the file's vertex ids, and its vertices' indices (k,)."""
     vertices, corners = np.unique(mesh.triangles[rows], return_inverse=True)
-    ids = np.array(mesh.file_ids(vertices))
-    return PartMesh(mesh.points[vertices], corners.reshape(-1, 3), ids, name), vertices
+    return mesh.restricted(vertices, corners.reshape(-1, 3), name), vertices

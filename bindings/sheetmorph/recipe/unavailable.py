@@ -22,7 +22,7 @@ class _Reserved:
     todo: str = "leave it out"
 
 
-_OPTIONS = ("remesh", "thin", "weld", "margin", "thickness", "criteria", "poses", "modes")
+_OPTIONS = ("thin", "margin", "thickness", "criteria", "poses", "modes")
 _RESERVED = (
     *(_Reserved((key,)) for key in _OPTIONS),
     *(_Reserved(("parts", "*", key)) for key in ("refine", *_OPTIONS)),

@@ -103,13 +103,12 @@ def import_recipe(document, path: str | os.PathLike):
     found = {}
     for entry in recipe["parts"]:
         found.update(add_entry(assembly, entry, path.parent / entry["file"], meshes=read.meshes))
-    ids = {name: mesh.ids for name, mesh in read.meshes.items()}
     if "primary" in recipe:
         set_primary(assembly, found[recipe["primary"]])
     set_energy(assembly, recipe.get("energy", "neumann"))
     apply_propagation(assembly, recipe)
-    regions = add_regions(assembly, recipe, found, ids)
-    add_contacts(assembly, recipe, found, ids)
+    regions = add_regions(assembly, recipe, found, read.meshes)
+    add_contacts(assembly, recipe, found, read.meshes)
     add_relations(assembly, recipe, regions)
     apply_options(assembly, recipe)
     apply_pose(regions, recipe)
@@ -121,12 +120,15 @@ def import_recipe(document, path: str | os.PathLike):
 def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
     """Add what one entry of a recipe's parts stands for; return parts by name in the recipe.
 
-    The parts of a split file become parts of their own, that know nothing of the file: only so
-    can each be exchanged, removed and written.
+    The parts of a split file, and those that are welded or remeshed, become parts of their own,
+    that know nothing of the file: only so can each be exchanged, removed and written.
     """
     if entry.get("split"):
         names = [name for name in meshes if name.startswith(f"{file.stem}/")]
         added = {name: add_mesh(assembly, without_ids(meshes[name]), name) for name in names}
+    elif meshes[entry["name"]].preparation is not None:
+        mesh = without_ids(meshes[entry["name"]])
+        added = {entry["name"]: add_mesh(assembly, mesh, entry["name"])}
     else:
         added = {entry["name"]: import_part(assembly, file, entry["name"])}
     for part in added.values():

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 
-import numpy as np
 
 from freecad.sheetmorph.api.assemblies import set_refine, set_symmetry
 from freecad.sheetmorph.api.contacts import add_contact
@@ -49,11 +48,11 @@ def with_names(recipe: dict) -> dict:
     return named
 
 
-def add_regions(assembly, recipe: dict, parts: dict, ids: dict) -> dict:
+def add_regions(assembly, recipe: dict, parts: dict, meshes: dict) -> dict:
     """Add all regions of a recipe and return them by their name in it.
 
-    `recipe`: from `with_names`; by name of the part in the recipe: `parts` and the file `ids`
-    (n,) of its vertices, None for their indices.
+    `recipe`: from `with_names`; by name of the part in the recipe: `parts` and `meshes`, which
+    know the ids of the file.
     """
     added = {}
     for key, add in ADDERS:
@@ -61,16 +60,16 @@ def add_regions(assembly, recipe: dict, parts: dict, ids: dict) -> dict:
             if "vertices" not in entry:
                 continue  # a handle that is a point on a triangle: kept as an extra
             name = entry["part"]
-            vertices = indices_of(entry["vertices"], ids[name])
+            vertices, _ = meshes[name].find(entry["vertices"])
             added[entry["name"]] = add(assembly, parts[name], vertices, entry["name"])
     return added
 
 
-def add_contacts(assembly, recipe: dict, parts: dict, ids: dict) -> None:
+def add_contacts(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
     """Add all contacts of a recipe; arguments as for `add_regions`."""
     for entry in recipe["contacts"]:
         a, b = (
-            (parts[side["part"]], indices_of(side["vertices"], ids[side["part"]]))
+            (parts[side["part"]], meshes[side["part"]].find(side["vertices"])[0])
             for side in (entry["a"], entry["b"])
         )
         kind = entry.get("type", CONTROL_MESH)
@@ -86,15 +85,6 @@ def apply_propagation(assembly, recipe: dict) -> None:
         levels=wanted.get("levels"),
         smoothness=wanted.get("smoothness"),
     )
-
-
-def indices_of(file_ids: list[int], ids: np.ndarray | None) -> np.ndarray:
-    """Return the indices (k,) of vertices with these ids in their file."""
-    wanted = np.asarray(file_ids, dtype=np.int64)
-    if ids is None:
-        return wanted
-    order = np.argsort(ids)
-    return order[np.searchsorted(ids, wanted, sorter=order)]
 
 
 def add_relations(assembly, recipe: dict, regions: dict) -> None:

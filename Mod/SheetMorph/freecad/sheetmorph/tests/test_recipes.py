@@ -165,6 +165,26 @@ class TestImport(RecipeTest):
         again = api.import_recipe(self.new_document(), self.exported(assembly))
         np.testing.assert_array_equal(api.deform(again)[objects.parts(again)[0].Name], on_part)
 
+    def test_a_remeshed_part_comes_in_as_its_new_mesh_with_its_regions(self):
+        points = np.array([[0, 0, 0], [60, 0, 0], [60, 20, 0], [0, 20, 0]], dtype=float)
+        support.write_obj(self.path("coarse.obj"), points, np.array([[0, 1, 2], [0, 2, 3]]))
+        recipe = {
+            "sheetmorph": 1,
+            "parts": [{"name": "coarse", "file": "coarse.obj", "remesh": {"edge": 4}}],
+            "fixed": [{"part": "coarse", "vertices": [0, 3]}],
+            "handles": [{"name": "tip", "part": "coarse", "vertices": [1, 2]}],
+            "pose": {"tip": {"translation": [0, 0, 5]}},
+        }
+        with open(self.path("coarse.json"), "w", encoding="utf-8") as file:
+            json.dump(recipe, file)
+        assembly = api.import_recipe(self.new_document(), self.path("coarse.json"))
+        (part,) = objects.parts(assembly)
+        positions = api.deform(assembly)[part.Name]
+        self.assertGreater(len(positions), 60)
+        end = positions[positions[:, 0] > 59.9]
+        self.assertGreater(len(end), 4)
+        np.testing.assert_allclose(end[:, 2], 5.0)
+
     def test_regions_without_names_get_those_the_pose_calls_them(self):
         points, _ = support.strip()
         handle = {"part": "cover", "vertices": support.right_edge(points)}

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A file whose mesh was welded or remeshed: what is written is the prepared mesh, as OBJ."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from ..kernel import load_kernel
+from ..prepared_mesh import Wanted, prepared_mesh
+from .obj import ObjFile
+from .part_file import PartFile
+
+
+class PreparedFile(PartFile):
+    """Another file's part after weld and remesh; see PreparedMesh. Raises ValueError, KernelError.
+
+    Properties and bodies of the other go with its triangles.
+    """
+
+    def __init__(self, file: PartFile, wanted: Wanted):
+        mesh, triangle_of = prepared_mesh(load_kernel(), file.mesh, wanted)
+        super().__init__(file.path, mesh)
+        self.notes = [*file.notes, *_notes(mesh.preparation)]
+        if file.properties is not None:
+            self.properties = file.properties[triangle_of]
+        if file.bodies is not None:
+            self.bodies = {
+                name: np.flatnonzero(np.isin(triangle_of, rows))
+                for name, rows in file.bodies.items()
+            }
+
+    @property
+    def output_name(self) -> str:
+        """The OBJ file of the same name: doubles, and room for other vertices than the file's."""
+        return f"{self.path.stem}.obj"
+
+    def save(self, path: Path, positions: np.ndarray) -> None:
+        lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in positions.tolist()]
+        lines += [f"f {a} {b} {c}" for a, b, c in (self.mesh.triangles + 1).tolist()]
+        path.write_text("\n".join(lines) + "\n", "utf-8")
+
+    def stored_positions(self, path: Path) -> np.ndarray:
+        return ObjFile.read(path).mesh.points
+
+
+def _notes(done: dict) -> list[str]:
+    notes = [
+        f"prepared: {done['welded']} vertices welded, {done['removed']} triangles removed, "
+        f"{done['split']} cut, {done['turned']} turned; written as OBJ"
+    ]
+    fresh = done["remesh"]
+    if fresh:
+        notes.append(
+            f"remeshed with edges of {fresh['edge']:.6g} mm, at most {fresh['deviation']:.2g} mm "
+            f"from the facets of the file ({fresh['flat_deviation']:.2g} mm on flats)"
+        )
+    return notes

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mesh after weld and remesh that still understands the vertex ids of its file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from .part_mesh import PartMesh
+
+# Barycentric coordinates below it count as zero: the vertex lies on the edge or the corner.
+_ON_EDGE = 1e-9
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """weld: tolerance in mm, None for none; edge: mm, None for no remesh; rims: see RIMS."""
+
+    weld: float | None = None
+    edge: float | None = None
+    rims: str = "polygon"
+
+    def __bool__(self) -> bool:
+        return self.weld is not None or self.edge is not None
+
+
+RIMS = ("polygon", "circle")
+
+
+@dataclass(frozen=True, eq=False)
+class PreparedMesh(PartMesh):
+    """The mesh that is deformed; ids are those of ``source``, the mesh of the file.
+
+    support: (n, j) vertices of source that each vertex lies between, the nearest first, repeated
+    where it lies on an edge or in a corner; vertex_of: (k,) of every vertex of
+    source the one in or nearest its place, -1 if there is none; done: for the report.
+    """
+
+    source: PartMesh | None = None
+    support: np.ndarray | None = None
+    vertex_of: np.ndarray | None = None
+    done: dict[str, Any] | None = None
+
+    @property
+    def preparation(self) -> dict[str, Any] | None:
+        return self.done
+
+    @property
+    def file_triangle_count(self) -> int:
+        return len(self.source.triangles)
+
+    def find(self, ids: Sequence[int]) -> tuple[np.ndarray, list[int]]:
+        """Vertices between the ones with these ids, and those nearest to them: (j,) int32."""
+        old, missing = self.source.find(ids)
+        chosen = np.zeros(len(self.source.points), dtype=bool)
+        chosen[old] = True
+        nearest = self.vertex_of[old]
+        missing += self.source.file_ids(old[nearest < 0])
+        between = np.flatnonzero(chosen[self.support].all(axis=1))
+        return np.union1d(between, nearest[nearest >= 0]).astype(np.int32), missing
+
+    def file_ids(self, indices: Sequence[int]) -> list[int]:
+        """The id of a vertex of the file in or beside the place of each."""
+        return self.source.file_ids(self.support[np.asarray(indices, dtype=np.int64), 0])
+
+    def describe_ids(self) -> str:
+        return self.source.describe_ids()
+
+    def place_on(
+        self, core: ModuleType, triangle: int, barycentric: Sequence[float]
+    ) -> tuple[int, Sequence[float]]:
+        """The place nearest to a point on a triangle of the file."""
+        place = np.asarray(barycentric) @ self.source.points[self.source.triangles[triangle]]
+        hit = core.PickingTree(core.TriangleMesh(self.points, self.triangles)).nearest_point(place)
+        return hit.triangle, tuple(hit.barycentric)
+
+    def restricted(self, vertices: np.ndarray, corners: np.ndarray, name: str) -> PartMesh:
+        """Some of its vertices, and triangles (m, 3) over them."""
+        number = np.full(len(self.points) + 1, -1)
+        number[vertices] = np.arange(len(vertices))
+        return PreparedMesh(
+            self.points[vertices],
+            corners,
+            name=name,
+            source=self.source,
+            support=self.support[vertices],
+            vertex_of=number[self.vertex_of],
+            done=self.done,
+        )
+
+
+def prepared_mesh(core: ModuleType, mesh: PartMesh, wanted: Wanted) -> tuple[PartMesh, np.ndarray]:
+    """The mesh after weld and remesh, and the triangle of the file (m,) each of its comes from.
+
+    Raises InvalidInput of the kernel (a ValueError).
+    """
+    tolerance = 0.0 if wanted.weld is None else wanted.weld
+    cure = core.cured(core.TriangleMesh(mesh.points, mesh.triangles), tolerance)
+    done: dict[str, Any] = {
+        "weld": wanted.weld,
+        **{key: getattr(cure, key) for key in ("welded", "removed", "split", "turned")},
+        "remesh": None,
+    }
+    points, triangles, first = cure.points, cure.triangles, _first_of(cure)
+    support, vertex_of = first[:, None], cure.vertex_of
+    triangle_of = cure.triangle_of
+    if wanted.edge is not None:
+        fresh = core.remeshed(core.TriangleMesh(points, triangles), wanted.edge, _is_round(wanted))
+        support = first[_corners_below(fresh, triangles)]
+        vertex_of = np.append(fresh.vertex_of, -1)[vertex_of]
+        triangle_of = triangle_of[fresh.triangle[fresh.triangles].min(axis=1)]
+        done["remesh"] = _told(fresh, wanted)
+        points, triangles = fresh.points, fresh.triangles
+    made = PreparedMesh(
+        points, triangles, name=mesh.name, source=mesh, support=support, vertex_of=vertex_of,
+        done=done,
+    )  # fmt: skip
+    return made, triangle_of
+
+
+def _is_round(wanted: Wanted) -> bool:
+    return wanted.rims == "circle"
+
+
+def _first_of(cure: Any) -> np.ndarray:
+    """(k,) of every vertex after the weld: the first vertex of the file in its place."""
+    first = np.full(len(cure.points), -1)
+    old = np.flatnonzero(cure.vertex_of >= 0)[::-1]
+    first[cure.vertex_of[old]] = old
+    return first
+
+
+def _corners_below(fresh: Any, triangles: np.ndarray) -> np.ndarray:
+    """(n, 4) the nearest corner of the facet below each vertex, then the corners with a weight."""
+    corners = triangles[fresh.triangle]
+    weight = fresh.barycentric
+    most = corners[np.arange(len(corners)), weight.argmax(axis=1)]
+    return np.column_stack([most, np.where(weight > _ON_EDGE, corners, most[:, None])])
+
+
+def _told(fresh: Any, wanted: Wanted) -> dict[str, Any]:
+    return {
+        "edge": wanted.edge,
+        "rims": wanted.rims,
+        "rims_on_circles": fresh.circles,
+        "flats": fresh.flats,
+        "deviation": fresh.deviation,
+        "flat_deviation": fresh.flat_deviation,
+        "kept_vertices": int(fresh.is_kept.sum()),
+    }

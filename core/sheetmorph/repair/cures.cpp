@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/repair/cures.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/near_vertices.h"
+#include "sheetmorph/mesh/t_junctions.h"
+#include "sheetmorph/repair/soup.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Lower triangles have no height. What is merely thin holds its neighbours together.
+constexpr double least_height = 1e-3;  // of the tolerance
+
+struct Facet
+{
+    std::array<int, 3> corners;
+    int origin;
+};
+
+using Facets = std::vector<Facet>;
+
+TriangleMesh mesh_of(const Points& points, const Facets& facets)
+{
+    Triangles triangles(facets.size(), 3);
+    for (std::size_t t = 0; t < facets.size(); ++t)
+        for (int k = 0; k < 3; ++k)
+            triangles(t, k) = facets[t].corners[k];
+    return TriangleMesh(points, std::move(triangles));
+}
+
+// Its height over the longest edge, 0 if a corner stands twice.
+double height(const Points& points, const Facet& facet)
+{
+    const auto corner = [&](int k) -> Vector3 { return points.row(facet.corners[k]).transpose(); };
+    const Vector3 a = corner(1) - corner(0), b = corner(2) - corner(0);
+    const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+    return longest > 0.0 ? a.cross(b).norm() / longest : 0.0;
+}
+
+// Leaves out facets without height and those over the corners of an earlier one.
+Facets sound_facets(const TriangleMesh& mesh, const std::vector<int>& first, double tolerance)
+{
+    Facets facets;
+    std::set<std::array<int, 3>> seen;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        Facet facet{{}, t};
+        for (int k = 0; k < 3; ++k)
+            facet.corners[k] = first[mesh.triangles()(t, k)];
+        std::array<int, 3> key = facet.corners;
+        std::sort(key.begin(), key.end());
+        if (height(mesh.points(), facet) > least_height * tolerance && seen.insert(key).second)
+            facets.push_back(facet);
+    }
+    return facets;
+}
+
+// A fan of the facet over its side `side`, which is cut at some vertices.
+Facets fan(const Points& points, const Facet& facet, int side, VertexIds cuts)
+{
+    const int from = facet.corners[side], to = facet.corners[(side + 1) % 3];
+    const int apex = facet.corners[(side + 2) % 3];
+    const Vector3 way = points.row(to) - points.row(from);
+    std::sort(cuts.begin(), cuts.end(),
+              [&](int a, int b) { return points.row(a).dot(way) < points.row(b).dot(way); });
+    cuts.push_back(to);
+    Facets pieces;
+    int before = from;
+    for (const int cut : cuts)
+    {
+        pieces.push_back({{before, cut, apex}, facet.origin});
+        before = cut;
+    }
+    return pieces;
+}
+
+// Cuts each facet at the vertices inside one of its open edges; returns how many were cut.
+int cut_junctions(const Points& points, Facets& facets, double tolerance)
+{
+    std::map<std::pair<int, int>, VertexIds> cuts;
+    for (const TJunction& junction : t_junctions(mesh_of(points, facets), tolerance))
+        cuts[{junction.from, junction.to}].push_back(junction.vertex);
+    int count = 0;
+    Facets whole;
+    for (const Facet& facet : facets)
+    {
+        int side = 0;
+        while (side < 3 && !cuts.count({facet.corners[side], facet.corners[(side + 1) % 3]}))
+            ++side;
+        const bool is_cut = side < 3;
+        const Facets pieces =
+            is_cut ? fan(points, facet, side,
+                         cuts.at({facet.corners[side], facet.corners[(side + 1) % 3]}))
+                   : Facets{facet};
+        for (const Facet& piece : pieces)
+            whole.push_back(piece);
+        count += is_cut;
+    }
+    facets = std::move(whole);
+    return count;
+}
+
+// Only vertices that a facet has, in their old order.
+void number_vertices(const Points& points, const Facets& facets, const std::vector<int>& first,
+                     CuredMesh& found)
+{
+    std::vector<int> number(first.size(), -1);
+    for (const Facet& facet : facets)
+        for (const int corner : facet.corners)
+            number[corner] = 0;
+    int count = 0;
+    for (int& place : number)
+        place = place < 0 ? -1 : count++;
+    Points kept(count, 3);
+    for (std::size_t i = 0; i < number.size(); ++i)
+        if (number[i] >= 0)
+            kept.row(number[i]) = points.row(static_cast<Eigen::Index>(i));
+    Triangles triangles(facets.size(), 3);
+    for (std::size_t t = 0; t < facets.size(); ++t)
+    {
+        found.triangle_of.push_back(facets[t].origin);
+        for (int k = 0; k < 3; ++k)
+            triangles(t, k) = number[facets[t].corners[k]];
+    }
+    for (const int place : first)
+        found.vertex_of.push_back(number[place]);
+    found.mesh = TriangleMesh(std::move(kept), std::move(triangles));
+}
+
+}  // namespace
+
+CuredMesh cured(const TriangleMesh& mesh, double tolerance)
+{
+    constexpr int most_rounds = 8;
+    CuredMesh found;
+    const Weld places = weld(mesh.points(), tolerance);
+    for (std::size_t i = 0; i < places.first.size(); ++i)
+        found.welded += places.first[i] != static_cast<int>(i);
+    Facets facets = sound_facets(mesh, places.first, tolerance);
+    if (facets.empty())
+        throw InvalidInput("no triangle is higher than the tolerance of the weld, "
+                           + std::to_string(tolerance) + " mm; give a smaller one");
+    found.removed = mesh.triangle_count() - static_cast<int>(facets.size());
+    for (int round = 0, cut = 1; round < most_rounds && cut > 0; ++round)
+        found.split += cut = cut_junctions(mesh.points(), facets, tolerance);
+    number_vertices(mesh.points(), facets, places.first, found);
+    OrientedSoup soup = oriented(found.mesh);
+    found.turned = soup.turned;
+    found.mesh = TriangleMesh(found.mesh.points(), std::move(soup.triangles));
+    return found;
+}
+
+}  // namespace sheetmorph

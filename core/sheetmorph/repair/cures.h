@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+namespace sheetmorph
+{
+
+//! A mesh after its cures, and where everything in it came from.
+struct CuredMesh
+{
+    TriangleMesh mesh;
+    std::vector<int> vertex_of;    //!< (n) of every vertex given: its place in `mesh`, -1 if gone
+    std::vector<int> triangle_of;  //!< (m) of every triangle of `mesh`: the one given it is part of
+    int welded = 0;                //!< vertices that became one with an earlier one
+    int removed = 0;               //!< triangles that stood twice or had no height
+    int split = 0;                 //!< triangles cut at vertices inside their open edges
+    int turned = 0;                //!< triangles turned to face as their neighbours do
+};
+
+//! Welds vertices nearer than a tolerance to the place of the first of them, removes triangles
+//! without height (lower than a thousandth of it) and doubled ones, cuts open edges at the vertices inside them (T-junctions), and
+//! makes each piece face one way (CGAL, Polygon Mesh Processing). Edges with three triangles or
+//! more stay as they are; vertices in no triangle go.
+//! \param tolerance  mm, >= 0
+//! \throws InvalidInput if it is negative or not finite, or no triangle would be left
+CuredMesh cured(const TriangleMesh& mesh, double tolerance);
+
+}  // namespace sheetmorph

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/repair/patch_trees.h"
+#include "sheetmorph/repair/remeshing.h"
+#include "sheetmorph/repair/ridge_cuts.h"
+#include "sheetmorph/repair/working_mesh.h"
+
+namespace sheetmorph
+{
+
+//! What a remeshed mesh is compared with.
+struct RemeshSource
+{
+    const TriangleMesh& mesh;  //!< as it was given
+    const EdgeTable& table;
+    const Patches& patches;
+    const CutMesh& cut;
+    const PatchTrees& trees;
+    int circles;
+};
+
+//! The finished mesh: the vertices given that are still in place first, in their order, then the
+//! new ones.
+RemeshedMesh result_of(const WorkingMesh& work, const RemeshSource& source);
+
+}  // namespace sheetmorph

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/repair/cures.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/diagnosis.h"
+#include "shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace sheetmorph
+{
+namespace
+{
+
+// Every triangle with corners of its own, moved a little, every seventh turned over.
+TriangleMesh shattered(const TriangleMesh& mesh, double amplitude)
+{
+    Points points(3 * mesh.triangle_count(), 3);
+    Triangles triangles(mesh.triangle_count(), 3);
+    const Points noise = amplitude * Points::Random(points.rows(), 3);
+    for (int k = 0; k < points.rows(); ++k)
+    {
+        points.row(k) = mesh.points().row(mesh.triangles()(k / 3, k % 3)) + noise.row(k);
+        triangles(k / 3, k % 3) = k;
+    }
+    for (int t = 0; t < mesh.triangle_count(); t += 7)
+        std::swap(triangles(t, 1), triangles(t, 2));
+    return TriangleMesh(points, triangles);
+}
+
+TEST(Cures, MakeASolidOfAShatteredOne)
+{
+    const TriangleMesh box = shapes::box(3, Vector3(30, 20, 2));
+    const CuredMesh found = cured(shattered(box, 1e-6), 1e-5);
+    const Diagnosis diagnosis = diagnose(found.mesh, 1e-5);
+    EXPECT_EQ(found.mesh.vertex_count(), box.vertex_count());
+    EXPECT_EQ(diagnosis.open_edges, 0);
+    EXPECT_EQ(diagnosis.flipped_triangles, 0);
+    EXPECT_EQ(found.welded, 3 * box.triangle_count() - box.vertex_count());
+    EXPECT_GT(found.turned, 0);
+    EXPECT_EQ(diagnosis.pieces[0].kind, PieceKind::thin_solid);
+}
+
+TEST(Cures, CutEdgesAtTJunctionsAndFollowEveryTriangle)
+{
+    const TriangleMesh left = shapes::grid(4, 2, 4.0, 6.0);
+    const TriangleMesh right = shapes::mapped(
+        shapes::grid(4, 3, 4.0, 6.0), [](Vector3 p) { return Vector3(p.x() + 4.0, p.y(), 0.0); });
+    const TriangleMesh misfit = shapes::welded({left, right});
+    const CuredMesh found = cured(misfit, 1e-6);
+    const Diagnosis diagnosis = diagnose(found.mesh, 1e-6);
+    EXPECT_EQ(diagnosis.t_junctions, 0);
+    EXPECT_EQ(diagnosis.open_edges, 2 * (4 + 4) + 2 + 3);
+    ASSERT_EQ(static_cast<int>(found.triangle_of.size()), found.mesh.triangle_count());
+    EXPECT_NEAR(diagnosis.pieces[0].area, 48.0, 1e-9);
+}
+
+TEST(Cures, RemoveWhatHasNoHeightAndCloseTheGap)
+{
+    Points points(5, 3);
+    points << 0, 0, 0, 10, 0, 0, 5, 8, 0, 5, 0, 0, 5, -8, 0;
+    Triangles triangles(5, 3);  // 0 3 1 has no height, 1 0 4 stands twice
+    triangles << 0, 3, 2, 3, 1, 2, 0, 1, 3, 1, 0, 4, 4, 1, 0;
+    const CuredMesh found = cured(TriangleMesh(points, triangles), 1e-9);
+    EXPECT_EQ(found.removed, 2);
+    EXPECT_EQ(found.split, 1);
+    EXPECT_EQ(found.mesh.triangle_count(), 4);
+    EXPECT_EQ(diagnose(found.mesh, 1e-9).open_edges, 4);
+}
+
+TEST(Cures, KeepEdgesOfThreeTriangles)
+{
+    Points points(5, 3);
+    points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1;
+    Triangles triangles(3, 3);
+    triangles << 0, 1, 2, 1, 0, 3, 0, 1, 4;
+    const CuredMesh found = cured(TriangleMesh(points, triangles), 0.0);
+    EXPECT_EQ(found.mesh.vertex_count(), 5);
+    EXPECT_EQ(diagnose(found.mesh, 0.0).non_manifold_edges, 1);
+}
+
+TEST(Cures, RefuseATolerancesThatLeavesNothing)
+{
+    EXPECT_THROW(cured(shapes::box(1, Vector3(1, 1, 1)), 10.0), InvalidInput);
+    EXPECT_THROW(cured(shapes::box(1, Vector3(1, 1, 1)), -1.0), InvalidInput);
+}
+
+}  // namespace
+}  // namespace sheetmorph
