@@ -131,7 +131,7 @@ Diagnosis diagnose(const TriangleMesh& mesh, double tolerance)
     Diagnosis found;
     found.size = mesh.size();
     found.tolerance = tolerance;
-    const Weld places = weld(mesh.points(), tolerance);
+    const Weld places = weld(mesh, tolerance);
     count_vertices(mesh, places, found);
     count_triangles(mesh, found);
     const EdgeTable table(mesh);
@@ -141,7 +141,7 @@ Diagnosis diagnose(const TriangleMesh& mesh, double tolerance)
     found.is_one_sided = !orientation.is_possible;
     std::tie(found.open_edges, found.non_manifold_edges) =
         std::tuple_cat(open_and_non_manifold(table));
-    const TriangleMesh exact = welded(mesh, weld(mesh.points(), 0.0).first);
+    const TriangleMesh exact = welded(mesh, weld(mesh, 0.0).first);
     found.t_junctions = static_cast<int>(t_junctions(exact, tolerance).size());
     const TriangleMesh whole = welded(mesh, places.first);
     const EdgeTable seams(whole);

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/boundary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,30 @@ void add_pairs(const std::vector<std::pair<std::uint64_t, int>>& cells, const Po
     }
 }
 
+// Which vertices may be one: those of one piece, and any at an open edge.
+class Seams
+{
+public:
+    explicit Seams(const TriangleMesh& mesh)
+        : pieces_(mesh.vertex_count()), is_open_(static_cast<std::size_t>(mesh.vertex_count()), 0)
+    {
+        for (int t = 0; t < mesh.triangle_count(); ++t)
+            for (int k = 1; k < 3; ++k)
+                pieces_.join(mesh.triangles()(t, 0), mesh.triangles()(t, k));
+        for (const BoundaryEdge& edge : boundary_edges(mesh))
+            is_open_[edge.from] = is_open_[edge.to] = 1;
+    }
+
+    bool may_join(int a, int b)
+    {
+        return is_open_[a] || is_open_[b] || pieces_.root(a) == pieces_.root(b);
+    }
+
+private:
+    DisjointSets pieces_;
+    std::vector<char> is_open_;
+};
+
 }  // namespace
 
 // Two near points lie in one cell of at least one of eight grids shifted by half a cell.
@@ -73,8 +98,10 @@ std::vector<std::pair<int, int>> near_pairs(const Points& points, double toleran
     return pairs;
 }
 
-Weld weld(const Points& points, double tolerance)
+Weld weld(const TriangleMesh& mesh, double tolerance)
 {
+    const Points& points = mesh.points();
+    Seams seams(mesh);
     // Equal points first, by sorting: a mesh without common vertices has many copies of each.
     std::vector<int> order(static_cast<std::size_t>(points.rows()));
     std::iota(order.begin(), order.end(), 0);
@@ -83,17 +110,20 @@ Weld weld(const Points& points, double tolerance)
               [&](int a, int b) { return std::pair(row(a), a) < std::pair(row(b), b); });
     DisjointSets sets(static_cast<int>(points.rows()));
     std::vector<int> distinct;
-    for (std::size_t k = 0; k < order.size(); ++k)
-        if (k > 0 && row(order[k]) == row(order[k - 1]))
-            sets.join(order[k - 1], order[k]);
+    for (const int vertex : order)
+        if (!distinct.empty() && row(distinct.back()) == row(vertex)
+            && seams.may_join(distinct.back(), vertex))
+            sets.join(distinct.back(), vertex);
         else
-            distinct.push_back(order[k]);
-    const Pairs pairs = near_pairs(points(distinct, Eigen::all), tolerance);
-    for (const auto& [a, b] : pairs)
-        sets.join(distinct[a], distinct[b]);
+            distinct.push_back(vertex);
     Weld found;
     found.equal = static_cast<int>(order.size() - distinct.size());
-    found.near = static_cast<int>(pairs.size());
+    for (const auto& [a, b] : near_pairs(points(distinct, Eigen::all), tolerance))
+        if (seams.may_join(distinct[a], distinct[b]))
+        {
+            sets.join(distinct[a], distinct[b]);
+            ++found.near;
+        }
     for (int i = 0; i < points.rows(); ++i)
         found.first.push_back(sets.root(i));
     return found;

@@ -26,6 +26,7 @@ struct Place
 {
     int triangle;
     Vector3 point;
+    int sign;  // +1 where the triangle faces outwards
 };
 
 // The fractional part of k times an irrational number: evenly spread for any count.
@@ -54,7 +55,7 @@ std::vector<Place> sample(const TriangleMesh& mesh, const std::vector<int>& tria
             const double turn = spread(k, 0.5698402909980532);
             const Vector3 weights(1.0 - root, root * (1.0 - turn), root * turn);
             const auto corners = mesh.points()(mesh.triangles().row(t), Eigen::all);
-            places.push_back({t, corners.transpose() * weights});
+            places.push_back({t, corners.transpose() * weights, 1});
         }
     }
     return places;
@@ -62,11 +63,9 @@ std::vector<Place> sample(const TriangleMesh& mesh, const std::vector<int>& tria
 
 // The way through the body to a facet that faces the other way, within 30 degrees.
 std::optional<double> way_through(const TriangleMesh& mesh, const PickingTree& tree,
-                                  const Place& place, int sign)
+                                  const Place& place, double skip)
 {
-    const Vector3 inward = -sign * area_vector(mesh, place.triangle).normalized();
-    // Far enough in to leave the facet itself behind, whatever the rounding.
-    const double skip = 1e-9 * mesh.size() + exactness(mesh.points(), mesh.size());
+    const Vector3 inward = -place.sign * area_vector(mesh, place.triangle).normalized();
     const std::optional<Hit> hit = tree.nearest_hit(place.point + skip * inward, inward);
     if (!hit || hit->triangle == place.triangle)
         return std::nullopt;
@@ -81,11 +80,16 @@ std::optional<double> way_through(const TriangleMesh& mesh, const PickingTree& t
 WallThickness wall_thickness(const TriangleMesh& mesh, const PickingTree& tree,
                              const std::vector<int>& triangles, const std::vector<int>& sign)
 {
-    const std::vector<Place> places = sample(mesh, triangles);
+    std::vector<Place> places = sample(mesh, triangles);
+    // Far enough in to leave the facet itself behind, whatever the rounding.
+    const double skip = 1e-9 * mesh.size() + exactness(mesh.points(), mesh.size());
     std::vector<double> ways;
-    for (const Place& place : places)
-        if (const auto way = way_through(mesh, tree, place, sign[place.triangle]))
+    for (Place& place : places)
+    {
+        place.sign = sign[place.triangle];
+        if (const auto way = way_through(mesh, tree, place, skip))
             ways.push_back(*way);
+    }
     if (ways.empty())
         return {};
     std::sort(ways.begin(), ways.end());

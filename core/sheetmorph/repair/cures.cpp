@@ -145,7 +145,7 @@ CuredMesh cured(const TriangleMesh& mesh, double tolerance)
 {
     constexpr int most_rounds = 8;
     CuredMesh found;
-    const Weld places = weld(mesh.points(), tolerance);
+    const Weld places = weld(mesh, tolerance);
     for (std::size_t i = 0; i < places.first.size(); ++i)
         found.welded += places.first[i] != static_cast<int>(i);
     Facets facets = sound_facets(mesh, places.first, tolerance);

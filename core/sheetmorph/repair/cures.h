@@ -18,12 +18,13 @@ struct CuredMesh
     int turned = 0;                //!< triangles turned to face as their neighbours do
 };
 
-//! Welds vertices nearer than a tolerance to the place of the first of them, removes triangles
-//! without height (lower than a thousandth of it) and doubled ones, cuts open edges at the vertices inside them (T-junctions), and
-//! makes each piece face one way (CGAL, Polygon Mesh Processing). Edges with three triangles or
-//! more stay as they are; vertices in no triangle go.
-//! \param tolerance  mm, >= 0
-//! \throws InvalidInput if it is negative or not finite, or no triangle would be left
+//! Welds vertices nearer than a tolerance to the place of the first of them (those of pieces that
+//! only touch, without open edges, stay apart), removes triangles
+//! without height (lower than a thousandth of it) and doubled ones, cuts open edges at the vertices
+//! inside them (T-junctions), and makes each piece face one way (CGAL, Polygon Mesh Processing).
+//! Edges with three triangles or more stay as they are; vertices in no triangle go. \param
+//! tolerance  mm, >= 0 \throws InvalidInput if it is negative or not finite, or no triangle would
+//! be left
 CuredMesh cured(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace sheetmorph

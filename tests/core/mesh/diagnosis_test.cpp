@@ -91,6 +91,19 @@ TEST(Diagnosis, CountsWhatIsWrongWithTriangles)
     EXPECT_DOUBLE_EQ(found.edges.longest, 100.0);
 }
 
+TEST(Diagnosis, KeepsSolidsApartThatOnlyTouch)
+{
+    const TriangleMesh box = shapes::box(2, Vector3(10, 10, 10));
+    Points points(2 * box.vertex_count(), 3);
+    points << box.points(), box.points().rowwise() + Eigen::RowVector3d(10, 0, 0);
+    Triangles triangles(2 * box.triangle_count(), 3);
+    triangles << box.triangles(), box.triangles().array() + box.vertex_count();
+    const Diagnosis found = diagnose(TriangleMesh(points, triangles), 1e-6);
+    EXPECT_EQ(found.pieces.size(), 2U);
+    EXPECT_EQ(found.duplicate_vertices, 0);
+    EXPECT_EQ(found.non_manifold_edges_welded, 0);
+}
+
 TEST(Diagnosis, NoticesASolidTurnedInsideOut)
 {
     const TriangleMesh box = shapes::box(2, Vector3(10, 10, 10));

@@ -39,7 +39,7 @@ TEST(NearVertices, AreWeldedOverChains)
 {
     Points points(5, 3);
     points << 9, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0, 5, 0, 0;
-    const Weld found = weld(points, 1.0);
+    const Weld found = weld(TriangleMesh(points, Triangles{{0, 1, 2}, {2, 3, 4}}), 1.0);
     EXPECT_EQ(found.first, std::vector<int>({0, 1, 1, 1, 4}));
     EXPECT_EQ(found.near, 2);
     EXPECT_EQ(found.equal, 0);
