@@ -20,7 +20,18 @@ Energy energy_from(const std::string& name)
         return Energy::paper;
     if (name == "neumann")
         return Energy::neumann;
-    throw InvalidInput("energy '" + name + "' is not available; use 'neumann' or 'paper'");
+    if (name == "natural")
+        return Energy::natural;
+    throw InvalidInput("energy '" + name + "' does not exist; use 'natural', 'neumann' or 'paper'");
+}
+
+Laplacian laplacian_from(const std::string& name)
+{
+    if (name == "cotangent")
+        return Laplacian::cotangent;
+    if (name == "intrinsic")
+        return Laplacian::intrinsic;
+    throw InvalidInput("operator '" + name + "' does not exist; use 'cotangent' or 'intrinsic'");
 }
 
 Mode mode_from(int mode)
@@ -49,7 +60,10 @@ void bind_part(py::module_& module)
         .def(py::init(
                  [](std::string name, const TriangleMesh& mesh, const py::object& ids, int mode)
                  {
-                     Part part{std::move(name), mesh, {}, mode_from(mode)};
+                     Part part;
+                     part.name = std::move(name);
+                     part.mesh = mesh;
+                     part.mode = mode_from(mode);
                      if (!ids.is_none())
                          part.ids = ids_from(ids, "ids");
                      return part;
@@ -58,7 +72,17 @@ void bind_part(py::module_& module)
              "ids (n,): the file's own vertex numbers, used in messages. mode 1 to 3 of section "
              "4.1, 0: chosen from the propagation and the features.")
         .def_readonly("name", &Part::name)
-        .def_readonly("mesh", &Part::mesh);
+        .def_readonly("mesh", &Part::mesh)
+        .def(
+            "make_thin",
+            [](Part& part, bool is_certain, double thickness)
+            {
+                part.thin = is_certain ? Thin::yes : Thin::automatic;
+                part.thickness = thickness;
+            },
+            py::arg("is_certain"), py::arg("thickness") = 0.0,
+            "Solve it on one skin if it is recognised as a thin solid; InvalidInput when the "
+            "session is built if it is certain but none. thickness: mm, 0 to find it out.");
 }
 
 void bind_regions(py::module_& module)
@@ -120,15 +144,19 @@ void bind_whole(py::module_& module)
 {
     py::class_<Assembly>(module, "Assembly", "Everything about a morph but its pose.")
         .def(py::init(
-                 [](std::vector<Part> parts, int primary, const std::string& energy)
+                 [](std::vector<Part> parts, int primary, const std::string& energy,
+                    const std::string& laplacian)
                  {
                      Assembly assembly;
                      assembly.parts = std::move(parts);
                      assembly.primary = primary;
                      assembly.energy = energy_from(energy);
+                     assembly.laplacian = laplacian_from(laplacian);
                      return assembly;
                  }),
-             py::arg("parts"), py::arg("primary") = 0, py::arg("energy") = "neumann")
+             py::arg("parts"), py::arg("primary") = 0, py::arg("energy") = "neumann",
+             py::arg("operator") = "cotangent",
+             "energy 'paper', 'neumann' or 'natural'; operator 'cotangent' or 'intrinsic'.")
         .def_readwrite("fixed", &Assembly::fixed)
         .def_readwrite("handles", &Assembly::handles)
         .def_readwrite("features", &Assembly::features)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/assembly/deformation_session.h"
+#include "sheetmorph/assembly/live_drag.h"
 #include "arrays.h"
 #include "layers.h"
 #include "progress.h"
@@ -103,36 +103,77 @@ Deformed deform(const DeformationSession& session, const Pose& pose, bool exact)
     return session.deform(pose, exact ? Exactness::exact : Exactness::live);
 }
 
+const Deformed& frame(LiveDrag& drag, const Pose& pose)
+{
+    const py::gil_scoped_release without_gil;
+    return drag.frame(pose);
+}
+
+void bind_drag(py::module_& module)
+{
+    py::class_<LiveDrag>(module, "LiveDrag",
+                         "Live frames while some handles are dragged; how the parts answer to them "
+                         "is worked out in the background.")
+        .def("frame", &frame, py::arg("pose"), py::return_value_policy::reference_internal,
+             "Every part in one pose, within 1e-6 of the size; the next frame overwrites it.")
+        .def("wait", &LiveDrag::wait, py::call_guard<py::gil_scoped_release>(),
+             "Returns when the background work is done.")
+        .def_property_readonly("is_ready", &LiveDrag::is_ready)
+        .def_property_readonly(
+            "answered",
+            [](const LiveDrag& drag)
+            { return std::vector<bool>(drag.answered().begin(), drag.answered().end()); },
+            "By part: whether the last frame needed no substitution.");
+}
+
+void bind_results(py::module_& module)
+{
+    bind_result(module);
+    bind_deformed(module);
+    bind_drag(module);
+}
+
+// What the propagation order made of the parts.
+void bind_order(py::class_<DeformationSession>& session)
+{
+    session
+        .def_property_readonly(
+            "order", [](const DeformationSession& of) { return names_of(of, of.plan().order); },
+            "parts as they are deformed, the primary first")
+        .def_property_readonly(
+            "levels", [](const DeformationSession& of) { return of.plan().level; },
+            "by part: contacts from the primary, -1 if not reached")
+        .def_property_readonly("directions", &directions,
+                               "(contact, source part, target part) indices")
+        .def_property_readonly("unreached", [](const DeformationSession& of)
+                               { return names_of(of, of.plan().unreached); });
+}
+
 }  // namespace
 
 void bind_session(py::module_& module)
 {
-    bind_result(module);
-    bind_deformed(module);
-    py::class_<DeformationSession>(module, "DeformationSession",
-                                   "The assembly, ready to be deformed. Construction is the "
-                                   "pre-processing phase; deform() only substitutes.")
+    bind_results(module);
+    py::class_<DeformationSession> bound(module, "DeformationSession",
+                                         "The assembly, ready to be deformed. Construction is "
+                                         "the pre-processing phase; deform() only substitutes.");
+    bind_order(bound);
+    bound
         .def(py::init(&session_from), py::arg("assembly"), py::arg("progress") = py::none(),
              py::arg("previous") = nullptr,
              "progress(fraction, task): return False to cancel (raises Cancelled). previous: a "
              "session of an earlier state; what did not change is taken over.")
         .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
              "Every part in one pose, always from rest.")
+        .def("begin_drag", &DeformationSession::begin_drag, py::arg("handles"),
+             py::arg("start") = Pose{},
+             "A LiveDrag of the named handles; the others stay as in the pose `start`.")
+        .def("thin_solid", &DeformationSession::thin_solid, py::arg("part"),
+             py::return_value_policy::reference_internal,
+             "The ThinSolid that a part is solved as, None if it is solved as it is.")
         .def("control_mesh", &control_mesh, py::arg("contact"), py::arg("pose"),
              "(vertices (m, 3) mm, triangles (t, 3)) of one contact's control mesh in a Deformed "
              "pose, -1 for the single one; None if it has none.")
-        .def_property_readonly(
-            "order",
-            [](const DeformationSession& session)
-            { return names_of(session, session.plan().order); },
-            "parts as they are deformed, the primary first")
-        .def_property_readonly(
-            "levels", [](const DeformationSession& session) { return session.plan().level; },
-            "by part: contacts from the primary, -1 if not reached")
-        .def_property_readonly("directions", &directions,
-                               "(contact, source part, target part) indices")
-        .def_property_readonly("unreached", [](const DeformationSession& session)
-                               { return names_of(session, session.plan().unreached); })
         .def_property_readonly(
             "features",
             [](const DeformationSession& session) { return session.assembly().features; },

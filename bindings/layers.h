@@ -12,7 +12,9 @@ void bind_triangle_mesh(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
 void bind_features(pybind11::module_& module);
 void bind_diagnosis(pybind11::module_& module);
+void bind_thin(pybind11::module_& module);
 void bind_repair(pybind11::module_& module);
+void bind_recognise(pybind11::module_& module);
 void bind_description(pybind11::module_& module);
 void bind_session(pybind11::module_& module);
 

@@ -9,7 +9,9 @@ PYBIND11_MODULE(_core, module)
     sheetmorph::bind_mesh(module);
     sheetmorph::bind_features(module);
     sheetmorph::bind_diagnosis(module);
+    sheetmorph::bind_thin(module);
     sheetmorph::bind_repair(module);
+    sheetmorph::bind_recognise(module);
     sheetmorph::bind_description(module);
     sheetmorph::bind_session(module);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/cad/cad_reader.h"
 #include "arrays.h"
 
@@ -52,6 +53,46 @@ void bind_surface(py::module_& module)
                       "mm: 0, or how well a spline surface is of this kind");
 }
 
+const char* name_of(CadFeatureKind kind)
+{
+    switch (kind)
+    {
+        case CadFeatureKind::round_hole:
+            return "round hole";
+        case CadFeatureKind::cylinder:
+            return "cylinder";
+        case CadFeatureKind::cone:
+            return "cone";
+        case CadFeatureKind::sphere:
+            return "sphere";
+        default:
+            return "plane";
+    }
+}
+
+void bind_feature(py::module_& module)
+{
+    py::class_<CadFeature>(module, "CadFeature",
+                           "Faces of a part that are one shape, from their surfaces.")
+        .def_property_readonly(
+            "kind", [](const CadFeature& f) { return name_of(f.kind); },
+            "round hole, cylinder, plane, cone or sphere")
+        .def_property_readonly(
+            "center", [](const CadFeature& f) { return to_numpy(f.centre); },
+            "(3,) mm; of a hole, cylinder or cone on the axis, halfway along it")
+        .def_property_readonly(
+            "axis", [](const CadFeature& f) { return to_numpy(f.axis); }, "(3,) of length 1")
+        .def_readonly("radius", &CadFeature::radius, "mm, 0 for a plane and a cone")
+        .def_readonly("half_angle", &CadFeature::half_angle, "of a cone, radians")
+        .def_readonly("length", &CadFeature::length, "along the axis, mm")
+        .def_readonly("is_hollow", &CadFeature::is_hollow, "curved, and seen from inside")
+        .def_property_readonly(
+            "vertices", [](const CadFeature& f) { return to_numpy(f.vertices); },
+            "(k,) int32, ascending")
+        .def_readonly("residual", &CadFeature::residual,
+                      "largest distance of a vertex from the surface, mm");
+}
+
 void bind_part(py::module_& module)
 {
     py::class_<CadModel>(module, "CadModel", "What a CAD file holds, in mm.")
@@ -69,6 +110,9 @@ void bind_part(py::module_& module)
             "face_of_triangle", [](const CadPart& p) { return to_numpy(p.face_of_triangle); },
             "(m,) int32, index into `surfaces`")
         .def_readonly("surfaces", &CadPart::surfaces, "one CadSurface a face")
+        .def(
+            "features", [](const CadPart& part) { return analytic_features(part); },
+            "Holes first: a list of CadFeature.")
         .def_readonly("is_closed", &CadPart::is_closed)
         .def_readonly("deviation", &CadPart::deviation,
                       "largest distance found between mesh and surfaces, mm")
@@ -167,6 +211,7 @@ PYBIND11_MODULE(_cad, module)
     module.attr("__version__") = SHEETMORPH_VERSION;
     sheetmorph::share_errors();
     sheetmorph::bind_surface(module);
+    sheetmorph::bind_feature(module);
     sheetmorph::bind_part(module);
     sheetmorph::bind_readers(module);
 }

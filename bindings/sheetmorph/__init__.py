@@ -8,6 +8,7 @@ read and checked without it.
 from .doctor import diagnose
 from .errors import Fault, FileError, KernelError, RecipeError
 from .files import PartFile, read_part
+from .live import Drag, LiveFrames
 from .part_mesh import PartMesh
 from .recipe import validate
 from .running import CertificateError, check, run
@@ -18,10 +19,12 @@ __version__ = "0.1.0"
 __all__ = [
     "CertificateError",
     "ContactResult",
+    "Drag",
     "Fault",
     "FeatureResult",
     "FileError",
     "KernelError",
+    "LiveFrames",
     "PartFile",
     "PartMesh",
     "RecipeError",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: python3 -m sheetmorph run | check | doctor."""
+"""The command line: python3 -m sheetmorph run | check | doctor | find."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from types import FrameType
 from typing import TextIO
 
 from . import __version__
+from .cli_find import add_find_arguments, run_find
 from .errors import FileError, KernelError, RecipeError
 from .files.atomic import FileSet
 from .files.signals import stopping_signals
@@ -46,7 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _input_of(wanted: argparse.Namespace) -> str:
-    return wanted.files[0] if wanted.command == "doctor" else wanted.recipe
+    return wanted.files[0] if wanted.command in ("doctor", "find") else wanted.recipe
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> None:
@@ -108,7 +109,8 @@ def _parser() -> argparse.ArgumentParser:
         "130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"sheetmorph {__version__}")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="run | check | doctor")
+    names = "run | check | doctor | find"
+    commands = parser.add_subparsers(dest="command", required=True, metavar=names)
     run = commands.add_parser("run", help="deform the parts of a recipe and write them")
     run.add_argument("recipe", help="JSON file; the part files are relative to it")
     run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
@@ -120,6 +122,7 @@ def _parser() -> argparse.ArgumentParser:
     doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
     text = "vertices nearer than this are one place (mm; a millionth of the size)"
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
+    add_find_arguments(commands)
     return parser
 
 
@@ -166,4 +169,8 @@ def _doctor(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False).splitlines()
 
 
-_COMMANDS = {"run": _run, "check": _check, "doctor": _doctor}
+def _find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    return run_find(wanted, files)
+
+
+_COMMANDS = {"run": _run, "check": _check, "doctor": _doctor, "find": _find}

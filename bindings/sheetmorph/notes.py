@@ -18,13 +18,19 @@ def notes_of(session: Session) -> list[str]:
     """What the recipe asks for in vain, one sentence each."""
     model = session.model
     found = _single(model) if model.propagation.type == "single" else _local(session)
-    return [*_primary(model), *found]
+    return [*_primary(model), *_thin(session), *found]
 
 
 def _primary(model: Model) -> Iterator[str]:
     for part in model.parts:
         if part.name == model.primary and part.mode:
             yield f'mode {part.mode} of "{part.name}" has no effect: it is the primary part'
+
+
+def _thin(session: Session) -> Iterator[str]:
+    for part in session.model.parts:
+        if part.thin == "auto" and session.thin_solid(part.name) is None:
+            yield f'thin "auto" of "{part.name}" has no effect: it is recognised as none'
 
 
 def _single(model: Model) -> Iterator[str]:

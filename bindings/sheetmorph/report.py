@@ -17,6 +17,7 @@ from .certificate import edge_error, feature_edges, tolerance
 from .notes import notes_of
 from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
+from .thin import thin_failures, thin_report
 
 if TYPE_CHECKING:
     from .session import FeatureResult, Result
@@ -54,11 +55,12 @@ def make_report(
         f"{entry['name']} on {entry['part']}: {_worst_error(entry):.3g} mm"
         for entry in features
         if not _worst_error(entry) <= tol
-    ]
+    ] + thin_failures(result, tol)
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
         "energy": session.model.energy,
+        "operator": session.model.operator,
         "primary": session.model.primary,
         "refine": session.model.refine,
         "symmetry": _symmetry(session.model.symmetry),
@@ -75,6 +77,7 @@ def make_report(
         "unreached": session.unreached,
         "notes": notes_of(session),
         "timings": {**session.timings, **(timings or {})},
+        **({} if session.model.found is None else {"found": session.model.found}),
     }
 
 
@@ -127,6 +130,7 @@ def _part(result: Result, name: str, written: WrittenPart | None) -> dict[str, A
         "is_reached": name not in result.session.unreached,
         "largest_displacement": _largest_distance(mesh.points, positions),
         "quality": _quality(result.session.core, mesh, positions),
+        "thin": thin_report(result, name),
         "preparation": mesh.preparation,
         "file": None,
     }

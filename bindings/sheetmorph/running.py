@@ -47,7 +47,7 @@ def check(recipe_path: str | Path) -> list[str]:
         if sum(len(mesh.points) for mesh in parts.meshes.values()) > _TOO_MANY_TO_TRY:
             return ["not tried out, the meshes are too large for it"]
         try:
-            Session(recipe, parts.meshes, _keep_going).deform(exact=False)
+            Session(recipe, parts.meshes, _keep_going, found=parts.found).deform(exact=False)
         except KernelError as error:
             return [f"not tried out: {error}"]
     return []
@@ -80,7 +80,7 @@ def run(
         places.check()
         wanted = pose if pose_path is None else read_json(pose_path)
         reading = time.perf_counter() - begin
-        session = Session(recipe, parts.meshes, _keep_going)
+        session = Session(recipe, parts.meshes, _keep_going, found=parts.found)
     begin = time.perf_counter()
     with _named(pose_path or path):
         result = session.deform(wanted)

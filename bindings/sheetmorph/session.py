@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from .kernel import load_kernel
+from .live import Drag
 from .part_mesh import PartMesh
 from .recipe import check_pose, check_with_meshes
+from .recipe.auto import Found
 from .recipe.model import Model
 from .report import make_report
 from .translation import Translator, kernel_faults
@@ -67,7 +69,7 @@ class Result:
 
     positions: part name -> (n, 3) float64 mm, read-only; contacts: empty if not exact; spread: the
     largest distance between two places where contacts want one vertex, mm, 0 if not exact;
-    deformed: the kernel's own result.
+    deformed: the kernel's own result; lumps: where thin solids are not thin, each a rigid feature.
     """
 
     session: Session
@@ -77,6 +79,7 @@ class Result:
     spread: float
     pose: dict[str, Any]
     deformed: Any
+    lumps: list[FeatureResult] = field(default_factory=list)
 
     def control_mesh(self, contact: str | None = None) -> tuple[np.ndarray, np.ndarray] | None:
         """Vertices (m, 3) mm and triangles (t, 3) of a contact's control mesh in this pose.
@@ -96,7 +99,8 @@ class Session:
 
     recipe: as in a recipe file ("file" of a part is not needed); meshes: PartMesh by part name;
     progress(fraction, task) may return False to cancel (RuntimeError); previous: a session of an
-    earlier state of the recipe, from which what did not change is taken over.
+    earlier state of the recipe, from which what did not change is taken over; found: what a search
+    in the files has put in place of "auto", else it is searched for here.
     Raises RecipeError, KernelError.
     """
 
@@ -106,8 +110,10 @@ class Session:
         meshes: Mapping[str, PartMesh],
         progress: Progress | None = None,
         previous: Session | None = None,
+        *,
+        found: Found | None = None,
     ):
-        model = check_with_meshes(recipe, meshes)
+        model = check_with_meshes(recipe, meshes, found)
         self._recipe_pose = dict(recipe.get("pose", {}))
         self._model = model
         self.meshes = {part.name: meshes[part.name] for part in model.parts}
@@ -167,6 +173,10 @@ class Session:
         high = np.max([mesh.points.max(axis=0) for mesh in self.meshes.values()], axis=0)
         return float(np.linalg.norm(high - low))
 
+    def thin_solid(self, part: str) -> Any:
+        """The kernel's ThinSolid a part is solved as; None for one that is solved as it is."""
+        return self._kernel.thin_solid(self.parts.index(part))
+
     def feature_vertices(self, name: str) -> np.ndarray:
         """Indices (k,) of a form feature's vertices in its part."""
         return next(entry.vertices for entry in self._kernel.features if entry.name == name)
@@ -190,10 +200,33 @@ class Session:
         motions = check_pose(self._model, wanted)
         with kernel_faults(self._core):
             deformed = self._kernel.deform(self._translator.pose(motions), exact)
+        return self._result(deformed, wanted)
+
+    def begin_drag(self, handles: list[str], pose: dict[str, Any] | None = None) -> Drag:
+        """Live frames while the named handles move, the others staying as in `pose`.
+
+        Raises RecipeError for a name that is no handle.
+        """
+        wanted = self._recipe_pose if pose is None else pose
+        start = self._translator.pose(check_pose(self._model, wanted))
+        with kernel_faults(self._core):
+            return Drag(self, self._kernel.begin_drag(handles, start))
+
+    def dragged(self, kernel_drag: Any, pose: dict[str, Any]) -> Result:
+        """What Drag.deform() answers."""
+        motions = check_pose(self._model, pose)
+        with kernel_faults(self._core):
+            return self._result(kernel_drag.frame(self._translator.pose(motions)), pose)
+
+    def _result(self, deformed: Any, wanted: dict[str, Any]) -> Result:
+        features = self._features(deformed.features)
+        solids = [self.thin_solid(part) for part in self.parts]
+        lumps = sum(len(solid.lumps) for solid in solids if solid is not None)
         return Result(
             session=self,
             positions={name: deformed.positions(k) for k, name in enumerate(self.parts)},
-            features=self._features(deformed.features),
+            features=features[: len(features) - lumps],
+            lumps=features[len(features) - lumps :],
             contacts=[self._contact(found) for found in deformed.contacts],
             spread=float(deformed.spread),
             pose=dict(wanted),

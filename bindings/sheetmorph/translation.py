@@ -56,7 +56,7 @@ class Translator:
         core = self._core
         parts = [self._part(part) for part in self._model.parts]
         primary = self._part_index[self._model.primary]
-        assembly = core.Assembly(parts, primary, self._model.energy)
+        assembly = core.Assembly(parts, primary, self._model.energy, self._model.operator)
         assembly.fixed = [self._region(core.Region, f) for f in self._model.of_kind("fixed")]
         followers = self._model.of_kind("follower")
         assembly.followers = [self._region(core.Region, f) for f in followers]
@@ -92,7 +92,10 @@ class Translator:
         mesh = self._meshes[entry.name]
         triangles = self._core.TriangleMesh(mesh.points, mesh.triangles)
         ids = None if mesh.ids is None else mesh.ids.astype(np.int32)
-        return self._core.Part(entry.name, triangles, ids, entry.mode)
+        part = self._core.Part(entry.name, triangles, ids, entry.mode)
+        if entry.thin:
+            part.make_thin(entry.thin == "yes", entry.thickness)
+        return part
 
     def _region(self, kind: Any, entry: RegionEntry) -> Any:
         return kind(entry.name, self._part_index[entry.part], self.indices(entry))

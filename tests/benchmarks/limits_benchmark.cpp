@@ -45,7 +45,7 @@ SparseMatrix unknowns_of(const Panel& panel)
 
 SparseMatrix reduced_bilaplacian(const Panel& panel)
 {
-    const SurfaceOperators operators = surface_operators(panel.mesh, Energy::neumann);
+    const SurfaceOperators operators = surface_operators(panel.mesh, {}, {});
     const SparseMatrix rows =
         operators.weights.cwiseSqrt().asDiagonal() * operators.rows * unknowns_of(panel);
     return SparseMatrix(rows.transpose()) * rows;

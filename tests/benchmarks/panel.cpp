@@ -127,6 +127,7 @@ Panel curved_panel(int vertices)
         FormFeature hole;
         hole.name = "hole" + std::to_string(constraints.features.size() + 1);
         hole.vertices = rim;
+        hole.rotation = FeatureRotation::interpolated;
         constraints.features.push_back(hole);
     }
     const Triangles triangles = triangulate(grid, cut);

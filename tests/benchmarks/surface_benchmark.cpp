@@ -59,6 +59,49 @@ void live_frame(benchmark::State& state)
     state.counters["vertices"] = panel.mesh.vertex_count();
 }
 
+// The same panel with so many free features: its holes cut into pieces.
+Panel with_free_features(const Panel& panel, std::size_t count)
+{
+    Panel made = panel;
+    made.constraints.features.clear();
+    const std::size_t parts =
+        (count + panel.constraints.features.size() - 1) / panel.constraints.features.size();
+    for (const FormFeature& hole : panel.constraints.features)
+        for (std::size_t k = 0; k < parts && made.constraints.features.size() < count; ++k)
+        {
+            FormFeature piece = hole;
+            piece.rotation = FeatureRotation::free;
+            piece.name += " " + std::to_string(k);
+            const auto at = [&](std::size_t part)
+            {
+                return hole.vertices.begin()
+                       + static_cast<std::ptrdiff_t>(part * hole.vertices.size() / parts);
+            };
+            piece.vertices.assign(at(k), at(k + 1));
+            made.constraints.features.push_back(piece);
+        }
+    return made;
+}
+
+void live_frame_50_free_features(benchmark::State& state)
+{
+    const Panel panel = with_free_features(panel_of(static_cast<int>(state.range(0))), 50);
+    const SurfaceDeformer deformer(panel.mesh, panel.constraints);
+    const auto response = deformer.response({{0}, {}, 8});
+    Deformation shape;
+    std::vector<SurfaceTargets> poses;
+    for (int step = 0; step < 10; ++step)
+        poses.push_back(drag(panel, step));
+    std::size_t step = 0;
+    for (auto pass : state)
+    {
+        (void)pass;
+        response->place(*response->frame(poses[step++ % poses.size()]), false, shape);
+        benchmark::DoNotOptimize(shape.positions.data());
+    }
+    state.counters["vertices"] = panel.mesh.vertex_count();
+}
+
 void response_set_up(benchmark::State& state)
 {
     const SurfaceDeformer& deformer = deformer_of(static_cast<int>(state.range(0)));
@@ -82,6 +125,7 @@ void exact_frame(benchmark::State& state)
 
 BENCHMARK(set_up)->Apply(panel_sizes);
 BENCHMARK(live_frame)->Apply(panel_sizes);
+BENCHMARK(live_frame_50_free_features)->Apply(panel_sizes);
 BENCHMARK(response_set_up)->Apply(panel_sizes);
 BENCHMARK(substituted_frame)->Apply(panel_sizes);
 BENCHMARK(exact_frame)->Apply(panel_sizes);

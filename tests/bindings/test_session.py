@@ -4,6 +4,7 @@ import threading
 import numpy as np
 import pytest
 from kkt import Problem
+from natural import NaturalProblem
 from plates import ends, plate_with_holes
 
 from sheetmorph import _core
@@ -45,6 +46,22 @@ def test_an_independent_kkt_solution_agrees_to_1e_8_of_the_size(energy, degrees,
     size = np.linalg.norm(np.ptp(points, axis=0))
     assert np.abs(ours - theirs).max() < 1e-8 * size
     assert np.abs(ours - points).max() > 0.1 * size
+
+
+@pytest.mark.parametrize("is_bent", [False, True])
+def test_an_independent_solution_of_natural_agrees_to_1e_8_of_the_size(is_bent):
+    points, triangles, rims = plate_with_holes()
+    left, right = ends(points)
+    if is_bent:
+        angle = points[:, 0] / 120.0
+        points = np.ascontiguousarray(
+            np.column_stack([120 * np.sin(angle), points[:, 1], 120 * (1 - np.cos(angle))])
+        )
+    whole = assembly(points, triangles, rims, "natural", fixed=left, handle=right)
+    turn = motion(40.0, (0, 0, 20.0))
+    ours = _core.DeformationSession(whole).deform(pose(turn)).positions(0)
+    theirs = NaturalProblem(points, triangles, left, right, rims).positions(turn)
+    assert np.abs(ours - theirs).max() < 1e-8 * 180
 
 
 def test_the_kkt_solution_agrees_on_a_curved_sheet_too():

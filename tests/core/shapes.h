@@ -5,4 +5,5 @@
 #include "shapes/plates.h"
 #include "shapes/sheets.h"
 #include "shapes/solids.h"
+#include "shapes/thin.h"
 #include "shapes/variations.h"

@@ -20,7 +20,7 @@ __all__ = [
 ]
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-CALLS = ["create_assembly", "add_part", "add_fixed", "add_handle", "add_feature", "add_feature"]
+CALLS = ["create_assembly", "propose_thin", "add_fixed", "add_handle", "add_feature", "add_feature"]
 
 
 def start_recording(name: str):

@@ -123,7 +123,7 @@ def panel():
     """The form of the open task panel of ours."""
     forms = [
         widget
-        for name in ("region", "move", "contact", "propagation", "feature")
+        for name in ("region", "move", "contact", "propagation", "feature", "thickness", "find")
         for widget in Gui.getMainWindow().findChildren(QtGui.QWidget, name)
         if widget.isVisible()
     ]

@@ -3,8 +3,10 @@
 
 from checks_contacts import *  # noqa: F401,F403
 from checks_features import *  # noqa: F401,F403
+from checks_finding import *  # noqa: F401,F403
 from checks_macro import *  # noqa: F401,F403
 from checks_moving import *  # noqa: F401,F403
 from checks_picking import *  # noqa: F401,F403
 from checks_propagation import *  # noqa: F401,F403
+from checks_thickness import *  # noqa: F401,F403
 from checks_workbench import *  # noqa: F401,F403

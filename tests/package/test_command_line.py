@@ -68,7 +68,7 @@ def test_a_pose_file_replaces_the_pose(folder: Path):
 
 
 BAD_RUNS = [
-    ({"energy": "natural"}, [], "recipe.json, energy: not available in this version"),
+    ({"margin": 1}, [], "recipe.json, margin: not available in this version"),
     ({"fixed": [{"part": "plate", "vertices": [10**6]}]}, [], "fixed[0].vertices"),
     ({"parts": [{"name": "plate", "file": "lid.obj"}]}, [], "there is no such file"),
     ({"handles": [], "pose": {}, "fixed": []}, [], "nothing is fixed and nothing is moved"),

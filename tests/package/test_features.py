@@ -140,6 +140,44 @@ def test_groups_pairs_and_free_handles():
     assert lifted.features[2].rotation[2, 2] < 0.99
 
 
+def test_a_handle_picked_as_a_point_may_turn_freely():
+    part = plate()
+    corner = next(k for k, t in enumerate(part.triangles) if set(t.tolist()) & set(part.right[:1]))
+    place = {"part": "plate", "triangle": corner, "barycentric": [0.2, 0.3, 0.5]}
+    handle = {"name": "tip", **place, "rotation": "free"}
+    lifted = {"tip": {"translation": [0, 0, 5.0]}}
+    result = deformed(part, handles=[handle], pose=lifted)
+    moved = (result.positions["plate"] - part.points)[part.triangles[corner]]
+    assert np.abs(np.array([0.2, 0.3, 0.5]) @ moved - [0, 0, 5.0]).max() < EXACT
+    held = {**handle}
+    del held["rotation"]
+    other = deformed(part, handles=[held], pose=lifted)
+    assert result.features[2].rotation[2, 2] < other.features[2].rotation[2, 2] + 1e-12
+
+
+def test_bolted_holes_of_two_parts_stay_in_line(tmp_path: Path):
+    part = plate()
+    recipe = recipe_of(part, "plate.obj")
+    recipe["parts"].append({"name": "lid", "file": "lid.obj"})
+    recipe["primary"] = "plate"
+    recipe["fixed"].append({"part": "lid", "vertices": part.left})
+    recipe["features"].append({"name": "bolt", "part": "lid", "vertices": part.rims[2]})
+    recipe["coaxial"] = [{"features": ["bolt", "hole2"]}]
+    write_plate(part, tmp_path / "plate.obj", "obj")
+    part.points[:, 2] += 3.0
+    write_plate(part, tmp_path / "lid.obj", "obj")
+    report = run(save_recipe(recipe, tmp_path), tmp_path / "out")
+    assert report["certificate"]["passed"] and report["levels"] == {"plate": 0, "lid": 1}
+    leader, bolt = report["features"][2:4]
+    axis = np.array(leader["rotation"])[:, 2]
+    way = np.add(bolt["centre"], bolt["translation"]) - np.add(
+        leader["centre"], leader["translation"]
+    )
+    assert np.abs(np.cross(way, axis)).max() < EXACT
+    assert np.abs(np.array(bolt["rotation"])[:, 2] - axis).max() < EXACT
+    assert np.linalg.norm(bolt["translation"]) > 1.0
+
+
 def test_a_plane_of_symmetry_moves_both_sides():
     part = plate()
     middle = [k for k, p in enumerate(part.points) if abs(p[0] - 20.0) < 2.0 and p[1] < -9.9]
@@ -157,6 +195,33 @@ def test_a_plane_of_symmetry_moves_both_sides():
     assert abs(points[part.left][:, 2].mean() - 12.0) < 1e-6
     report = result.report()
     assert report["symmetry"] == {"point": [20.0, 0.0, 0.0], "normal": [2.0, 0.0, 0.0]}
+
+
+def test_what_the_other_side_lacks_is_added_and_certified():
+    part = plate()
+    recipe = recipe_of(part, "plate.obj")
+    recipe["features"] = [{**recipe["features"][0], "size": 9.0}]
+    recipe["fixed"][0]["vertices"] = part.rims[1]
+    recipe["symmetry"] = {"point": [20, 0, 0], "normal": [1, 0, 0]}
+    session = Session(recipe, {"plate": PartMesh(part.points, part.triangles)})
+    result = session.deform()
+    report = result.report()
+    assert [entry["name"] for entry in report["features"]] == ["hole0", "hole0 (mirrored)"]
+    assert report["certificate"]["passed"]
+    for rim in (part.rims[0], part.rims[2]):
+        assert abs(circle_of(result, rim)[0] - 4.5) < EXACT
+
+
+def test_another_size_takes_the_factor_over():
+    part = plate()
+    recipe = recipe_of(part, "plate.obj")
+    meshes = {"plate": PartMesh(part.points, part.triangles)}
+    recipe["features"][0]["size"] = 9.0
+    first = Session(recipe, meshes)
+    recipe["features"][0]["size"] = 10.0
+    again = Session(recipe, meshes, previous=first)
+    assert "part plate" in first.timings and "part plate" not in again.timings
+    assert abs(circle_of(again.deform(), part.rims[0])[0] - 5.0) < EXACT
 
 
 def test_the_report_tells_rotation_motion_and_size(tmp_path: Path):

@@ -67,15 +67,47 @@ def read_cad(path: Path, meshing: Mapping[str, float] | None = None) -> CadFile:
     return CadFile(path, meshing)
 
 
-def _read(path: Path, meshing: Mapping[str, float]) -> Any:
+def read_shape(text: str, name: str, meshing: Mapping[str, float] | None = None) -> Any:
+    """The kernel's CadModel of one shape as the text of a BREP file. Raises ValueError."""
+    return load_cad().read_brep(text, name, _sizes(meshing or {}))
+
+
+def part_meshes(model: Any) -> list[PartMesh]:
+    """The meshes of a CadModel, one a solid or free shell, under its name."""
+    return [PartMesh(part.points, part.triangles, name=part.name) for part in model.parts]
+
+
+def exact_features(part: Any) -> list[dict[str, Any]]:
+    """The features of a CadPart from its surfaces: kind, center, axis, residual, vertices (indices
+    of the part) and, where the kind has them, radius, length, angle (radians), hollow."""
+    return [_feature(found) for found in part.features()]
+
+
+def _feature(found: Any) -> dict[str, Any]:
+    entry = {"kind": found.kind, "center": found.center.tolist(), "axis": found.axis.tolist()}
+    if found.radius > 0.0:
+        entry["radius"] = found.radius
+    if found.kind in ("cylinder", "cone"):
+        entry["length"] = found.length
+    if found.kind == "cone":
+        entry["angle"] = found.half_angle
+    if found.kind in ("cylinder", "cone", "sphere"):
+        entry["hollow"] = found.is_hollow
+    return {**entry, "residual": found.residual, "vertices": found.vertices.tolist()}
+
+
+def _sizes(meshing: Mapping[str, float]) -> dict[str, float]:
+    """The same for the kernel, which counts in radians."""
     sizes = {key: float(value) for key, value in meshing.items()}
-    if "angle" in sizes:
-        sizes["angle"] = math.radians(sizes["angle"])
+    return {**sizes, "angle": math.radians(sizes["angle"])} if "angle" in sizes else sizes
+
+
+def _read(path: Path, meshing: Mapping[str, float]) -> Any:
     core = load_cad()
     if path.stat().st_size == 0:
         raise FileError(path, "the file is empty", "export it again")
     try:
-        return core.read_cad(str(path.absolute()), sizes)
+        return core.read_cad(str(path.absolute()), _sizes(meshing))
     except ValueError as error:
         what, _, todo = str(error).partition("; ")
         raise FileError(path, what, todo) from None

@@ -81,6 +81,11 @@ class NastranFile(PartFile):
             kept = len(deck.grids) - len(ids)
             self.notes.append(f"{kept} nodes belong to no shell element and stay where they are")
 
+    @property
+    def lines(self) -> list[str]:
+        """The deck's lines with their ends, as they stand in the file."""
+        return self._lines
+
     def save(self, path: Path, positions: np.ndarray) -> None:
         edits: dict[int, list[tuple[Field, str]]] = {}
         changed = positions != self.mesh.points

@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from ..errors import Fault, RecipeError
 from ..part_mesh import PartMesh
+from .auto import Found, asked_sections, filled, search, without_auto
 from .checks import Known, mesh_faults, meaning_faults, pose_meaning_faults
 from .model import Model, Motion, model_of, motions_of
 from .parts import Parts, parts_of_meshes, read_parts
@@ -29,7 +31,10 @@ def validate(recipe: dict[str, Any], base: str | Path = ".") -> None:
 
 
 def prepare(recipe: Any, base: str | Path) -> Parts:
-    """The parts of a recipe, read from their files. Raises RecipeError."""
+    """The parts of a recipe, read from their files; what it asks to find in them is in ``found``.
+
+    Raises RecipeError, KernelError if something is to be found without a kernel.
+    """
     model, faults = _model(recipe)
     parts = read_parts(model.parts, base)
     model = model.with_parts(parts.entries)
@@ -37,11 +42,26 @@ def prepare(recipe: Any, base: str | Path) -> Parts:
     faults += [*parts.faults, *mesh_faults(model, parts.meshes)]
     if faults:
         raise RecipeError(faults)
+    if asked_sections(recipe):
+        parts.found = search(recipe, parts.meshes, _told_by_files(parts))
     return parts
 
 
-def check_with_meshes(recipe: Any, meshes: Mapping[str, PartMesh]) -> Model:
-    """The entries of a recipe whose parts are given as meshes, by name. Raises RecipeError."""
+def _told_by_files(parts: Parts) -> dict[str, Any]:
+    # Imported here: the search reads parts as a recipe names them.
+    from ..finding.deck import deck_connections, part_thickness
+
+    between = [c for source in parts.sources for c in deck_connections(source, parts.meshes)]
+    return {"thickness": part_thickness(parts.sources), "connections": between}
+
+
+def check_with_meshes(
+    recipe: Any, meshes: Mapping[str, PartMesh], found: Found | None = None
+) -> Model:
+    """The entries of a recipe whose parts are given as meshes, by name.
+
+    found: what was found for it before; else what it asks for is found now. Raises RecipeError.
+    """
     model, faults = _model(recipe)
     model = model.with_parts(parts_of_meshes(model.parts, meshes))
     faults += meaning_faults(model, Known.of(model, recipe))
@@ -54,7 +74,12 @@ def check_with_meshes(recipe: Any, meshes: Mapping[str, PartMesh]) -> Model:
     faults += mesh_faults(model, meshes)
     if faults:
         raise RecipeError(faults)
-    return model
+    asked = asked_sections(recipe)
+    if not asked:
+        return model
+    found = found or search(recipe, {part.name: meshes[part.name] for part in model.parts})
+    whole = check_with_meshes(filled(recipe, found), meshes)
+    return replace(whole, found=found.for_report(asked))
 
 
 def check_pose(model: Model, pose: Any) -> dict[str, Motion]:
@@ -74,7 +99,7 @@ def _model(recipe: Any) -> tuple[Model, list[Fault]]:
     _require_shallow(recipe)
     available, faults = take_out(recipe)
     structural, sound = structural_faults(available)
-    return model_of(sound), [*faults, *structural]
+    return model_of(without_auto(sound)), [*faults, *structural]
 
 
 def _require_shallow(data: Any) -> None:

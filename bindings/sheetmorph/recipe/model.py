@@ -38,8 +38,9 @@ class PartEntry:
     """A part; where: its place in the recipe, for messages; file: "" if none is given.
 
     mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
-    entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file;
-    wanted: weld and remesh.
+    entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
+    thin: "auto" if it is solved as a thin solid where it is one, "yes" if it must be one, "" if it
+    is solved as it is; thickness: mm, 0 if it is found out; wanted: weld and remesh.
     """
 
     where: str
@@ -48,6 +49,8 @@ class PartEntry:
     mode: int = 0
     split: str = ""
     meshing: dict[str, float] | None = None
+    thin: str = ""
+    thickness: float = 0.0
     wanted: Wanted = Wanted()
 
     @property
@@ -120,11 +123,12 @@ class PropagationEntry:
 
 @dataclass(frozen=True)
 class Model:
-    """A whole recipe; pose by the name of handle, feature or point."""
+    """A whole recipe; pose by the name of handle, feature or point; found: what a search put in."""
 
     parts: list[PartEntry] = field(default_factory=list)
     primary: str | None = None
     energy: str = "neumann"
+    operator: str = "cotangent"
     regions: list[RegionEntry] = field(default_factory=list)
     contacts: list[ContactEntry] = field(default_factory=list)
     relations: list[RelationEntry] = field(default_factory=list)
@@ -132,6 +136,7 @@ class Model:
     refine: bool = False
     propagation: PropagationEntry = PropagationEntry()
     pose: dict[str, Motion] = field(default_factory=dict)
+    found: dict[str, Any] | None = None
 
     @property
     def all_regions(self) -> list[RegionEntry]:
@@ -171,7 +176,8 @@ def model_of(recipe: dict[str, Any]) -> Model:
     return Model(
         parts=parts,
         primary=recipe.get("primary"),
-        energy=recipe.get("energy", "neumann"),
+        energy=recipe.get("energy", Model.energy),
+        operator=recipe.get("operator", Model.operator),
         regions=regions,
         contacts=contacts,
         relations=[
@@ -198,7 +204,17 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
     split = {True: "components", False: ""}.get(split, split)
     name = entry.get("name", "" if split else f"part{k}")
     file, mode = entry.get("file", ""), int(entry.get("mode", 0))
-    return PartEntry(where, name, file, mode, split, entry.get("mesh"), _wanted(entry))
+    return PartEntry(
+        where, name, file, mode, split, entry.get("mesh"), *_thin(entry), wanted=_wanted(entry)
+    )
+
+
+def _thin(entry: dict[str, Any]) -> tuple[str, float]:
+    """ "auto", "yes" or "", and the thickness."""
+    thin = entry.get("thin", False)
+    if isinstance(thin, dict):
+        return "yes", float(thin["thickness"])
+    return ("auto" if thin == "auto" else ""), 0.0
 
 
 def _wanted(entry: dict[str, Any]) -> Wanted:

@@ -12,6 +12,7 @@ from ..errors import Fault, FileError
 from ..files import PartFile, is_cad, output_name, read_part
 from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
+from .auto import Found
 from .model import PartEntry
 from .splitting import SplitError, part_of, split_triangles
 
@@ -40,6 +41,7 @@ class Parts:
     sources: list[Source] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
+    found: Found | None = None
 
     def add(self, entry: PartEntry, file: PartFile) -> None:
         """Put the part, or the parts, of a file in."""

@@ -22,15 +22,12 @@ class _Reserved:
     todo: str = "leave it out"
 
 
-_OPTIONS = ("thin", "margin", "thickness", "criteria", "poses", "modes")
+_OPTIONS = ("margin", "thickness", "criteria", "poses", "modes")
 _RESERVED = (
     *(_Reserved((key,)) for key in _OPTIONS),
+    *(_Reserved((key,), todo="give it to a part") for key in ("remesh", "weld", "thin")),
     *(_Reserved(("parts", "*", key)) for key in ("refine", *_OPTIONS)),
     *(_Reserved(("features", "*", key)) for key in ("groups", "coaxial", "distance")),
-    _Reserved(("features",), "auto", "list the features"),
-    _Reserved(("contacts",), "auto", "list the contacts"),
-    _Reserved(("energy",), "natural", 'use "neumann" or "paper"'),
-    _Reserved(("operator",), "intrinsic", 'use "cotangent"'),
 )
 
 

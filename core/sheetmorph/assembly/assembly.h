@@ -21,6 +21,14 @@ enum class Mode
     boundaries  //!< mode 3: unconstrained boundary vertices; the rest likewise
 };
 
+//! Whether a closed mesh is treated as a thin solid: solved on one skin, the rest follows.
+enum class Thin
+{
+    no,
+    automatic,  //!< if it is recognised as one
+    yes         //!< an error if it is none
+};
+
 //! One mesh of the assembly.
 struct Part
 {
@@ -28,6 +36,8 @@ struct Part
     TriangleMesh mesh;
     std::vector<int> ids;  //!< (n) the file's own vertex ids, for messages; empty: 0..n-1
     Mode mode = Mode::automatic;
+    Thin thin = Thin::no;
+    double thickness = 0.0;  //!< mm, of a thin solid; 0: found out
 };
 
 //! Vertices of one part that a pose moves as one rigid body.
@@ -65,6 +75,7 @@ struct Assembly
     std::vector<Part> parts;
     int primary = 0;
     Energy energy = Energy::neumann;
+    Laplacian laplacian = Laplacian::cotangent;
     std::vector<PartRegion> fixed;
     std::vector<PartHandle> handles;
     std::vector<PartFeature> features;

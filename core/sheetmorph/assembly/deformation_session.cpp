@@ -48,14 +48,24 @@ std::optional<ShownControlMesh> DeformationSession::control_mesh(int contact,
 {
     for (std::size_t k = 0; k < data_->planned.size(); ++k)
         if (data_->planned[k].contact == contact)
-            return data_->links[k].link->control_mesh(
-                pose.parts[at(data_->planned[k].source_part)]);
+        {
+            const std::size_t source = at(data_->planned[k].source_part);
+            const bool is_thin = data_->parts[source].thin != nullptr;
+            return data_->links[k].link->control_mesh(is_thin ? pose.middles[source]
+                                                              : pose.parts[source]);
+        }
     return std::nullopt;
 }
 
 const Assembly& DeformationSession::assembly() const
 {
-    return data_->assembly;
+    return data_->whole();
+}
+
+const ThinSolid* DeformationSession::thin_solid(int part) const
+{
+    const auto& thin = data_->thin.at(at(part));
+    return thin ? &thin->solid() : nullptr;
 }
 
 const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() const

@@ -6,6 +6,7 @@
 #include "sheetmorph/assembly/propagation_plan.h"
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/feature_shape.h"
+#include "sheetmorph/mesh/thin_solid.h"
 #include "sheetmorph/surface/surface_deformer.h"
 
 #include <memory>
@@ -28,8 +29,9 @@ struct FeatureResult
 //! exact solves only.
 struct Deformed
 {
-    std::vector<Deformation> parts;         //!< by part; features hold those of the assembly first
-    std::vector<FeatureResult> features;    //!< in the order of assembly().features
+    std::vector<Deformation> parts;       //!< by part; features hold those of the assembly first
+    std::vector<Deformation> middles;     //!< by part: what was solved of a thin solid, else empty
+    std::vector<FeatureResult> features;  //!< in the order of assembly().features
     std::vector<ContactFidelity> contacts;  //!< of plan().measured
     double spread = 0.0;  //!< mm: how far apart, at most, several contacts want one vertex
 };
@@ -75,12 +77,15 @@ public:
     //! for other contacts.
     std::optional<ShownControlMesh> control_mesh(int contact, const Deformed& pose) const;
 
-    //! What the session deforms: with a plane of symmetry, more than it was given.
+    //! What the session deforms: with a plane of symmetry, or lumps on thin solids, more than
+    //! given.
     const Assembly& assembly() const;
 
     //! By feature of assembly(): what it is, where its size can be set.
     const std::vector<std::optional<FeatureShape>>& shapes() const;
 
+    //! The thin solid that a part is solved as; nothing if it is solved as it is.
+    const ThinSolid* thin_solid(int part) const;
     //! Order, levels, directions of contacts and unreached parts.
     const PropagationPlan& plan() const;
 

@@ -64,8 +64,7 @@ public:
         for (const int part : prepared.plan.order)
         {
             const PreparedPart& ready = prepared.parts[at(part)];
-            if (!ready.deformer || ready.deformer->turns_by_energy()
-                || !SurfaceResponse::is_possible(ready.problem.own.surface))
+            if (!ready.deformer || !ready.deformer->can_respond())
                 continue;
             ResponseOptions options = options_of(prepared, part, dragged, start);
             if (!options.turning.empty() && options.turning.size() <= 2)

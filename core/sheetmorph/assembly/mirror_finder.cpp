@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sheetmorph
 {
@@ -49,6 +50,20 @@ Vector3 barycentric(const TriangleMesh& mesh, int triangle, const Vector3& posit
     sides << corner(1) - corner(0), corner(2) - corner(0);
     const Eigen::Vector2d tu = sides.colPivHouseholderQr().solve(position - corner(0));
     return {1.0 - tu.sum(), tu(0), tu(1)};
+}
+
+// Whether a position is in the box around a triangle.
+bool is_around(const TriangleMesh& mesh, int triangle, const Vector3& position, double margin)
+{
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const auto corner = [&](int k)
+        { return mesh.points()(mesh.triangles()(triangle, k), axis); };
+        if (position(axis) < std::min({corner(0), corner(1), corner(2)}) - margin
+            || position(axis) > std::max({corner(0), corner(1), corner(2)}) + margin)
+            return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -149,6 +164,8 @@ std::optional<PartPoint> MirrorFinder::on_part(int part, const Vector3& position
     found.part = part;
     for (int t = 0; t < mesh.triangle_count(); ++t)
     {
+        if (!is_around(mesh, t, position, tolerance_))
+            continue;
         found.constraint.triangle = t;
         Vector3 weights = barycentric(mesh, t, position).cwiseMax(0.0);
         if (!weights.allFinite())

@@ -104,6 +104,8 @@ PartConstraints constraints_of_part(const Assembly& assembly, int part)
 {
     PartConstraints found;
     found.surface.energy = assembly.energy;
+    found.surface.is_refined = assembly.is_refined;
+    found.surface.laplacian = assembly.laplacian;
     for (const PartRegion& region : assembly.fixed)
         if (region.part == part)
             found.surface.fixed.push_back({region.name, region.vertices, "fixed region"});

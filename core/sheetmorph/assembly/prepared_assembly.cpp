@@ -7,6 +7,7 @@
 #include "sheetmorph/assembly/task_pool.h"
 #include "sheetmorph/base/errors.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace sheetmorph
@@ -76,12 +77,25 @@ std::shared_ptr<const SurfaceDeformer> built_deformer(const Part& part,
     }
 }
 
-std::vector<FeatureEdges> own_feature_edges(const Part& part, const PartProblem& problem)
+std::vector<FeatureEdges> own_feature_edges(const Assembly& whole, int part,
+                                            const PartProblem& problem)
 {
     std::vector<VertexIds> features;
-    for (std::size_t k = 0; k < problem.own.features.size(); ++k)
-        features.push_back(problem.own.surface.features[k].vertices);
-    return edges_of_features(part.mesh, features);
+    for (const int feature : problem.own.features)
+        features.push_back(whole.features[at(feature)].vertices);
+    return edges_of_features(whole.parts[at(part)].mesh, features);
+}
+
+// Takes the thin solids among the parts down to their middles.
+void reduce(PreparedAssembly& prepared, const PreparedAssembly* previous)
+{
+    prepared.thin = find_thin_parts(prepared.assembly, previous ? &previous->whole() : nullptr,
+                                    previous ? previous->thin : ThinParts());
+    const auto is_none = [](const auto& part) { return part == nullptr; };
+    if (std::all_of(prepared.thin.begin(), prepared.thin.end(), is_none))
+        return;
+    prepared.with_thin_parts = with_lumps(std::move(prepared.assembly), prepared.thin);
+    prepared.assembly = reduced_to_skins(*prepared.with_thin_parts, prepared.thin);
 }
 
 //! Collects what has to be built, and times it.
@@ -98,7 +112,10 @@ public:
     {
         PreparedPart& part = prepared_.parts[at(index)];
         const Part& of = prepared_.assembly.parts[at(index)];
-        part.edges = own_feature_edges(of, part.problem);
+        part.edges = own_feature_edges(prepared_.whole(), index, part.problem);
+        if (const auto& thin = prepared_.thin[at(index)])
+            part.thin = std::make_shared<const ThinSolver>(
+                ThinSolverInput{thin, prepared_.whole(), part.problem, prepared_.welds, index});
         if (!part.problem.is_driven())
             return;
         part.deformer = reusable_deformer(previous_, of, part.problem.own.surface);
@@ -152,6 +169,7 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
         check_assembly(assembly);
     }
     prepared.assembly = std::move(assembly);
+    reduce(prepared, previous);
     prepared.shapes = shapes_of_sized(prepared.assembly);
     const Assembly& given = prepared.assembly;
     prepared.plan = plan_propagation(given);
@@ -160,12 +178,12 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     prepared.welds = plan_welds(given, prepared.plan);
     prepared.pairs = plan_pairs(given, prepared.plan);
     for (const DirectedContact& contact : prepared.plan.measured)
-        prepared.gauges.emplace_back(given, contact);
+        prepared.gauges.emplace_back(prepared.whole(), contact);
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
     const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
-        prepared.parts.push_back({problem_of_part(given, part, passages), {}, nullptr});
+        prepared.parts.push_back({problem_of_part(given, part, passages), {}, nullptr, nullptr});
     Preparation preparation(prepared, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);

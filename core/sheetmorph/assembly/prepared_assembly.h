@@ -6,6 +6,7 @@
 #include "sheetmorph/assembly/feature_sizes.h"
 #include "sheetmorph/assembly/part_problem.h"
 #include "sheetmorph/assembly/symmetry_plan.h"
+#include "sheetmorph/assembly/thin_solver.h"
 
 #include <set>
 
@@ -28,12 +29,16 @@ struct PreparedPart
     PartProblem problem;
     std::vector<FeatureEdges> edges;
     std::shared_ptr<const SurfaceDeformer> deformer;
+    std::shared_ptr<const ThinSolver> thin;  //!< from its middle to the whole of a thin solid
 };
 
 //! Everything a session knows before a pose.
 struct PreparedAssembly
 {
-    Assembly assembly;  //!< completed where it has a plane of symmetry
+    Assembly assembly;  //!< what is solved: completed where it has a plane of symmetry, thin
+                        //!< parts taken down to their middles
+    std::optional<Assembly> with_thin_parts;  //!< with all of thin parts, and their lumps
+    ThinParts thin;
     std::optional<SymmetryPlan> symmetry;
     std::vector<std::optional<FeatureShape>> shapes;  //!< by feature, of sized ones
     PropagationPlan plan;
@@ -44,6 +49,9 @@ struct PreparedAssembly
     std::vector<PreparedPart> parts;
     std::vector<ContactGauge> gauges;  //!< as plan.measured
     std::vector<Timing> timings;
+
+    //! Every part with all its vertices.
+    const Assembly& whole() const { return with_thin_parts ? *with_thin_parts : assembly; }
 };
 
 //! Plans, then builds all parts and links in parallel, taking over from `previous` what fits.

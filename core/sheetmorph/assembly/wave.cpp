@@ -38,6 +38,7 @@ void Wave::start(Deformed& result)
 {
     result_ = &result;
     result.parts.resize(prepared_.assembly.parts.size());
+    result.middles.resize(prepared_.assembly.parts.size());
     result.features.resize(prepared_.assembly.features.size());
     result.contacts.clear();
     result.spread = 0.0;
@@ -53,7 +54,7 @@ Deformed Wave::run()
         pass_on(part);
     }
     for (const int part : prepared_.plan.unreached)
-        set_at_rest(part, result.parts[at(part)]);
+        set_at_rest(part);
     for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
         report_features(part);
     if (exactness_ == Exactness::exact)
@@ -73,16 +74,31 @@ std::vector<char> Wave::run_live(const PartResponses& responses, Deformed& resul
         pass_on(part);
     }
     for (const int part : prepared_.plan.unreached)
-        set_at_rest(part, result.parts[at(part)]);
+        set_at_rest(part);
     place_answers();
     for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
         report_features(part);
     return answered;
 }
 
-// Left alone if an earlier frame has put it there.
-void Wave::set_at_rest(int part, Deformation& shape) const
+// What the deformer of a part makes: the middle of a thin solid, the whole of any other part.
+Deformation& Wave::solved(int part) const
 {
+    const bool is_thin = prepared_.parts[at(part)].thin != nullptr;
+    return is_thin ? result_->middles[at(part)] : result_->parts[at(part)];
+}
+
+// The whole of a thin solid follows its middle.
+void Wave::expand(int part, const std::vector<RigidMotion>& handles) const
+{
+    if (const auto& thin = prepared_.parts[at(part)].thin)
+        result_->parts[at(part)] = thin->expand(result_->middles[at(part)], handles);
+}
+
+// Left alone if an earlier frame has put it there.
+void Wave::set_at_rest(int part) const
+{
+    Deformation& shape = solved(part);
     const TriangleMesh& mesh = prepared_.assembly.parts[at(part)].mesh;
     if (shape.positions.rows() == mesh.vertex_count())
         return;
@@ -93,6 +109,8 @@ void Wave::set_at_rest(int part, Deformation& shape) const
         none.pivot = rows_of(mesh.points(), feature.vertices).colwise().mean().transpose();
         shape.features.push_back(none);
     }
+    expand(part,
+           std::vector<RigidMotion>(prepared_.parts[at(part)].problem.own.surface.handles.size()));
 }
 
 SurfaceTargets Wave::targets_of(int part) const
@@ -104,15 +122,17 @@ SurfaceTargets Wave::targets_of(int part) const
 void Wave::substitute(int index)
 {
     const PreparedPart& part = prepared_.parts[at(index)];
-    Deformation& shape = result_->parts[at(index)];
     if (!part.deformer)
-        return set_at_rest(index, shape);
+        return set_at_rest(index);
     try
     {
         if (exactness_ == Exactness::exact)
             result_->spread = std::max(result_->spread,
                                        spread_of_targets(part.problem, {links_, welds_, motions_}));
-        shape = part.deformer->deform(targets_of(index), exactness_);
+        const SurfaceTargets targets = targets_of(index);
+        solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_)
+                                  : part.deformer->deform(targets, exactness_);
+        expand(index, targets.handles);
     }
     catch (const InvalidInput& fault)
     {
@@ -125,16 +145,24 @@ void Wave::substitute(int index)
 // reads them, else when all parts are.
 bool Wave::respond(int part, const std::shared_ptr<const SurfaceResponse>& response)
 {
-    std::optional<SurfaceResponse::Frame> frame = response->frame(targets_of(part));
+    const auto& thin = prepared_.parts[at(part)].thin;
+    if (thin && thin->has_points())
+        return false;
+    const SurfaceTargets targets = targets_of(part);
+    std::optional<SurfaceResponse::Frame> frame = response->frame(targets);
     if (!frame)
         return false;
-    Deformation& shape = result_->parts[at(part)];
+    Deformation& shape = solved(part);
     const bool is_read =
-        std::any_of(prepared_.planned.begin(), prepared_.planned.end(),
-                    [part](const PlannedLink& link) { return link.source_part == part; });
+        thin
+        || std::any_of(prepared_.planned.begin(), prepared_.planned.end(),
+                       [part](const PlannedLink& link) { return link.source_part == part; });
     shape.features = frame->features;
     if (is_read)
+    {
         response->place(*frame, true, shape);
+        expand(part, targets.handles);
+    }
     else
         answers_.push_back({part, response, std::move(*frame)});
     return true;
@@ -163,7 +191,7 @@ void Wave::place_answers() const
 // What later parts need of this one.
 void Wave::pass_on(int index)
 {
-    const Deformation& shape = result_->parts[at(index)];
+    const Deformation& shape = solved(index);
     for (std::size_t k = 0; k < links_.size(); ++k)
         if (prepared_.planned[k].source_part == index)
             links_[k] = prepared_.links[k].link->transfer(shape);
@@ -177,7 +205,7 @@ void Wave::pass_on(int index)
 // The part at rest with the sizes of the pose.
 Points Wave::sized_rest(int index) const
 {
-    Points rest = prepared_.assembly.parts[at(index)].mesh.points();
+    Points rest = prepared_.whole().parts[at(index)].mesh.points();
     for (const int feature : prepared_.parts[at(index)].problem.own.features)
         if (const std::optional<SizedForm> form = sized_form(feature))
             for (Eigen::Index k = 0; k < form->rest.rows(); ++k)
@@ -202,7 +230,7 @@ void Wave::report_feature(int part, std::size_t own, const Points& rest)
 {
     const Deformation& shape = result_->parts[at(part)];
     const int global = prepared_.parts[at(part)].problem.own.features[own];
-    const PartFeature& feature = prepared_.assembly.features[at(global)];
+    const PartFeature& feature = prepared_.whole().features[at(global)];
     FeatureResult& result = result_->features[at(global)];
     result = {};
     result.name = feature.name;
@@ -233,8 +261,8 @@ void Wave::report_contacts()
     for (std::size_t k = 0; k < prepared_.gauges.size(); ++k)
     {
         const DirectedContact& contact = prepared_.plan.measured[k];
-        const int source = contact.source(prepared_.assembly).part;
-        const int target = contact.target(prepared_.assembly).part;
+        const int source = contact.source(prepared_.whole()).part;
+        const int target = contact.target(prepared_.whole()).part;
         result_->contacts.push_back(prepared_.gauges[k].measure(
             result_->parts[at(source)], result_->parts[at(target)].positions));
     }

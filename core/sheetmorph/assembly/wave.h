@@ -33,7 +33,9 @@ private:
     };
 
     void start(Deformed& result);
-    void set_at_rest(int part, Deformation& shape) const;
+    Deformation& solved(int part) const;
+    void set_at_rest(int part) const;
+    void expand(int part, const std::vector<RigidMotion>& handles) const;
     SurfaceTargets targets_of(int part) const;
     void substitute(int part);
     bool respond(int part, const std::shared_ptr<const SurfaceResponse>& response);

@@ -40,7 +40,7 @@ struct CadCircle
     VertexIds vertices;  //!< ascending
 };
 
-enum class FeatureKind
+enum class CadFeatureKind
 {
     round_hole,
     cylinder,
@@ -49,15 +49,17 @@ enum class FeatureKind
     sphere
 };
 
-//! Faces of a part that are one shape, from their surfaces: exact to rounding.
+//! Neighbouring faces of a part that are one shape, from their surfaces: exact to rounding. A hole
+//! is a hollow cylinder all around, or a circular border inside a sheet without thickness.
 struct CadFeature
 {
-    FeatureKind kind = FeatureKind::plane;
-    Vector3 centre = Vector3::Zero();  //!< a hole's, cylinder's, cone's: mid-length on the axis
+    CadFeatureKind kind = CadFeatureKind::plane;
+    Vector3 centre = Vector3::Zero();  //!< hole, cylinder, cone: on the axis, halfway along it
     Vector3 axis = Vector3::UnitZ();   //!< of length 1, largest component > 0; a plane's normal
-    double radius = 0.0;               //!< 0 for a plane and a cone
+    double radius = 0.0;               //!< 0 for a plane and a cone, mm
     double half_angle = 0.0;           //!< of a cone, radians
-    std::vector<int> faces;            //!< ascending
+    double length = 0.0;               //!< along the axis, 0 for plane and sphere, mm
+    bool is_hollow = false;            //!< curved, and seen from inside
     VertexIds vertices;                //!< of the faces and their borders, ascending
     double residual = 0.0;             //!< largest distance of a vertex from the surface, mm
 };

@@ -69,11 +69,14 @@ std::string name_of(const TDF_Label& label)
     return trimmed(bytes);
 }
 
-// OpenCASCADE calls what has no name after its type.
+// OpenCASCADE calls what has no name after its type, a reference or itself.
 bool is_given(const std::string& name)
 {
     static const std::set<std::string> types = {"",      "COMPOUND", "COMPSOLID", "SOLID",
                                                 "SHELL", "FACE",     "ASSEMBLY"};
+    for (const char* start : {"=>[", "Open CASCADE STEP translator"})
+        if (name.rfind(start, 0) == 0)
+            return false;
     return types.count(name) == 0;
 }
 

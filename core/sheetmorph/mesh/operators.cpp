@@ -20,14 +20,19 @@ constexpr double smallest_weight = 1e-3;
 
 struct Corners
 {
-    Vector3 at[3];
+    std::array<Vector3, 3> at;
     double longest;     // squared edge length
     double twice_area;  // as the geometry says
 
     Corners(const TriangleMesh& mesh, int triangle)
+        : Corners({Vector3(mesh.points().row(mesh.triangles()(triangle, 0)).transpose()),
+                   Vector3(mesh.points().row(mesh.triangles()(triangle, 1)).transpose()),
+                   Vector3(mesh.points().row(mesh.triangles()(triangle, 2)).transpose())})
     {
-        for (int k = 0; k < 3; ++k)
-            at[k] = mesh.points().row(mesh.triangles()(triangle, k)).transpose();
+    }
+
+    explicit Corners(const std::array<Vector3, 3>& corners) : at(corners)
+    {
         longest = 0.0;
         for (int k = 0; k < 3; ++k)
             longest = std::max(longest, (at[(k + 1) % 3] - at[k]).squaredNorm());
@@ -165,6 +170,12 @@ Eigen::SparseMatrix<double> non_negative_stiffness(const TriangleMesh& mesh,
     return stiffness_of(mesh.vertex_count(), std::move(edges));
 }
 
+Vector3 mixed_voronoi_shares(const std::array<Vector3, 3>& corners)
+{
+    const Corners of(corners);
+    return of.twice_area > 0.0 ? mixed_shares(of) : Vector3(Vector3::Zero());
+}
+
 Eigen::VectorXd voronoi_areas(const TriangleMesh& mesh)
 {
     Eigen::VectorXd areas = Eigen::VectorXd::Zero(mesh.vertex_count());
@@ -174,8 +185,7 @@ Eigen::VectorXd voronoi_areas(const TriangleMesh& mesh)
         const Corners corners(mesh, t);
         if (repeats_a_vertex(mesh.triangles(), t) || corners.longest == 0.0)
             continue;
-        const Vector3 shares =
-            corners.twice_area > 0.0 ? mixed_shares(corners) : Vector3(Vector3::Zero());
+        const Vector3 shares = mixed_voronoi_shares(corners.at);
         for (int k = 0; k < 3; ++k)
         {
             areas(mesh.triangles()(t, k)) += shares(k);

@@ -4,6 +4,7 @@
 #include "sheetmorph/mesh/triangle_mesh.h"
 
 #include <Eigen/SparseCore>
+#include <array>
 
 namespace sheetmorph
 {
@@ -28,6 +29,9 @@ Eigen::SparseMatrix<double> non_negative_stiffness(const TriangleMesh& mesh,
 //! Mixed Voronoi area of every vertex (n), mm^2 (Meyer et al. 2003); positive at every vertex of a
 //! triangle, one at vertices of none (their rows of K are empty).
 Eigen::VectorXd voronoi_areas(const TriangleMesh& mesh);
+
+//! What one triangle adds to the areas of its corners, mm^2; zero if it has no extent.
+Vector3 mixed_voronoi_shares(const std::array<Vector3, 3>& corners);
 
 //! K p (n, 3), summed from edge vectors so that coordinates far from the origin lose no digits.
 Points apply_stiffness(const TriangleMesh& mesh, const Points& half_cotangents,

@@ -56,6 +56,14 @@ struct RayQuery
     }
 };
 
+template <typename Box>
+double distance_to_box(const Vector3& point, const Box& box)
+{
+    const Vector3 nearest = point.cwiseMax(box.low).cwiseMin(box.high);
+    // Rounding must not hide the box that holds the nearest place.
+    return (1.0 - 1e-14) * (nearest - point).norm();
+}
+
 // The place nearest to a point so far.
 struct PointQuery
 {
@@ -65,9 +73,7 @@ struct PointQuery
     template <typename Box>
     double distance_of(const Box& box) const
     {
-        const Vector3 nearest = point.cwiseMax(box.low).cwiseMin(box.high);
-        // Rounding must not hide the box that holds the nearest place.
-        return (1.0 - 1e-14) * (nearest - point).norm();
+        return distance_to_box(point, box);
     }
 
     void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
@@ -76,6 +82,28 @@ struct PointQuery
         hit.triangle = triangle;
         if (std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))
             best = hit;
+    }
+};
+
+// Every place that is near enough; best.distance stays the radius.
+struct RangeQuery
+{
+    Vector3 point;
+    Hit best;
+    std::vector<Hit> found;
+
+    template <typename Box>
+    double distance_of(const Box& box) const
+    {
+        return distance_to_box(point, box);
+    }
+
+    void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
+    {
+        Hit hit = nearest_on_triangle(point, corners);
+        hit.triangle = triangle;
+        if (hit.distance <= best.distance)
+            found.push_back(hit);
     }
 };
 
@@ -210,13 +238,32 @@ std::optional<Hit> PickingTree::nearest_hit(const Vector3& origin, const Vector3
     return query.best.distance < far_away ? std::optional<Hit>(query.best) : std::nullopt;
 }
 
+std::vector<Hit> PickingTree::places_within(const Vector3& point, double radius) const
+{
+    if (!point.allFinite())
+        throw InvalidInput("the point has coordinates that are not finite numbers");
+    RangeQuery query{point, nothing_yet(), {}};
+    query.best.distance = radius;
+    visit(query);
+    std::sort(query.found.begin(), query.found.end(),
+              [](const Hit& a, const Hit& b) { return a.triangle < b.triangle; });
+    return std::move(query.found);
+}
+
 std::optional<Hit> PickingTree::nearest_point(const Vector3& point) const
+{
+    return nearest_point(point, far_away);
+}
+
+std::optional<Hit> PickingTree::nearest_point(const Vector3& point, double reach) const
 {
     if (!point.allFinite())
         throw InvalidInput("the point has coordinates that are not finite numbers");
     PointQuery query{point, nothing_yet()};
+    query.best.distance = reach;
     visit(query);
-    return query.best.distance < far_away ? std::optional<Hit>(query.best) : std::nullopt;
+    const bool is_found = query.best.triangle < std::numeric_limits<int>::max();
+    return is_found ? std::optional<Hit>(query.best) : std::nullopt;
 }
 
 }  // namespace sheetmorph

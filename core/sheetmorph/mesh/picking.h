@@ -40,6 +40,12 @@ public:
     //! \throws InvalidInput if the point is not finite
     std::optional<Hit> nearest_point(const Vector3& point) const;
 
+    //! The place nearest to a point on every triangle that comes within `radius` (mm) of it, by
+    //! rising triangle. \throws InvalidInput if the point is not finite
+    std::vector<Hit> places_within(const Vector3& point, double radius) const;
+    //! The same if it is not farther than `reach` (mm), else nothing; fast where all is far away.
+    std::optional<Hit> nearest_point(const Vector3& point, double reach) const;
+
 private:
     struct Box
     {

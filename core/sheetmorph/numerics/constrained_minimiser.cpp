@@ -67,7 +67,7 @@ ConstrainedMinimiser::ConstrainedMinimiser(QuadraticProblem problem)
               const SparseMatrix hessian = reduced_hessian(problem_);
               const SparseMatrix rows = supporting_rows(reduced_constraints_, problem_.supporting);
               support_ = support_weight(hessian, rows);
-              return SparseCholesky(supported(hessian, rows, support_));
+              return SparseCholesky(supported(hessian, rows, support_), problem_.places);
           }())
 {
     factor_schur_complement();

@@ -18,6 +18,9 @@ struct QuadraticProblem
 
     //! Constraints, by row, without which the energy alone would not be positive definite.
     std::vector<int> supporting;
+
+    //! (y, 3) where the unknowns lie, if on a surface: for the order of elimination. May be empty.
+    Points places;
 };
 
 //! Minimises sum_r w_r |(B u - f)_r|^2 over u = S y + offset subject to C u = c.

@@ -2,6 +2,7 @@
 #include "sheetmorph/numerics/sparse_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/numerics/nested_dissection.h"
 #include "sheetmorph/numerics/supernodal_solver.h"
 
 #include <algorithm>
@@ -15,8 +16,10 @@ namespace sheetmorph
 namespace
 {
 
-// Below this size a minimum-degree ordering costs less than nested dissection saves.
-constexpr Eigen::Index nested_dissection_from = 100000;
+// Below these sizes a minimum-degree ordering fills no more than nested dissection does, by places
+// or by METIS (which takes longer than the factorisation).
+constexpr Eigen::Index places_from = 70000;
+constexpr Eigen::Index metis_from = 100000;
 
 // One CHOLMOD workspace; its own object a call, so that const solves run in parallel.
 class Workspace
@@ -75,12 +78,20 @@ SupernodalFactor view_of(const cholmod_factor& lower)
             static_cast<const double*>(lower.x)};
 }
 
-void choose_ordering(cholmod_common& common, Eigen::Index size)
+cholmod_factor* analysed(const SparseMatrix& matrix, const Points& places, cholmod_common& common)
 {
+    cholmod_sparse view = view_of(matrix);
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.nmethods = 1;
-    common.method[0].ordering = size < nested_dissection_from ? CHOLMOD_AMD : CHOLMOD_METIS;
     common.postorder = 1;
+    if (matrix.rows() >= places_from && places.rows() == matrix.rows())
+    {
+        std::vector<int> order = nested_dissection(matrix, places);
+        common.method[0].ordering = CHOLMOD_GIVEN;
+        return cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+    }
+    common.method[0].ordering = matrix.rows() < metis_from ? CHOLMOD_AMD : CHOLMOD_METIS;
+    return cholmod_analyze(&view, &common);
 }
 
 }  // namespace
@@ -103,7 +114,8 @@ struct SparseCholesky::Factor
     double entries = 0.0;
 };
 
-SparseCholesky::SparseCholesky(const SparseMatrix& matrix) : factor_(std::make_unique<Factor>())
+SparseCholesky::SparseCholesky(const SparseMatrix& matrix, const Points& places)
+    : factor_(std::make_unique<Factor>())
 {
     factor_->size = matrix.rows();
     if (matrix.rows() == 0)
@@ -112,9 +124,8 @@ SparseCholesky::SparseCholesky(const SparseMatrix& matrix) : factor_(std::make_u
     packed.makeCompressed();
     cholmod_sparse view = view_of(packed);
     cholmod_common& common = factor_->workspace.common;
-    choose_ordering(common, matrix.rows());
     const SingleOpenMpLevel single_level;
-    factor_->lower = cholmod_analyze(&view, &common);
+    factor_->lower = analysed(packed, places, common);
     if (factor_->lower == nullptr)
         throw SolverError("the sparse matrix could not be analysed (out of memory?)");
     factor_->entries = common.lnz;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/types.h"
+
 #include <Eigen/SparseCore>
 #include <memory>
 #include <string>
@@ -16,9 +18,11 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 class SparseCholesky
 {
 public:
-    //! \param matrix  (n, n), symmetric; only its lower triangle is read
+    //! \param matrix  (n, n), symmetric
+    //! \param places  (n, 3) where the unknowns lie, if on a surface: large matrices are ordered
+    //!                by them
     //! \throws SolverError if the matrix is not positive definite
-    explicit SparseCholesky(const SparseMatrix& matrix);
+    explicit SparseCholesky(const SparseMatrix& matrix, const Points& places = {});
     ~SparseCholesky();
     SparseCholesky(SparseCholesky&&) noexcept;
     SparseCholesky& operator=(SparseCholesky&&) noexcept;

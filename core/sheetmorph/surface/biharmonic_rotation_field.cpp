@@ -114,6 +114,7 @@ bool is_rotation_known(const VertexRoles& roles, int vertex)
         case Role::fixed:
         case Role::handle:
         case Role::propagated:
+        case Role::clamped:
             return true;
         case Role::body:
         {

@@ -48,6 +48,18 @@ int source_of_body(const Sources& sources, const Body& body, int index)
     return Sources::none;
 }
 
+int source_of_vertex(const Sources& sources, const VertexRoles& roles, int vertex);
+
+// Between regions that turn differently the field decides.
+int source_of_clamp(const Sources& sources, const VertexRoles& roles, const Clamp& clamp)
+{
+    const int source = source_of_vertex(sources, roles, clamp.carriers.front().vertex);
+    for (const Clamp::Carrier& carrier : clamp.carriers)
+        if (source_of_vertex(sources, roles, carrier.vertex) != source)
+            return Sources::none;
+    return source;
+}
+
 int source_of_vertex(const Sources& sources, const VertexRoles& roles, int vertex)
 {
     const int owner = roles.owner[at(vertex)];
@@ -62,6 +74,8 @@ int source_of_vertex(const Sources& sources, const VertexRoles& roles, int verte
             return sources.first_region + owner;
         case Role::body:
             return source_of_body(sources, roles.bodies[at(owner)], owner);
+        case Role::clamped:
+            return source_of_clamp(sources, roles, roles.clamps[at(owner)]);
         case Role::free:
             break;
     }
@@ -187,7 +201,7 @@ public:
         const SparseMatrix basis = unknowns_.basis();
         const SparseMatrix transposed = basis.transpose();
         coupling_ = transposed * input.operators.harmonic;
-        factor_.emplace(coupling_ * basis);
+        factor_.emplace(coupling_ * basis, unknowns_.places(input.mesh.points()));
         used_ = used_sources(sources_);
         weights_ = -factor_->solve(coupling_ * indicator(sources_, used_));
         smooth_and_renormalise(weights_);

@@ -5,6 +5,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/allowed_motion.h"
+#include "sheetmorph/surface/clamping.h"
 
 #include <Eigen/Geometry>
 
@@ -236,6 +237,8 @@ GivenRotations given_rotations(const PlacementInput& part, const SurfaceTargets&
         }
     }
     add_propagated(part, targets, given);
+    turn_clamped(part.roles, given.logs);
+    turn_clamped(part.roles, given.tilts);
     given.is_tilted = !given.tilts.vertices.isZero(0.0);
     return given;
 }

@@ -12,8 +12,16 @@ namespace sheetmorph
 //! Which thin-plate energy bends the sheet.
 enum class Energy
 {
-    paper,   //!< (2.2) and (2.9) as printed: no area weights, biharmonic rotations
-    neumann  //!< weighted by area, so that the shape does not depend on how fine the mesh is
+    paper,    //!< (2.2) and (2.9) as printed: no area weights, biharmonic rotations
+    neumann,  //!< weighted by area, so that the shape does not depend on how fine the mesh is
+    natural   //!< free edges are free: only affine functions cost nothing on a flat sheet
+};
+
+//! Which triangles the operators see.
+enum class Laplacian
+{
+    cotangent,  //!< the given ones; `natural` takes intrinsic ones by itself where these fail
+    intrinsic   //!< intrinsic Delaunay ones, of the double cover where sheets meet
 };
 
 //! Vertices whose positions are given: a fixed region, a handle, or a propagated region.
@@ -77,6 +85,8 @@ struct SurfaceConstraints
     std::vector<std::vector<int>> groups;  //!< form features that move as one rigid body
     std::vector<FeatureLink> links;
     Energy energy = Energy::neumann;
+    bool is_refined = false;  //!< exact answers are refined for large rotations (refinement.h)
+    Laplacian laplacian = Laplacian::cotangent;
 };
 
 }  // namespace sheetmorph

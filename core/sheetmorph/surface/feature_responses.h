@@ -40,6 +40,9 @@ public:
     //! (n, turners) turner_weights().
     const SparseMatrix& weights() const { return weights_; }
 
+    //! Every size as at rest.
+    SizeChanges no_sizes() const { return SizeChanges(constraints_.features.size()); }
+
     //! \param base  the minimum of the pose with every turner unmoved, and what it was asked for
     ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
                          const ConstrainedMinimiser::Solution& base,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/placement.h"
 
+#include "sheetmorph/surface/clamping.h"
+
 namespace sheetmorph
 {
 
@@ -45,6 +47,8 @@ Eigen::MatrixXd known_displacements(const PlacementInput& part, const SurfaceTar
     place_known(part, targets, bodies,
                 [&](int vertex, const Vector3& position)
                 { offset.row(vertex) = position.transpose() - part.rest.points().row(vertex); });
+    if (!part.roles.clamps.empty())
+        place_clamped(part, given_rotations(part, targets, bodies), offset);
     return offset;
 }
 

@@ -9,6 +9,7 @@
 #include "sheetmorph/surface/point_rows.h"
 #include "sheetmorph/surface/reachable_size.h"
 #include "sheetmorph/surface/reduced_minimum.h"
+#include "sheetmorph/surface/turner_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,23 +101,6 @@ BodyMotions unmoved_turners(const PreparedSurface& part, const BodyMotions& bodi
     return unmoved;
 }
 
-// What the sheet turns like at every vertex, as far as logs can tell.
-void blend_logs(const PreparedSurface& part, const Joints& joints, Points& logs)
-{
-    const Points field = logs;
-    const SparseMatrix& weights = part.responses->weights();
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
-    {
-        const Turner& turner = part.responses->turners()[at(k)];
-        if (!turner.turns || turner.vertices.empty())
-            continue;
-        const Vector3 reference = field.row(turner.vertices.front()).transpose();
-        const Vector3 log = log_near(joints.states()[at(k)].rotation, reference);
-        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
-            logs.row(entry.row()) += entry.value() * (log.transpose() - field.row(entry.row()));
-    }
-}
-
 //! One pose on its way to its solution.
 struct Solving
 {
@@ -130,42 +114,6 @@ struct Solving
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
 };
 
-// How much a feature is held at the field's rotation, by the largest turn of the field between it
-// and what lies around it. Between neighbours turned by more than a right angle the energy of a
-// flat sheet, which sees cosines, has no minimum of its own: there the field decides.
-double hold(double angle)
-{
-    constexpr double begins = 75.0 / 180.0 * 3.14159265358979323846;
-    constexpr double complete = 150.0 / 180.0 * 3.14159265358979323846;
-    const double t = std::clamp((angle - begins) / (complete - begins), 0.0, 1.0);
-    return 4.0 * t * t * (3.0 - 2.0 * t);
-}
-
-void hold_far_turned(const PreparedSurface& part, const Solving& pose, const Joints& start,
-                     ReducedEnergy& energy)
-{
-    const SparseMatrix& weights = part.responses->weights();
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
-    {
-        const Turner& turner = part.responses->turners()[at(k)];
-        if (!turner.turns || turner.body < 0)
-            continue;
-        const Points& logs = pose.field.logs;
-        double farthest = 0.0;
-        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
-            farthest = std::max(farthest,
-                                (logs.row(entry.row()) - logs.row(turner.vertices.front())).norm());
-        const double amount = hold(2.0 * farthest);
-        if (amount == 0.0)
-            continue;
-        const int column = part.responses->columns()[at(k)].turn;
-        const Matrix3 stiffness = amount * energy.stiffness.block<3, 3>(column, column);
-        const Matrix3 wanted = start.states()[at(k)].rotation - Matrix3::Identity();
-        energy.stiffness.block<3, 3>(column, column) += stiffness;
-        energy.slope.middleRows<3>(column) -= stiffness * wanted.transpose();
-    }
-}
-
 // Lets the energy turn what it may turn; the sheet's displacements, known already in a live frame.
 std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solving& pose)
 {
@@ -178,7 +126,8 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
     ReducedEnergy energy = part.responses->energy(asked, base, pose.sizes);
     const PlacementInput placement = part.placement();
     Joints joints(placement, pose.targets, part.responses->turners(), pose.bodies);
-    hold_far_turned(part, pose, joints, energy);
+    hold_far_turned(*part.responses, farthest_turns(*part.responses, pose.field.logs), joints,
+                    energy);
     minimise(joints, placement, *part.responses, energy);
     for (std::size_t k = 0; k < joints.states().size(); ++k)
     {
@@ -189,7 +138,7 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
                           pose.bodies.motions[at(body)].rotation_log);
     }
     const Field field = pose.field;
-    blend_logs(part, joints, pose.field.logs);
+    blend_logs(*part.responses, joints.states(), pose.field.logs);
     if (pose.exactness == Exactness::live)
     {
         const Eigen::MatrixXd rho = entries_of(joints, placement, *part.responses);
@@ -220,6 +169,8 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
     {
         pose.asked.offset = known_displacements(placement, targets, pose.bodies);
         displacements = part.minimiser.solve(pose.asked, pose.refinements());
+        if (part.refinement && exactness == Exactness::exact)
+            displacements = part.refinement->refined(pose.asked, *displacements);
     }
     require_met_points(part, *displacements, pose.asked.constraints, exactness);
     complete_bodies(placement, *displacements, pose.bodies);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/prepared_surface.h"
 
+#include "sheetmorph/surface/clamping.h"
 #include "sheetmorph/surface/point_rows.h"
 
 namespace sheetmorph
@@ -60,16 +61,17 @@ std::vector<int> supporting_points(const TriangleMesh& rest, const VertexRoles& 
     return supporting;
 }
 
-ConstrainedMinimiser position_minimiser(const RotationFieldInput& input, const Unknowns& unknowns)
+QuadraticProblem position_problem(const RotationFieldInput& input, const Unknowns& unknowns)
 {
     QuadraticProblem problem;
     problem.rows = input.operators.rows;
     problem.weights = input.operators.weights;
     problem.basis = unknowns.basis();
+    problem.places = unknowns.places(input.mesh.points());
     const std::vector<PointConstraint>& points = input.constraints.points;
     problem.constraints = point_rows(input.mesh, points, all_of(points.size()));
     problem.supporting = supporting_points(input.mesh, input.roles, input.constraints);
-    return ConstrainedMinimiser(std::move(problem));
+    return problem;
 }
 
 std::unique_ptr<RotationField> rotation_field(const RotationFieldInput& input)
@@ -85,11 +87,15 @@ VertexRoles reported_roles(const TriangleMesh& rest, const SurfaceConstraints& c
     return assign_roles(rest, constraints);
 }
 
-SurfaceOperators reported_operators(const TriangleMesh& rest, Energy energy,
-                                    const Progress& progress)
+// The operators know the edges of the sheet, and so what known vertices clamp.
+SurfaceOperators reported_operators(const TriangleMesh& rest, const SurfaceConstraints& constraints,
+                                    VertexRoles& roles, const Progress& progress)
 {
     progress.report(0.1, "operators");
-    return surface_operators(rest, energy);
+    SurfaceOperators operators = surface_operators(rest, constraints, roles);
+    if (constraints.energy == Energy::natural)
+        clamp_neighbours(rest, constraints, operators.harmonic, roles);
+    return operators;
 }
 
 std::unique_ptr<RotationField> reported_field(const RotationFieldInput& input,
@@ -103,7 +109,7 @@ ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input, const U
                                         const Progress& progress)
 {
     progress.report(0.4, "factorisation");
-    return position_minimiser(input, unknowns);
+    return ConstrainedMinimiser(position_problem(input, unknowns));
 }
 
 std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& input,
@@ -118,6 +124,13 @@ std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& i
     return std::make_unique<FeatureResponses>(input, minimiser, std::move(turners), shapes);
 }
 
+std::unique_ptr<Refinement> refinement_of(const RotationFieldInput& input, const Unknowns& unknowns)
+{
+    return input.constraints.is_refined
+               ? std::make_unique<Refinement>(input, position_problem(input, unknowns))
+               : nullptr;
+}
+
 }  // namespace
 
 PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
@@ -126,12 +139,13 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
       constraints(given),
       roles(reported_roles(rest, constraints, progress)),
       shapes(resizable_shapes(rest, constraints)),
-      operators(reported_operators(rest, constraints.energy, progress)),
+      operators(reported_operators(rest, constraints, roles, progress)),
       unknowns(position_unknowns(roles)),
       field(reported_field({rest, constraints, roles, operators}, progress)),
       minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, progress)),
       responses(
           reported_responses({rest, constraints, roles, operators}, minimiser, shapes, progress)),
+      refinement(refinement_of({rest, constraints, roles, operators}, unknowns)),
       followers(rest, roles)
 {
     progress.report(1.0, "ready");

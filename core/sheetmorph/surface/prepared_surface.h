@@ -4,6 +4,7 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/surface/feature_responses.h"
 #include "sheetmorph/surface/followers.h"
+#include "sheetmorph/surface/refinement.h"
 #include "sheetmorph/surface/unknowns.h"
 
 namespace sheetmorph
@@ -29,6 +30,7 @@ struct PreparedSurface
     std::unique_ptr<RotationField> field;
     ConstrainedMinimiser minimiser;
     std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
+    std::unique_ptr<Refinement> refinement;       //!< none unless it is asked for
     Followers followers;
 };
 

@@ -12,6 +12,17 @@ struct SurfaceDeformer::Precomputed : PreparedSurface
     using PreparedSurface::PreparedSurface;
 };
 
+namespace
+{
+
+ResponseInput response_input(const PreparedSurface& part)
+{
+    return {part.placement(), part.operators, *part.field,
+            part.minimiser,   part.followers, part.responses.get()};
+}
+
+}  // namespace
+
 SurfaceDeformer::SurfaceDeformer(const TriangleMesh& rest, const SurfaceConstraints& constraints,
                                  const Progress& progress)
     : data_(std::make_unique<const Precomputed>(rest, constraints, progress))
@@ -30,14 +41,12 @@ Deformation SurfaceDeformer::deform(const SurfaceTargets& targets, Exactness exa
 std::unique_ptr<SurfaceResponse> SurfaceDeformer::response(const ResponseOptions& options,
                                                            const Progress& progress) const
 {
-    const ResponseInput input{data_->placement(), data_->operators, *data_->field, data_->minimiser,
-                              data_->followers};
-    return std::make_unique<SurfaceResponse>(input, options, progress);
+    return std::make_unique<SurfaceResponse>(response_input(*data_), options, progress);
 }
 
-bool SurfaceDeformer::turns_by_energy() const
+bool SurfaceDeformer::can_respond() const
 {
-    return data_->responses != nullptr;
+    return SurfaceResponse::is_possible(response_input(*data_));
 }
 
 const TriangleMesh& SurfaceDeformer::rest() const

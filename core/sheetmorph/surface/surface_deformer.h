@@ -55,9 +55,9 @@ public:
     std::unique_ptr<SurfaceResponse> response(const ResponseOptions& options,
                                               const Progress& progress = {}) const;
 
-    //! Whether features, handles or points turn or move as the energy decides: every frame then
-    //! finds its minimum anew, and response() knows none of it.
-    bool turns_by_energy() const;
+    //! Whether response() knows the part: nothing of it is driven by other parts' shapes or bound
+    //! to a motion or a link.
+    bool can_respond() const;
 
     const TriangleMesh& rest() const;
     const SurfaceConstraints& constraints() const;

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/numerics/sparse_cholesky.h"
-#include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/vertex_roles.h"
 
 namespace sheetmorph
 {
@@ -20,6 +20,9 @@ struct SurfaceOperators
     Eigen::VectorXd vertex_areas;  //!< A (n) mm^2
 };
 
-SurfaceOperators surface_operators(const TriangleMesh& mesh, Energy energy);
+//! \param roles  a component that only points hold can tilt under `natural`; unless three or more
+//!               that are not in line hold it, its free edges have the rows of `neumann` too
+SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                                   const VertexRoles& roles);
 
 }  // namespace sheetmorph

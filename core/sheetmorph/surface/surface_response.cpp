@@ -11,9 +11,6 @@ namespace sheetmorph
 namespace
 {
 
-// By how much the polynomials may miss an entry of a rotation matrix.
-constexpr double largest_miss = 4e-7;
-
 // Polynomials that are substituted together: three columns each.
 constexpr Eigen::Index together = 4;
 
@@ -53,31 +50,28 @@ Vector3 centroid(const Points& points)
                               : Vector3(points.colwise().mean().transpose());
 }
 
-std::vector<int> joined(std::vector<int> first, const std::vector<int>& second)
-{
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 }  // namespace
 
-bool SurfaceResponse::is_possible(const SurfaceConstraints& constraints)
+bool SurfaceResponse::is_possible(const ResponseInput& input)
 {
-    return constraints.propagated.empty();
+    return input.part.constraints.propagated.empty()
+           && FreeFields::is_possible(input.part, input.free_features);
 }
 
 SurfaceResponse::SurfaceResponse(const ResponseInput& input, ResponseOptions options,
                                  const Progress& progress)
     : input_(input),
       options_(std::move(options)),
-      shifting_(joined(options_.turning, options_.moving)),
+      shifting_(options_.turning),
       weights_(weights_of(input_, options_.turning)),
       series_(weights_, options_.degree),
-      basis_(
-          input_.part.rest.vertex_count(),
-          3 * series_.count()
-              + static_cast<Eigen::Index>(shifting_.size() + input_.part.constraints.points.size()))
+      free_(input_.free_features, weights_),
+      basis_(input_.part.rest.vertex_count(),
+             3 * series_.count() + free_.count()
+                 + static_cast<Eigen::Index>(options_.turning.size() + options_.moving.size()
+                                             + input_.part.constraints.points.size()))
 {
+    shifting_.insert(shifting_.end(), options_.moving.begin(), options_.moving.end());
     find_groups();
     respond(progress);
 }
@@ -128,20 +122,41 @@ SurfaceResponse::Rigid SurfaceResponse::rigid_fields() const
     for (const Group& group : groups_)
     {
         const auto shifting = std::find(shifting_.begin(), shifting_.end(), group.handle);
+        const bool is_free = group.body >= 0 && free_.turns(group.body);
         for (const int vertex : group.vertices)
         {
-            fields.arms.row(vertex) =
-                input_.part.rest.points().row(vertex) - group.centre.transpose();
+            if (!is_free)
+                fields.arms.row(vertex) =
+                    input_.part.rest.points().row(vertex) - group.centre.transpose();
             if (shifting != shifting_.end())
                 fields.shifts(vertex, shifting - shifting_.begin()) = 1.0;
         }
     }
+    for (const Clamp& clamp : input_.part.roles.clamps)
+        for (const Clamp::Carrier& carrier : clamp.carriers)
+            fields.shifts.row(clamp.vertex) += carrier.weight * fields.shifts.row(carrier.vertex);
     return fields;
 }
 
-// The columns of q_k D p_hat, three a polynomial: what is rigid turns about its
-// centre likewise. Then one column for the shift of each moving handle and one
-// for each point.
+// Clamped vertices turn with the handles that carry them, about their centres.
+void SurfaceResponse::add_clamped(const Eigen::MatrixXd& values, Eigen::MatrixXd& offset) const
+{
+    const VertexRoles& roles = input_.part.roles;
+    for (const Clamp& clamp : roles.clamps)
+        for (const Clamp::Carrier& carrier : clamp.carriers)
+        {
+            if (roles.role[at(carrier.vertex)] != Role::handle)
+                continue;
+            const Vector3& centre = groups_[at(roles.owner[at(carrier.vertex)])].centre;
+            const Eigen::RowVector3d arm =
+                input_.part.rest.points().row(clamp.vertex) - centre.transpose();
+            for (Eigen::Index k = 0; k < values.cols(); ++k)
+                offset.row(clamp.vertex).segment(3 * k, 3) +=
+                    carrier.weight * values(carrier.vertex, k) * arm;
+        }
+}
+
+// Fields of q_k D p_hat: what is rigid turns about its centre likewise. Then shifts and points.
 void SurfaceResponse::respond(const Progress& progress)
 {
     const SurfaceOperators& operators = input_.operators;
@@ -162,10 +177,11 @@ void SurfaceResponse::respond(const Progress& progress)
             for (Eigen::Index row = 0; row < rows; ++row)
                 targets.rows.row(row).segment(3 * k, 3) =
                     values(operators.row_vertices[at(row)], first + k)
-                    * operators.rest_rows.row(row);
+                    * free_.left(operators.row_vertices[at(row)]) * operators.rest_rows.row(row);
             targets.offset.middleCols(3 * k, 3) = values.col(first + k).asDiagonal() * rigid.arms;
         }
-        basis_.set_columns(3 * first, input_.minimiser.solve(targets, 0));
+        add_clamped(values.middleCols(first, count), targets.offset);
+        take(targets, 3 * first);
     }
     const Eigen::Index shifts = rigid.shifts.cols();
     ConstrainedMinimiser::Targets targets;
@@ -174,104 +190,16 @@ void SurfaceResponse::respond(const Progress& progress)
     targets.offset.leftCols(shifts) = rigid.shifts;
     targets.constraints = Eigen::MatrixXd::Zero(points, shifts + points);
     targets.constraints.rightCols(points).setIdentity();
-    basis_.set_columns(3 * series_.count(), input_.minimiser.solve(targets, 0));
+    take(targets, 3 * series_.count());
+    free_.fill(basis_);
 }
 
-bool SurfaceResponse::covers(const SurfaceTargets& targets) const
+void SurfaceResponse::take(const ConstrainedMinimiser::Targets& asked, Eigen::Index first)
 {
-    const SurfaceConstraints& constraints = input_.part.constraints;
-    const auto has = [](const std::vector<int>& list, std::size_t k)
-    { return std::find(list.begin(), list.end(), static_cast<int>(k)) != list.end(); };
-    const auto is_set = [](const std::optional<double>& size) { return size.has_value(); };
-    bool is_covered = std::none_of(targets.sizes.begin(), targets.sizes.end(), is_set);
-    for (std::size_t k = 0; k < targets.handles.size(); ++k)
-    {
-        const RigidMotion& motion = targets.handles[k];
-        is_covered = is_covered && (has(options_.turning, k) || motion.rotation_log.isZero(0.0))
-                     && (has(shifting_, k) || motion.translation.isZero(0.0));
-    }
-    for (std::size_t k = 0; k < constraints.features.size(); ++k)
-        is_covered = is_covered
-                     && !(constraints.features[k].rotation == FeatureRotation::prescribed
-                          && !targets.feature_logs[k].isZero(0.0));
-    for (std::size_t k = 0; k < constraints.points.size(); ++k)
-        is_covered =
-            is_covered
-            && !(constraints.points[k].is_turned && !targets.points[k].rotation_log.isZero(0.0));
-    return is_covered;
-}
-
-// Open bodies turn with the field and shift with the basis.
-void SurfaceResponse::turn_bodies(Frame& frame) const
-{
-    for (const Group& group : groups_)
-    {
-        if (group.body < 0 || input_.part.roles.bodies[at(group.body)].is_known())
-            continue;
-        const int first = group.vertices.front();
-        RigidMotion& motion = frame.bodies.motions[at(group.body)];
-        if (input_.part.roles.bodies[at(group.body)].motion == Body::Motion::interpolated)
-            for (std::size_t s = 0; s < frame.logs.size(); ++s)
-                motion.rotation_log +=
-                    weights_(first, static_cast<Eigen::Index>(s)) * frame.logs[s];
-        const Vector3 start = input_.part.rest.points().row(first).transpose();
-        motion.translation = basis_.row(first, frame.coefficients) - (motion.apply(start) - start);
-    }
-}
-
-std::optional<SurfaceResponse::Frame> SurfaceResponse::frame(const SurfaceTargets& targets) const
-{
-    if (!covers(targets))
-        return std::nullopt;
-    Frame frame;
-    for (const int handle : options_.turning)
-        frame.logs.push_back(targets.handles[at(handle)].rotation_log);
-    const RotationSeries::Fit fit = series_.fit(frame.logs);
-    if (!(fit.error <= largest_miss))
-        return std::nullopt;
-    frame.coefficients.resize(basis_.columns(), 3);
-    for (Eigen::Index k = 0; k < series_.count(); ++k)
-        frame.coefficients.middleRows(3 * k, 3) = fit.matrices[at(k)].transpose().cast<float>();
-    Eigen::Index row = 3 * series_.count();
-    for (const int handle : shifting_)
-    {
-        const Vector3& centre = groups_[at(handle)].centre;
-        const Vector3 shift = targets.handles[at(handle)].apply(centre) - centre;
-        frame.coefficients.row(row++) = shift.transpose().cast<float>();
-    }
-    frame.coefficients.bottomRows(basis_.columns() - row) =
-        point_displacements(input_.part.rest, input_.part.constraints.points, targets.points)
-            .cast<float>();
-    frame.handles = targets.handles;
-    frame.bodies = known_body_motions(input_.part, targets);
-    turn_bodies(frame);
-    frame.features = feature_motions(input_.part, frame.bodies);
-    return frame;
-}
-
-void SurfaceResponse::place(const Frame& frame, bool with_logs, Deformation& result) const
-{
-    const TriangleMesh& rest = input_.part.rest;
-    basis_.add_to(rest.points(), frame.coefficients, result.positions);
-    for (const Group& group : groups_)
-    {
-        const RigidMotion& motion = group.body >= 0 ? frame.bodies.motions[at(group.body)]
-                                                    : frame.handles[at(group.handle)];
-        const Points moved = motion.apply(group.rest);
-        for (std::size_t k = 0; k < group.vertices.size(); ++k)
-            result.positions.row(group.vertices[k]) = moved.row(static_cast<Eigen::Index>(k));
-    }
-    result.rotation_logs.resize(with_logs || !input_.followers.is_empty() ? rest.vertex_count() : 0,
-                                3);
-    if (result.rotation_logs.rows() != 0)
-    {
-        result.rotation_logs.setZero();
-        for (std::size_t s = 0; s < frame.logs.size(); ++s)
-            result.rotation_logs +=
-                weights_.col(static_cast<Eigen::Index>(s)) * frame.logs[s].transpose();
-        input_.followers.place(rest, result.positions, result.rotation_logs);
-    }
-    result.features = frame.features;
+    const ConstrainedMinimiser::Solution answer =
+        input_.minimiser.minimum(asked, free_.count() > 0 ? 1 : 0);
+    basis_.set_columns(first, answer.u);
+    free_.append(asked, answer);
 }
 
 }  // namespace sheetmorph

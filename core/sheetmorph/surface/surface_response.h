@@ -4,6 +4,7 @@
 #include "sheetmorph/numerics/constrained_minimiser.h"
 #include "sheetmorph/numerics/response_basis.h"
 #include "sheetmorph/surface/followers.h"
+#include "sheetmorph/surface/free_fields.h"
 #include "sheetmorph/surface/placement.h"
 #include "sheetmorph/surface/rotation_series.h"
 #include "sheetmorph/surface/surface_deformer.h"
@@ -21,6 +22,7 @@ struct ResponseInput
     const RotationField& field;
     const ConstrainedMinimiser& minimiser;
     const Followers& followers;
+    const FeatureResponses* free_features;  //!< nothing if the energy turns none
 };
 
 //! Which poses a response is for.
@@ -31,10 +33,9 @@ struct ResponseOptions
     int degree = 8;            //!< of the polynomials of the rotation weights
 };
 
-//! How a part answers to one or two turning handles, as fields (speed.md): a
-//! frame is one pass over a small dense basis, without any substitution.
-//! Differs from the exact solve by less than 1e-6 of the part's size, or says
-//! that it does not cover the pose.
+//! How a part answers to one or two turning handles, as fields (speed.md): a frame is one pass over
+//! a small dense basis, without any substitution. Differs from the exact solve by less than 1e-6 of
+//! the part's size, or says that it does not cover the pose.
 class SurfaceResponse
 {
 public:
@@ -43,8 +44,7 @@ public:
     SurfaceResponse(const ResponseInput& input, ResponseOptions options,
                     const Progress& progress = {});
 
-    //! A pose in the numbers of the basis. What is rigid is known before any
-    //! vertex is placed.
+    //! A pose in the numbers of the basis. What is rigid is known before any vertex is placed.
     struct Frame
     {
         ResponseBasis::Coefficients coefficients;
@@ -52,22 +52,19 @@ public:
         BodyMotions bodies;                 // all of them
         std::vector<RigidMotion> handles;   // of the pose
         std::vector<RigidMotion> features;  // about their rest centroids
+        std::vector<BodyState> free;        // features that the energy turns
     };
 
-    //! Nothing if another handle moves or turns, if a turned feature, a turned
-    //! point or another part has a say, or if the turn is too far for the
-    //! polynomials' degree.
+    //! Nothing if another handle moves or turns, if a turned feature, a turned point or another
+    //! part has a say, or if the turn is too far for the polynomials' degree.
     std::optional<Frame> frame(const SurfaceTargets& targets) const;
 
-    //! Fills positions and features; the rotations' logs only if somebody reads
-    //! them.
+    //! Fills positions and features; the rotations' logs only if somebody reads them.
     void place(const Frame& frame, bool with_logs, Deformation& result) const;
 
-    const ResponseOptions& options() const { return options_; }
-
-    //! Whether a response can exist: nothing of the part is driven by other
-    //! parts' shapes.
-    static bool is_possible(const SurfaceConstraints& constraints);
+    //! Whether a response can exist: no other part's shape drives the part, its features are free
+    //! or turn with the field, and are not bound to motions or links.
+    static bool is_possible(const ResponseInput& input);
 
 private:
     struct Group
@@ -79,14 +76,16 @@ private:
     };
     struct Rigid
     {
-        Eigen::MatrixXd arms;    // (n, 3)
-        Eigen::MatrixXd shifts;  // (n, shifting handles)
+        Eigen::MatrixXd arms, shifts;  // (n, 3), (n, shifting handles)
     };
     void find_groups();
     Rigid rigid_fields() const;
+    void add_clamped(const Eigen::MatrixXd& values, Eigen::MatrixXd& offset) const;
     void respond(const Progress& progress);
     bool covers(const SurfaceTargets& targets) const;
+    void take(const ConstrainedMinimiser::Targets& asked, Eigen::Index first);
     void turn_bodies(Frame& frame) const;
+    void shift_bodies(Frame& frame) const;
 
     ResponseInput input_;
     ResponseOptions options_;
@@ -94,7 +93,8 @@ private:
     std::vector<Group> groups_;  // what is rigid and not fixed
     Eigen::MatrixXd weights_;    // (n, s) of the turning handles
     RotationSeries series_;
-    ResponseBasis basis_;
+    FreeFields free_;
+    ResponseBasis basis_;  // q_k D p_hat, three a polynomial; shifts; points; free features
 };
 
 }  // namespace sheetmorph

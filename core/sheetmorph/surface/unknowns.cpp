@@ -15,4 +15,17 @@ SparseMatrix Unknowns::basis() const
     return matrix;
 }
 
+Points Unknowns::places(const Points& vertices) const
+{
+    Points sums = Points::Zero(count, 3);
+    Eigen::VectorXd counts = Eigen::VectorXd::Zero(count);
+    for (std::size_t i = 0; i < of_vertex.size(); ++i)
+        if (of_vertex[i] != known)
+        {
+            sums.row(of_vertex[i]) += vertices.row(static_cast<Eigen::Index>(i));
+            counts(of_vertex[i]) += 1.0;
+        }
+    return counts.cwiseMax(1.0).cwiseInverse().asDiagonal() * sums;
+}
+
 }  // namespace sheetmorph

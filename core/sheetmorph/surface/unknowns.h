@@ -18,6 +18,10 @@ struct Unknowns
 
     //! S (n, count) of u = S y + offset.
     SparseMatrix basis() const;
+
+    //! (count, 3) mean of each unknown's vertices.
+    //! \param vertices  (n, 3)
+    Points places(const Points& vertices) const;
 };
 
 }  // namespace sheetmorph

@@ -14,15 +14,30 @@ enum class Role : char
     handle,
     propagated,
     body,
+    clamped,  //!< `natural`: beside known vertices, moves rigidly with them
     follower  //!< in no triangle: keeps its place relative to the nearest triangle
+};
+
+//! A vertex that moves rigidly with known vertices beside it: with their mean where there are more.
+struct Clamp
+{
+    struct Carrier
+    {
+        int vertex;
+        double weight;  //!< > 0, with the sum 1
+    };
+
+    int vertex;
+    std::vector<Carrier> carriers;
 };
 
 //! Which constraint decides each vertex, by the precedence fixed, handle, feature, propagated.
 struct VertexRoles
 {
     std::vector<Role> role;
-    std::vector<int> owner;  //!< handle, propagated region or body; -1 for the others
+    std::vector<int> owner;  //!< handle, propagated region, body or clamp; -1 for the others
     std::vector<Body> bodies;
+    std::vector<Clamp> clamps;  //!< see clamp_neighbours()
     Components components;
 
     //! Components that no known vertex holds, only points.

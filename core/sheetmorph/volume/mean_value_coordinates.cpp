@@ -35,6 +35,13 @@ MeanValueCoordinates::MeanValueCoordinates(const Points& vertices, const Triangl
     arms_ = vertices_.rowwise() - centre_;
     const Matrix3 spread = arms_.transpose() * arms_;
     affine_ = arms_ * spread.completeOrthogonalDecomposition().pseudoInverse();
+    for (Eigen::Index v = 0; v < vertices_.rows(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            mesh_.centre[axis] = centre_(axis);
+            mesh_.arms.push_back(arms_(v, axis));
+            mesh_.affine.push_back(affine_(v, axis));
+        }
 }
 
 Weights MeanValueCoordinates::weights(const Points& points, int threads) const
@@ -63,8 +70,13 @@ void MeanValueCoordinates::fill_block(const Points& points, Eigen::Index first, 
         block.points.z[0].at[l] = points(i, 2);
     }
     run_kernel(mesh_, block);
-    for (int l = 0; l < lanes && first + l <= last; ++l)
-        weights.row(first + l) = lane_weights(points.row(first + l).transpose(), l, block);
+    const auto count = static_cast<int>(std::min<Eigen::Index>(lanes, last - first + 1));
+    for (Eigen::Index v = 0; v < weights.cols(); ++v)
+        for (int l = 0; l < count; ++l)
+            weights(first + l, v) = block.weights[static_cast<std::size_t>(v)].at[l];
+    for (int l = 0; l < count; ++l)
+        if (block.finished.at[l] == 0.0)
+            weights.row(first + l) = lane_weights(points.row(first + l).transpose(), l, block);
 }
 
 Eigen::VectorXd MeanValueCoordinates::lane_weights(const Vector3& point, int lane,

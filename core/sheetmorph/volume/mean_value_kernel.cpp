@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/mean_value_kernel.h"
 
-#include "sheetmorph/base/vector_types.h"
+#include "sheetmorph/volume/lane_angles.h"
 
 #include <cstring>
 
@@ -16,19 +16,26 @@ namespace sheetmorph
 namespace
 {
 
-constexpr double quarter_pi = 0.78539816339744830962;
-constexpr double tan_eighth_pi = 0.41421356237309504880;
-
 // Elevation of the point above a triangle's plane below which eps / elevation would show in the
 // weights; such pairs are left to the careful scalar path.
 constexpr double grazing = 1e-5;
 
+// Sums of weights below this share of their magnitudes, or beyond this one, are left to it too.
+constexpr double lost_digits = 1e-12;
+constexpr double largest_sum = 1e300;
+
 // The kernel for processors that compute `width` doubles at once, on lanes at .. at + width - 1.
 template <int width>
-struct Kernel
+struct Kernel : LaneAngles<width>
 {
     using Lanes = typename VectorTypes<width>::Lanes;
-    using Bits = typename VectorTypes<width>::Bits;
+    using Functions = LaneFunctions<width>;
+    using Functions::any;
+    using Functions::filled;
+    using Functions::inverse_root;
+    using Functions::reciprocal;
+    using LaneAngles<width>::narrow_half_angle_ratio;
+    using LaneAngles<width>::wide_half_angle_ratio;
 
     struct Lanes3
     {
@@ -38,12 +45,6 @@ struct Kernel
     const KernelMesh& mesh;
     KernelBlock& block;
     int at;
-
-    static SHEETMORPH_INLINE Lanes filled(double number)
-    {
-        const Lanes zero = {};
-        return zero + number;
-    }
 
     SHEETMORPH_INLINE Lanes load(const LaneValues& from) const
     {
@@ -79,51 +80,6 @@ struct Kernel
         return a.x * b.x + a.y * b.y + a.z * b.z;
     }
 
-    // 1 / sqrt(value), value >= 1e-280: the exponent halved as an integer, then three steps of
-    // cubic convergence. The library's square root sets errno, so it would be scalar.
-    static SHEETMORPH_INLINE Lanes inverse_root(const Lanes& given)
-    {
-        const Lanes value = given > 1e-280 ? given : filled(1e-280);
-        Bits bits;
-        std::memcpy(&bits, &value, sizeof bits);
-        bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);
-        Lanes root;
-        std::memcpy(&root, &bits, sizeof root);
-        for (int step = 0; step < 3; ++step)
-        {
-            const Lanes excess = 1.0 - value * root * root;
-            root = root + root * excess * (0.5 + 0.375 * excess);
-        }
-        return root;
-    }
-
-    // (atan(x) - x) / x^3 in z = x^2, |x| <= tan(pi / 8); error 7e-18.
-    static SHEETMORPH_INLINE Lanes arc_tangent_tail(const Lanes& z)
-    {
-        Lanes p = z * -0.019162068915902573 + 0.03921955253255129;
-        p = p * z - 0.05085030492810941;
-        p = p * z + 0.058580687568615106;
-        p = p * z - 0.06664502215671447;
-        p = p * z + 0.07692182535116648;
-        p = p * z - 0.09090904549884611;
-        p = p * z + 0.11111111014561013;
-        p = p * z - 0.14285714284657894;
-        p = p * z + 0.1999999999999548;
-        return p * z - 0.3333333333333333;
-    }
-
-    // Half of atan2(sine, cosine), sine >= 0, for sine^2 + cosine^2 = 1.
-    static SHEETMORPH_INLINE Lanes half_angle(const Lanes& sine, const Lanes& cosine)
-    {
-        const Lanes zero = {};
-        const Lanes below = 1.0 + (cosine < 0.0 ? -cosine : cosine);
-        const auto steep = sine > tan_eighth_pi * below;
-        const Lanes x = (steep ? sine - below : sine) / (steep ? sine + below : below);
-        const Lanes z = x * x;
-        const Lanes angle = (steep ? filled(quarter_pi) : zero) + (x + x * z * arc_tangent_tail(z));
-        return cosine < 0.0 ? 2.0 * quarter_pi - angle : angle;
-    }
-
     SHEETMORPH_INLINE void directions_to_vertices() const
     {
         const Lanes zero = {};
@@ -153,10 +109,12 @@ struct Kernel
             const Lanes3 cross = {(a.y * v[2] - a.z * v[1]) * inverse,
                                   (a.z * v[0] - a.x * v[2]) * inverse,
                                   (a.x * v[1] - a.y * v[0]) * inverse};
-            const Lanes squared = dot(cross, cross), inverse_sine = inverse_root(squared);
-            const Lanes half = half_angle(squared * inverse_sine, dot(a, b));
+            const Lanes cosine = dot(a, b), t = 0.5 - 0.5 * cosine;
             store(cross, block.cross, e);
-            store(half * inverse_sine, block.half_angle_ratio[e]);
+            if (__builtin_expect(any(t > 0.25), 0))
+                store(wide_half_angle_ratio(dot(cross, cross), cosine), block.half_angle_ratio[e]);
+            else
+                store(narrow_half_angle_ratio(t), block.half_angle_ratio[e]);
         }
     }
 
@@ -184,13 +142,49 @@ struct Kernel
         const Lanes volume = dot(a, load(block.unit, vertex[0]));
         const Lanes aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
         const auto clear = volume * volume > grazing * grazing * (aa * bb + bb * cc + cc * aa);
-        const Lanes inverse = clear ? 1.0 / volume : zero;
+        const Lanes inverse = clear ? reciprocal(volume) : zero;
         const Lanes flag = clear ? zero : filled(1.0);
         store(flag, block.flags[t]);
         add(dot(a, m) * inverse, block.weights[vertex[0]]);
         add(dot(b, m) * inverse, block.weights[vertex[1]]);
         add(dot(c, m) * inverse, block.weights[vertex[2]]);
         return flag;
+    }
+
+    // Normalises, and adds what rounding leaves of the affine precision as the smallest correction;
+    // not if a triangle is missing or no digit is left, which the careful path then sees to.
+    SHEETMORPH_INLINE void finish(const Lanes& flagged) const
+    {
+        const Lanes zero = {};
+        Lanes sum = zero, magnitude = zero;
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+        {
+            const Lanes weight = load(block.weights[v]) * load(block.inverse_distance[v]);
+            store(weight, block.weights[v]);
+            sum += weight;
+            magnitude += weight < 0.0 ? -weight : weight;
+        }
+        const Lanes clear = (sum < 0.0 ? -sum : sum) > lost_digits * magnitude ? filled(1.0) : zero;
+        const Lanes sound = magnitude < largest_sum ? clear : zero;
+        const bool is_finished = !any(flagged > 0.0) && !any(sound == 0.0);
+        store(is_finished ? filled(1.0) : zero, block.finished);
+        if (!is_finished)
+            return;
+        const Lanes inverse = 1.0 / sum;
+        Lanes3 rest = load(block.points, 0);
+        rest = {rest.x - mesh.centre[0], rest.y - mesh.centre[1], rest.z - mesh.centre[2]};
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+        {
+            const Lanes weight = load(block.weights[v]) * inverse;
+            const double* arm = &mesh.arms[3 * v];
+            store(weight, block.weights[v]);
+            rest = {rest.x - arm[0] * weight, rest.y - arm[1] * weight, rest.z - arm[2] * weight};
+        }
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+        {
+            const double* share = &mesh.affine[3 * v];
+            add(share[0] * rest.x + share[1] * rest.y + share[2] * rest.z, block.weights[v]);
+        }
     }
 
     SHEETMORPH_INLINE void run() const
@@ -201,27 +195,26 @@ struct Kernel
         for (int t = 0; t < mesh.triangle_count(); ++t)
             flagged += add_triangle(t);
         store(flagged, block.flagged);
-        for (int v = 0; v < mesh.vertex_count(); ++v)
-            store(load(block.weights[v]) * load(block.inverse_distance[v]), block.weights[v]);
+        finish(flagged);
     }
 };
 
 __attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void kernel_512(
     const KernelMesh& mesh, KernelBlock& block)
 {
-    Kernel<8>{mesh, block, 0}.run();
+    Kernel<8>{{}, mesh, block, 0}.run();
 }
 
 __attribute__((target("avx2,fma"))) void kernel_256(const KernelMesh& mesh, KernelBlock& block)
 {
     for (int at = 0; at < lanes; at += 4)
-        Kernel<4>{mesh, block, at}.run();
+        Kernel<4>{{}, mesh, block, at}.run();
 }
 
 void kernel_128(const KernelMesh& mesh, KernelBlock& block)
 {
     for (int at = 0; at < lanes; at += 2)
-        Kernel<2>{mesh, block, at}.run();
+        Kernel<2>{{}, mesh, block, at}.run();
 }
 
 }  // namespace

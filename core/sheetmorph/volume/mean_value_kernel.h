@@ -21,6 +21,11 @@ struct KernelMesh
     std::vector<int> triangle_edges;     //!< 3 a triangle: the edge opposite to each vertex
     std::vector<double> edge_signs;  //!< 3 a triangle: -1 where it runs along the edge backwards
 
+    //! What makes weights affine to the last digit: see finish() of the kernel.
+    double centre[3] = {0.0, 0.0, 0.0};
+    std::vector<double> arms;    //!< 3 a vertex: from the centre
+    std::vector<double> affine;  //!< 3 a vertex: times a vector, the smallest weights of it
+
     int vertex_count() const { return static_cast<int>(vertices.size() / 3); }
     int edge_count() const { return static_cast<int>(edge_ends.size() / 2); }
     int triangle_count() const { return static_cast<int>(triangle_vertices.size() / 3); }
@@ -53,9 +58,11 @@ struct KernelBlock
     LaneVectors cross;                         //!< an edge: product of its ends' directions
     std::vector<LaneValues> inverse_distance;  //!< a vertex
     std::vector<LaneValues> half_angle_ratio;  //!< an edge: theta / (2 sin theta)
-    std::vector<LaneValues> weights;  //!< a vertex: not normalised, flagged triangles missing
-    std::vector<LaneValues> flags;    //!< a triangle: not 0 if the point is near its plane
-    LaneValues flagged;               //!< not 0 if any triangle is flagged
+    std::vector<LaneValues>
+        weights;  //!< a vertex; not finished: not normalised, flagged triangles missing
+    std::vector<LaneValues> flags;  //!< a triangle: not 0 if the point is near its plane
+    LaneValues flagged;             //!< not 0 if any triangle is flagged
+    LaneValues finished;            //!< not 0 if the weights are normalised and affine
 };
 
 //! The vector form of the mean value weights (mathematics.md section 5) of block.points.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "assembly/frames.h"
+#include "assembly/thin_frames.h"
 
 namespace sheetmorph::frames
 {
@@ -63,27 +63,37 @@ inline Frame mode_one()
     return frame;
 }
 
-//! Every propagation, mode and contact type.
-inline std::vector<Frame> all()
+//! Every propagation, mode and contact type with `neumann`.
+inline std::vector<Frame> all_with_neumann()
 {
     std::vector<Frame> frames;
-    for (const ContactType type :
-         {ContactType::control_mesh, ContactType::tied, ContactType::rigid})
-    {
-        const std::string suffix = "_type" + std::to_string(static_cast<int>(type));
-        std::vector<Frame> of_type = {open_chain(type), small_contacts(type, false),
-                                      small_contacts(type, true)};
-        of_type.push_back(ring(type));
-        for (Frame& frame : of_type)
+    for (const auto type : {ContactType::control_mesh, ContactType::tied, ContactType::rigid})
+        for (Frame frame : {open_chain(type), small_contacts(type, false),
+                            small_contacts(type, true), ring(type), thin_solids(open_chain(type))})
         {
-            frame.name += suffix;
+            frame.name += "_type" + std::to_string(static_cast<int>(type));
             frames.push_back(frame);
         }
-    }
     frames.push_back(with_modes(open_chain(ContactType::control_mesh), Mode::boundaries));
     frames.push_back(mode_one());
     for (const Mode mode : {Mode::automatic, Mode::all, Mode::regions, Mode::boundaries})
         frames.push_back(single(mode));
+    frames.push_back(thin_solids(single(Mode::boundaries)));
+    return frames;
+}
+
+//! All of them, and with `natural` those in which known vertices differ.
+inline std::vector<Frame> all()
+{
+    auto frames = all_with_neumann();
+    for (Frame frame : {ring(ContactType::control_mesh), ring(ContactType::tied),
+                        ring(ContactType::rigid), small_contacts(ContactType::control_mesh, false),
+                        small_contacts(ContactType::tied, true), single(Mode::regions)})
+    {
+        frame.assembly.energy = Energy::natural;
+        frames.push_back(frame);
+        frames.back().name += "_natural" + std::to_string(frames.size());
+    }
     return frames;
 }
 

@@ -59,17 +59,24 @@ inline std::vector<Case> all()
     return cases;
 }
 
-//! Every case with both energies.
-inline std::vector<Case> all_with_both_energies()
+//! Every case with every energy, and one of them on intrinsic triangles.
+inline std::vector<Case> all_with_every_energy()
 {
     std::vector<Case> cases;
+    const char* const names[] = {"_paper", "_neumann", "_natural"};
     for (const Case& one : all())
-        for (const Energy energy : {Energy::paper, Energy::neumann})
-        {
-            cases.push_back(one);
-            cases.back().constraints.energy = energy;
-            cases.back().name += energy == Energy::paper ? "_paper" : "_neumann";
-        }
+        for (const Energy energy : {Energy::paper, Energy::neumann, Energy::natural})
+            for (const Laplacian laplacian : {Laplacian::cotangent, Laplacian::intrinsic})
+            {
+                const bool is_intrinsic = laplacian == Laplacian::intrinsic;
+                if (is_intrinsic && one.name != "jittered_cylinder")
+                    continue;
+                cases.push_back(one);
+                cases.back().constraints.energy = energy;
+                cases.back().constraints.laplacian = laplacian;
+                cases.back().name += names[static_cast<int>(energy)];
+                cases.back().name += is_intrinsic ? "_intrinsic" : "";
+            }
     return cases;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The invariants of one part: each for closed and open, coarse and graded shapes, both energies.
+// The invariants of one part: each for closed and open, coarse and graded shapes, every energy.
 #include "surface/all_cases.h"
 
 #include <Eigen/LU>
@@ -196,15 +196,15 @@ TEST_P(Invariants, FarFromTheOriginTheShapeIsTheSame)
               1e-8 * one.mesh.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Invariants, testing::ValuesIn(cases::all_with_both_energies()),
+INSTANTIATE_TEST_SUITE_P(Shapes, Invariants, testing::ValuesIn(cases::all_with_every_energy()),
                          [](const testing::TestParamInfo<Case>& each) { return each.param.name; });
 
-INSTANTIATE_TEST_SUITE_P(Shapes, GivenRotations, testing::ValuesIn(cases::all_with_both_energies()),
+INSTANTIATE_TEST_SUITE_P(Shapes, GivenRotations, testing::ValuesIn(cases::all_with_every_energy()),
                          [](const testing::TestParamInfo<Case>& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     FreeFeatures, Invariants,
-    testing::ValuesIn(cases::with_free_features(cases::all_with_both_energies())),
+    testing::ValuesIn(cases::with_free_features(cases::all_with_every_energy())),
     [](const testing::TestParamInfo<Case>& each) { return each.param.name; });
 
 }  // namespace

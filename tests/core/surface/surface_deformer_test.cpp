@@ -51,7 +51,7 @@ TEST(SurfaceDeformer, LiftsAClampedStripAsACubic)
 
 TEST(SurfaceDeformer, PutsAPointOfATriangleExactlyOnItsTarget)
 {
-    for (const Energy energy : {Energy::paper, Energy::neumann})
+    for (const Energy energy : {Energy::paper, Energy::neumann, Energy::natural})
     {
         Case one = strip();
         one.constraints.energy = energy;
@@ -68,7 +68,7 @@ TEST(SurfaceDeformer, PutsAPointOfATriangleExactlyOnItsTarget)
 
 TEST(SurfaceDeformer, TurnsTheSheetAtATurnedPoint)
 {
-    for (const Energy energy : {Energy::paper, Energy::neumann})
+    for (const Energy energy : {Energy::paper, Energy::neumann, Energy::natural})
     {
         Case one = strip();
         one.constraints.energy = energy;
@@ -91,14 +91,18 @@ TEST(SurfaceDeformer, APartHeldByOnePointAloneFollowsItsTarget)
     one.constraints.handles.clear();
     one.targets.handles.clear();
     one.constraints.points = {{"centre", 95, {0.2, 0.3, 0.5}, false}};
-    Vector3 start = Vector3::Zero();
-    for (int k = 0; k < 3; ++k)
-        start += one.constraints.points[0].barycentric(k)
-                 * one.mesh.points().row(one.mesh.triangles()(95, k)).transpose();
-    const Vector3 shift(3.0, -2.0, 8.0);
-    one.targets.points = {{start + shift, Vector3::Zero()}};
-    const Points expected = one.mesh.points().rowwise() + shift.transpose();
-    EXPECT_LT(worst_difference(solve(one).positions, expected), 1e-9);
+    for (const Energy energy : {Energy::paper, Energy::neumann, Energy::natural})
+    {
+        one.constraints.energy = energy;
+        Vector3 start = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+            start += one.constraints.points[0].barycentric(k)
+                     * one.mesh.points().row(one.mesh.triangles()(95, k)).transpose();
+        const Vector3 shift(3.0, -2.0, 8.0);
+        one.targets.points = {{start + shift, Vector3::Zero()}};
+        const Points expected = one.mesh.points().rowwise() + shift.transpose();
+        EXPECT_LT(worst_difference(solve(one).positions, expected), 1e-9);
+    }
 }
 
 TEST(SurfaceDeformer, AcceptsRedundantPointsAndRefusesContradictingOnes)
@@ -119,7 +123,7 @@ TEST(SurfaceDeformer, APrescribedFeatureTurnsAsToldAndShiftsFreely)
     Case one = cases::flat_plate();
     one.constraints.features[1].rotation = FeatureRotation::prescribed;
     one.targets.feature_logs[1] = rotation_log({0.0, 0.0, 1.0}, 2.0 * shapes::pi / 3.0);
-    for (const Energy energy : {Energy::paper, Energy::neumann})
+    for (const Energy energy : {Energy::paper, Energy::neumann, Energy::natural})
     {
         one.constraints.energy = energy;
         const RigidMotion motion = solve(one).features[1];
@@ -198,7 +202,7 @@ Case ugly_strip()
 
 TEST(SurfaceDeformer, DuplicateDegenerateAndNonManifoldTrianglesWork)
 {
-    for (const Energy energy : {Energy::paper, Energy::neumann})
+    for (const Energy energy : {Energy::paper, Energy::neumann, Energy::natural})
     {
         Case one = ugly_strip();
         one.constraints.energy = energy;
@@ -221,7 +225,7 @@ TEST(SurfaceDeformer, AHandleTurnedByMoreThanHalfATurnTurnsTheSheetThatFar)
     Case one = strip(40);
     one.targets.handles = {
         cases::motion(Vector3::Zero(), {1.0, 0.0, 0.0}, 270.0, {100.0, 12.5, 0.0})};
-    for (const Energy energy : {Energy::paper, Energy::neumann})
+    for (const Energy energy : {Energy::paper, Energy::neumann, Energy::natural})
     {
         one.constraints.energy = energy;
         const Points logs = solve(one).rotation_logs;

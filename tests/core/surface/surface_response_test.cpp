@@ -70,7 +70,7 @@ TEST_P(SurfaceResponseCases, ReproducesTheExactSolveOfOneTurningHandle)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SurfaceResponseCases,
-                         testing::ValuesIn(cases::all_with_both_energies()),
+                         testing::ValuesIn(cases::all_with_every_energy()),
                          [](const auto& given) { return given.param.name; });
 
 TEST(SurfaceResponse, ReproducesLargeTurnsAboutAFarPivot)
@@ -136,6 +136,48 @@ TEST(SurfaceResponse, DoesNotCoverWhatItHasNoFieldsFor)
     EXPECT_TRUE(answered(one, {{0}, {}, 8}).has_value());
     one.targets.feature_logs[0] = Vector3(0.0, 0.1, 0.0);
     EXPECT_FALSE(answered(one, {{0}, {}, 8}).has_value());
+}
+
+// Every feature free, as is the default.
+Case set_free(Case one)
+{
+    for (FormFeature& feature : one.constraints.features)
+        feature.rotation = FeatureRotation::free;
+    return one;
+}
+
+TEST(SurfaceResponse, FindsTheMinimumOfFreeFeatures)
+{
+    for (const Case& one : {cases::flat_plate(), cases::bent_plate(), cases::graded_sheet()})
+    {
+        const Case free = set_free(one);
+        const std::optional<Deformation> live = answered(free, {{0}, {}, 8});
+        ASSERT_TRUE(live.has_value());
+        const Deformation exact = SurfaceDeformer(free.mesh, free.constraints).deform(free.targets);
+        EXPECT_LT(share_of_size(free, live->positions, exact.positions), 1e-6) << one.name;
+        EXPECT_LT((live->rotation_logs - exact.rotation_logs).cwiseAbs().maxCoeff(), 1e-6);
+        for (std::size_t k = 0; k < exact.features.size(); ++k)
+            EXPECT_LT((live->features[k].rotation() - exact.features[k].rotation()).norm(), 1e-6);
+    }
+}
+
+TEST(SurfaceResponse, FindsTheMinimumBetweenFarTurnedHandles)
+{
+    Case one = set_free(cases::bent_plate());
+    one.targets.handles = {cases::motion({0.0, 5.0, 10.0}, {1.0, 0.1, 0.0}, 160.0, {90, 30, 0})};
+    const std::optional<Deformation> live = answered(one, {{0}, {}, 8});
+    ASSERT_TRUE(live.has_value());
+    const Points exact = SurfaceDeformer(one.mesh, one.constraints).deform(one.targets).positions;
+    EXPECT_LT(share_of_size(one, live->positions, exact), 1e-6);
+}
+
+TEST(SurfaceDeformer, KnowsWhetherItCanRespond)
+{
+    Case one = set_free(cases::flat_plate());
+    EXPECT_TRUE(SurfaceDeformer(one.mesh, one.constraints).can_respond());
+    one.constraints.features[0].motion.type = FeatureMotion::Type::plane;
+    one.constraints.features[0].motion.direction = Vector3::UnitZ();
+    EXPECT_FALSE(SurfaceDeformer(one.mesh, one.constraints).can_respond());
 }
 
 TEST(SurfaceResponse, StopsWhenItIsAskedTo)

@@ -8,7 +8,7 @@ import json
 import numpy as np
 
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.part import MODES
+from freecad.sheetmorph.objects.part import MODES, THIN_AUTOMATIC, THIN_GIVEN
 from freecad.sheetmorph.objects.region import (
     AXIS,
     FIXED,
@@ -61,6 +61,7 @@ def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
         "parts": [part_entry(part, names) for part in found],
         "primary": names[primary_of(assembly).Name] if found else "",
         "energy": assembly.Energy,
+        "operator": assembly.Operator,
         "fixed": [],
         "handles": [],
         "features": [],
@@ -114,7 +115,14 @@ def answer_options(assembly) -> dict:
 def part_entry(part, names: dict[str, str]) -> dict:
     """Return the recipe's entry of a part without its file."""
     mode = MODES.index(part.Mode)
-    return {"name": names[part.Name], **({"mode": mode} if mode else {})}
+    return {"name": names[part.Name], **({"mode": mode} if mode else {}), **thin_entry(part)}
+
+
+def thin_entry(part) -> dict:
+    """Return the key that makes a part a thin solid, none for one that is solved as it is."""
+    if part.Thin == THIN_AUTOMATIC:
+        return {"thin": "auto"}
+    return {"thin": {"thickness": part.Thickness.Value}} if part.Thin == THIN_GIVEN else {}
 
 
 def propagation_of(assembly) -> dict:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -77,10 +78,23 @@ def read_rest_data(part) -> dict | None:
     return stored
 
 
-def write_rest_data(path: str, mesh, origin: np.ndarray) -> None:
-    """Write the doubles of an imported part: `mesh` is a sheetmorph.PartMesh, `origin` (3,)."""
+def write_rest_data(path: str, mesh, origin: np.ndarray, features: list[dict] = ()) -> None:
+    """Write the doubles of an imported part: `mesh` is a sheetmorph.PartMesh, `origin` (3,).
+
+    `features`: those of a CAD part, whose vertices are indices.
+    """
     ids = np.zeros(0, np.int64) if mesh.ids is None else mesh.ids
-    np.savez(path, points=mesh.points, triangles=mesh.triangles, ids=ids, origin=origin)
+    known = json.dumps(list(features))
+    arrays = {"points": mesh.points, "triangles": mesh.triangles, "ids": ids, "origin": origin}
+    np.savez(path, features=np.array(known), **arrays)
+
+
+def read_features(part) -> list[dict]:
+    """Return what `write_rest_data` kept as features, in file coordinates; none for most parts."""
+    if not part.RestData:
+        return []
+    with np.load(part.RestData, allow_pickle=False) as data:
+        return json.loads(str(data["features"])) if "features" in data else []
 
 
 def is_same_mesh(stored: dict, local: np.ndarray, triangles: np.ndarray) -> bool:

@@ -194,6 +194,7 @@ class LiveSession:
         try:
             self._morph = read_morph(assembly)
             self._session = cache.session(self._morph, progress) if self._morph.is_held() else None
+            self._live = self._session and kernel.load().LiveFrames(self._session)
         except FAILURES as error:
             raise MorphError(one_sentence(error)) from error
 
@@ -214,8 +215,9 @@ class LiveSession:
         names = self._morph.names
         pose = recipes.pose_of(self._assembly, names)
         pose.update({names[name]: entry for name, entry in (overrides or {}).items()})
+        moved = [names[name] for name in overrides or {}]
         try:
-            self._shown = self._session.deform(pose, exact=exact)
+            self._shown = self._session.deform(pose) if exact else self._live.deform(pose, moved)
         except FAILURES as error:
             raise MorphError(one_sentence(error)) from error
         found = self._shown.positions

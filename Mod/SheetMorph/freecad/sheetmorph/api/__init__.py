@@ -12,10 +12,12 @@ from freecad.sheetmorph.api.assemblies import (
     create_assembly,
     remove,
     set_energy,
+    set_operator,
     set_primary,
     set_refine,
     set_symmetry,
 )
+from freecad.sheetmorph.api.cad import add_shape, exact_features, import_cad
 from freecad.sheetmorph.api.contacts import (
     add_contact,
     contact_vertices,
@@ -38,6 +40,12 @@ from freecad.sheetmorph.api.files import (
     import_recipe,
     write_parts,
 )
+from freecad.sheetmorph.api.finding import (
+    add_found_contacts,
+    add_found_features,
+    find_contacts,
+    find_features,
+)
 from freecad.sheetmorph.api.motions import (
     deform,
     pivot,
@@ -47,6 +55,7 @@ from freecad.sheetmorph.api.motions import (
     set_rotation,
 )
 from freecad.sheetmorph.api.picking import (
+    diagnose,
     global_frame,
     hole_rim,
     hole_rims,
@@ -67,29 +76,40 @@ from freecad.sheetmorph.api.regions import (
     set_vertices,
     vertices,
 )
+from freecad.sheetmorph.api.thin import add_through_holes, propose_thin, set_thin, thin_solid
 
 __all__ = [
     "add_contact",
     "add_feature",
     "add_fixed",
     "add_follower",
+    "add_found_contacts",
+    "add_found_features",
     "add_handle",
     "add_part",
+    "add_through_holes",
     "coaxial",
+    "add_shape",
     "contact_vertices",
     "control_mesh",
     "create_assembly",
     "deform",
+    "exact_features",
+    "diagnose",
     "export_recipe",
+    "find_contacts",
+    "find_features",
     "global_frame",
     "group",
     "hole_rim",
     "hole_rims",
+    "import_cad",
     "import_part",
     "import_recipe",
     "keep_distance",
     "pivot",
     "propagation",
+    "propose_thin",
     "remove",
     "reset_motion",
     "rest_mesh",
@@ -101,14 +121,17 @@ __all__ = [
     "set_free_rotation",
     "set_mode",
     "set_motion",
+    "set_operator",
     "set_primary",
     "set_propagation",
     "set_refine",
     "set_rotation",
     "set_size",
     "set_symmetry",
+    "set_thin",
     "set_vertices",
     "shape_of",
+    "thin_solid",
     "touching_vertices",
     "vertices",
     "vertices_of_facets",

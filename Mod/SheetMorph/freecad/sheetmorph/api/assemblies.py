@@ -17,7 +17,7 @@ from freecad.sheetmorph.objects import (
     regions,
     relations,
 )
-from freecad.sheetmorph.objects.assembly import ENERGIES, AssemblyProxy, follow_group
+from freecad.sheetmorph.objects.assembly import ENERGIES, OPERATORS, AssemblyProxy, follow_group
 from freecad.sheetmorph.objects.deformation import DeformationProxy
 from freecad.sheetmorph.objects.part import PartProxy
 
@@ -63,7 +63,8 @@ def check_source(assembly, source) -> None:
     """Raise ValueError if `source` cannot become a part of `assembly`."""
     label = getattr(source, "Label", repr(source))
     if not (hasattr(source, "isDerivedFrom") and source.isDerivedFrom("Mesh::Feature")):
-        raise ValueError(f"'{label}' is no mesh; create a mesh from it first (workbench Mesh).")
+        todo = "add it with add_shape" if hasattr(source, "Shape") else "choose a mesh"
+        raise ValueError(f"'{label}' is no mesh; {todo}.")
     if source.Document != assembly.Document:
         raise ValueError(f"'{label}' is in another document; copy it into this one first.")
     if source.Mesh.CountFacets == 0:
@@ -81,11 +82,20 @@ def set_primary(assembly, part) -> None:
 
 
 def set_energy(assembly, energy: str) -> None:
-    """Choose the bending energy: `neumann` (free edges bend freely) or `paper`."""
+    """Choose the bending energy: `natural` (free edges are free), `neumann` or `paper`."""
     require_assembly(assembly)
     if energy not in ENERGIES:
         raise ValueError(f"The energy '{energy}' does not exist; choose {' or '.join(ENERGIES)}.")
     assembly.Energy = energy
+
+
+def set_operator(assembly, operator: str) -> None:
+    """Choose the triangles the energy sees: `cotangent` (the mesh's) or `intrinsic` (Delaunay)."""
+    require_assembly(assembly)
+    if operator not in OPERATORS:
+        choice = " or ".join(OPERATORS)
+        raise ValueError(f"The operator '{operator}' does not exist; choose {choice}.")
+    assembly.Operator = operator
 
 
 def set_symmetry(

@@ -9,7 +9,13 @@ from pathlib import Path
 
 
 from freecad.sheetmorph import conversion, kernel, session, written
-from freecad.sheetmorph.api.assemblies import add_part, create_assembly, set_energy, set_primary
+from freecad.sheetmorph.api.assemblies import (
+    add_part,
+    create_assembly,
+    set_energy,
+    set_operator,
+    set_primary,
+)
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.loading import (
     add_contacts,
@@ -22,29 +28,36 @@ from freecad.sheetmorph.api.loading import (
     with_names,
 )
 from freecad.sheetmorph.api.propagations import set_mode
+from freecad.sheetmorph.api.thin import set_thin
 from freecad.sheetmorph.rest import write_rest_data
 
 
-def import_part(assembly, path: str | os.PathLike, label: str | None = None):
+def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, mesh=None):
     """Read a mesh file into an assembly and return the part; its positions are kept in double.
 
     Formats: what `sheetmorph.read_part` reads (OBJ, OFF, PLY, STL, Nastran, VTK, ...). The file
     is kept in the document, so that `write_parts` can write it again with other coordinates.
+    A CAD file is one part, meshed as `mesh` says; see `import_cad`.
     Raises ValueError or OSError if the file cannot be read.
     """
     require_assembly(assembly)
     path = Path(path)
-    mesh = kernel.load().read_part(path).mesh
-    if len(mesh.triangles) == 0:
+    package = kernel.load()
+    read = package.read_part(path, mesh).mesh
+    if len(read.triangles) == 0:
         raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
-    part = add_mesh(assembly, mesh, label or path.stem)
-    part.FileName = path.name
-    part.FileData = str(path.absolute())
+    part = add_mesh(assembly, read, label or path.stem)
+    if not package.files.is_cad(path):
+        part.FileName = path.name
+        part.FileData = str(path.absolute())
     return part
 
 
-def add_mesh(assembly, mesh, label: str):
-    """Add a mesh of the package, a sheetmorph.PartMesh, as a part that keeps its doubles."""
+def add_mesh(assembly, mesh, label: str, features: list[dict] = ()):
+    """Add a mesh of the package, a sheetmorph.PartMesh, as a part that keeps its doubles.
+
+    `features`: what is known exactly about it, see `exact_features`.
+    """
     origin = conversion.near_origin(mesh.points)
     source = assembly.Document.addObject("Mesh::Feature", "Rest")
     source.Label = f"{label} at rest"
@@ -54,7 +67,7 @@ def add_mesh(assembly, mesh, label: str):
     part = add_part(assembly, source, label)
     with conversion.temporary_folder() as folder:
         stored = os.path.join(folder, "rest.npz")
-        write_rest_data(stored, mesh, origin)
+        write_rest_data(stored, mesh, origin, features)
         part.RestData = stored
     return part
 
@@ -106,6 +119,7 @@ def import_recipe(document, path: str | os.PathLike):
     if "primary" in recipe:
         set_primary(assembly, found[recipe["primary"]])
     set_energy(assembly, recipe.get("energy", "neumann"))
+    set_operator(assembly, recipe.get("operator", "cotangent"))
     apply_propagation(assembly, recipe)
     regions = add_regions(assembly, recipe, found, read.meshes)
     add_contacts(assembly, recipe, found, read.meshes)
@@ -130,9 +144,12 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
         mesh = without_ids(meshes[entry["name"]])
         added = {entry["name"]: add_mesh(assembly, mesh, entry["name"])}
     else:
-        added = {entry["name"]: import_part(assembly, file, entry["name"])}
+        meshing = entry.get("mesh")
+        added = {entry["name"]: import_part(assembly, file, entry["name"], mesh=meshing)}
     for part in added.values():
         set_mode(part, entry.get("mode", 0))
+        thin = entry.get("thin", False)
+        set_thin(part, thin["thickness"] if isinstance(thin, dict) else thin)
     return added
 
 

@@ -20,6 +20,17 @@ def rest_mesh(part) -> tuple[np.ndarray, np.ndarray]:
     return rest.points, rest.triangles
 
 
+def diagnose(part) -> dict:
+    """Return what a part is and what is wrong with its mesh; nothing is changed.
+
+    The keys are those of `python3 -m sheetmorph doctor`: kind, thickness, counts, findings with
+    the cure each offers, and more.
+    """
+    points, triangles = rest_mesh(part)
+    package = kernel.load()
+    return package.diagnose(package.PartMesh(points, triangles))
+
+
 def global_frame(part) -> tuple[np.ndarray, np.ndarray]:
     """Return rotation (3, 3) and base (3,) of a part: global = local @ rotation.T + base, mm.
 

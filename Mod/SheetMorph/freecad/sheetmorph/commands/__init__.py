@@ -3,16 +3,23 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.commands import contacts, create, exchange, features
-from freecad.sheetmorph.commands import installation, motion, regions
+from freecad.sheetmorph.commands import contacts, create, exchange, features, finding
+from freecad.sheetmorph.commands import installation, motion, regions, sheets
 
 _TOOLBARS = {
-    "Morph": (create.CreateMorph, create.AddPart, create.ImportPart),
+    "Morph": (create.CreateMorph, create.AddPart, create.ImportPart, sheets.ThicknessMap),
     "Regions": (
         regions.MarkFixed,
         regions.MarkHandle,
         regions.MarkFeature,
         regions.MarkFollower,
+        finding.FindFeatures,
+    ),
+    "Contacts": (
+        contacts.MarkContact,
+        finding.FindContacts,
+        contacts.Propagation,
+        contacts.SetPrimary,
     ),
     "Features": (
         features.FeatureSettings,
@@ -20,7 +27,6 @@ _TOOLBARS = {
         features.MakeCoaxial,
         features.KeepDistance,
     ),
-    "Contacts": (contacts.MarkContact, contacts.Propagation, contacts.SetPrimary),
     "Motion": (motion.MoveHandle, motion.ResetMotion),
     "Exchange": (exchange.ExportParts, exchange.ExportRecipe, exchange.ImportRecipe),
     "Help": (exchange.OpenExample, installation.CheckInstallation),

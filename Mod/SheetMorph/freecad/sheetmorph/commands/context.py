@@ -27,6 +27,11 @@ def meshes() -> list:
     return [o for o in selected() if o.isDerivedFrom("Mesh::Feature") and kind(o) != PART]
 
 
+def shapes() -> list:
+    """Selected objects with a shape that has faces."""
+    return [o for o in selected() if o.isDerivedFrom("Part::Feature") and o.Shape.Faces]
+
+
 def all_of(wanted: str) -> list:
     """Every object of one type of ours in the active document."""
     if App.ActiveDocument is None:

@@ -11,19 +11,60 @@ from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+MESHES = "*.obj *.off *.ply *.stl *.nas *.bdf *.dat *.vtk *.vtu *.inp"
+CAD = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 FILTER = (
-    "Meshes and decks (*.obj *.off *.ply *.stl *.nas *.bdf *.dat *.vtk *.vtu *.inp);;All files (*)"
+    f"Meshes, decks and CAD ({MESHES} {' '.join('*' + ending for ending in CAD)});;All files (*)"
 )
 
 
+def added(function: str, *arguments: str) -> str:
+    """The line that brings a part in, as the thin solid it may be."""
+    return call("propose_thin", call(function, *arguments))
+
+
+def ask_edge() -> float | None:
+    """Asks how long the edges of meshed CAD shapes may be, mm; 0 for automatic, None to stop."""
+    length, is_given = QtWidgets.QInputDialog.getDouble(
+        Gui.getMainWindow(),
+        "Mesh CAD Shapes",
+        "Longest edge in mm (0: a hundredth of the size)",
+        *(0.0, 0.0, 1e6, 3),
+    )
+    return length if is_given else None
+
+
+def meshed(edge: float) -> dict[str, str]:
+    """The argument of an API call that meshes CAD."""
+    return {"mesh": repr({"edge": edge})} if edge else {}
+
+
+def source_lines(owner: str, edge: float) -> list[str]:
+    """The API calls that add the selected meshes and shapes to a morph."""
+    lines = [added("add_part", owner, name(mesh)) for mesh in context.meshes()]
+    return lines + [call("add_shape", owner, name(s), **meshed(edge)) for s in context.shapes()]
+
+
+def import_lines(owner: str, files: list[str], edge: float) -> list[str]:
+    """The API calls that import files into a morph; of a CAD file every solid is a part."""
+    return [
+        (
+            call("import_cad", owner, repr(file), **meshed(edge))
+            if file.lower().endswith(CAD)
+            else added("import_part", owner, repr(file))
+        )
+        for file in files
+    ]
+
+
 class CreateMorph(Command):
-    """Creates a morph, with the selected meshes as its parts."""
+    """Creates a morph, with the selected meshes and shapes as its parts."""
 
     name = "SheetMorph_CreateMorph"
     text = QT_TRANSLATE_NOOP("SheetMorph_CreateMorph", "Create Morph")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_CreateMorph",
-        "Creates a morph; selected meshes become its parts, the meshes themselves stay unchanged",
+        "Creates a morph; selected meshes and shapes become its parts and stay as they are",
     )
 
     def possible(self) -> bool:
@@ -31,13 +72,15 @@ class CreateMorph(Command):
         return True
 
     def execute(self) -> None:
-        """One undo step; the first mesh selected becomes the primary."""
-        sources = context.meshes()
+        """One undo step; the first mesh selected, else the first shape, becomes the primary."""
+        edge = ask_edge() if context.shapes() else 0.0
+        if edge is None:
+            return
         if App.ActiveDocument is None:
             Gui.doCommand("App.newDocument()")
         new = call("create_assembly", "App.ActiveDocument")
         before = set(App.ActiveDocument.Objects)
-        lines = [f"morph = {new}"] + [call("add_part", "morph", name(s)) for s in sources]
+        lines = [f"morph = {new}", *source_lines("morph", edge)]
         if actions.attempt("Create Morph", *lines):
             Gui.Selection.clearSelection()
             made = [o for o in App.ActiveDocument.Objects if o not in before]
@@ -45,23 +88,25 @@ class CreateMorph(Command):
 
 
 class AddPart(Command):
-    """Adds the selected meshes to a morph."""
+    """Adds the selected meshes and shapes to a morph."""
 
     name = "SheetMorph_AddPart"
     text = QT_TRANSLATE_NOOP("SheetMorph_AddPart", "Add Part")
     tooltip = QT_TRANSLATE_NOOP(
-        "SheetMorph_AddPart", "Adds the selected meshes to the morph as parts that deform"
+        "SheetMorph_AddPart",
+        "Adds the selected meshes and shapes to the morph as parts that deform",
     )
 
     def possible(self) -> bool:
-        """With a morph and a mesh selected."""
-        return bool(context.meshes()) and context.assembly() is not None
+        """With a morph and a mesh or a shape selected."""
+        is_any = bool(context.meshes() or context.shapes())
+        return is_any and context.assembly() is not None
 
     def execute(self) -> None:
         """Adds all of them in one undo step."""
-        owner = name(context.assembly())
-        lines = [call("add_part", owner, name(mesh)) for mesh in context.meshes()]
-        actions.attempt("Add Part", *lines)
+        edge = ask_edge() if context.shapes() else 0.0
+        if edge is not None:
+            actions.attempt("Add Part", *source_lines(name(context.assembly()), edge))
 
 
 class ImportPart(Command):
@@ -71,7 +116,7 @@ class ImportPart(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_ImportPart", "Import Part…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_ImportPart",
-        "Imports a mesh file as a part; its exact positions are kept and written back on export",
+        "Imports a mesh as a part, with its exact positions, or every solid of a CAD file, meshed",
     )
 
     def possible(self) -> bool:
@@ -82,7 +127,8 @@ class ImportPart(Command):
         """Asks for files and imports them in one undo step."""
         window = Gui.getMainWindow()
         files, _ = QtWidgets.QFileDialog.getOpenFileNames(window, "Import Part", "", FILTER)
-        if files:
-            owner = name(context.assembly())
-            actions.attempt("Import Part", *[call("import_part", owner, repr(f)) for f in files])
+        has_cad = any(file.lower().endswith(CAD) for file in files)
+        edge = ask_edge() if has_cad else 0.0
+        if files and edge is not None:
+            actions.attempt("Import Part", *import_lines(name(context.assembly()), files, edge))
             Gui.SendMsgToActiveView("ViewFit")

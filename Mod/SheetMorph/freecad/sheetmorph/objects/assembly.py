@@ -16,7 +16,16 @@ from freecad.sheetmorph.objects.model import (
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy, is_settled, make_due
 
-ENERGIES = ["neumann", "paper"]
+ENERGIES = ["neumann", "natural", "paper"]
+ENERGY_DOC = (
+    "How the sheet bends. Natural: free edges are free. Neumann: free edges keep their slope. "
+    "Paper: as Masuda 2007 prints it; the shape depends on how fine the mesh is"
+)
+OPERATORS = ["cotangent", "intrinsic"]
+OPERATOR_DOC = (
+    "Which triangles the energy sees. Cotangent: those of the mesh. Intrinsic: Delaunay triangles "
+    "within the same sheet, for meshes with slivers"
+)
 LOCAL, SINGLE = "local", "single"
 PROPAGATION_DOC = (
     "How the other parts follow the primary. Local: along the contacts, from part to part, each "
@@ -37,7 +46,7 @@ SYMMETRY_DOC = (
 )
 REFINE_DOC = "Refine large rotations: slower and nearer to the true bending; off by default"
 INPUTS = ("Group", "Primary", "Energy", "Extras", "Propagation", "Levels", "Smoothness")
-INPUTS += ("Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine")
+INPUTS += ("Operator", "Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine")
 
 
 class AssemblyProxy(ObjectProxy):
@@ -50,9 +59,10 @@ class AssemblyProxy(ObjectProxy):
             "Enumeration",
             "Energy",
             "Morph",
-            "Free edges bend freely (neumann) or as in the paper (paper)",
+            ENERGY_DOC,
             ENERGIES,
         ),
+        Property("Enumeration", "Operator", "Morph", OPERATOR_DOC, OPERATORS),
         Property("Enumeration", "Propagation", "Propagation", PROPAGATION_DOC, [LOCAL, SINGLE]),
         Property("Integer", "Levels", "Propagation", LEVELS_DOC, 3),
         Property("Float", "Smoothness", "Propagation", SMOOTHNESS_DOC, 0.05),

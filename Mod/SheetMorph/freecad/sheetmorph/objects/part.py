@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from freecad.sheetmorph.objects.model import PART
-from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
+from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy, make_due
 from freecad.sheetmorph.rest import MorphError
 
@@ -18,6 +18,15 @@ MODE_DOC = (
 )
 
 
+THIN_NO, THIN_AUTOMATIC, THIN_GIVEN = THIN = ("no", "automatic", "of given thickness")
+THIN_DOC = (
+    "Whether a closed mesh is a thin solid: solved once as a sheet, both skins and the walls "
+    "follow and keep the thickness. Automatic: if it is recognised as one"
+)
+DECISIVE = ("Mode", "Thin", "Thickness")
+"""Properties that the deformation depends on."""
+
+
 class PartProxy(ObjectProxy):
     """Proxy of a part; its mesh lies exactly over the source, whatever contains either."""
 
@@ -25,6 +34,8 @@ class PartProxy(ObjectProxy):
     PROPERTIES = (
         Property("LinkGlobal", "Source", "Part", "The mesh at rest, never changed", mode=READ_ONLY),
         Property("Enumeration", "Mode", "Part", MODE_DOC, MODES),
+        Property("Enumeration", "Thin", "Part", THIN_DOC, list(THIN)),
+        Property("Length", "Thickness", "Part", "Of a thin solid whose thickness is given"),
         Property("Link", "Deformation", "Part", "What the mesh depends on", mode=HIDDEN),
         Property("String", "FileName", "Part", "File the part was read from", "", READ_ONLY),
         Property("FileIncluded", "RestData", "Part", "Rest positions in double", mode=HIDDEN),
@@ -34,14 +45,18 @@ class PartProxy(ObjectProxy):
     def __init__(self, obj):
         super().__init__(obj)
         protect_placement(obj)
+        show_thickness(obj)
 
     def onDocumentRestored(self, obj) -> None:
         super().onDocumentRestored(obj)
         protect_placement(obj)
+        show_thickness(obj)
 
     def onChanged(self, obj, name: str) -> None:
-        """Let a change of the mode reach the deformation, which is no dependant of its parts."""
-        if name == "Mode" and "Deformation" in obj.PropertiesList and not obj.Document.Restoring:
+        """Let a change reach the deformation, which is no dependant of its parts."""
+        if name == "Thin":
+            show_thickness(obj)
+        if name in DECISIVE and "Deformation" in obj.PropertiesList and not obj.Document.Restoring:
             make_due(obj.Deformation)
 
     def execute(self, obj) -> None:
@@ -55,6 +70,12 @@ class PartProxy(ObjectProxy):
                 f"Part '{obj.Label}' is in no morph: delete it and add its source to a morph."
             )
         obj.Mesh = obj.Deformation.Proxy.mesh_of(obj.Deformation, obj)
+
+
+def show_thickness(obj) -> None:
+    """Show the thickness where it is given."""
+    if "Thickness" in obj.PropertiesList:
+        obj.setEditorMode("Thickness", SHOWN if obj.Thin == THIN_GIVEN else HIDDEN)
 
 
 def protect_placement(obj) -> None:

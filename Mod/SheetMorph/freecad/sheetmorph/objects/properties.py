@@ -33,12 +33,19 @@ SCHEMA_VERSION = Property(
 
 
 def apply_properties(obj, table: Sequence[Property]) -> None:
-    """Add the properties of `table` that `obj` lacks, and set the editor modes of all."""
+    """Add the properties of `table` that `obj` lacks, and set the editor modes of all.
+
+    A choice of an earlier version keeps its value and gets the values it lacks.
+    """
     for row in table:
         if row.name not in obj.PropertiesList:
             obj.addProperty(f"App::Property{row.type}", row.name, row.group, row.doc)
             if row.default is not None:
                 setattr(obj, row.name, row.default)
+        elif row.type == "Enumeration" and obj.getEnumerationsOfProperty(row.name) != row.default:
+            chosen = getattr(obj, row.name)
+            setattr(obj, row.name, row.default)
+            setattr(obj, row.name, chosen)
         obj.setEditorMode(row.name, row.mode)
         if row.is_output:
             obj.setPropertyStatus(row.name, "Output")

@@ -34,7 +34,7 @@ def spelled_out(recipe: dict) -> dict:
 
     A turn by nothing and a file's place do not count.
     """
-    full = {"energy": "neumann", **recipe}
+    full = {"energy": "neumann", "operator": "cotangent", **recipe}
     defaults = {"type": "local", "levels": 3, "smoothness": 0.05}
     full["propagation"] = {**defaults, **recipe.get("propagation", {})}
     for key in LISTS:

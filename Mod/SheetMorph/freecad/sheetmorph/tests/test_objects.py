@@ -118,8 +118,33 @@ class TestProperties(support.DocumentTest):
         self.document.recompute()
         self.assert_up_to_date(self.document)
         self.assertGreater(support.largest(support.seen_points(part) - neumann), 1e-3)
-        with self.assertRaisesRegex(ValueError, "natural"):
-            api.set_energy(assembly, "natural")
+        paper = support.seen_points(part)
+        api.set_energy(assembly, "natural")
+        self.document.recompute()
+        self.assertGreater(support.largest(support.seen_points(part) - paper), 1e-3)
+        with self.assertRaisesRegex(ValueError, "wooden.*natural"):
+            api.set_energy(assembly, "wooden")
+
+    def test_the_operator_is_part_of_the_result(self):
+        assembly, part, handle = self.add_morph()
+        api.set_motion(handle, (0, 0, 30), (0, 1, 0), 20)
+        api.set_operator(assembly, "intrinsic")
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertEqual(assembly.Operator, "intrinsic")
+        with self.assertRaisesRegex(ValueError, "tufted.*intrinsic"):
+            api.set_operator(assembly, "tufted")
+
+    def test_a_document_of_an_earlier_version_keeps_its_energy_and_gets_the_new_choice(self):
+        assembly, _, _ = self.add_morph()
+        assembly.Energy = ["neumann", "paper"]
+        assembly.Energy = "paper"
+        assembly.removeProperty("Operator")
+        name = assembly.Name
+        assembly = self.reopen(self.document).getObject(name)
+        self.assertEqual((assembly.Energy, assembly.Operator), ("paper", "cotangent"))
+        api.set_energy(assembly, "natural")
+        self.assertEqual(assembly.Energy, "natural")
 
 
 class TestDeletion(support.DocumentTest):

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CAD: parts from STEP, IGES and BREP files and from the shapes of a document."""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+
+import numpy as np
+
+from freecad.sheetmorph import kernel
+from freecad.sheetmorph.api.checks import require_assembly
+from freecad.sheetmorph.api.files import add_mesh
+from freecad.sheetmorph.rest import read_features, read_rest
+
+
+def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> list:
+    """Read a STEP, IGES or BREP file into an assembly and return its parts.
+
+    One part for every solid and for every shell outside of solids, named and placed as in the
+    file. `mesh`: how finely they are meshed, `{"edge": 5, "deflection": 0.1, "angle": 20}` (mm,
+    mm, degrees); what is left out follows from the size of what is in the file.
+    Raises ValueError or OSError if the file cannot be read.
+    """
+    require_assembly(assembly)
+    package = kernel.load()
+    if not package.files.is_cad(path):
+        raise ValueError(f"{Path(path).name} is no CAD file; use import_part.")
+    return add_model(assembly, package.read_part(path, mesh).model)
+
+
+def add_shape(assembly, source, label: str | None = None, mesh: dict | None = None) -> list:
+    """Add the shape of an object of the document to an assembly and return its parts.
+
+    `source`: a Part::Feature, anywhere in the document; it is hidden and never changed, and the
+    parts do not follow it afterwards. One part a solid or free shell, called `label`, default the
+    source's; `mesh` as for `import_cad`. Raises ValueError: no shape, empty, broken.
+    """
+    require_assembly(assembly)
+    check_shape(assembly, source)
+    shape = source.Shape.copy()
+    shape.Placement = source.getGlobalPlacement()
+    package = kernel.load()
+    read_shape = package.files.cad_file.read_shape
+    parts = add_model(assembly, read_shape(shape.exportBrepToString(), label or source.Label, mesh))
+    source.Visibility = False
+    return parts
+
+
+def check_shape(assembly, source) -> None:
+    """Raise ValueError if the shape of `source` cannot become parts of `assembly`."""
+    label = getattr(source, "Label", repr(source))
+    if not (hasattr(source, "isDerivedFrom") and source.isDerivedFrom("Part::Feature")):
+        raise ValueError(f"'{label}' has no shape; add it with add_part if it is a mesh.")
+    if source.Document != assembly.Document:
+        raise ValueError(f"'{label}' is in another document; copy it into this one first.")
+    if source.Shape.isNull() or not source.Shape.Faces:
+        raise ValueError(f"The shape '{label}' has no faces; choose another one.")
+
+
+def add_model(assembly, model) -> list:
+    """Add all parts of a CadModel of the kernel that have triangles; return them."""
+    cad_file = kernel.load().files.cad_file
+    return [
+        add_mesh(assembly, mesh, mesh.name, cad_file.exact_features(part))
+        for part, mesh in zip(model.parts, cad_file.part_meshes(model))
+        if len(mesh.triangles)
+    ]
+
+
+def exact_features(part) -> list[dict]:
+    """Return the holes, cylinders, planes, cones and spheres of a part, from its CAD surfaces.
+
+    Each a dict with `kind`, `center`, `axis`, `vertices`, `residual` (mm) and, where it has them,
+    `radius`, `length`, `angle` (degrees) and `hollow`; exact to rounding, in global coordinates.
+    Empty for a part that does not come from CAD, or whose mesh was edited since.
+    """
+    return [in_degrees(feature) for feature in known_features(part)]
+
+
+def known_features(part) -> list[dict]:
+    """Return the same with angles in radians, as the package has them."""
+    rest = read_rest(part)
+    if not rest.is_from_file:
+        return []
+    return [globally(feature, rest.frame) for feature in read_features(part)]
+
+
+def globally(feature: dict, frame) -> dict:
+    """Return a feature in file coordinates as a user sees it."""
+    placed = dict(feature)
+    placed["center"] = frame.to_global(np.array([feature["center"]]))[0].tolist()
+    placed["axis"] = (frame.rotation @ np.array(feature["axis"])).tolist()
+    return placed
+
+
+def in_degrees(feature: dict) -> dict:
+    """Return a feature with its angle in degrees."""
+    angle = {"angle": math.degrees(feature["angle"])} if "angle" in feature else {}
+    return {**feature, **angle}

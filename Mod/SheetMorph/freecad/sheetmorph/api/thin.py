@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Thin solids: closed meshes that are sheets, with two skins and the walls between them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+
+from freecad.sheetmorph import kernel
+from freecad.sheetmorph.api.checks import number, require_kind, require_part_of
+from freecad.sheetmorph.api.regions import add_feature
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.part import THIN_AUTOMATIC, THIN_GIVEN, THIN_NO
+from freecad.sheetmorph.rest import read_rest
+
+
+def set_thin(part, thin: str | bool | float) -> None:
+    """Say whether a part is solved as a thin solid: False, "auto", or its thickness in mm.
+
+    "auto": if it is recognised as one. A thickness: it is one, or the recompute says why it is
+    not. A thin solid bends as one sheet and keeps its thickness. Raises ValueError.
+    """
+    require_kind(part, model.PART, "part")
+    if thin is False:
+        part.Thin = THIN_NO
+    elif thin == "auto":
+        part.Thin = THIN_AUTOMATIC
+    elif isinstance(thin, (bool, str)):
+        raise ValueError(f'A part is no "{thin}" thin solid; pass "auto", False or a thickness.')
+    else:
+        thickness = number(thin, "thickness")
+        if thickness <= 0.0:
+            raise ValueError(f"The thickness is {thickness} mm; pass one above 0.")
+        part.Thin = THIN_GIVEN
+        part.Thickness = thickness
+
+
+def thin_solid(part) -> tuple[Any, str]:
+    """Look at a part at rest: return the `sheetmorph._core.ThinSolid` it is, and an empty text.
+
+    Or None, and a sentence that says why it is no thin solid. Nothing in the document changes.
+    """
+    require_kind(part, model.PART, "part")
+    rest = read_rest(part)
+    core = kernel.core()
+    thickness = part.Thickness.Value if part.Thin == THIN_GIVEN else 0.0
+    return core.find_thin_solid(core.TriangleMesh(rest.points, rest.triangles), thickness)
+
+
+def propose_thin(part) -> bool:
+    """Make a part a thin solid if it is recognised as one; say so, and return whether it is."""
+    solid, _ = thin_solid(part)
+    if solid is None:
+        return False
+    set_thin(part, "auto")
+    FreeCAD.Console.PrintMessage(
+        f"SheetMorph: '{part.Label}' is a sheet {solid.thickness:.3g} mm thick: it bends as one, "
+        "both skins together. Its property Thin switches that off.\n"
+    )
+    return True
+
+
+def add_through_holes(assembly, part, label: str = "Hole") -> list:
+    """Mark every hole through both skins of a part as a form feature; return the regions.
+
+    Holes that have a feature already, with all of their vertices, are left out.
+    Raises ValueError if the part is no thin solid.
+    """
+    require_part_of(assembly, part)
+    solid, reason = thin_solid(part)
+    if solid is None:
+        raise ValueError(f"'{part.Label}' has no two skins: {reason}.")
+    marked = [set(model.vertices(region).tolist()) for region in model.regions(assembly, part)]
+    return [
+        add_feature(assembly, part, hole.vertices.tolist(), label)
+        for hole in solid.holes
+        if not any(own.issuperset(hole.vertices.tolist()) for own in marked)
+    ]

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands about the sheet a part is made of."""
+
+from freecad.sheetmorph.commands import context
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+
+
+class ThicknessMap(Command):
+    """Opens the panel that shows the thickness."""
+
+    name = "SheetMorph_ThicknessMap"
+    text = QT_TRANSLATE_NOOP("SheetMorph_ThicknessMap", "Thickness…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_ThicknessMap",
+        "Shows in colours how thick the selected part is, and lets it bend as one sheet",
+    )
+
+    def possible(self) -> bool:
+        """With a part."""
+        return context.part() is not None
+
+    def execute(self) -> None:
+        """Opens the panel."""
+        from freecad.sheetmorph.panels import thickness_panel
+
+        thickness_panel.open_panel(context.part())

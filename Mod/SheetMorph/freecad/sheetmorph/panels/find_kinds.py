@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the two panels of proposals differ in: features and contacts."""
+
+from freecad.sheetmorph.actions import call, name, vertices
+from freecad.sheetmorph.api.finding import with_washers
+
+MARKED = "In the document already"
+
+
+class Features:
+    """Proposals that become form features."""
+
+    title, icon = "Find Features", "FindFeatures"
+    columns = ["Feature", "Size", "Quality"]
+
+    def prepare(self, form) -> None:
+        """Hides the tolerances that concern contacts."""
+        for widget in (form.gap, form.gap_label, form.facing, form.facing_label, form.one_per_pair):
+            widget.setVisible(False)
+        form.hint.setText("Size: diameter or length. Quality: how far the rim is off its form.")
+
+    def options(self, form) -> dict:
+        """The tolerances that the panel shows."""
+        return {
+            "roundness": form.roundness.value() / 100.0,
+            "crease_angle": form.crease.value(),
+            "rings": max(1, form.rings.value()),
+            "kinds": None if form.surfaces.isChecked() else _HOLES,
+        }
+
+    def find(self, api, assembly, options) -> list:
+        """The proposals."""
+        return api.find_features(assembly, **options)
+
+    def size(self, one) -> float:
+        """What the size filter goes by, mm."""
+        return one.size
+
+    def row(self, one) -> tuple:
+        """What the list shows of a proposal."""
+        quality = one.residual / (0.5 * one.size) if one.size else 0.0
+        texts = (one.name, f"{one.size:.4g} mm", f"{100 * quality:.2g} %")
+        is_checked = not one.is_marked and one.kind in _HOLES
+        tip = MARKED if one.is_marked else f"{one.kind}, {len(one.vertices)} vertices"
+        return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
+
+    def places(self, one, colours) -> list:
+        """(part, vertices, colour) to light up."""
+        return [(one.part, one.vertices, colours.ROLES["form feature"])]
+
+    def lines(self, assembly, chosen, form) -> list[str]:
+        """The macro lines that take proposals over."""
+        sets = with_washers(assembly, chosen, form.rings.value())
+        return [
+            call("add_feature", name(assembly), name(one.part), vertices(ids), repr(one.name))
+            for one, ids in zip(chosen, sets)
+        ]
+
+
+class Contacts:
+    """Proposals that become contacts."""
+
+    title, icon = "Find Contacts", "FindContacts"
+    columns = ["Contact", "Type", "Size", "Gap"]
+
+    def prepare(self, form) -> None:
+        """Hides the tolerances that concern features."""
+        for widget in (
+            form.roundness,
+            form.roundness_label,
+            form.crease,
+            form.crease_label,
+            form.rings,
+            form.rings_label,
+            form.surfaces,
+        ):
+            widget.setVisible(False)
+        form.hint.setText("Size: of the place. Gap: between the parts, measured in the middle.")
+
+    def options(self, form) -> dict:
+        """The tolerances that the panel shows."""
+        options = {
+            "facing_angle": form.facing.value(),
+            "one_per_pair": form.one_per_pair.isChecked(),
+        }
+        return {**options, "gap": form.gap.value()} if form.gap.value() > 0.0 else options
+
+    def find(self, api, assembly, options) -> list:
+        """The proposals."""
+        return api.find_contacts(assembly, **options)
+
+    def size(self, one) -> float:
+        """What the size filter goes by, mm."""
+        return one.size
+
+    def row(self, one) -> tuple:
+        """What the list shows of a proposal."""
+        texts = (one.name, one.type, f"{one.size:.4g} mm", f"{one.distance:.3g} mm")
+        tip = MARKED if one.is_marked else f"{len(one.a)} and {len(one.b)} vertices"
+        values = (one.name, one.type, one.size, one.distance)
+        return texts, values, not one.is_marked, not one.is_marked, tip
+
+    def places(self, one, colours) -> list:
+        """(part, vertices, colour) to light up."""
+        return [(one.part_a, one.a, colours.SIDES["a"]), (one.part_b, one.b, colours.SIDES["b"])]
+
+    def lines(self, assembly, chosen, _form) -> list[str]:
+        """The macro lines that take proposals over."""
+        return [self._line(name(assembly), one) for one in chosen]
+
+    def _line(self, assembly: str, one) -> str:
+        sides = [
+            f"({name(part)}, {vertices(ids)})"
+            for part, ids in ((one.part_a, one.a), (one.part_b, one.b))
+        ]
+        keywords = {"label": repr(one.name), "type": repr(one.type)}
+        return call("add_contact", assembly, *sides, **keywords)
+
+
+_HOLES = ("round hole", "slotted hole", "rectangular hole")
+FEATURES, CONTACTS = Features(), Contacts()

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panels that propose what was found: a list with check boxes, filters and tolerances."""
+
+from freecad.sheetmorph import actions, api, seen
+from freecad.sheetmorph.panels import find_table
+from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
+from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.highlight import Highlight
+
+ANY = "all kinds"
+
+
+def open_features(assembly):
+    """Opens the panel with the features found on a morph; returns the panel."""
+    return _opened(FindPanel(assembly, FEATURES))
+
+
+def open_contacts(assembly):
+    """Opens the panel with the contacts found in a morph; returns the panel."""
+    return _opened(FindPanel(assembly, CONTACTS))
+
+
+def _opened(panel):
+    panel.present()
+    return panel
+
+
+class FindPanel(Panel):
+    """Shows proposals; those that are checked come into the document when the user says OK."""
+
+    width = 540  # for the columns of the list
+
+    def __init__(self, assembly, what):
+        super().__init__("find", what.icon, what.title)
+        self._assembly, self._what = assembly, what
+        self._found = []
+        self._meshes = {}
+        self._highlight = Highlight()
+        self._prepare_widgets()
+        self.search()
+
+    # -- the search and its list
+
+    def search(self, *_) -> None:
+        """Finds anew with the tolerances of the panel."""
+        say(self.form.message, "")
+        try:
+            with actions.waiting():
+                options = self._what.options(self.form)
+                self._found = self._what.find(api, self._assembly, options)
+        except actions.FAULTS as error:
+            self._found = []
+            say(self.form.message, str(error), True)
+        self._fill_kinds()
+        find_table.fill(self.form.table, [self._what.row(one) for one in self._found])
+        self._filter()
+
+    def _fill_kinds(self) -> None:
+        combo, kept = self.form.kind, self.form.kind.currentText()
+        combo.blockSignals(True)
+        combo.clear()
+        combo.addItems([ANY, *sorted({one.kind for one in self._found})])
+        combo.setCurrentIndex(max(0, combo.findText(kept)))
+        combo.blockSignals(False)
+
+    def _filter(self, *_) -> None:
+        """Hides the rows that the filters leave out; they are not taken either."""
+        kind = self.form.kind.currentText()
+        low, high = self.form.smallest.value(), self.form.largest.value()
+        for number, one in enumerate(self._found):
+            size = self._what.size(one)
+            is_shown = kind in (ANY, one.kind) and size >= low and (high <= 0.0 or size <= high)
+            self.form.table.setRowHidden(find_table.place_of(self.form.table, number), not is_shown)
+        self._count()
+
+    def _check_all(self) -> None:
+        find_table.set_checks(self.form.table, True)
+
+    def _check_none(self) -> None:
+        find_table.set_checks(self.form.table, False)
+
+    def _chosen(self) -> list:
+        return [self._found[number] for number in find_table.checked(self.form.table)]
+
+    def _count(self, *_) -> None:
+        marked = sum(one.is_marked for one in self._found)
+        text = f"{len(self._chosen())} of {len(self._found)} chosen"
+        self.form.count.setText(f"{text}, {marked} in the document already" if marked else text)
+
+    # -- the 3D view
+
+    def _light(self, row: int, *_) -> None:
+        """Colours what the mouse is over in the list."""
+        self._highlight.clear()
+        if row < 0:
+            return
+        one = self._found[find_table.number_in(self.form.table, row)]
+        for part, vertices, colour in self._what.places(one, colours):
+            if part.Name not in self._meshes:
+                self._meshes[part.Name] = seen.triangles(part)
+            self._highlight.paint(part.ViewObject, self._meshes[part.Name], colour, vertices)
+
+    # -- the buttons of the task view
+
+    def accept(self) -> bool:
+        """OK: everything that is checked in one undo step."""
+        chosen = [one for one in self._chosen() if not one.is_marked]
+        if not chosen:
+            say(self.form.message, "Nothing is checked; check proposals, or cancel.", True)
+            return False
+        lines = self._what.lines(self._assembly, chosen, self.form)
+        try:
+            actions.run(self._what.title, *lines, document=self._assembly.Document)
+        except actions.FAULTS as error:
+            say(self.form.message, str(error), True)
+            return False
+        return self.reject()
+
+    def reject(self) -> bool:
+        """Cancel: nothing has changed."""
+        self._highlight.clear()
+        self.form.table.viewport().removeEventFilter(self._leaving)
+        return self.finish()
+
+    # -- the widgets
+
+    def _prepare_widgets(self) -> None:
+        form = self.form
+        find_table.prepare(form.table, self._what.columns)
+        self._what.prepare(form)
+        form.kind.currentIndexChanged.connect(self._filter)
+        form.smallest.valueChanged.connect(self._filter)
+        form.largest.valueChanged.connect(self._filter)
+        form.search.clicked.connect(self.search)
+        form.all.clicked.connect(self._check_all)
+        form.none.clicked.connect(self._check_none)
+        form.table.cellEntered.connect(self._light)
+        form.table.itemChanged.connect(self._count)
+        self._leaving = _Leaving(self._light)
+        form.table.viewport().installEventFilter(self._leaving)
+
+
+class _Leaving(QtCore.QObject):
+    """Tells when the mouse leaves a widget."""
+
+    def __init__(self, told):
+        super().__init__()
+        self._told = told
+
+    def eventFilter(self, _watched, event) -> bool:
+        """Never keeps an event from the widget."""
+        if event.type() == QtCore.QEvent.Leave:
+            self._told(-1)
+        return False

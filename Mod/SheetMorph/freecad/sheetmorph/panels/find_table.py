@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The list of proposals: one row each, sortable, with a check box."""
+
+from freecad.sheetmorph.qt import QtCore, QtWidgets
+
+NUMBER = QtCore.Qt.UserRole
+VALUE = QtCore.Qt.UserRole + 1
+HEIGHT = 230  # px, so that ten rows are seen
+
+
+class Cell(QtWidgets.QTableWidgetItem):
+    """A cell that is sorted by its value, not by its text."""
+
+    def __lt__(self, other) -> bool:
+        mine, theirs = self.data(VALUE), other.data(VALUE)
+        return mine < theirs if type(mine) is type(theirs) else str(mine) < str(theirs)
+
+
+def prepare(table, columns) -> None:
+    """Sets the columns; rows light up under the mouse."""
+    table.setColumnCount(len(columns))
+    table.setHorizontalHeaderLabels(columns)
+    table.setMinimumHeight(HEIGHT)
+    table.setMouseTracking(True)
+    table.verticalHeader().setVisible(False)
+    table.verticalHeader().setDefaultSectionSize(22)
+    header = table.horizontalHeader()
+    for column in range(len(columns)):
+        fit = QtWidgets.QHeaderView.ResizeToContents
+        header.setSectionResizeMode(column, fit if column else QtWidgets.QHeaderView.Stretch)
+
+
+def fill(table, rows) -> None:
+    """Shows rows: (texts, values to sort by, is checked, is enabled, tool tip) each."""
+    table.blockSignals(True)
+    table.setSortingEnabled(False)
+    table.setRowCount(len(rows))
+    for number, (texts, values, is_checked, is_enabled, tip) in enumerate(rows):
+        for column, (text, value) in enumerate(zip(texts, values)):
+            cell = Cell(text)
+            cell.setData(VALUE, value)
+            cell.setToolTip(tip)
+            flags = QtCore.Qt.ItemIsSelectable
+            if is_enabled:
+                flags |= QtCore.Qt.ItemIsEnabled
+            if column == 0:
+                cell.setData(NUMBER, number)
+                flags |= QtCore.Qt.ItemIsUserCheckable
+                cell.setCheckState(QtCore.Qt.Checked if is_checked else QtCore.Qt.Unchecked)
+            else:
+                cell.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+            cell.setFlags(flags)
+            table.setItem(number, column, cell)
+    table.setSortingEnabled(True)
+    table.blockSignals(False)
+
+
+def number_in(table, row: int) -> int:
+    """Which proposal stands in a row."""
+    return int(table.item(row, 0).data(NUMBER))
+
+
+def place_of(table, number: int) -> int:
+    """The row in which a proposal stands."""
+    return next(row for row in range(table.rowCount()) if number_in(table, row) == number)
+
+
+def checked(table) -> list[int]:
+    """The proposals that are checked and not hidden, in their own order."""
+    rows = [row for row in range(table.rowCount()) if not table.isRowHidden(row)]
+    is_on = [table.item(row, 0).checkState() == QtCore.Qt.Checked for row in rows]
+    return sorted(number_in(table, row) for row, on in zip(rows, is_on) if on)
+
+
+def set_checks(table, is_on: bool) -> None:
+    """Checks or clears all rows that are seen and enabled."""
+    for row in range(table.rowCount()):
+        cell = table.item(row, 0)
+        if not table.isRowHidden(row) and cell.flags() & QtCore.Qt.ItemIsEnabled:
+            cell.setCheckState(QtCore.Qt.Checked if is_on else QtCore.Qt.Unchecked)

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that shows how thick a part is, as colours on the part with a legend."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions, api, conversion
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.objects import assembly_of
+from freecad.sheetmorph.panels.base import Panel, chip, say
+from freecad.sheetmorph.qt import QtGui, QtWidgets
+from freecad.sheetmorph.scene.value_map import ValueMap
+from freecad.sheetmorph.tools import colour_scale
+
+
+def open_panel(part):
+    """Opens the panel for a part; returns the panel."""
+    panel = ThicknessPanel(part)
+    panel.present()
+    return panel
+
+
+class ThicknessPanel(Panel):
+    """There is nothing to cancel: the switch and the holes are undo steps of their own."""
+
+    def __init__(self, part):
+        super().__init__("thickness", "ThicknessMap", "Thickness")
+        self._part = part
+        self._map = None
+        self._solid, self._reason = api.thin_solid(part)
+        self.form.bend.setChecked(part.Thin != "no")
+        self.form.bend.toggled.connect(self._switch)
+        self.form.mark.clicked.connect(self._mark)
+        self._fill()
+
+    def getStandardButtons(self) -> int:
+        """Only Close."""
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def reject(self) -> bool:
+        """Close."""
+        if self._map is not None:
+            self._map.remove()
+        return self.finish()
+
+    def _fill(self) -> None:
+        form, solid = self.form, self._solid
+        for widget in (form.scale, form.low, form.high, form.bend, form.mark):
+            widget.setVisible(solid is not None)
+        if solid is None:
+            say(form.message, f"'{self._part.Label}' is no thin solid: {self._reason}.")
+            return
+        values = solid.thicknesses
+        span = colour_scale.span_of(values)
+        form.scale.setPixmap(gradient())
+        form.low.setText(f"{span[0]:.3g} mm")
+        form.high.setText(f"{span[1]:.3g} mm")
+        form.mark.setEnabled(bool(solid.holes))
+        say(form.message, summary(solid))
+        triangles = conversion.read_mesh(self._part.Source.Mesh)[1]
+        view = Gui.ActiveDocument.ActiveView
+        self._map = ValueMap(view, self._part, triangles, colour_scale.colours_of(values, span))
+
+    def _switch(self, is_on: bool) -> None:
+        line = call("set_thin", name(self._part), repr("auto" if is_on else False))
+        actions.attempt("Thin Solid", line, document=self._part.Document)
+
+    def _mark(self) -> None:
+        owner = name(assembly_of(self._part))
+        line = call("add_through_holes", owner, name(self._part))
+        actions.attempt("Mark Holes", line, document=self._part.Document)
+
+
+def summary(solid) -> str:
+    """What was found, as rich text."""
+    low, high = colour_scale.range_of(solid.thicknesses)
+    lines = [f"Typically <b>{solid.thickness:.4g} mm</b>, from {low:.4g} to {high:.4g} mm"]
+    lines.append(f"Holes through both skins: {len(solid.holes)}")
+    lines.append(f"Lumps, which stay rigid: {len(solid.lumps)}")
+    lines.append(f"{chip(colour_scale.MISSING)} walls and lumps: no thickness")
+    return "<br>".join(lines)
+
+
+def gradient(width: int = 256, height: int = 16):
+    """The legend: all colours from left to right, a QPixmap."""
+    colours = colour_scale.ramp(width)
+    image = QtGui.QImage(width, height, QtGui.QImage.Format_RGB32)
+    for x, colour in enumerate(colours):
+        shown = QtGui.QColor.fromRgbF(*colour).rgb()
+        for y in range(height):
+            image.setPixel(x, y, shown)
+    return QtGui.QPixmap.fromImage(image)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command `find`: what it takes, and what it prints."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from .errors import Fault, RecipeError
+from .files.atomic import FileSet
+
+# Option of the command line, name in FindOptions, type, help.
+_NUMBERS = (
+    ("--gap", "gap", float, "largest distance of parts in contact, mm (default: proposed)"),
+    ("--rings", "rings", int, "washer rings around a hole (default: 1)"),
+    ("--smallest-radius", "smallest_radius", float, "of holes, mm"),
+    ("--largest-radius", "largest_radius", float, "of holes, mm"),
+    ("--roundness", "roundness", float, "residual of a round rim over its radius (default: 0.12)"),
+    ("--crease-angle", "crease_angle", float, "a sharper bend is an edge, degrees (default: 35)"),
+    ("--facing-angle", "facing_angle", float, "between surfaces in contact, degrees (default: 35)"),
+)
+
+
+def add_find_arguments(commands: Any) -> None:
+    """Adds `find` to the commands of a parser."""
+    find = commands.add_parser("find", help="print the features and contacts of mesh files as JSON")
+    find.add_argument("files", nargs="+", metavar="FILE", help="mesh files of one assembly")
+    ways = ("auto", "components", "property", "none")
+    find.add_argument("--split", choices=ways, default="auto", help="parts in one file")
+    find.add_argument("--kind", action="append", metavar="KIND", help="only this kind of features")
+    find.add_argument("--one-per-pair", action="store_true", help="one contact for two parts")
+    for option, name, kind, text in _NUMBERS:
+        find.add_argument(option, dest=name, type=kind, metavar="N", help=text)
+    find.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+
+
+def run_find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    """Finds, and writes or returns the JSON. Raises RecipeError."""
+    # Imported here, so that --help answers at once.
+    from .finding import FindOptions, find_in_files
+
+    given = {name: getattr(wanted, name) for _, name, _, _ in _NUMBERS}
+    values = {name: value for name, value in given.items() if value is not None}
+    options = FindOptions(one_per_pair=wanted.one_per_pair).changed(values)
+    if wanted.kind:
+        options = options.changed({"kinds": _known_kinds(wanted.kind)})
+    found = find_in_files(wanted.files, _checked(options), wanted.split)
+    text = one_line_each(found)
+    if wanted.output is None:
+        return [text]
+    path = Path(wanted.output)
+    if any(path.resolve() == Path(file).resolve() for file in wanted.files):
+        raise RecipeError([Fault("-o", f"{path} is one of the files", "name another file")])
+    with files:
+        files.temporary_for(path).write_text(text + "\n", "utf-8")
+        files.commit()
+    features, contacts = len(found["features"]), len(found["contacts"])
+    return [f"{path}: {features} feature(s), {contacts} contact(s)"]
+
+
+def _known_kinds(kinds: list[str]) -> list[str]:
+    from .finding.options import KINDS
+
+    unknown = [kind for kind in kinds if kind not in KINDS]
+    if unknown:
+        known = f"use one of {', '.join(KINDS)}"
+        raise RecipeError([Fault("--kind", f'there is no kind "{unknown[0]}"', known)])
+    return kinds
+
+
+def _checked(options: Any) -> Any:
+    """The options; raises RecipeError if the kernel refuses one."""
+    faults = options.faults()
+    if faults:
+        raise RecipeError([Fault("find", what, todo) for what, todo in faults])
+    return options
+
+
+def one_line_each(found: dict[str, Any]) -> str:
+    """JSON with one line for every feature and contact, so that people can read it."""
+    lines = []
+    for key, value in found.items():
+        rows = [json.dumps(row, ensure_ascii=False, allow_nan=False) for row in as_list(value)]
+        if rows:
+            lines.append(f"  {json.dumps(key)}: [\n    " + ",\n    ".join(rows) + "\n  ]")
+        else:
+            lines.append(f"  {json.dumps(key)}: {json.dumps(value, allow_nan=False)}")
+    return "{\n" + ",\n".join(lines) + "\n}"
+
+
+def as_list(value: Any) -> list[Any]:
+    """The entries of a list of objects; none for anything else."""
+    return value if isinstance(value, list) and value and isinstance(value[0], dict) else []

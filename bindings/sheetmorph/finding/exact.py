@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What CAD surfaces know exactly takes the place of what was fitted to their meshes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..files.cad_file import CadFile, exact_features
+from ..recipe.parts import Source
+
+Entry = dict[str, Any]
+_NUMBERS = ("radius", "angle", "hollow", "residual")
+
+
+def exact_of(source: Source) -> dict[str, list[Entry]]:
+    """The exact features of the parts of a CAD file by part name, vertices as indices of the part;
+    nothing for other files."""
+    if not isinstance(source.file, CadFile):
+        return {}
+    parts = source.file.model.parts
+    bodies = [exact_features(part) for part in parts]
+    names = [f"{source.file.path.stem}/{part.name}" for part in parts]
+    if len(source.members) > 1 or names[0] in source.members:
+        return dict(zip(names, bodies))
+    first = np.cumsum([0, *(len(part.points) for part in parts)]).tolist()
+    whole = [_shifted(entry, start) for start, body in zip(first, bodies) for entry in body]
+    return {name: whole for name in source.members}
+
+
+def _shifted(entry: Entry, first: int) -> Entry:
+    return {**entry, "vertices": [v + first for v in entry["vertices"]]}
+
+
+def with_exact(entries: list[Entry], exact: list[Entry]) -> list[Entry]:
+    """The entries found on a part's mesh, those of a kind that CAD knows with its numbers.
+
+    Both with vertices as indices. A feature is the same if nearly all its vertices are on the same
+    surface; its center is moved onto the exact axis, rims and washers stay. What was not found on
+    the mesh is added.
+    """
+    surfaces = [(known, frozenset(known["vertices"])) for known in exact]
+    is_found = [False] * len(exact)
+    result = []
+    for entry in entries:
+        for k, (known, vertices) in enumerate(surfaces):
+            if _is_same(entry, known, vertices):
+                is_found[k] = is_found[k] or entry["kind"] == known["kind"]
+                entry = _snapped(entry, known)
+                break
+        result.append(entry)
+    return result + [known for known, found in zip(exact, is_found) if not found]
+
+
+def _is_same(entry: Entry, known: Entry, vertices: frozenset[int]) -> bool:
+    nearly_all = 0.9
+    # The wall of a hole is found as a cylinder, too.
+    is_wall = entry["kind"] == "cylinder" and known["kind"] == "round hole"
+    if entry["kind"] != known["kind"] and not is_wall:
+        return False
+    return len(vertices.intersection(entry["vertices"])) >= nearly_all * len(entry["vertices"])
+
+
+def _snapped(entry: Entry, known: Entry) -> Entry:
+    numbers = {key: known[key] for key in _NUMBERS if key in known and key in entry}
+    center, axis = np.array(known["center"]), np.array(known["axis"])
+    away = np.array(entry["center"]) - center
+    along = float(away @ axis)
+    if entry["kind"] == "plane":
+        moved = center + away - along * axis
+    else:
+        moved = center if entry["kind"] == "sphere" else center + along * axis
+    same_way = 1.0 if float(np.dot(axis, entry["axis"])) >= 0.0 else -1.0
+    return {**entry, **numbers, "center": moved.tolist(), "axis": (same_way * axis).tolist()}

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What to look for, and how exactly; every tolerance is the user's to change."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from dataclasses import dataclass
+from typing import Any
+
+HOLES = ("round hole", "slotted hole", "rectangular hole", "hole")
+SURFACES = ("plane", "cylinder", "cone", "sphere")
+KINDS = (*HOLES, "round edge", *SURFACES, "flange", "bead", "emboss")
+# What keeps its form on a real part without being asked: free outlines are often borders.
+USUAL_FEATURES = ("round hole", "slotted hole", "rectangular hole")
+
+CONTACT_KINDS = ("bolt", "weld", "flange", "face", "edge")
+
+# The range of every number an option takes.
+LIMITS = {
+    "rings": (0, 20),
+    "smallest_radius": (0.0, 1e12),
+    "largest_radius": (0.0, 1e12),
+    "roundness": (1e-9, 0.3),
+    "surface": (1e-9, 0.3),
+    "crease_angle": (1.0, 89.0),
+    "plane_angle": (0.001, 45.0),
+    "smallest_area": (0.0, 1.0),
+    "gap": (0.0, 1e12),
+    "facing_angle": (0.0, 89.0),
+    "smallest": (1, 1_000_000),
+}
+
+
+@dataclass(frozen=True)
+class FindOptions:
+    """How features and contacts are found. Lengths in mm, angles in degrees.
+
+    kinds, contact_kinds: which are kept; rings: washer rings around a hole; smallest_radius,
+    largest_radius: of holes; roundness: residual of a rim over its radius; surface: of a cylinder,
+    cone or sphere; crease_angle: a sharper bend is an edge; plane_angle: bend inside a plane;
+    smallest_area: of a surface over that of its part. gap: largest distance between two parts in
+    contact, beyond half of both thicknesses, None: proposed from the assembly; facing_angle between
+    surfaces in contact; smallest: vertices of the smaller side; one_per_pair: one contact for two
+    parts instead of one for each place.
+    """
+
+    kinds: tuple[str, ...] = KINDS
+    contact_kinds: tuple[str, ...] = CONTACT_KINDS
+    rings: int = 1
+    smallest_radius: float = 0.0
+    largest_radius: float = 1e12
+    roundness: float = 0.12
+    surface: float = 0.02
+    crease_angle: float = 35.0
+    plane_angle: float = 6.0
+    smallest_area: float = 0.004
+    gap: float | None = None
+    facing_angle: float = 35.0
+    smallest: int = 3
+    one_per_pair: bool = False
+
+    def feature_tolerances(self, core: Any) -> Any:
+        """The kernel's FeatureTolerances."""
+        found = core.FeatureTolerances()
+        found.washer_rings = int(self.rings)
+        found.smallest_radius = float(self.smallest_radius)
+        found.largest_radius = float(self.largest_radius)
+        found.roundness = float(self.roundness)
+        found.surface = float(self.surface)
+        found.crease_angle = math.radians(self.crease_angle)
+        found.plane_angle = math.radians(self.plane_angle)
+        found.smallest_area = float(self.smallest_area)
+        return found
+
+    def contact_tolerances(self, core: Any) -> Any:
+        """The kernel's ContactTolerances."""
+        found = core.ContactTolerances()
+        found.gap = -1.0 if self.gap is None else float(self.gap)
+        found.facing_angle = math.radians(self.facing_angle)
+        found.smallest = int(self.smallest)
+        found.joins_pairs = bool(self.one_per_pair)
+        return found
+
+    def faults(self) -> list[tuple[str, str]]:
+        """(what is wrong, what to do) of every number that is out of its range."""
+        found = []
+        for name, (least, most) in LIMITS.items():
+            value = getattr(self, name)
+            if value is not None and not least <= value <= most:
+                found.append((f"{name} is {value}", f"give a number from {least:g} to {most:g}"))
+        if self.largest_radius < self.smallest_radius:
+            found.append(("largest_radius is below smallest_radius", "exchange them"))
+        return found
+
+    def as_dict(self) -> dict[str, Any]:
+        """The options by name, for JSON."""
+        return {
+            key: list(value) if isinstance(value, tuple) else value
+            for key, value in dataclasses.asdict(self).items()
+        }
+
+    def changed(self, values: dict[str, Any]) -> FindOptions:
+        """The same with other values; lists become tuples. Raises TypeError for unknown names."""
+        tuples = {k: tuple(v) if isinstance(v, list) else v for k, v in values.items()}
+        return dataclasses.replace(self, **tuples)

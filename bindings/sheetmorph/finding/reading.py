@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts to look at from files: as the entries of a recipe name them, or split as they need."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import RecipeError
+from ..files import is_cad, read_part
+from ..recipe.model import model_of
+from ..recipe.parts import Parts, read_parts
+from ..recipe.splitting import split_triangles
+from .deck import deck_connections, part_thickness
+from .exact import exact_of
+from .findings import FindPart, Findings
+from .options import FindOptions
+from .search import Connection, find
+
+SPLITS = ("auto", "components", "property", "none")
+
+
+def find_in_files(
+    paths: Sequence[str | Path], options: FindOptions = FindOptions(), split: str = "auto"
+) -> dict[str, Any]:
+    """What is found in mesh files, in the form of find.schema.json.
+
+    split: "components" or "property" of every file, "none", or "auto": components where a file has
+    several. Raises RecipeError for files that cannot be read or split, ValueError for options.
+    """
+    parts = parts_of_files(paths, split)
+    found = find_in_parts(parts, options)
+    return {
+        "sheetmorph_find": 1,
+        "options": {**options.as_dict(), "gap": found.gap},
+        "parts": [_entry(source.file.path, source.members) for source in parts.sources],
+        **asdict(found),
+    }
+
+
+def find_in_parts(parts: Parts, options: FindOptions) -> Findings:
+    """What is found in parts that were read from files; decks tell thickness and connections."""
+    return find(find_parts(parts), options, connections_of(parts))
+
+
+def find_parts(parts: Parts) -> list[FindPart]:
+    """The parts, with the thickness that decks and the features that CAD files give them."""
+    thickness = part_thickness(parts.sources)
+    exact = {name: known for s in parts.sources for name, known in exact_of(s).items()}
+    return [
+        FindPart(
+            entry.name,
+            parts.meshes[entry.name],
+            thickness.get(entry.name, 0.0),
+            exact.get(entry.name, []),
+        )
+        for entry in parts.entries
+        if entry.name in parts.meshes
+    ]
+
+
+def connections_of(parts: Parts) -> list[Connection]:
+    """The elements of decks that hold two parts together, parts counted as in find_parts()."""
+    names = [entry.name for entry in parts.entries if entry.name in parts.meshes]
+    index = {name: k for k, name in enumerate(names)}
+    return [
+        (index[a], vertex_a, index[b], vertex_b)
+        for source in parts.sources
+        for a, vertex_a, b, vertex_b in deck_connections(source, parts.meshes)
+    ]
+
+
+def parts_of_files(paths: Sequence[str | Path], split: str = "auto") -> Parts:
+    """The parts in some files, read. Raises RecipeError."""
+    entries: list[dict[str, Any]] = []
+    names: set[str] = set()
+    for path in map(os.fspath, paths):
+        way = _way(path) if split == "auto" else split
+        if way == "none":
+            name = _free_name(Path(path).stem, names)
+            entries.append({"file": path, "name": name})
+        else:
+            entries.append({"file": path, "split": way})
+    parts = read_parts(model_of({"parts": entries}).parts, ".")
+    faults = [fault for fault in parts.faults if "is used already" not in fault.what]
+    if faults:
+        raise RecipeError(faults)
+    return parts
+
+
+def _way(path: str) -> str:
+    """How a file is split by itself."""
+    if is_cad(path):
+        return "components"
+    try:
+        file = read_part(path)
+        return "components" if len(split_triangles(file, "components")) > 1 else "none"
+    except (OSError, ValueError):
+        return "none"  # reading it again says what is wrong
+
+
+def _free_name(name: str, names: set[str]) -> str:
+    count = 1
+    while name in names:
+        count += 1
+        name = f"{name.rsplit(' ', 1)[0] if count > 2 else name} {count}"
+    names.add(name)
+    return name
+
+
+def _entry(path: Path, members: dict[str, np.ndarray]) -> dict[str, Any]:
+    """The entry of a recipe that stands for a file, and the parts it stands for."""
+    names = list(members)
+    is_split = len(names) != 1 or names[0].startswith(f"{path.stem}/")
+    entry = (
+        {"file": str(path), "split": True} if is_split else {"name": names[0], "file": str(path)}
+    )
+    return {**entry, "parts": names}

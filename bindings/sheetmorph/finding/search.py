@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The search itself: the kernel's features part by part, then the contacts between all of them."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..kernel import load_kernel
+from .exact import with_exact
+from .findings import FindPart, Findings, contact_entry, feature_entry
+from .options import FindOptions
+
+Progress = Callable[[float, str], bool]
+Connection = tuple[int, int, int, int]
+
+
+def find(
+    parts: Sequence[FindPart],
+    options: FindOptions = FindOptions(),
+    connections: Sequence[Connection] = (),
+    progress: Progress | None = None,
+    *,
+    with_contacts: bool = True,
+) -> Findings:
+    """The features and, if wanted, the contacts of an assembly.
+
+    connections: (part, vertex index, part, vertex index) of elements that hold two parts together;
+    progress(fraction, task) may return False to cancel (RuntimeError).
+    Raises RuntimeError if the kernel is missing, ValueError for options out of range.
+    """
+    core = load_kernel()
+    begin = time.perf_counter()
+    meshes = [core.TriangleMesh(part.mesh.points, part.mesh.triangles) for part in parts]
+    features = []
+    for number, (part, mesh) in enumerate(zip(parts, meshes)):
+        if progress is not None and progress(0.5 * number / len(parts), part.name) is False:
+            raise RuntimeError("cancelled by the user")
+        features.append(core.find_features(mesh, options.feature_tolerances(core)))
+    middle = time.perf_counter()
+    contacts, gap = [], 0.0
+    if with_contacts and len(parts) > 1:
+        # A proposed gap is that of the meshes as they stand, whatever thickness they stand for.
+        thickness = [0.0 if options.gap is None else float(part.thickness) for part in parts]
+        shapes = [core.ContactPart(*of_part) for of_part in zip(meshes, thickness, features)]
+        contacts, gap = _contacts(core, shapes, options, (connections, progress))
+    return Findings(
+        features=_feature_entries(parts, features, options),
+        contacts=_contact_entries(parts, contacts, options),
+        gap=gap,
+        primary=_primary_candidates(parts, contacts),
+        seconds={"features": middle - begin, "contacts": time.perf_counter() - middle},
+    )
+
+
+def _contacts(core: Any, shapes: list[Any], options: FindOptions, more: tuple) -> tuple:
+    """The kernel's contacts, and the gap in use; more: connections and progress."""
+    connections, progress = more
+    tolerances = options.contact_tolerances(core)
+    if options.gap is None:
+        tolerances.gap = core.proposed_gap(shapes, tolerances)
+    rest = None if progress is None else lambda share, task: progress(0.5 + 0.5 * share, task)
+    elements = [tuple(connection) for connection in connections]
+    return core.find_contacts(shapes, elements, tolerances, rest), float(tolerances.gap)
+
+
+def _feature_entries(
+    parts: Sequence[FindPart], features: Sequence[Any], options: FindOptions
+) -> list[dict[str, Any]]:
+    entries = []
+    for part, of_part in zip(parts, features):
+        fitted = [feature_entry(part, found) for found in of_part if found.kind in options.kinds]
+        counts: Counter[str] = Counter()
+        for entry in with_exact(fitted, _known(part, options)):
+            counts[entry["kind"]] += 1
+            name = f"{part.name}: {entry['kind']} {counts[entry['kind']]}"
+            entries.append({"name": name, "part": part.name, **entry})
+    return entries
+
+
+def _known(part: FindPart, options: FindOptions) -> list[dict[str, Any]]:
+    """What CAD says about a part and the options ask for, with the vertex ids of its file."""
+    return [
+        {**known, "vertices": part.mesh.file_ids(known["vertices"])}
+        for known in part.exact
+        if known["kind"] in options.kinds
+        and (
+            known["kind"] != "round hole"
+            or options.smallest_radius <= known["radius"] <= options.largest_radius
+        )
+    ]
+
+
+def _contact_entries(
+    parts: Sequence[FindPart], contacts: Sequence[Any], options: FindOptions
+) -> list[dict[str, Any]]:
+    entries = []
+    counts: Counter[str] = Counter()
+    for found in contacts:
+        if found.kind in options.contact_kinds:
+            pair = f"{parts[found.part_a].name} - {parts[found.part_b].name}: {found.kind}"
+            counts[pair] += 1
+            entries.append(contact_entry(parts, found, f"{pair} {counts[pair]}"))
+    return entries
+
+
+def _primary_candidates(parts: Sequence[FindPart], contacts: Sequence[Any]) -> list[str]:
+    """The part that touches most others is the likeliest to be dragged; then the largest."""
+    touched: list[set[int]] = [set() for _ in parts]
+    for found in contacts:
+        touched[found.part_a].add(found.part_b)
+        touched[found.part_b].add(found.part_a)
+
+    def size(part: FindPart) -> float:
+        return (
+            float(np.linalg.norm(np.ptp(part.mesh.points, axis=0))) if len(part.mesh.points) else 0
+        )
+
+    order = sorted(range(len(parts)), key=lambda k: (-len(touched[k]), -size(parts[k]), k))
+    return [parts[k].name for k in order]

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the report says about parts that are solved as thin solids."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from .session import Result
+
+
+def thin_report(result: Result, part: str) -> dict[str, Any] | None:
+    """The entry "thin" of a part: its thickness before and after; None if it is not thin."""
+    session = result.session
+    solid = session.thin_solid(part)
+    if solid is None:
+        return None
+    mesh = session.core.TriangleMesh(session.meshes[part].points, session.meshes[part].triangles)
+    change = session.core.thickness_change(mesh, solid, np.array(result.positions[part]))
+    lumps = [lump for lump in result.lumps if lump.part == part]
+    return {
+        "thickness": solid.thickness,
+        "holes": len(solid.holes),
+        "lumps": [
+            {"name": lump.name, "vertices": len(vertices), "edge_error": lump.edge_error}
+            for lump, vertices in zip(lumps, solid.lumps)
+        ],
+        "rest": {"least": change.rest_least, "most": change.rest_most},
+        "deformed": {"least": change.least, "most": change.most},
+        "largest_change": change.worst,
+        "largest_change_at_walls": change.worst_at_walls,
+    }
+
+
+def thin_failures(result: Result, tol: float) -> list[str]:
+    """The lumps that are not rigid within the tolerance, mm."""
+    return [
+        f"{lump.name}: {lump.edge_error:.3g} mm"
+        for lump in result.lumps
+        if not lump.edge_error <= tol
+    ]

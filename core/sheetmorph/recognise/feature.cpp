@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/feature.h"
+
+#include <array>
+
+namespace sheetmorph
+{
+
+const char* name_of(FeatureKind kind)
+{
+    static constexpr std::array<const char*, 12> names = {
+        "round hole", "slotted hole", "rectangular hole", "hole",   "round edge", "plane",
+        "cylinder",   "cone",         "sphere",           "flange", "bead",       "emboss"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/surface_fit.h"
+#include "sheetmorph/recognise/tolerances.h"
+
+namespace sheetmorph
+{
+
+//! A surface and the triangles that lie in it, ascending.
+struct SurfaceRegion
+{
+    Surface surface;
+    std::vector<int> triangles;
+    double area = 0.0;  //!< mm^2
+};
+
+//! The cylinders, spheres and cones of a part, then its planes, by region
+//! growing: a patch around a triangle is fitted, grown over all that lies near
+//! and turns with it, fitted and grown again. Regions do not overlap; seeds are
+//! taken in the order of the triangles, of planes by area.
+std::vector<SurfaceRegion> find_surfaces(const FacetGraph& graph,
+                                         const FeatureTolerances& tolerances);
+
+//! What a region is as a feature; vertices of the welded mesh.
+Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region);
+
+}  // namespace sheetmorph

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is found is proposed in a list, lights up under the mouse, and comes in as one undo step."""
+
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from desk import activate, child, choose_below, enter, picture, press, press_tool, tick
+from desk import until, xdotool
+from freecad.sheetmorph import api
+from freecad.sheetmorph.commands import exchange
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import find_table
+from PySide import QtCore, QtGui
+from scenes import assembly, contacts, drawn, largest, look, new_assembly, part, regions
+
+__all__ = [
+    "test_holes_found_become_form_features_in_one_step",
+    "test_proposals_are_filtered_by_kind_and_size",
+    "test_contacts_found_light_up_and_become_contacts",
+    "test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle",
+]
+
+
+def bare_frame() -> None:
+    """The welded frame with a handle and a fixed end, and nothing else marked."""
+    assert exchange.open_recipe(exchange.example_recipes()["Welded Frame"], "Frame")
+    document, morph = App.ActiveDocument, assembly()
+    api.reset_motion(regions("handle")[0])
+    for obj in [*regions("form feature"), *model.contacts(morph)]:
+        document.removeObject(obj.Name)
+    document.recompute()
+    document.clearUndos()
+    look()
+
+
+def rows_shown() -> int:
+    """How many proposals are seen."""
+    table = child("table")
+    return sum(not table.isRowHidden(row) for row in range(table.rowCount()))
+
+
+def cell_place(row: int, offset: int = 60) -> tuple[int, int]:
+    """Where the first cell of a row is on the screen."""
+    table = child("table")
+    cell = table.visualItemRect(table.item(row, 0))
+    place = table.viewport().mapToGlobal(QtCore.QPoint(cell.left() + offset, cell.center().y()))
+    return place.x(), place.y()
+
+
+def within_reach(name: str):
+    """Scrolls the panel to where the mouse can reach a widget."""
+    widget = child(name)
+    area = widget.parent()
+    while not isinstance(area, QtGui.QScrollArea):
+        area = area.parent()
+    area.ensureWidgetVisible(widget)
+    yield 150
+
+
+def press_ok():
+    """OK, and the recompute after it, which lets events through."""
+    yield from press("OK")
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close", 60.0)
+    yield 300
+
+
+def lit(which) -> int:
+    """How many nodes hang over a part."""
+    return which.ViewObject.RootNode.getNumChildren()
+
+
+def test_holes_found_become_form_features_in_one_step():
+    yield from new_assembly()
+    before = len(regions("form feature"))
+    for region in regions("form feature"):
+        App.ActiveDocument.removeObject(region.Name)
+    App.ActiveDocument.clearUndos()
+    yield from press_tool("Find Features…")
+    assert child("table").rowCount() == before == 2
+    nodes = lit(part())
+    x, y = cell_place(0)
+    yield from xdotool("mousemove", x, y)
+    yield 200
+    assert lit(part()) == nodes + 1
+    picture("find-features")
+    yield from xdotool("mousemove", x + 900, y)
+    yield 200
+    assert lit(part()) == nodes
+    yield from press_ok()
+    assert len(regions("form feature")) == 2
+    assert App.ActiveDocument.UndoNames == ["Find Features"]
+    App.ActiveDocument.undo()
+    assert regions("form feature") == []
+    App.ActiveDocument.redo()
+    assert len(regions("form feature")) == 2
+
+
+def test_proposals_are_filtered_by_kind_and_size():
+    yield from activate()
+    bare_frame()
+    yield from press_tool("Find Features…")
+    everything = rows_shown()
+    assert everything == 50
+    yield from enter(child("smallest"), "20")
+    large = rows_shown()
+    assert 0 < large < everything
+    yield from press("None")
+    assert find_table.checked(child("table")) == []
+    yield from press("OK")
+    assert "Nothing is checked" in child("message").text()
+    x, y = cell_place(next(r for r in range(50) if not child("table").isRowHidden(r)), 10)
+    yield from xdotool("mousemove", x, y, "click", 1)
+    assert len(find_table.checked(child("table"))) == 1
+    yield from within_reach("surfaces")
+    yield from tick(child("surfaces"))
+    yield from within_reach("search")
+    yield from press("Search Again")
+    yield from within_reach("kind")
+    yield from choose_below(child("kind"), 1)
+    kinds = {child("kind").itemText(k) for k in range(child("kind").count())}
+    assert {"plane", "round hole"} <= kinds
+    picture("find-filtered")
+    yield from press("Cancel")
+    assert App.ActiveDocument.UndoNames == []
+
+
+def test_contacts_found_light_up_and_become_contacts():
+    yield from new_assembly()
+    yield from press_tool("Find Contacts…")
+    yield from within_reach("gap")
+    yield from enter(child("gap"), "1.5")
+    yield from within_reach("search")
+    yield from press("Search Again")
+    yield from within_reach("kind")
+    table = child("table")
+    assert table.rowCount() >= 1
+    mine = [p for p in model.parts(assembly()) if p.Label.startswith(("sheet", "bracket"))]
+    nodes = [lit(each) for each in mine]
+    yield from xdotool("mousemove", *cell_place(0))
+    yield 200
+    assert [lit(each) for each in mine] == [count + 1 for count in nodes]
+    picture("find-contacts")
+    yield from press_ok()
+    assert contacts() and all(contact.PartA != contact.PartB for contact in contacts())
+    assert App.ActiveDocument.UndoNames == ["Find Contacts"]
+    yield from press_tool("Find Contacts…")
+    assert "in the document already" in child("count").text()
+    yield from press("Cancel")
+
+
+def test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle():
+    yield from activate()
+    bare_frame()
+    parts = model.parts(assembly())
+    for title, least in (("Find Features…", 50), ("Find Contacts…", 24)):
+        begin = time.monotonic()
+        api_call = api.find_features if "Features" in title else api.find_contacts
+        assert len(api_call(assembly())) >= least
+        assert time.monotonic() - begin < 10.0  # the figure stands in benchmarks.md
+        yield from press_tool(title)
+        assert rows_shown() >= least
+        picture("find-frame-" + title.split()[1][:8].lower())
+        yield from press_ok()
+    assert assembly().Unreached == []
+    rest = [drawn(each) for each in parts]
+    yield from press_tool("Move Handle…")
+    yield from enter(child("translation_z"), "40")
+    yield 300
+    moved = [largest(drawn(each) - before) for each, before in zip(parts, rest)]
+    assert min(moved) > 0.3, moved
+    picture("find-frame-moved")
+    yield from press("Cancel")

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What CAD surfaces say about a part, exact to rounding, and what a bare mesh can know."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import jsonschema
+import numpy as np
+import pytest
+
+from cad_samples import make_cad_samples
+from sheetmorph import _core, read_part
+from sheetmorph.cli import main
+from sheetmorph.files.cad_file import exact_features
+from sheetmorph.finding import find_schema
+from test_real_files import real_file
+
+
+@pytest.fixture(scope="module")
+def samples(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of CAD files."""
+    return make_cad_samples(tmp_path_factory.mktemp("cad"))
+
+
+@pytest.mark.parametrize("degrees", [5, 20, 40])
+def test_holes_of_step_are_exact_and_fits_are_within_the_chordal_error(
+    samples: Path, degrees: float
+):
+    sizes = {"edge": 8.0, "deflection": 2.0, "angle": degrees}
+    part = read_part(samples / "fixture.step", sizes).model.parts[0]
+    holes = [f for f in exact_features(part) if f["kind"] == "round hole"]
+    assert sorted(hole["radius"] for hole in holes) == pytest.approx([3, 5], abs=1e-13)
+    for hole in holes:
+        x = 15 if hole["radius"] < 4 else 40
+        assert np.allclose(hole["center"], [x, 20, 1], atol=1e-12)
+        assert np.allclose(hole["axis"], [0, 0, 1], atol=1e-13)
+        assert hole["residual"] < 1e-12
+        rim = [v for v in hole["vertices"] if part.points[v, 2] > 2 - 1e-9]
+        assert len(rim) >= 360 / degrees - 1e-9
+        fit = _core.fit_circle(part.points[rim])
+        chordal = hole["radius"] * (1 - np.cos(np.pi / len(rim)))
+        assert abs(fit.radius - hole["radius"]) <= chordal
+        assert np.abs(fit.axis) == pytest.approx([0, 0, 1], abs=1e-12)
+
+
+def test_a_real_enclosure_is_38_closed_parts_with_all_its_holes():
+    """Diameters 3.3, 5 and 6 mm, from the README of the data: 155, 109 and 120 of 458 faces."""
+    sizes = {"edge": 60.0, "deflection": 1.0, "angle": 30}
+    model = read_part(real_file("03-laser4diy-enclosure/Enclosure_v3_v9.step"), sizes).model
+    names = {part.name for part in model.parts}
+    assert len(names) == 38 and "CornerBracket 4" in names
+    assert not any(auto in name for name in names for auto in ("COMPOUND", "=>"))
+    for part in model.parts:
+        assert part.is_closed and part.skipped_faces == [], part.name
+        assert part.deviation <= 1.5 * model.deflection, part.name
+    holes = [f for p in model.parts for f in exact_features(p) if f["kind"] == "round hole"]
+    counts = {d: sum(abs(2 * h["radius"] - d) < 1e-9 for h in holes) for d in (3.3, 5.0, 6.0)}
+    assert counts == {3.3: 155, 5.0: 109, 6.0: 120}
+    # The edges of the file are within its own uncertainty, 0.01 mm, of the surfaces.
+    assert max(hole["residual"] for hole in holes) < 1e-3
+    assert np.median([hole["residual"] for hole in holes]) < 1e-9
+
+
+def test_find_gives_what_the_surfaces_say(samples: Path, capsys: pytest.CaptureFixture):
+    assert main(["find", str(samples / "fixture.step")]) == 0
+    found = json.loads(capsys.readouterr().out)
+    jsonschema.validate(found, find_schema())
+    assert found["parts"][0]["split"] is True
+    holes = [entry for entry in found["features"] if entry["kind"] == "round hole"]
+    assert {hole["part"] for hole in holes} == {"fixture/plate"} and len(holes) == 2
+    assert sorted(hole["radius"] for hole in holes) == pytest.approx([3, 5], abs=1e-13)
+    assert all(hole["residual"] < 1e-12 and hole["rims"] and hole["washer"] for hole in holes)
+    cylinders = [entry for entry in found["features"] if entry["kind"] == "cylinder"]
+    pins = [entry for entry in cylinders if not entry["hollow"]]
+    assert sorted(pin["part"] for pin in pins) == ["fixture/pin", "fixture/pin 2"]
+    assert all(min(abs(c["radius"] - r) for r in (3, 5)) < 1e-13 for c in cylinders)
+    pairs = {(contact["a"]["part"], contact["b"]["part"]) for contact in found["contacts"]}
+    assert pairs == {("fixture/plate", "fixture/pin")}
