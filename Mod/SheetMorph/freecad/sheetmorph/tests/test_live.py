@@ -33,7 +33,7 @@ class TestLive(support.DocumentTest):
         self.assertEqual(self.handle.TranslationZ.Value, 0.0)
         self.assert_up_to_date(self.document)
         api.set_motion(self.handle, (0, 0, 30))
-        # Live frames are within a millionth of the size of the exact shape, whichever way they come.
+        # Live frames are within a millionth of the size of the exact shape, however they come.
         again = self.live.deform()[self.part.Name]
         np.testing.assert_allclose(again, dragged, atol=1e-4)
 
