@@ -103,10 +103,12 @@ def test_no_command_fails_when_asked_whether_it_is_active():
     yield from new_morph()
     Gui.Selection.clearSelection()
     active = {name for name in names if Gui.Command.get(name).isActive()}
-    wanting = {f"SheetMorph_{name}" for name in ("AddPart", "MarkContact", "SetPrimary")}
+    wanting = {
+        f"SheetMorph_{name}" for name in ("AddPart", "FindContacts", "MarkContact", "SetPrimary")
+    }
     of_features = ("FeatureSettings", "GroupFeatures", "MakeCoaxial", "KeepDistance")
     wanting |= {f"SheetMorph_{name}" for name in of_features}
-    assert active == set(names) - wanting
+    assert active == set(names) - wanting, (set(names) - wanting) ^ active
 
 
 def visible_patches() -> int:

@@ -3,8 +3,14 @@
 
 from freecad.sheetmorph.actions import call, name, vertices
 from freecad.sheetmorph.api.finding import with_washers
+from freecad.sheetmorph.qt import QtWidgets
 
 MARKED = "In the document already"
+
+
+def widget(form, title: str):
+    """A widget of the panel, asked for anew: an attribute can outlive its widget."""
+    return form.findChild(QtWidgets.QWidget, title)
 
 
 class Features:
@@ -22,10 +28,10 @@ class Features:
     def options(self, form) -> dict:
         """The tolerances that the panel shows."""
         return {
-            "roundness": form.roundness.value() / 100.0,
-            "crease_angle": form.crease.value(),
-            "rings": max(1, form.rings.value()),
-            "kinds": None if form.surfaces.isChecked() else _HOLES,
+            "roundness": widget(form, "roundness").value() / 100.0,
+            "crease_angle": widget(form, "crease").value(),
+            "rings": max(1, widget(form, "rings").value()),
+            "kinds": None if widget(form, "surfaces").isChecked() else _HOLES,
         }
 
     def find(self, api, assembly, options) -> list:
@@ -80,10 +86,14 @@ class Contacts:
     def options(self, form) -> dict:
         """The tolerances that the panel shows."""
         options = {
-            "facing_angle": form.facing.value(),
-            "one_per_pair": form.one_per_pair.isChecked(),
+            "facing_angle": widget(form, "facing").value(),
+            "one_per_pair": widget(form, "one_per_pair").isChecked(),
         }
-        return {**options, "gap": form.gap.value()} if form.gap.value() > 0.0 else options
+        return (
+            {**options, "gap": widget(form, "gap").value()}
+            if widget(form, "gap").value() > 0.0
+            else options
+        )
 
     def find(self, api, assembly, options) -> list:
         """The proposals."""
