@@ -5,18 +5,19 @@ import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import activate, child, enter, picture, press, press_tool
-from desk import until, xdotool
+from desk import activate, child, choose_below, enter, picture, press, press_tool, tick
+from desk import until, within_reach, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
 from PySide import QtCore
-from scenes import assembly, drawn, largest, look, new_assembly, part, regions
+from scenes import assembly, contacts, drawn, largest, look, new_assembly, part, regions
 
 __all__ = [
     "test_holes_found_become_form_features_in_one_step",
     "test_proposals_are_filtered_by_kind_and_size",
+    "test_contacts_found_light_up_and_become_contacts",
     "test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle",
 ]
 
@@ -101,9 +102,39 @@ def test_proposals_are_filtered_by_kind_and_size():
     x, y = cell_place(next(r for r in range(50) if not child("table").isRowHidden(r)), 10)
     yield from xdotool("mousemove", x, y, "click", 1)
     assert len(find_table.checked(child("table"))) == 1
+    yield from within_reach(child("surfaces"))
+    yield from tick(child("surfaces"))
+    yield from press("Search Again")
+    yield from within_reach(child("kind"))
+    yield from choose_below(child("kind"), 1)
+    kinds = {child("kind").itemText(k) for k in range(child("kind").count())}
+    assert {"plane", "round hole"} <= kinds
     picture("find-filtered")
     yield from press("Cancel")
     assert App.ActiveDocument.UndoNames == []
+
+
+def test_contacts_found_light_up_and_become_contacts():
+    yield from new_assembly()
+    yield from press_tool("Find Contacts…")
+    yield from within_reach(child("gap"))
+    yield from enter(child("gap"), "1.5")
+    yield from press("Search Again")
+    yield from within_reach(child("kind"))
+    table = child("table")
+    assert table.rowCount() >= 1
+    mine = [p for p in model.parts(assembly()) if p.Label.startswith(("sheet", "bracket"))]
+    nodes = [lit(each) for each in mine]
+    yield from xdotool("mousemove", *cell_place(0))
+    yield 200
+    assert [lit(each) for each in mine] == [count + 1 for count in nodes]
+    picture("find-contacts")
+    yield from press_ok()
+    assert contacts() and all(contact.PartA != contact.PartB for contact in contacts())
+    assert App.ActiveDocument.UndoNames == ["Find Contacts"]
+    yield from press_tool("Find Contacts…")
+    assert "in the document already" in child("count").text()
+    yield from press("Cancel")
 
 
 def test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle():

@@ -67,6 +67,15 @@ def click_point(point, key: str = ""):
         yield from xdotool("keyup", key)
 
 
+def within_reach(widget):
+    """Scrolls a panel to where the mouse can reach a widget of it."""
+    # Not by widget.parent(): PySide takes the children of a parent asked for so for deleted.
+    for area in Gui.getMainWindow().findChildren(QtGui.QScrollArea):
+        if area.isVisible() and area.isAncestorOf(widget):
+            area.ensureWidgetVisible(widget)
+    yield 150
+
+
 def click_widget(widget):
     """Clicks the middle of a widget."""
     assert widget.isVisible() and widget.isEnabled(), widget.objectName()
@@ -104,6 +113,7 @@ def press(text: str):
         if button.isVisible() and button.text().replace("&", "") == text
     ]
     assert len(buttons) == 1, [b.text() for b in buttons]
+    yield from within_reach(buttons[0])
     yield from click_widget(buttons[0])
     yield 150
 
