@@ -5,10 +5,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore
-from desk import child, choose_below, enter, picture, press, press_tool, tick
+from desk import child, choose_below, enter, picture, press, press_tool, tick, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
-from scenes import assembly, new_morph, part, regions
+from scenes import assembly, drawn, largest, new_morph, part, regions
 
 __all__ = [
     "test_motion_and_size_are_set_in_the_panel_as_one_undo_step",
@@ -44,7 +44,10 @@ def test_motion_and_size_are_set_in_the_panel_as_one_undo_step():
     yield from choose_below(child("motion"), 4)
     assert child("direction_z").isVisible() and not child("point_x").isVisible()
     yield from tick(child("has_size"))
+    seen = drawn().copy()
     yield from enter(child("feature_size"), "24 mm")
+    yield from until(lambda: largest(drawn() - seen) > 1.0, "the view to show the size", 10.0)
+    assert hole.Size.Value == 0.0
     picture("feature")
     yield from press("OK")
     assert (hole.Motion, tuple(hole.MotionDirection)) == ("line", (0.0, 0.0, 1.0))

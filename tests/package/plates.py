@@ -25,13 +25,14 @@ class Plate:
     rims: list[list[int]] = field(default_factory=list)
 
 
-def plate(holes: int = 3, cells: int = 6, scale: float = 1.0) -> Plate:
+def plate(holes: int = 3, cells: int = 6, scale: float = 1.0, start: float = 0.5) -> Plate:
     """A strip of square cells 20 mm wide in a row, a round hole in the middle of each.
 
-    Each cell is a ring of quads between the circle and the square, cut into triangles.
+    Each cell is a ring of quads between the circle and the square, cut into triangles. The first
+    is `start` steps round; from 0, with even `cells`, the squares have their corners.
     """
     around = 4 * cells
-    angles = 2.0 * np.pi * (np.arange(around) + 0.5) / around
+    angles = 2.0 * np.pi * (np.arange(around) + start) / around
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     square = 10.0 * circle / np.abs(circle).max(axis=1)[:, None]
     points: list[tuple[float, float, float]] = []

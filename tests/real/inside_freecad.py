@@ -46,14 +46,22 @@ def pictures(job: dict):
     save(f"{job['out']}_after.png", job.get("size", SIZE))
     for node in drawn:
         scene().removeChild(node)
-    for handle in handles(assembly):
-        api.reset_motion(handle)
+    show_first(assembly, job)
     document.recompute()
     for mesh in control_meshes(assembly, job):
         draw_wires(*mesh)
     yield 300
     save(f"{job['out']}_before.png", job.get("size", SIZE))
     App.closeDocument(document.Name)
+
+
+def show_first(assembly, job: dict) -> None:
+    """What the left view shows: the parts at rest, or their form features with a rotation."""
+    for region in objects.regions(assembly):
+        if "first" in job and region.Role == "form feature":
+            api.set_rotation(region, job["first"])
+        elif "first" not in job and region.Role == "handle":
+            api.reset_motion(region)
 
 
 def dress(part, number: int, job: dict) -> None:
@@ -71,11 +79,6 @@ def hide_regions(assembly, shown: list) -> None:
     """Regions of parts that are not shown are not drawn."""
     for region in objects.regions(assembly):
         region.ViewObject.Visibility = region.Part in shown
-
-
-def handles(assembly) -> list:
-    """The handles of an assembly."""
-    return [region for region in objects.regions(assembly) if region.Role == "handle"]
 
 
 def view():

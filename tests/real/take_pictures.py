@@ -36,6 +36,10 @@ JOBS = {
     "frame-control-meshes": {
         "example": "welded_frame", "direction": STEEP, "control_meshes": "all",
     },
+    "lifted-strip": {
+        "made": "strip", "direction": [-0.35, 1.0, -0.75], "first": "interpolated",
+        "display": "Flat Lines",
+    },
     "support": {"real": "support", "direction": [-1.0, 1.2, -0.6]},
     "support-below": {"real": "support", "direction": [-1.0, 1.0, 0.7]},
     "support-shelf": {"real": "shelf", "direction": STEEP, "only": ["W1000BOstat/1"]},
@@ -66,12 +70,18 @@ def job_of(name: str, place: Path) -> dict | None:
     job = {**JOBS[name], "out": str(place / name)}
     if "example" in job:
         return {**job, "recipe": str(EXAMPLES / job["example"] / "recipe.json")}
+    job["recipe"] = str(place / f"{name}.json")
+    if "made" in job:
+        import lifted_strip
+
+        recipe = lifted_strip.written_strip(place)
+        Path(job["recipe"]).write_text(json.dumps(recipe), encoding="utf-8")
+        return job
     import recipes
 
     if recipes.data_folder() is None:
         print(f"{name}: {recipes.ABSENT}")
         return None
-    job["recipe"] = str(place / f"{name}.json")
     Path(job["recipe"]).write_text(json.dumps(recipes.make(job["real"])), encoding="utf-8")
     return job
 

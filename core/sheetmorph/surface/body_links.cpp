@@ -75,7 +75,8 @@ public:
         if (link.leader >= 0)
         {
             following.leader = body_of(bodies_, link.leader);
-            following.centre = centre_of_feature(link.leader);
+            if (link.type == FeatureLinkType::distance)
+                following.centre = centre_of_feature(link.leader);
             if (following.leader == follower || is_said_already(following, follower))
                 return;
             choose_follower(following, follower);
@@ -120,7 +121,8 @@ private:
             return;
         const FeatureLink& link = constraints_.links[at(following.link)];
         following.feature = link.leader;
-        following.centre = centre_of_feature(link.follower);
+        if (link.type == FeatureLinkType::distance)
+            following.centre = centre_of_feature(link.follower);
         std::swap(following.leader, follower);
     }
 

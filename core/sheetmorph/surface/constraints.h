@@ -70,7 +70,7 @@ struct FeatureLink
     FeatureLinkType type = FeatureLinkType::coaxial;
     int follower = 0;                      //!< index of the form feature
     int leader = -1;                       //!< index of the form feature; -1: of another part
-    Vector3 centre = Vector3::Zero();      //!< of the leader at rest, mm
+    Vector3 centre = Vector3::Zero();      //!< of the leader at rest, for `coaxial` on its axis; mm
     Vector3 direction = Vector3::UnitZ();  //!< of the leader's axis at rest, for `coaxial`
 };
 

@@ -170,7 +170,7 @@ Case bracket()
 TEST(FeatureRelations, CoaxialHolesStayCoaxial)
 {
     Case one = bracket();
-    one.constraints.links = {{"pin", FeatureLinkType::coaxial, 1, 0, {}, {0, 0, 1}}};
+    one.constraints.links = {{"pin", FeatureLinkType::coaxial, 1, 0, centre_of(one, 0), {0, 0, 1}}};
     const SurfaceDeformer deformer(one.mesh, one.constraints);
     for (const Exactness exactness : {Exactness::exact, Exactness::live})
     {
@@ -179,6 +179,27 @@ TEST(FeatureRelations, CoaxialHolesStayCoaxial)
         EXPECT_LT((shape.features[1].rotation() * Vector3::UnitZ() - axis).norm(), 1e-12);
         const Vector3 between =
             shape.features[1].apply(centre_of(one, 1)) - shape.features[0].apply(centre_of(one, 0));
+        EXPECT_LT(between.cross(axis).norm(), 1e-12 * 300.0);
+    }
+}
+
+// Rims with their vertices on one side mostly: the mean of the vertices is off the axis.
+TEST(FeatureRelations, TheAxisCountsNotTheMiddleOfTheVertices)
+{
+    Case one = bracket();
+    const std::vector<Vector3> on_axis{centre_of(one, 0), centre_of(one, 1)};
+    for (FormFeature& hole : one.constraints.features)
+        hole.vertices.resize(2 * hole.vertices.size() / 3);
+    ASSERT_GT((centre_of(one, 0) - on_axis[0]).norm(), 1.0);
+    for (const int leader : {0, 1})
+    {
+        one.constraints.links = {
+            {"pin", FeatureLinkType::coaxial, 1 - leader, leader, on_axis[leader], {0, 0, 1}}};
+        const Deformation shape = solve(one);
+        const Vector3 axis = shape.features[0].rotation() * Vector3::UnitZ();
+        const Vector3 between =
+            shape.features[1].apply(on_axis[1]) - shape.features[0].apply(on_axis[0]);
+        EXPECT_LT((shape.features[1].rotation() * Vector3::UnitZ() - axis).norm(), 1e-12);
         EXPECT_LT(between.cross(axis).norm(), 1e-12 * 300.0);
     }
 }

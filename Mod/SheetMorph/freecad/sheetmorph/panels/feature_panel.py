@@ -7,11 +7,14 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
 from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.live_update import LiveUpdate
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 RELATE = ("", "group", "coaxial", "keep_distance")
 """The functions of the interface that relate form features, as the combo box lists them."""
 
+PAUSE = 300
+"""ms without a change after which the view shows what is chosen."""
 
 Change = tuple[str, tuple, dict]
 """A call of the interface: function, arguments, keywords."""
@@ -38,7 +41,7 @@ def open_panel(feature):
 
 
 class FeaturePanel(Panel):
-    """Says what a form feature may do; the document changes when the user says OK."""
+    """Says what a form feature may do; the view shows it at once, the document has it after OK."""
 
     def __init__(self, feature):
         super().__init__("feature", "FeatureSettings", "Form Feature")
@@ -50,9 +53,13 @@ class FeaturePanel(Panel):
             for other in model.regions(self._assembly)
             if other.Role == FORM_FEATURE and other != feature and other.Part is not None
         ]
+        self._shown = None
+        self._pause = QtCore.QTimer(self.form, singleShot=True, interval=PAUSE)
+        self._pause.timeout.connect(self._show_changes)
         self._prepare_widgets()
         self._show_values()
         self._refresh()
+        self._watch()
 
     # -- the buttons of the task view
 
@@ -62,6 +69,7 @@ class FeaturePanel(Panel):
             changes = self._changes()
             if changes:
                 self._try(changes)
+                self._end_drawing()
                 lines = [line_of(*change) for change in changes]
                 actions.run("Form Feature", *lines, document=self._feature.Document)
         except actions.FAULTS as error:
@@ -73,8 +81,44 @@ class FeaturePanel(Panel):
         """Cancel: nothing has changed."""
         return self.finish()
 
+    def finish(self) -> bool:
+        """Closes the panel; the view shows the document again."""
+        self._pause.stop()
+        self._end_drawing()
+        return super().finish()
+
+    # -- what would be
+
+    def _watch(self) -> None:
+        form = self.form
+        vectors = [f"{of}_{axis}" for of in ("rotation", "direction", "point") for axis in "xyz"]
+        for name_of in ("angle", "feature_size", *vectors):
+            getattr(form, name_of).valueChanged.connect(self._await)
+        for box in (form.rotation, form.motion):
+            box.currentIndexChanged.connect(self._await)
+        form.has_size.toggled.connect(self._await)
+
+    def _await(self, *_) -> None:
+        self._pause.start()
+
+    def _show_changes(self) -> None:
+        """Draws what OK would do; what is not possible is told next to it."""
+        try:
+            changes = [change for change in self._settings() if change is not None]
+            self._end_drawing()
+            if changes:
+                self._try(changes)
+            say(self.form.message, "")
+        except actions.FAULTS as error:
+            say(self.form.message, str(error), True)
+
+    def _end_drawing(self) -> None:
+        if self._shown is not None:
+            self._shown.end()
+        self._shown = None
+
     def _try(self, changes: list[Change]) -> None:
-        """Raises what would be wrong with the changes; the document stays as it is."""
+        """Draws the changes; raises what is wrong with them. The document stays as it is."""
         document = self._feature.Document
         document.openTransaction("Form Feature")
         try:
@@ -82,13 +126,20 @@ class FeaturePanel(Panel):
                 for function, arguments, keywords in changes:
                     getattr(api, function)(*arguments, **keywords)
                 api.deform(self._assembly)
+                self._end_drawing()
+                self._shown = LiveUpdate(self._assembly, None)
+                self._shown.show()
         finally:
             document.abortTransaction()
 
     def _changes(self) -> list[Change]:
         """The calls of the API that change what is different now."""
-        made = [self._rotation(), self._motion(), self._size(), self._relation()]
+        made = [*self._settings(), self._relation()]
         return [change for change in made if change is not None]
+
+    def _settings(self) -> list[Change | None]:
+        """What is different now in the form feature itself; the relation is a new object."""
+        return [self._rotation(), self._motion(), self._size()]
 
     def _rotation(self) -> Change | None:
         feature, chosen = self._feature, ROTATIONS[self.form.rotation.currentIndex()]
