@@ -138,7 +138,7 @@ def test_the_arrows_in_the_view_drag_the_handle():
     yield from press("OK")
     handle = regions("handle")[0]
     assert handle.TranslationZ.Value >= shown[0, 2] - 0.1
-    assert round(handle.TranslationZ.Value, 1) == handle.TranslationZ.Value
+    assert round(handle.TranslationZ.Value, 4) == handle.TranslationZ.Value
     assert np.allclose(lifted(rest, stored()), (0, 0, handle.TranslationZ.Value), atol=1e-4)
 
 

@@ -2,6 +2,7 @@
 """The GUI tests that need the kernel; imported by name, one file a topic."""
 
 from checks_contacts import *  # noqa: F401,F403
+from checks_dragging import *  # noqa: F401,F403
 from checks_features import *  # noqa: F401,F403
 from checks_finding import *  # noqa: F401,F403
 from checks_macro import *  # noqa: F401,F403

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The motion in the panel and when results follow it; needs no FreeCAD."""
 
+import numpy as np
+import pytest
+from freecad.sheetmorph.tools.grabbing import grab
+from freecad.sheetmorph.tools.latest import Latest
 from freecad.sheetmorph.tools.motion import Motion
+from freecad.sheetmorph.tools.part_mesh import Ray
 from freecad.sheetmorph.tools.updating import (
     AUTOMATIC,
     BUDGET,
@@ -10,6 +15,10 @@ from freecad.sheetmorph.tools.updating import (
     WHILE_CHANGING,
     Updating,
 )
+from sheetmorph import _core
+
+SQUARE = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], float)
+HALVES = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
 
 
 def test_a_zero_axis_is_a_fault_in_words():
@@ -40,3 +49,54 @@ def test_the_preference_overrules_the_cost():
     assert not updating.is_due_now() and updating.is_due_on_pause()
     updating.preference = ON_OK
     assert not updating.is_due_now() and not updating.is_due_on_pause()
+
+
+def moved(motion: Motion, pivot, point) -> np.ndarray:
+    """Where a motion about a pivot takes a point."""
+    return np.add(pivot, motion.translation) + motion.matrix() @ np.subtract(point, pivot)
+
+
+def test_another_pivot_tells_the_same_motion():
+    motion, pivot = Motion((1.0, 2.0, 3.0), (1.0, 1.0, 0.0), 400.0), (10.0, 0.0, -5.0)
+    told = motion.about(pivot, (7.0, 8.0, 9.0))
+    assert moved(told, told.pivot, told.pivot) == pytest.approx((7.0, 8.0, 9.0))
+    for point in ((0.0, 0.0, 0.0), (3.0, -4.0, 5.0)):
+        assert moved(told, told.pivot, point) == pytest.approx(moved(motion, pivot, point))
+
+
+def test_a_drag_that_only_shifts_keeps_axis_and_whole_turns():
+    motion = Motion(axis=(0.0, 0.0, 2.0), angle=370.0)
+    same = motion.turned((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 10.0)
+    assert (same.angle, same.axis, same.translation) == (370.0, motion.axis, (1.0, 0.0, 0.0))
+    other = motion.turned((0.0, 0.0, 0.0), (0.0, 1.0, 0.0), 20.0)
+    assert (other.angle, other.axis) == (20.0, (0.0, 1.0, 0.0))
+    back = motion.turned((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.0)
+    assert (back.angle, back.axis) == (0.0, motion.axis)
+
+
+def test_a_shift_adds_up():
+    assert Motion((1.0, 0.0, 0.0)).shifted((0.5, 0.0, -2.00001)).translation == (1.5, 0.0, -2.0)
+
+
+def test_of_what_is_asked_meanwhile_only_the_last_counts():
+    latest = Latest()
+    assert latest.ask("a") == "a"
+    assert latest.ask("b") is None and latest.ask("c") is None
+    assert latest.is_waiting
+    assert latest.finish() == "c"
+    assert latest.is_busy and not latest.is_waiting
+    latest.ask("d")
+    latest.drop()
+    assert latest.finish() is None
+    assert latest.ask("e") == "e"
+
+
+def test_the_vertex_under_the_mouse_is_that_of_the_part_in_front():
+    meshes = {"below": (SQUARE, HALVES), "above": (SQUARE + (3.0, 0.0, 1.0), HALVES)}
+    down = np.array([0.0, 0.0, -1.0])
+    found = grab(_core, meshes, Ray(np.array([3.6, 0.3, 9.0]), down))
+    assert (found.part, found.vertex) == ("above", 0)
+    assert found.point == pytest.approx((3.0, 0.0, 1.0))
+    found = grab(_core, meshes, Ray(np.array([0.3, 3.8, 9.0]), down))
+    assert (found.part, found.vertex) == ("below", 3)
+    assert grab(_core, meshes, Ray(np.array([50.0, 0.0, 9.0]), down)) is None

@@ -28,7 +28,7 @@ Progress = Callable[[float, str], bool]
 FAILURES = (ValueError, RuntimeError, OSError)
 """What the kernel, its package and the document raise for the person to read."""
 
-__all__ = ["LiveSession", "MorphError", "Outcome", "SessionCache", "cache_of", "live", "read_morph"]
+__all__ = ["MorphError", "Outcome", "SessionCache", "cache_of", "read_morph"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +112,10 @@ class SessionCache:
         self._results.move_to_end(key)
         return self._results[key]
 
+    def remember(self, morph: Morph, pose: dict, result: Any) -> None:
+        """Keep the exact sheetmorph.Result of `morph` in another pose, worked out elsewhere."""
+        self._keep(self._results, (morph.key, repr(pose), True), result)
+
     def positions(self, morph: Morph, exact: bool = True) -> dict[str, np.ndarray]:
         """Return the global positions (n, 3) of every part by object name; rest if none is held."""
         if not morph.is_held():
@@ -181,67 +185,6 @@ class SessionCache:
         store[key] = value
         while len(store) > self.KEPT:
             store.popitem(last=False)
-
-
-class LiveSession:
-    """A session for dragging: the pose changes, meshes and regions do not."""
-
-    def __init__(self, assembly, progress: Progress | None = None):
-        """Build or find the session of `assembly`; raises MorphError, one sentence."""
-        self._assembly = assembly
-        self._shown: Any = None
-        cache = cache_of(assembly)
-        try:
-            self._morph = read_morph(assembly)
-            self._session = cache.session(self._morph, progress) if self._morph.is_held() else None
-            self._live = self._session and kernel.load().LiveFrames(self._session)
-        except FAILURES as error:
-            raise MorphError(one_sentence(error)) from error
-
-    @property
-    def parts(self) -> dict[str, RestPart]:
-        """The parts at rest by document object name."""
-        return self._morph.rests
-
-    def deform(self, overrides: dict | None = None, exact: bool = False) -> dict[str, np.ndarray]:
-        """Return local positions (n, 3) mm of every part, by document object name.
-
-        The pose is the document's; `overrides` replaces entries of it: document object name of a
-        region -> entry of a recipe's pose. Not `exact` is 1e-6 of the size. Raises MorphError.
-        """
-        rests = self.parts
-        if self._session is None:
-            return {name: rest.frame.to_local(rest.points) for name, rest in rests.items()}
-        names = self._morph.names
-        pose = recipes.pose_of(self._assembly, names)
-        pose.update({names[name]: entry for name, entry in (overrides or {}).items()})
-        moved = [names[name] for name in overrides or {}]
-        try:
-            self._shown = self._session.deform(pose) if exact else self._live.deform(pose, moved)
-        except FAILURES as error:
-            raise MorphError(one_sentence(error)) from error
-        found = self._shown.positions
-        return {name: rest.frame.to_local(found[names[name]]) for name, rest in rests.items()}
-
-    def control_mesh(self, contact=None) -> ControlMesh | None:
-        """Return the control mesh of a contact object in the pose of the last `deform`, global.
-
-        Without contact: the single one around everything. None: there is no such control mesh.
-        """
-        if self._session is None:
-            return None
-        if self._shown is None:
-            self.deform()
-        return shown_control_mesh(self._shown, self._morph, contact and contact.Name)
-
-
-def live(assembly, progress: Progress | None = None) -> LiveSession:
-    """Return a session for dragging handles of `assembly`.
-
-    To commit, set the handles' properties in a transaction and recompute: that solves exactly,
-    with the session built here. `progress(fraction, task)` may return False to cancel.
-    """
-    return LiveSession(assembly, progress)
 
 
 def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:

@@ -3,57 +3,111 @@
 
 import time
 
-from freecad.sheetmorph import session
+from freecad.sheetmorph import kernel, live_session
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import control_meshes
+from freecad.sheetmorph.panels.frame_worker import FrameWorker
+from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.scene import preview, wireframe
+from freecad.sheetmorph.tools import grabbing
 
 
-class LiveUpdate:
-    """Previews of all parts of a morph, and commits of its document; ``end`` takes them away."""
+class LiveUpdate(QtCore.QObject):
+    """Previews of all parts of a morph, and commits of its document; ``end`` takes them away.
+
+    Frames are computed in a thread; ``drawn`` is sent when one is in the view, ``failed`` with
+    words when it cannot be computed or the document not recomputed.
+    """
+
+    drawn = QtCore.Signal()
+    failed = QtCore.Signal(str)
 
     def __init__(self, assembly, updating):
         """Raises session.MorphError if the morph cannot be computed."""
+        super().__init__()
         self._assembly = assembly
         self._updating = updating
-        self._live = session.live(assembly)
+        self._live = live_session.live(assembly)
+        self._worker = FrameWorker(self._compute, self)
         self._previews = {}
         self._wires = None
-        self.milliseconds = 0.0
+        self._frame = None
+        self.kernel_ms = self.draw_ms = 0.0
+        self.count = 0
 
-    def show(self) -> None:
-        """Shows the present motions in the view; raises session.MorphError."""
-        start = time.perf_counter()
+    def ask(self, moved=(), exact: bool = False) -> None:
+        """Asks for the present motions; ``moved``: the handles that are being changed.
+
+        An exact answer becomes that of the result objects too.
+        """
         self._recompute_regions()
-        positions = self._live.deform()
-        if not self._previews:
-            self._begin()
-        for name, shown in self._previews.items():
-            shown.show(positions[name])
-        self._show_wires()
-        self.milliseconds = 1000.0 * (time.perf_counter() - start)
+        self._worker.ask(self._live.ask([handle.Name for handle in moved], exact))
 
-    def commit(self) -> str:
-        """Recomputes the document; returns what went wrong in words, or an empty string."""
-        start = time.perf_counter()
-        self._assembly.Document.recompute()
-        self._updating.took(time.perf_counter() - start)
-        faulty = [p for p in model.parts(self._assembly) if "Invalid" in p.State]
-        return faulty[0].getStatusString() if faulty else ""
+    def grab(self, ray):
+        """The grabbing.Grabbed vertex that a ray meets first on the parts as they are seen."""
+        meshes = {}
+        for name, rest in self._live.parts.items():
+            local = rest.frame.to_local(rest.points)
+            if self._frame is not None:
+                local = self._frame.local[name]
+            meshes[name] = (local @ rest.frame.rotation.T + rest.frame.base, rest.triangles)
+        return grabbing.grab(kernel.core(), meshes, ray)
 
     def use_wires(self, view) -> None:
         """Shows the control meshes in a 3D view as well; None: no longer."""
         if self._wires is not None:
             self._wires.remove()
         self._wires = None if view is None else wireframe.Wireframe(view)
-        self._show_wires()
+        if view is not None:
+            self.ask()
 
     def end(self) -> None:
         """Shows the meshes as the document has them."""
+        self._worker.stop()
         self.use_wires(None)
         for shown in self._previews.values():
             shown.end()
         self._previews = {}
+
+    # -- what the worker calls
+
+    def on_answer(self, answer) -> None:
+        """Draws a frame; the result objects follow an exact one, or at once if that is quick."""
+        self._frame, self.kernel_ms = answer
+        start = time.perf_counter()
+        if not self._previews:
+            self._begin()
+        for name, shown in self._previews.items():
+            shown.show(self._frame.local[name])
+        self._show_wires()
+        self.draw_ms = 1000.0 * (time.perf_counter() - start)
+        self.count += 1
+        self.drawn.emit()
+        question = self._frame.question
+        if question.is_exact:
+            self._commit()
+        elif self._worker.is_free and self._updating.is_due_now():
+            self._worker.ask(live_session.Question(question.pose, question.moved, True))
+
+    def on_fault(self, text: str) -> None:
+        """Tells what went wrong."""
+        self.failed.emit(text)
+
+    def _compute(self, question):
+        """In the thread: a frame and the milliseconds it took."""
+        start = time.perf_counter()
+        frame = self._live.answer(question)
+        return frame, 1000.0 * (time.perf_counter() - start)
+
+    def _commit(self) -> None:
+        """Recomputes the document; what was solved in the thread is found there."""
+        start = time.perf_counter()
+        self._live.keep(self._frame)
+        self._assembly.Document.recompute()
+        self._updating.took(time.perf_counter() - start + self.kernel_ms / 1000.0)
+        faulty = [p for p in model.parts(self._assembly) if "Invalid" in p.State]
+        if faulty:
+            self.failed.emit(faulty[0].getStatusString())
 
     def _begin(self) -> None:
         module = preview.module()

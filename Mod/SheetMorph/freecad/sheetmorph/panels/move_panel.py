@@ -6,19 +6,18 @@ from dataclasses import asdict
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, api
-from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph import actions, api, preferences
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.handle_drag import HandleDrag
 from freecad.sheetmorph.panels.live_update import LiveUpdate
+from freecad.sheetmorph.panels.mouse_fields import MouseFields
 from freecad.sheetmorph.panels.motion_fields import MotionFields
-from freecad.sheetmorph.qt import QtCore
-from freecad.sheetmorph.scene.dragger import Dragger
-from freecad.sheetmorph.tools.motion import CENTROID, Motion
+from freecad.sheetmorph.panels.moved_handles import MovedHandles, motion_of
+from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
-
-PREFERENCES = "User parameter:BaseApp/Preferences/Mod/SheetMorph"
 
 
 def open_panel(handle):
@@ -36,48 +35,43 @@ class MovePanel(Panel):
     def __init__(self, handle):
         super().__init__("move", "MoveHandle", "Move Handle")
         self._document = handle.Document
-        self._assembly = model.assembly_of(handle)
-        self._handles = [r for r in model.regions(self._assembly) if r.Role == "handle"]
+        self._handles = MovedHandles(model.assembly_of(handle))
         self._handle = handle
-        self._changed = []
-        self._is_committing = False
-        self._updating = Updating(App.ParamGet(PREFERENCES).GetInt("UpdateResults", 0))
+        self._updating = Updating(preferences.get("UpdateResults"))
         self._live = None
-        self._dragger = None
         self._fields = MotionFields(self.form)
         self._frame = self._timer(0, self._show)
-        self._pause = self._timer(round(1000 * PAUSE), self._on_pause)
+        self._pause = self._timer(round(1000 * PAUSE), self.settle)
         App.setActiveDocument(self._document.Name)
         self._document.openTransaction("Move Handle")
         self._prepare_widgets()
+        self._drag = HandleDrag(self._view(), self)
+        self._mouse = MouseFields(self.form, self._drag)
         self._start()
-        self._show_arrows(self.form.arrows.isChecked())
 
     # -- the buttons of the task view
 
+    def getStandardButtons(self) -> int:
+        """OK, Apply and Cancel."""
+        return super().getStandardButtons() | int(QtWidgets.QDialogButtonBox.Apply)
+
+    def clicked(self, button) -> None:
+        """Apply: as OK, and the panel stays."""
+        if int(button) == int(QtWidgets.QDialogButtonBox.Apply) and self._is_in_order():
+            self._keep()
+            self._document.openTransaction("Move Handle")
+            self._renew()
+
     def accept(self) -> bool:
         """OK: one undo step and one macro line a handle."""
-        self._frame.stop()
-        self._pause.stop()
-        if self._fields.read().fault():
-            self._show()
+        if not self._is_in_order():
             return False
         self._end_drawing()
-        if not self._changed:
-            self._document.abortTransaction()
-            return self.finish()
-        lines = [
-            call("set_motion", name(handle), **motion_of(handle).keywords())
-            for handle in self._changed
-        ]
-        actions.record(*lines, "App.ActiveDocument.recompute()")
-        self._document.commitTransaction()
+        self._keep()
         return self.finish()
 
     def reject(self) -> bool:
-        """Cancel: everything is as it was when the panel opened."""
-        self._frame.stop()
-        self._pause.stop()
+        """Cancel: everything is as it was when the panel opened, or at the last Apply."""
         self._end_drawing()
         self._document.abortTransaction()
         return self.finish()
@@ -85,35 +79,110 @@ class MovePanel(Panel):
     def finish(self) -> bool:
         """Closes the panel."""
         self._fields.release()
+        self._mouse.release()
         return super().finish()
 
-    # -- following the fields
+    def _is_in_order(self) -> bool:
+        self._frame.stop()
+        self._pause.stop()
+        fault = self._fields.read().fault()
+        say(self.form.axis_message, fault, True)
+        return not fault
+
+    def _keep(self) -> None:
+        """Does what was done once more, as the lines of a macro: what is recorded is what is."""
+        lines = self._handles.lines()
+        self._document.abortTransaction()
+        if lines:
+            actions.attempt("Move Handle", *lines, document=self._document)
+        self._handles.forget()
+
+    # -- following fields and mouse; the next five are what HandleDrag asks for
+
+    def motion(self) -> Motion:
+        """The motion of the chosen handle."""
+        return motion_of(self._handle)
+
+    def pivot(self) -> tuple:
+        """Where the pivot of the chosen handle is at rest, (3,) mm."""
+        return tuple(api.pivot(self._handle))
+
+    def put(self, motion: Motion) -> None:
+        """The mouse changed the motion."""
+        self._fields.write(motion, self.pivot())
+        self._apply()
+
+    def settle(self) -> None:
+        """The mouse was released, or nothing changed for a while: now exactly."""
+        if self._live is None or not self._updating.is_due_on_pause():
+            return
+        self._pause.stop()
+        self._live.ask([self._handle], exact=True)
+
+    def grab(self, ray):
+        """Chooses the handle under the mouse, made where there is none; returns its point."""
+        if self._live is None:
+            return None
+        found = self._live.grab(ray)
+        if found is None:
+            return None
+        handle = self._handles.at(found)
+        if handle is None:
+            handle = self._make_handle(found)
+        if handle is None:
+            return None
+        self._choose(handle)
+        return found.point
+
+    def _make_handle(self, found):
+        """A handle of one vertex; without a solution there is none, and the panel says why."""
+        handle = self._handles.make(found)
+        self._live.end()
+        try:
+            self._live = self._new_live()
+        except actions.FAULTS as error:
+            self._handles.unmake(handle)
+            self._live = self._new_live()
+            say(self.form.message, str(error), True)
+            return None
+        self.form.handle.addItem(handle.Label)
+        return handle
 
     def _start(self) -> None:
         """Builds the session; if that fails the panel says why, and fields can still be set."""
         try:
             with actions.waiting():
-                self._live = LiveUpdate(self._assembly, self._updating)
+                self._live = self._new_live()
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
+
+    def _new_live(self) -> LiveUpdate:
+        live = LiveUpdate(self._handles.assembly, self._updating)
+        live.drawn.connect(self._on_drawn)
+        live.failed.connect(self._on_fault)
+        return live
+
+    def _renew(self) -> None:
+        """Goes on with the objects that Apply has made of those there were."""
+        labels = [self.form.handle.itemText(k) for k in range(self.form.handle.count())]
+        index = self.form.handle.currentIndex()
+        if self._live is not None:
+            self._live.end()
+        self._start()
+        found = [handle.Label for handle in self._handles.all]
+        self._handle = self._handles.all[
+            found.index(labels[index]) if labels[index] in found else 0
+        ]
+        self.form.handle.clear()
+        self.form.handle.addItems(found)
+        self._choose(self._handle)
+        self._fill()
+        self._drag.place()
 
     def _on_change(self) -> None:
         """A field changed."""
         self._apply()
-        self._place_arrows()
-
-    def _on_drag(self, translation, axis, angle: float) -> None:
-        """The arrows were dragged; without a rotation the axis of the fields stays."""
-        present = self._fields.read()
-        axis = axis if angle else present.axis
-        motion = Motion(translation, axis, angle, present.pivot)
-        self._fields.write(motion, tuple(api.pivot(self._handle)))
-        self._apply()
-
-    def _on_release(self) -> None:
-        """The mouse was released: results follow now, unless they wait for OK."""
-        if self._live is not None and self._updating.is_due_on_pause():
-            self._pause.start(0)
+        self._drag.place()
 
     def _apply(self) -> None:
         """Sets the properties now, draws when the event loop is free."""
@@ -122,108 +191,83 @@ class MovePanel(Panel):
         if motion.fault():
             return
         if motion != motion_of(self._handle):
-            api.set_motion(self._handle, **asdict(motion))
-            if self._handle not in self._changed:
-                self._changed.append(self._handle)
-            self._fields.show_pivot(tuple(api.pivot(self._handle)))
+            self._handles.move(self._handle, asdict(motion))
+            self._fields.show_pivot(self.pivot())
             self._frame.start()
 
     def _show(self) -> None:
-        """Draws the motion, commits it if that is quick."""
-        if self._live is None:
-            return
-        try:
-            self._live.show()
-        except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
-            return
+        """Asks for the present motion, for the result objects as well when the user pauses."""
+        if self._live is not None:
+            self._live.ask([self._handle])
+            if self._updating.is_due_on_pause():
+                self._pause.start()
+
+    def _on_drawn(self) -> None:
         say(self.form.message, "")
-        say(self.form.status, f"Shown in {self._live.milliseconds:.0f} ms")
-        if self._updating.is_due_now():
-            self._commit()
-        elif self._updating.is_due_on_pause():
-            self._pause.start(round(1000 * PAUSE))
+        live = self._live
+        say(
+            self.form.status, f"Computed in {live.kernel_ms:.1f} ms, drawn in {live.draw_ms:.1f} ms"
+        )
 
-    def _on_pause(self) -> None:
-        self._commit()
-
-    def _commit(self) -> None:
-        """Recomputes; FreeCAD lets timers run meanwhile, which must not start another one."""
-        if self._is_committing:
-            self._pause.start(round(1000 * PAUSE))
-            return
-        self._is_committing = True
-        fault = self._live.commit()
-        self._is_committing = False
-        if fault:
-            say(self.form.message, fault, True)
+    def _on_fault(self, text: str) -> None:
+        say(self.form.message, text, True)
 
     def _end_drawing(self) -> None:
-        self._show_arrows(False)
+        self._frame.stop()
+        self._pause.stop()
+        self._drag.release()
         if self._live is not None:
             self._live.end()
-
-    def _show_arrows(self, is_shown: bool) -> None:
-        """Arrows and arcs in the view at the pivot of the handle, or none."""
-        if self._dragger is not None:
-            self._dragger.remove()
-            self._dragger = None
-        if is_shown:
-            view = Gui.getDocument(self._document.Name).activeView()
-            self._dragger = Dragger(view, self._on_drag, self._on_release)
-            self._place_arrows()
 
     def _show_wires(self, is_shown: bool) -> None:
         """Control meshes in the view that move along, or none."""
         if self._live is not None:
-            view = Gui.getDocument(self._document.Name).activeView()
-            try:
-                self._live.use_wires(view if is_shown else None)
-            except actions.FAULTS as error:
-                say(self.form.message, str(error), True)
-
-    def _place_arrows(self) -> None:
-        if self._dragger is not None:
-            self._dragger.place(tuple(api.pivot(self._handle)), motion_of(self._handle))
+            self._live.use_wires(self._view() if is_shown else None)
 
     # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form
-        form.handle.addItems([handle.Label for handle in self._handles])
-        form.handle.setCurrentIndex(self._handles.index(self._handle))
-        form.handle.currentIndexChanged.connect(self._choose_handle)
+        form.handle.addItems([handle.Label for handle in self._handles.all])
+        form.handle.setCurrentIndex(self._handles.all.index(self._handle))
+        form.handle.currentIndexChanged.connect(self._on_choice)
         form.results.setCurrentIndex(self._updating.preference)
         form.results.currentIndexChanged.connect(self._choose_update)
         form.reset.clicked.connect(self._reset)
-        form.arrows.toggled.connect(self._show_arrows)
         form.control_meshes.toggled.connect(self._show_wires)
         self._fields.changed.connect(self._on_change)
-        say(form.axis_message, "")
-        say(form.message, "")
-        say(form.status, "")
+        for label in (form.axis_message, form.message, form.status):
+            say(label, "")
         self._fill()
 
     def _fill(self) -> None:
         """Shows the motion of the handle."""
-        centre = tuple(api.pivot(self._handle))
-        self._fields.write(motion_of(self._handle), centre)
+        self._fields.write(self.motion(), self.pivot())
         self._fields.lock({path.lstrip("."): text for path, text in self._handle.ExpressionEngine})
+        self.form.rotation.setEnabled(not self._handle.FreeRotation)
 
-    def _choose_handle(self, index: int) -> None:
-        self._handle = self._handles[index]
+    def _choose(self, handle) -> None:
+        self.form.handle.setCurrentIndex(self._handles.all.index(handle))
+
+    def _on_choice(self, index: int) -> None:
+        if index < 0:  # while the list is written anew
+            return
+        self._handle = self._handles.all[index]
         self._fill()
-        self._place_arrows()
+        self._drag.place()
 
     def _choose_update(self, preference: int) -> None:
         self._updating.preference = preference
-        App.ParamGet(PREFERENCES).SetInt("UpdateResults", preference)
+        preferences.put("UpdateResults", preference)
 
     def _reset(self) -> None:
         """Back to rest, still within the transaction."""
-        self._fields.write(Motion(), tuple(api.pivot(self._handle)))
+        self._fields.write(Motion(), self.pivot())
         self._on_change()
         self._fill()
+
+    def _view(self):
+        return Gui.getDocument(self._document.Name).activeView()
 
     def _timer(self, milliseconds: int, action):
         timer = QtCore.QTimer(self.form)
@@ -231,11 +275,3 @@ class MovePanel(Panel):
         timer.setInterval(milliseconds)
         timer.timeout.connect(action)
         return timer
-
-
-def motion_of(handle) -> Motion:
-    """The motion the properties of a handle say."""
-    shift = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
-    pivot = CENTROID if handle.PivotAtCentroid else tuple(handle.Pivot)
-    translation = tuple(float(value.Value) for value in shift)
-    return Motion(translation, tuple(handle.Axis), float(handle.Angle.Value), pivot)

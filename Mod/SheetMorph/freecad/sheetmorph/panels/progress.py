@@ -5,7 +5,7 @@ import time
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, session
+from freecad.sheetmorph import actions, live_session
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 PATIENCE = 1.0  # seconds until the dialog appears
@@ -58,7 +58,7 @@ def prepare(assembly) -> bool:
     """
     progress = Progress("Preparing the morph")
     try:
-        session.live(assembly, progress)
+        live_session.live(assembly, progress)
     except actions.FAULTS:
         return not progress.is_cancelled
     finally:

@@ -6,8 +6,7 @@ import math
 from pivy import coin
 
 SIZE = 0.0065  # of the height of the view
-STEP_LENGTH = 0.1  # mm
-STEP_ANGLE = math.radians(1.0)
+FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
 
 
 class Dragger:
@@ -16,11 +15,15 @@ class Dragger:
     Callbacks go through the view: pivy's own ones call Python without the interpreter's lock.
     """
 
-    def __init__(self, view, on_drag, on_release):
-        """``on_drag(translation (3,) mm, axis (3,), angle degrees)``; ``on_release()``."""
+    def __init__(self, view, listener):
+        """``listener``: on_grab(), on_drag(translation (3,) mm, axis (3,), degrees), on_release().
+
+        What is dragged after ``cancel`` is not reported, only the release.
+        """
         self._view = view
-        self._on_drag, self._on_release = on_drag, on_release
-        self._is_placing = False
+        self._listener = listener
+        self._is_silent = False
+        self._steps = FINEST
         self._pivot = coin.SoTranslation()
         made = coin.SoType.fromName("SoFCCSysDragger").createInstance()
         self._dragger = coin.cast(made, "SoDragger")
@@ -31,21 +34,33 @@ class Dragger:
         self._camera = view.getCameraNode()
         self._sensor = coin.SoNodeSensor(self._resize, None)
         self._sensor.attach(self._camera)
-        self._callbacks = {"addMotionCallback": self._moved, "addFinishCallback": self._released}
+        self._callbacks = {
+            "addStartCallback": self._grabbed,
+            "addMotionCallback": self._moved,
+            "addFinishCallback": self._released,
+        }
         for kind, function in self._callbacks.items():
             view.addDraggerCallback(self._dragger, kind, function)
 
     def place(self, pivot, motion) -> None:
         """Shows a motion (translation mm, axis, angle degrees) about a pivot (3,) mm."""
-        self._is_placing = True
+        was_silent, self._is_silent = self._is_silent, True
         self._pivot.translation.setValue(*pivot)
         rotation = coin.SbRotation(coin.SbVec3f(*motion.axis), math.radians(motion.angle))
         self._field("translation").setValue(*motion.translation)
         self._field("rotation").setValue(rotation)
-        self._field("translationIncrement").setValue(STEP_LENGTH)
-        self._field("rotationIncrement").setValue(STEP_ANGLE)
+        self._set_steps()
         self._resize()
-        self._is_placing = False
+        self._is_silent = was_silent
+
+    def snap(self, steps) -> None:
+        """Drags in steps (mm, degrees) from where they begin; None: freely."""
+        self._steps = steps or FINEST
+        self._set_steps()
+
+    def cancel(self) -> None:
+        """Keeps silent about the rest of the drag."""
+        self._is_silent = True
 
     def remove(self) -> None:
         """Takes the dragger out of the view; the view may be closed already."""
@@ -57,20 +72,29 @@ class Dragger:
         except RuntimeError:
             return
 
+    def _set_steps(self) -> None:
+        length, angle = self._steps
+        self._field("translationIncrement").setValue(length)
+        self._field("rotationIncrement").setValue(math.radians(angle))
+
     def _field(self, name: str):
         return self._dragger.getField(name)
 
+    def _grabbed(self, _dragger) -> None:
+        self._listener.on_grab()
+
     def _moved(self, _dragger) -> None:
-        if self._is_placing:
+        if self._is_silent:
             return
         rotation = self._field("rotation").getValue()
         axis, angle = rotation.getAxisAngle()
         translation = tuple(rounded(v) for v in self._field("translation").getValue().getValue())
         direction = tuple(rounded(v) for v in axis.getValue())
-        self._on_drag(translation, direction, rounded(math.degrees(angle)))
+        self._listener.on_drag(translation, direction, rounded(math.degrees(angle)))
 
     def _released(self, _dragger) -> None:
-        self._on_release()
+        self._is_silent = False
+        self._listener.on_release()
 
     def _resize(self, *_) -> None:
         """The same size on the screen at every zoom; FreeCAD's own way is not for Python."""

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, session
+from freecad.sheetmorph import api, live_session, session
 from freecad.sheetmorph.tests import support
 
 
@@ -16,7 +16,7 @@ class TestLive(support.DocumentTest):
         source.Placement = support.placement((500, -40, 70), (1, 2, 3), 75)
         self.assembly, self.part, self.handle = self.add_morph(source)
         self.document.recompute()
-        self.live = session.live(self.assembly)
+        self.live = live_session.live(self.assembly)
 
     def test_positions_are_local_and_become_those_of_the_recompute(self):
         api.set_motion(self.handle, (1, 2, 30), (0, 1, 0), 20)
@@ -45,6 +45,19 @@ class TestLive(support.DocumentTest):
         self.document.recompute()
         self.assertIs(cache.session(session.read_morph(self.assembly)), before)
 
+    def test_an_exact_frame_that_is_kept_is_what_the_recompute_takes(self):
+        api.set_motion(self.handle, (0, 0, 30), (0, 1, 0), 15)
+        frame = self.live.answer(self.live.ask([self.handle.Name], exact=True))
+        self.live.keep(frame)
+        cache = session.cache_of(self.assembly)
+        self.assertIs(cache.result(session.read_morph(self.assembly)), frame.result)
+        quick = self.live.answer(self.live.ask([self.handle.Name]))
+        self.live.keep(quick)
+        self.assertIs(cache.result(session.read_morph(self.assembly)), frame.result)
+        np.testing.assert_allclose(
+            quick.local[self.part.Name], frame.local[self.part.Name], atol=1e-3
+        )
+
     def test_the_rest_is_known_in_global_coordinates(self):
         points, triangles = api.rest_mesh(self.part)
         rest = self.live.parts[self.part.Name]
@@ -54,20 +67,20 @@ class TestLive(support.DocumentTest):
     def test_a_morph_without_regions_is_at_rest(self):
         assembly = api.create_assembly(self.document)
         part = api.add_part(assembly, self.add_source("Other"))
-        found = session.live(assembly).deform()[part.Name]
+        found = live_session.live(assembly).deform()[part.Name]
         self.assertEqual(support.largest(found - support.local_points(part.Source)), 0.0)
 
     def test_building_a_session_reports_progress_and_can_be_cancelled(self):
         api.add_fixed(self.assembly, self.part, [150])
         with self.assertRaises(session.MorphError):
-            session.live(self.assembly, progress=lambda fraction, task: False)
+            live_session.live(self.assembly, progress=lambda fraction, task: False)
         seen: list[float] = []
 
         def follow(fraction: float, _task: str) -> bool:
             seen.append(fraction)
             return True
 
-        session.live(self.assembly, follow)
+        live_session.live(self.assembly, follow)
         self.assertGreater(len(seen), 0)
         self.assertTrue(all(0.0 <= fraction <= 1.0 for fraction in seen))
 
@@ -76,7 +89,7 @@ class TestLive(support.DocumentTest):
             self.live.deform({self.handle.Name: {"rotation": {"axis": [0, 0, 0], "degrees": 9}}})
         self.assertNotIn("\n", str(raised.exception))
         with self.assertRaisesRegex(session.MorphError, "no complete morph"):
-            session.live(self.part.Source)
+            live_session.live(self.part.Source)
 
 
 if __name__ == "__main__":

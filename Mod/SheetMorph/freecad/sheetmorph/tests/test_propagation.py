@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, objects, session
+from freecad.sheetmorph import api, live_session, objects, session
 from freecad.sheetmorph.tests import support
 
 
@@ -186,7 +186,7 @@ class TestControlMesh(ChainTest):
         self.assertIsNone(api.control_mesh(self.assembly, self.first))
 
     def test_it_follows_a_drag(self):
-        live = session.live(self.assembly)
+        live = live_session.live(self.assembly)
         at_start = live.control_mesh(self.last)[0] - api.control_mesh(self.assembly, self.last)[0]
         self.assertLess(support.largest(at_start), 1e-3)
         live.deform({self.handle.Name: {"translation": [0.0, 0.0, 80.0]}}, exact=True)
@@ -195,7 +195,7 @@ class TestControlMesh(ChainTest):
         expected = api.control_mesh(self.assembly, self.last)
         self.assertLess(support.largest(dragged[0] - expected[0]), 1e-6)
         api.set_active(self.last, False)
-        self.assertIsNone(session.live(self.assembly).control_mesh(self.last))
+        self.assertIsNone(live_session.live(self.assembly).control_mesh(self.last))
 
 
 class TestRebuild(ChainTest):

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 Triple = tuple[float, float, float]
 CENTROID = "centroid"
@@ -32,3 +34,44 @@ class Motion:
             "angle": repr(self.angle),
             "pivot": repr(self.pivot),
         }
+
+    def shifted(self, shift) -> Motion:
+        """The same, farther by (3,) mm."""
+        moved = np.asarray(self.translation) + np.asarray(shift)
+        return replace(self, translation=rounded(moved))
+
+    def turned(self, translation, axis, angle: float) -> Motion:
+        """Another motion about the same pivot; whole turns and axis stay if it turns no farther."""
+        other = replace(self, translation=translation)
+        if not angle and not self.angle:
+            return other
+        if angle:
+            other = replace(other, axis=axis, angle=angle)
+        else:
+            other = replace(other, angle=0.0)
+        is_same = np.allclose(other.matrix(), self.matrix(), atol=1e-5)
+        return replace(self, translation=translation) if is_same else other
+
+    def about(self, pivot, place) -> Motion:
+        """The same motion told about another point, the one that has come to ``place`` (3,) mm.
+
+        ``pivot`` (3,) mm: where the present pivot is at rest.
+        """
+        turn, start = self.matrix(), np.asarray(pivot, float)
+        moved = np.asarray(place, float) - start - np.asarray(self.translation)
+        found = start + turn.T @ moved
+        shift = np.asarray(place, float) - found
+        return replace(self, translation=tuple(shift.tolist()), pivot=tuple(found.tolist()))
+
+    def matrix(self) -> np.ndarray:
+        """The rotation as a matrix (3, 3)."""
+        x, y, z = np.asarray(self.axis, float) / np.linalg.norm(self.axis)
+        cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+        turn = np.radians(self.angle)
+        return np.eye(3) + np.sin(turn) * cross + (1.0 - np.cos(turn)) * (cross @ cross)
+
+
+def rounded(values) -> Triple:
+    """Without digits that no mouse can mean."""
+    x, y, z = (round(float(value), 4) + 0.0 for value in values)
+    return x, y, z

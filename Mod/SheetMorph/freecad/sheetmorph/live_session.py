@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A session for dragging: the pose changes, meshes and regions do not.
+
+The document is read and written by `ask` and `keep`; `answer` touches neither, so that a thread
+of its own may compute frames, one at a time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from freecad.sheetmorph import kernel, recipes
+from freecad.sheetmorph.rest import MorphError, RestPart
+from freecad.sheetmorph.session import (
+    FAILURES,
+    ControlMesh,
+    Morph,
+    Progress,
+    cache_of,
+    one_sentence,
+    read_morph,
+    shown_control_mesh,
+)
+
+
+@dataclass(frozen=True)
+class Question:
+    """A pose as a recipe has it, the names of what is being dragged, and how exact to be."""
+
+    pose: dict
+    moved: tuple[str, ...] = ()
+    is_exact: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """All parts in one pose, by document object name: (n, 3) mm, local and global.
+
+    `result`: the sheetmorph.Result, None at rest. The global positions of a frame that is not
+    exact are overwritten by the next answer, the local ones stay.
+    """
+
+    question: Question
+    local: dict[str, np.ndarray]
+    positions: dict[str, np.ndarray]
+    result: Any = None
+
+
+class LiveSession:
+    """Answers poses of one assembly with the positions of its parts."""
+
+    def __init__(self, assembly, progress: Progress | None = None):
+        """Build or find the session of `assembly`; raises MorphError, one sentence."""
+        self._assembly = assembly
+        self._shown: Frame | None = None
+        self._cache = cache_of(assembly)
+        try:
+            self._morph: Morph = read_morph(assembly)
+            held = self._morph.is_held()
+            self._session = self._cache.session(self._morph, progress) if held else None
+            self._live = self._session and kernel.load().LiveFrames(self._session)
+        except FAILURES as error:
+            raise MorphError(one_sentence(error)) from error
+
+    @property
+    def parts(self) -> dict[str, RestPart]:
+        """The parts at rest by document object name."""
+        return self._morph.rests
+
+    @property
+    def names(self) -> dict[str, str]:
+        """Name in the recipe by document object name."""
+        return self._morph.names
+
+    def ask(self, moved: Iterable[str] = (), exact: bool = False) -> Question:
+        """Return the question for the pose of the document; `moved`: document object names."""
+        pose = recipes.pose_of(self._assembly, self.names)
+        return Question(pose, tuple(self.names[name] for name in moved), exact)
+
+    def answer(self, question: Question) -> Frame:
+        """Return all parts in a pose; not exact is 1e-6 of the size. Raises MorphError."""
+        rests = self.parts
+        if self._session is None:
+            found, positions = None, {name: rest.points for name, rest in rests.items()}
+        else:
+            try:
+                found = self._solve(question)
+            except FAILURES as error:
+                raise MorphError(one_sentence(error)) from error
+            positions = {name: found.positions[self.names[name]] for name in rests}
+        local = {name: rest.frame.to_local(positions[name]) for name, rest in rests.items()}
+        self._shown = Frame(question, local, positions, found)
+        return self._shown
+
+    def keep(self, frame: Frame) -> None:
+        """Let the next recompute in the pose of an exact frame find its result."""
+        if frame.result is not None and frame.question.is_exact:
+            self._cache.remember(self._morph, frame.question.pose, frame.result)
+
+    def deform(self, overrides: dict | None = None, exact: bool = False) -> dict[str, np.ndarray]:
+        """Return local positions (n, 3) mm of every part, by document object name.
+
+        The pose is the document's; `overrides` replaces entries of it: document object name of a
+        region -> entry of a recipe's pose. Not `exact` is 1e-6 of the size. Raises MorphError.
+        """
+        asked = self.ask(overrides or (), exact)
+        changed = {self.names[name]: entry for name, entry in (overrides or {}).items()}
+        return self.answer(Question({**asked.pose, **changed}, asked.moved, exact)).local
+
+    def control_mesh(self, contact=None) -> ControlMesh | None:
+        """Return the control mesh of a contact object in the pose of the last answer, global.
+
+        Without contact: the single one around everything. None: there is no such control mesh.
+        """
+        if self._session is None:
+            return None
+        shown = self._shown or self.answer(self.ask())
+        return shown_control_mesh(shown.result, self._morph, contact and contact.Name)
+
+    def _solve(self, question: Question):
+        if question.is_exact:
+            return self._session.deform(question.pose)
+        return self._live.deform(question.pose, question.moved)
+
+
+def live(assembly, progress: Progress | None = None) -> LiveSession:
+    """Return a session for dragging handles of `assembly`.
+
+    To commit, set the handles' properties in a transaction and recompute: that solves exactly,
+    with the session built here. `progress(fraction, task)` may return False to cancel.
+    """
+    return LiveSession(assembly, progress)

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Computes in a thread of its own, so that a slow frame never blocks the window."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+from freecad.sheetmorph import actions
+from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.tools.latest import Latest
+
+
+class FrameWorker(QtCore.QObject):
+    """Answers questions one at a time; of those asked meanwhile only the last is answered.
+
+    ``compute(question)`` runs in the thread; the listener's ``on_answer(answer)`` or
+    ``on_fault(text)`` runs in the thread of the window, before the next question begins.
+    """
+
+    _computed = QtCore.Signal(object, str)
+
+    def __init__(self, compute, listener):
+        super().__init__()
+        self._compute, self._listener = compute, listener
+        self._latest = Latest()
+        self._thread = ThreadPoolExecutor(max_workers=1)
+        self._computed.connect(self._deliver, QtCore.Qt.QueuedConnection)
+
+    @property
+    def is_free(self) -> bool:
+        """Whether nothing newer has been asked for."""
+        return not self._latest.is_waiting
+
+    def ask(self, question) -> None:
+        """Begins, or lets the question wait in place of another one."""
+        self._begin(self._latest.ask(question))
+
+    def stop(self) -> None:
+        """Returns when the thread has ended; nothing is delivered any more."""
+        self._latest.drop()
+        self._listener = None
+        self._thread.shutdown(wait=True)
+
+    def _begin(self, question) -> None:
+        if question is not None:
+            self._thread.submit(self._run, question)
+
+    def _run(self, question) -> None:
+        try:
+            answer, fault = self._compute(question), ""
+        except actions.FAULTS as error:
+            answer, fault = None, str(error) or type(error).__name__
+        self._computed.emit(answer, fault)
+
+    def _deliver(self, answer, fault: str) -> None:
+        if self._listener is None:
+            return
+        if fault:
+            self._listener.on_fault(fault)
+        else:
+            self._listener.on_answer(answer)
+        if self._listener is not None:
+            self._begin(self._latest.finish())

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the mouse does in the 3D view, as the Move Handle panel lets the user choose it."""
+
+from freecad.sheetmorph import preferences
+
+
+class MouseFields:
+    """Connects the widgets with the drag until ``release`` is called; choices are remembered."""
+
+    def __init__(self, form, drag):
+        self._form, self._drag = form, drag
+        form.arrows.setChecked(preferences.get("ShowArrows"))
+        form.snap.setChecked(preferences.get("Snap"))
+        for field, unit, entry in self._steps():
+            field.setProperty("unit", unit)
+            field.setProperty("minimum", 0.001)
+            field.setProperty("rawValue", preferences.get(entry))
+            field.valueChanged.connect(self._choose_steps)
+        form.arrows.toggled.connect(self._show_arrows)
+        form.points.toggled.connect(drag.use_points)
+        form.snap.toggled.connect(self._choose_steps)
+        form.move_pivot.toggled.connect(self._move_pivot)
+        self._snap()
+        drag.show_arrows(form.arrows.isChecked())
+
+    def release(self) -> None:
+        """Lets go of the widgets."""
+        self._form = self._drag = None
+
+    def _steps(self):
+        return (
+            (self._form.snap_length, "mm", "SnapLength"),
+            (self._form.snap_angle, "deg", "SnapAngle"),
+        )
+
+    def _snap(self) -> None:
+        values = [float(field.property("rawValue")) for field, *_ in self._steps()]
+        is_on = self._form.snap.isChecked()
+        for field, *_ in self._steps():
+            field.setEnabled(is_on)
+        self._drag.snap(values if is_on else None)
+
+    def _choose_steps(self, *_) -> None:
+        preferences.put("Snap", self._form.snap.isChecked())
+        for field, _unit, entry in self._steps():
+            preferences.put(entry, float(field.property("rawValue")))
+        self._snap()
+
+    def _show_arrows(self, is_shown: bool) -> None:
+        preferences.put("ShowArrows", is_shown)
+        self._drag.show_arrows(is_shown)
+
+    def _move_pivot(self, is_on: bool) -> None:
+        self._drag.moves_pivot = is_on

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The handles of one morph while they are moved, and the macro lines that do the same."""
+
+from freecad.sheetmorph import api
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.tools.motion import CENTROID, Motion
+
+
+class MovedHandles:
+    """Which handles there are, which were moved, which were made by grabbing a point."""
+
+    def __init__(self, assembly):
+        self.assembly = assembly
+        self.all = [r for r in model.regions(assembly) if r.Role == "handle"]
+        self._moved, self._made = [], []
+
+    def move(self, handle, motion: dict) -> None:
+        """Sets the motion of a handle, the arguments of ``api.set_motion``."""
+        api.set_motion(handle, **motion)
+        if handle not in self._moved:
+            self._moved.append(handle)
+
+    def at(self, grabbed):
+        """The handle that has a grabbed vertex, None if none."""
+        for handle in self.all:
+            is_here = handle.Part is not None and handle.Part.Name == grabbed.part
+            if is_here and grabbed.vertex in model.vertices(handle):
+                return handle
+        return None
+
+    def make(self, grabbed):
+        """A handle of one vertex that the sheet turns as it likes."""
+        part = self.assembly.Document.getObject(grabbed.part)
+        handle = api.add_handle(self.assembly, part, [grabbed.vertex], label_on(part))
+        api.set_free_rotation(handle, True)
+        self._made.append(handle)
+        self.all.append(handle)
+        return handle
+
+    def unmake(self, handle) -> None:
+        """Takes a handle back that was made."""
+        self._made.remove(handle)
+        self.all.remove(handle)
+        api.remove(handle)
+
+    def lines(self) -> list[str]:
+        """The calls of the API that make and move what was made and moved."""
+        lines = []
+        for handle in self._moved:
+            target = name(handle)
+            if handle in self._made:
+                target = "point"
+                lines += made(self.assembly, handle)
+            lines.append(call("set_motion", target, **motion_of(handle).keywords()))
+        return lines
+
+    def forget(self) -> None:
+        """Begins anew with the handles there are."""
+        self.__init__(self.assembly)
+
+
+def made(assembly, handle) -> list[str]:
+    """The calls that make a handle of one vertex, named ``point``."""
+    vertex = repr(model.vertices(handle).tolist())
+    arguments = (name(assembly), name(handle.Part), vertex, repr(handle.Label))
+    return [
+        f"point = {call('add_handle', *arguments)}",
+        call("set_free_rotation", "point", "True"),
+    ]
+
+
+def label_on(part) -> str:
+    """What a grabbed point is called."""
+    return f"Point on {part.Label}"
+
+
+def motion_of(handle) -> Motion:
+    """The motion the properties of a handle say."""
+    shift = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
+    pivot = CENTROID if handle.PivotAtCentroid else tuple(handle.Pivot)
+    translation = tuple(float(value.Value) for value in shift)
+    return Motion(translation, tuple(handle.Axis), float(handle.Angle.Value), pivot)

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user prefers, kept by FreeCAD; the preferences page writes the same entries."""
+
+from __future__ import annotations
+
+import FreeCAD
+
+PATH = "User parameter:BaseApp/Preferences/Mod/SheetMorph"
+
+DEFAULTS: dict[str, bool | int | float] = {
+    "UpdateResults": 0,
+    "Snap": False,
+    "SnapLength": 1.0,
+    "SnapAngle": 5.0,
+    "ShowArrows": True,
+    "ShowOriginal": False,
+    "ShowFeatures": False,
+    "ShowControlMeshes": False,
+    "ShowColours": 0,
+}
+"""Entries and what they are until the user says otherwise: mm, degrees."""
+
+
+def get(entry: str):
+    """Return the value of an entry of DEFAULTS, of the type of its default."""
+    default, group = DEFAULTS[entry], FreeCAD.ParamGet(PATH)
+    if isinstance(default, bool):
+        return group.GetBool(entry, default)
+    return group.GetInt(entry, default) if isinstance(default, int) else _number(group, entry)
+
+
+def put(entry: str, value) -> None:
+    """Keep the value of an entry of DEFAULTS."""
+    default, group = DEFAULTS[entry], FreeCAD.ParamGet(PATH)
+    if isinstance(default, bool):
+        group.SetBool(entry, bool(value))
+    elif isinstance(default, int):
+        group.SetInt(entry, int(value))
+    else:
+        group.SetFloat(entry, float(value))
+
+
+def _number(group, entry: str) -> float:
+    return group.GetFloat(entry, DEFAULTS[entry])

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Points of parts dragged in the plane of the view: the mouse as rays and shifts, global mm.
+
+A Qt event filter, which sees the mouse before FreeCAD and takes what belongs to a drag.
+"""
+
+import numpy as np
+
+from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.tools.part_mesh import Ray
+
+
+class PointDrag(QtCore.QObject):
+    """Reports drags of points until ``release`` is called.
+
+    ``listener``: on_press(ray) returns the point (3,) that is grabbed, or None to leave the mouse
+    to FreeCAD; on_pull(shift (3,)) mm since then, parallel to the screen; on_drop(). Escape in
+    the view is asked of on_escape(): True if it was meant for a drag.
+    """
+
+    def __init__(self, view, listener):
+        super().__init__()
+        self._view, self._listener = view, listener
+        self._grabbed = None
+        self.is_on = False
+        self._widget = view.graphicsView().viewport()
+        self._widget.installEventFilter(self)
+        view.graphicsView().installEventFilter(self)
+
+    def release(self) -> None:
+        """Gives the mouse back; the view may be closed already."""
+        try:
+            self._widget.removeEventFilter(self)
+            self._view.graphicsView().removeEventFilter(self)
+        except RuntimeError:
+            pass  # closed: there is nothing to give back
+        self._view = self._widget = self._listener = None
+
+    def cancel(self) -> None:
+        """Lets go of the point; what the mouse does until it is released is nobody's."""
+        if self._grabbed is not None:
+            self._grabbed = np.full(3, np.nan)
+
+    def eventFilter(self, _watched, event) -> bool:
+        """Takes the drag of a point, and Escape during any drag."""
+        kind = event.type()
+        if kind == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+            return bool(self._listener.on_escape())
+        if kind == QtCore.QEvent.MouseButtonPress and self.is_on:
+            return event.button() == QtCore.Qt.LeftButton and self._press(event)
+        if self._grabbed is None:
+            return False
+        if kind == QtCore.QEvent.MouseMove:
+            self._pull(event)
+            return True
+        if kind == QtCore.QEvent.MouseButtonRelease and event.button() == QtCore.Qt.LeftButton:
+            self._grabbed = None
+            self._listener.on_drop()
+            return True
+        return False
+
+    def _press(self, event) -> bool:
+        self._grabbed = self._listener.on_press(self._ray(event))
+        return self._grabbed is not None
+
+    def _pull(self, event) -> None:
+        """Where the ray meets the plane through the point, parallel to the screen."""
+        if not np.isfinite(self._grabbed).all():
+            return
+        ray = self._ray(event)
+        normal = np.array(tuple(self._view.getViewDirection()))
+        depth = ((self._grabbed - ray.origin) @ normal) / (ray.direction @ normal)
+        self._listener.on_pull(ray.origin + depth * ray.direction - self._grabbed)
+
+    def _ray(self, event) -> Ray:
+        ratio = self._widget.devicePixelRatioF()
+        x = round(event.pos().x() * ratio)
+        y = round((self._widget.height() - 1 - event.pos().y()) * ratio)
+        near, far = (np.array(tuple(p)) for p in self._view.projectPointToLine(x, y))
+        return Ray(near, far - near)

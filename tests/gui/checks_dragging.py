@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Handles and points are dragged with the real mouse; the last event wins, Escape takes back."""
+
+import contextlib
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from checks_moving import lifted, open_panel
+from desk import child, click_widget, enter, on_screen, picture, press, tick, until, xdotool
+from freecad.sheetmorph import live_session, preferences
+from scenes import drawn, handle_vertices, largest, new_morph, regions, stored
+from shapes import sheet
+
+__all__ = [
+    "test_snapping_drags_in_steps",
+    "test_escape_takes_a_drag_back_and_the_panel_stays",
+    "test_the_pivot_is_moved_and_the_shape_stays",
+    "test_a_point_is_dragged_in_the_plane_of_the_view",
+    "test_a_point_of_a_handle_drags_the_handle",
+    "test_apply_is_an_undo_step_and_cancel_goes_back_to_it",
+    "test_a_slow_frame_blocks_nothing_and_the_last_event_wins",
+]
+
+
+def handle_place() -> np.ndarray:
+    """Where the middle of the handle is at rest."""
+    return np.mean(sheet()[0][handle_vertices()], axis=0)
+
+
+def grab_up_arrow(shift=(0.0, 0.0, 0.0)):
+    """Presses the mouse on the arrow that points up, of a handle that was shifted, (3,) mm.
+
+    Returns where that is on the screen.
+    """
+    x, y = on_screen(handle_place() + shift)
+    yield from xdotool("mousemove", x, y - 30)
+    yield from xdotool("mousedown", 1)
+    return x, y - 30
+
+
+def drag_up(start, steps: int = 5):
+    """Drags so many steps of 8 px up from a place on the screen."""
+    x, y = start
+    for step in range(1, steps + 1):
+        yield from xdotool("mousemove", x, y - 8 * step)
+
+
+@contextlib.contextmanager
+def preferring(**entries):
+    """These preferences for a while."""
+    before = {entry: preferences.get(entry) for entry in entries}
+    for entry, value in entries.items():
+        preferences.put(entry, value)
+    yield
+    for entry, value in before.items():
+        preferences.put(entry, value)
+
+
+def test_snapping_drags_in_steps():
+    with preferring(Snap=True, SnapLength=2.0):
+        yield from new_morph()
+        yield from open_panel()
+        assert child("snap").isChecked()
+        start = yield from grab_up_arrow()
+        yield from drag_up(start)
+        yield from xdotool("mouseup", 1)
+        yield from press("OK")
+    height = regions("handle")[0].TranslationZ.Value
+    assert height >= 4.0 and height % 2.0 == 0.0, height
+
+
+def test_escape_takes_a_drag_back_and_the_panel_stays():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    yield from enter(child("translation_x"), "3")
+    start = yield from grab_up_arrow((3.0, 0.0, 0.0))
+    yield from drag_up(start)
+    yield from until(lambda: lifted(rest, drawn())[0, 2] > 3, "the drag")
+    yield from xdotool("key", "Escape")
+    yield from drag_up((start[0], start[1] - 40), 2)
+    yield from xdotool("mouseup", 1)
+    yield 500
+    assert Gui.Control.activeDialog()
+    assert child("translation_z").property("rawValue") == 0.0
+    assert np.allclose(lifted(rest, drawn()), (3, 0, 0), atol=1e-4)
+    start = yield from grab_up_arrow((3.0, 0.0, 0.0))
+    yield from drag_up(start)
+    yield from xdotool("mouseup", 1)
+    assert child("translation_z").property("rawValue") > 3.0
+    yield from press("Cancel")
+    assert np.array_equal(stored(), rest)
+
+
+def test_the_pivot_is_moved_and_the_shape_stays():
+    yield from new_morph()
+    yield from open_panel()
+    yield from enter(child("angle"), "20")
+    yield 500
+    before = drawn()
+    yield from click_widget(child("move_pivot"))
+    start = yield from grab_up_arrow()
+    yield from drag_up(start)
+    yield from xdotool("mouseup", 1)
+    yield 500
+    yield from click_widget(child("move_pivot"))
+    assert child("pivot_z").value() > handle_place()[2] + 3.0
+    assert largest(drawn() - before) < 1e-3
+    picture("pivot")
+    yield from press("OK")
+    assert not regions("handle")[0].PivotAtCentroid
+
+
+def test_a_point_is_dragged_in_the_plane_of_the_view():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    yield from tick(child("points"))
+    x, y = on_screen((60.0, 0.0, 0.0))
+    yield from xdotool("mousemove", x, y - 3)
+    yield from xdotool("mousedown", 1)
+    yield from drag_up((x, y), 6)
+    picture("point")
+    sight = np.array(tuple(Gui.activeDocument().activeView().getViewDirection()))
+    yield from until(lambda: largest(drawn() - rest) > 5, "the point")
+    yield from xdotool("mouseup", 1)
+    assert regions("handle")[1].Label == "Point on sheet morphed"
+    yield from press("OK")
+    point = regions("handle")[1]
+    assert point.FreeRotation and len(point.Vertices) == 1
+    shift = np.array([point.TranslationX.Value, point.TranslationY.Value, point.TranslationZ.Value])
+    assert np.linalg.norm(shift) > 5 and abs(shift @ sight) < 1e-3, shift
+    vertex = int(point.Vertices[0])
+    assert np.allclose((stored() - rest)[vertex], shift, atol=1e-4)
+    assert np.array_equal(stored()[handle_vertices()], rest[handle_vertices()])
+    assert App.ActiveDocument.UndoNames == ["Move Handle"]
+    App.ActiveDocument.undo()
+    assert np.array_equal(stored(), rest) and len(regions("handle")) == 1
+
+
+def test_a_point_of_a_handle_drags_the_handle():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    yield from tick(child("arrows"))
+    yield from tick(child("points"))
+    x, y = on_screen((120.0, 10.0, 15.0))
+    yield from xdotool("mousemove", x, y)
+    yield from xdotool("mousedown", 1)
+    yield from drag_up((x, y))
+    yield from xdotool("mouseup", 1)
+    yield 300
+    moved = lifted(rest, drawn())
+    assert moved[0, 2] > 2 and np.allclose(moved, moved[0], atol=1e-4)
+    yield from tick(child("arrows"))
+    yield from press("OK")
+    assert len(regions("handle")) == 1
+
+
+def test_apply_is_an_undo_step_and_cancel_goes_back_to_it():
+    yield from new_morph()
+    yield from open_panel()
+    yield from enter(child("translation_z"), "7")
+    yield from press("Apply")
+    assert App.ActiveDocument.UndoNames == ["Move Handle"]
+    applied = stored()
+    yield from enter(child("translation_z"), "12")
+    yield 500
+    yield from press("Cancel")
+    assert np.array_equal(stored(), applied)
+    assert regions("handle")[0].TranslationZ.Value == 7.0
+    App.ActiveDocument.undo()
+    assert regions("handle")[0].TranslationZ.Value == 0.0
+
+
+def test_a_slow_frame_blocks_nothing_and_the_last_event_wins():
+    yield from new_morph()
+    rest = stored()
+    answered, quick = [], live_session.LiveSession.answer
+
+    def slow(self, question):
+        answered.append(question)
+        time.sleep(0.4)
+        return quick(self, question)
+
+    live_session.LiveSession.answer = slow
+    try:
+        yield from open_panel()
+        begin = time.monotonic()
+        for height in range(1, 21):
+            child("translation_z").setProperty("rawValue", float(height))
+            yield 10
+        assert time.monotonic() - begin < 2.0, "the window was blocked"
+        yield from until(lambda: lifted(rest, drawn())[0, 2] > 19.9, "the last value")
+        assert len(answered) < 8, len(answered)
+        yield from press("Cancel")
+    finally:
+        live_session.LiveSession.answer = quick
+    assert np.array_equal(stored(), rest)
