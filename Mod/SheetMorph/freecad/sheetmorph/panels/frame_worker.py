@@ -25,6 +25,11 @@ class FrameWorker(QtCore.QObject):
         self._computed.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     @property
+    def is_idle(self) -> bool:
+        """Whether nothing is under way."""
+        return not self._latest.is_busy
+
+    @property
     def is_free(self) -> bool:
         """Whether nothing newer has been asked for."""
         return not self._latest.is_waiting

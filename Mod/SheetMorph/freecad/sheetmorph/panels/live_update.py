@@ -58,8 +58,8 @@ class LiveUpdate(QtCore.QObject):
         if self._wires is not None:
             self._wires.remove()
         self._wires = None if view is None else wireframe.Wireframe(view)
-        if view is not None:
-            self.ask()
+        if self._worker.is_idle:  # else they come with the frame that is under way
+            self._show_wires()
 
     def end(self) -> None:
         """Shows the meshes as the document has them."""
