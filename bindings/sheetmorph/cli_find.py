@@ -19,7 +19,14 @@ _NUMBERS = (
     ("--largest-radius", "largest_radius", float, "of holes, mm"),
     ("--roundness", "roundness", float, "residual of a round rim over its radius (default: 0.12)"),
     ("--crease-angle", "crease_angle", float, "a sharper bend is an edge, degrees (default: 35)"),
+    ("--scatter", "scatter", float, "standard deviation of measured vertices, mm (default: told)"),
     ("--facing-angle", "facing_angle", float, "between surfaces in contact, degrees (default: 35)"),
+)
+# Sizes of the meshes of CAD files, as `mesh` in a recipe.
+_SIZES = (
+    ("--edge", "edge", "longest edges of the meshes of CAD files, mm"),
+    ("--deflection", "deflection", "how far those meshes may be off their surfaces, mm"),
+    ("--angle", "angle", "how far those meshes may bend from edge to edge, degrees"),
 )
 
 
@@ -33,6 +40,8 @@ def add_find_arguments(commands: Any) -> None:
     find.add_argument("--one-per-pair", action="store_true", help="one contact for two parts")
     for option, name, kind, text in _NUMBERS:
         find.add_argument(option, dest=name, type=kind, metavar="N", help=text)
+    for option, name, text in _SIZES:
+        find.add_argument(option, dest=name, type=float, metavar="N", help=text)
     find.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
 
 
@@ -46,7 +55,9 @@ def run_find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     options = FindOptions(one_per_pair=wanted.one_per_pair).changed(values)
     if wanted.kind:
         options = options.changed({"kinds": _known_kinds(wanted.kind)})
-    found = find_in_files(wanted.files, _checked(options), wanted.split)
+    sizes = {name: getattr(wanted, name) for _, name, _ in _SIZES}
+    sizes = {name: size for name, size in sizes.items() if size is not None}
+    found = find_in_files(wanted.files, _checked(options), wanted.split, sizes)
     text = one_line_each(found)
     if wanted.output is None:
         return [text]

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from cad_samples import make_cad_samples
-from sheetmorph import _core, read_part
+from sheetmorph import PartMesh, _core, read_part
 from sheetmorph.cli import main
 from sheetmorph.files.cad_file import exact_features
-from sheetmorph.finding import find_schema
+from sheetmorph.finding import FindOptions, FindPart, find, find_schema
 from test_real_files import real_file
 
 
@@ -78,3 +78,31 @@ def test_find_gives_what_the_surfaces_say(samples: Path, capsys: pytest.CaptureF
     assert all(min(abs(c["radius"] - r) for r in (3, 5)) < 1e-13 for c in cylinders)
     pairs = {(contact["a"]["part"], contact["b"]["part"]) for contact in found["contacts"]}
     assert pairs == {("fixture/plate", "fixture/pin")}
+
+
+def test_find_meshes_cad_files_as_finely_as_asked(samples: Path, capsys: pytest.CaptureFixture):
+    counts = []
+    for degrees in ("40", "10"):
+        wanted = f"--angle {degrees} --edge 20 --deflection 2 --kind".split()
+        assert main(["find", str(samples / "plate.brep"), *wanted, "round hole"]) == 0
+        found = json.loads(capsys.readouterr().out)
+        jsonschema.validate(found, find_schema())
+        sizes = {"angle": float(degrees), "edge": 20.0, "deflection": 2.0}
+        assert found["parts"][0]["mesh"] == sizes
+        counts.append([len(hole["rims"][0]) for hole in found["features"]])
+    assert max(counts[0]) <= 12 and min(counts[1]) >= 36
+
+
+@pytest.mark.parametrize("degrees", [10, 30])
+def test_holes_of_a_bare_mesh_are_found_within_the_chordal_error(samples: Path, degrees: float):
+    """The triangles of the STEP file alone, as an STL of it would hold them."""
+    sizes = {"edge": 8.0, "deflection": 2.0, "angle": degrees}
+    part = read_part(samples / "fixture.step", sizes).model.parts[0]
+    bare = FindPart("plate", PartMesh(part.points, part.triangles))
+    holes = find([bare], FindOptions(kinds=("round hole",))).features
+    assert len(holes) == 2
+    for hole, (x, radius) in zip(sorted(holes, key=lambda h: h["radius"]), ((15, 3), (40, 5))):
+        chordal = radius * (1 - np.cos(np.pi / len(hole["rims"][0])))
+        assert abs(hole["radius"] - radius) <= chordal
+        assert np.allclose(hole["center"][:2], [x, 20], atol=chordal)
+        assert np.abs(hole["axis"]) == pytest.approx([0, 0, 1], abs=1e-9)

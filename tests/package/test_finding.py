@@ -140,3 +140,22 @@ def test_decks_tell_thickness_and_elements_between_parts(tmp_path):
     assert (contact["kind"], contact["type"]) == ("weld", "rigid")
     assert contact["connections"] >= 3
     assert {3, 4, 5} <= set(contact["a"]["vertices"])
+
+
+def test_measured_vertices_hide_no_hole_and_their_scatter_is_told():
+    """Every hole of the cover, vertices off by a normal distribution of 3 % of the edges."""
+    mesh = sheetmorph.read_part(MIRROR[0]).mesh
+    ends = mesh.points[mesh.triangles]
+    edge = np.median(np.linalg.norm(ends - np.roll(ends, 1, axis=1), axis=2))
+    drawn = find([FindPart("cover", mesh)], FindOptions(kinds=("round hole",))).features
+    noise = np.random.default_rng(0).normal(0.0, 0.03 * edge, mesh.points.shape)
+    measured = [FindPart("cover", sheetmorph.PartMesh(mesh.points + noise, mesh.triangles))]
+    found = find(measured, FindOptions(kinds=("round hole",))).features
+    assert [hole["vertices"] for hole in found] == [hole["vertices"] for hole in drawn]
+    assert all(0.02 < hole["scatter"] / edge < 0.06 for hole in found)
+    assert not any("scatter" in hole for hole in find(measured, FindOptions(scatter=0.0)).features)
+
+
+def test_a_search_in_cad_files_takes_the_sizes_of_their_meshes(capsys):
+    assert main(["find", str(MIRROR[0]), "--edge", "5"]) == 2
+    assert "only CAD files are meshed" in capsys.readouterr().err

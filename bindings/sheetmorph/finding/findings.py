@@ -75,6 +75,8 @@ def feature_entry(part: FindPart, found: Any) -> dict[str, Any]:
     if found.kind in _CURVED:
         entry["hollow"] = found.is_hollow
     entry["residual"] = found.residual
+    if found.scatter > 0.0:
+        entry["scatter"] = found.scatter
     entry["vertices"] = mesh.file_ids(found.vertices)
     if found.rims:
         entry["rims"] = [mesh.file_ids(rim) for rim in found.rims]

@@ -26,6 +26,7 @@ LIMITS = {
     "crease_angle": (1.0, 89.0),
     "plane_angle": (0.001, 45.0),
     "smallest_area": (0.0, 1.0),
+    "scatter": (0.0, 1e12),
     "gap": (0.0, 1e12),
     "facing_angle": (0.0, 89.0),
     "smallest": (1, 1_000_000),
@@ -39,10 +40,11 @@ class FindOptions:
     kinds, contact_kinds: which are kept; rings: washer rings around a hole; smallest_radius,
     largest_radius: of holes; roundness: residual of a rim over its radius; surface: of a cylinder,
     cone or sphere; crease_angle: a sharper bend is an edge; plane_angle: bend inside a plane;
-    smallest_area: of a surface over that of its part. gap: largest distance between two parts in
-    contact, beyond half of both thicknesses, None: proposed from the assembly; facing_angle between
-    surfaces in contact; smallest: vertices of the smaller side; one_per_pair: one contact for two
-    parts instead of one for each place.
+    smallest_area: of a surface over that of its part; scatter: standard deviation of measured
+    vertices in one direction, mm, None: told from each mesh. gap: largest distance between two
+    parts in contact, beyond half of both thicknesses, None: proposed from the assembly;
+    facing_angle between surfaces in contact; smallest: vertices of the smaller side; one_per_pair:
+    one contact for two parts instead of one for each place.
     """
 
     kinds: tuple[str, ...] = KINDS
@@ -55,6 +57,7 @@ class FindOptions:
     crease_angle: float = 35.0
     plane_angle: float = 6.0
     smallest_area: float = 0.004
+    scatter: float | None = None
     gap: float | None = None
     facing_angle: float = 35.0
     smallest: int = 3
@@ -71,6 +74,7 @@ class FindOptions:
         found.crease_angle = math.radians(self.crease_angle)
         found.plane_angle = math.radians(self.plane_angle)
         found.smallest_area = float(self.smallest_area)
+        found.scatter = -1.0 if self.scatter is None else float(self.scatter)
         return found
 
     def contact_tolerances(self, core: Any) -> Any:

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from ..errors import RecipeError
+from ..errors import Fault, RecipeError
 from ..files import is_cad, read_part
 from ..recipe.model import model_of
 from ..recipe.parts import Parts, read_parts
@@ -26,19 +26,23 @@ SPLITS = ("auto", "components", "property", "none")
 
 
 def find_in_files(
-    paths: Sequence[str | Path], options: FindOptions = FindOptions(), split: str = "auto"
+    paths: Sequence[str | Path],
+    options: FindOptions = FindOptions(),
+    split: str = "auto",
+    meshing: Mapping[str, float] | None = None,
 ) -> dict[str, Any]:
     """What is found in mesh files, in the form of find.schema.json.
 
     split: "components" or "property" of every file, "none", or "auto": components where a file has
-    several. Raises RecipeError for files that cannot be read or split, ValueError for options.
+    several; meshing: edge and deflection (mm) and angle (degrees) for CAD files. Raises
+    RecipeError for files that cannot be read or split, ValueError for options.
     """
-    parts = parts_of_files(paths, split)
+    parts = parts_of_files(paths, split, meshing)
     found = find_in_parts(parts, options)
     return {
         "sheetmorph_find": 1,
         "options": {**options.as_dict(), "gap": found.gap},
-        "parts": [_entry(source.file.path, source.members) for source in parts.sources],
+        "parts": [_entry(source.file.path, source.members, meshing) for source in parts.sources],
         **asdict(found),
     }
 
@@ -75,8 +79,13 @@ def connections_of(parts: Parts) -> list[Connection]:
     ]
 
 
-def parts_of_files(paths: Sequence[str | Path], split: str = "auto") -> Parts:
-    """The parts in some files, read. Raises RecipeError."""
+def parts_of_files(
+    paths: Sequence[str | Path], split: str = "auto", meshing: Mapping[str, float] | None = None
+) -> Parts:
+    """The parts in some files, read; meshing: sizes for CAD files. Raises RecipeError."""
+    if meshing and not any(map(is_cad, paths)):
+        todo = "leave edge, deflection and angle out"
+        raise RecipeError([Fault("find", "only CAD files are meshed", todo)])
     entries: list[dict[str, Any]] = []
     names: set[str] = set()
     for path in map(os.fspath, paths):
@@ -86,6 +95,8 @@ def parts_of_files(paths: Sequence[str | Path], split: str = "auto") -> Parts:
             entries.append({"file": path, "name": name})
         else:
             entries.append({"file": path, "split": way})
+        if meshing and is_cad(path):
+            entries[-1]["mesh"] = dict(meshing)
     parts = read_parts(model_of({"parts": entries}).parts, ".")
     faults = [fault for fault in parts.faults if "is used already" not in fault.what]
     if faults:
@@ -113,11 +124,13 @@ def _free_name(name: str, names: set[str]) -> str:
     return name
 
 
-def _entry(path: Path, members: dict[str, np.ndarray]) -> dict[str, Any]:
+def _entry(path: Path, members: dict[str, np.ndarray], meshing: Any) -> dict[str, Any]:
     """The entry of a recipe that stands for a file, and the parts it stands for."""
     names = list(members)
     is_split = len(names) != 1 or names[0].startswith(f"{path.stem}/")
     entry = (
         {"file": str(path), "split": True} if is_split else {"name": names[0], "file": str(path)}
     )
+    if meshing and is_cad(path):
+        entry["mesh"] = dict(meshing)
     return {**entry, "parts": names}

@@ -2,6 +2,7 @@
 #include "sheetmorph/recognise/facet_graph.h"
 
 #include "sheetmorph/mesh/thinness.h"
+#include "sheetmorph/recognise/noise.h"
 #include "sheetmorph/recognise/welding.h"
 
 #include <Eigen/Geometry>
@@ -134,7 +135,8 @@ private:
 
 }  // namespace
 
-FacetGraph::FacetGraph(const TriangleMesh& mesh, double weld) : edges_(TriangleMesh())
+FacetGraph::FacetGraph(const TriangleMesh& mesh, double weld, double scatter)
+    : edges_(TriangleMesh()), scatter_(scatter)
 {
     Welded welded = weld_vertices(mesh, weld);
     welded_ = std::move(welded.mesh);
@@ -162,6 +164,18 @@ void FacetGraph::measure_triangles()
         normals_.row(t) = doubled.normalized().transpose();
         total_area_ += areas_[t];
     }
+    if (scatter_ < 0.0)
+        scatter_ = scatter_of(welded_, edges_, normals_);
+    if (scatter_ > 0.0)
+        normals_ = calmed_normals(welded_, edges_, normals_, scatter_);
+}
+
+double FacetGraph::bend_between(const EdgeUse& one, const EdgeUse& other) const
+{
+    if (scatter_ <= 0.0 || is_thin(one.triangle) || is_thin(other.triangle))
+        return bend_angle(welded_.points(), one, other);
+    const double cosine = normal(one.triangle).dot(normal(other.triangle));
+    return std::acos(std::clamp(one.from != other.from ? cosine : -cosine, -1.0, 1.0));
 }
 
 void FacetGraph::measure_bends()
@@ -180,7 +194,7 @@ void FacetGraph::measure_bends()
 
 void FacetGraph::join(const EdgeUse& one, const EdgeUse& other)
 {
-    const double bend = bend_angle(welded_.points(), one, other);
+    const double bend = bend_between(one, other);
     for (const auto& [here, there] : {std::pair(&one, &other), std::pair(&other, &one)})
     {
         const int side = side_of(welded_.triangles(), *here);
@@ -198,8 +212,7 @@ void FacetGraph::join_straightest(int edge)
     std::vector<std::tuple<double, int, int>> pairs;
     for (int a = 0; a < uses.count(); ++a)
         for (int b = a + 1; b < uses.count(); ++b)
-            pairs.emplace_back(bend_angle(welded_.points(), uses.begin()[a], uses.begin()[b]), a,
-                               b);
+            pairs.emplace_back(bend_between(uses.begin()[a], uses.begin()[b]), a, b);
     std::sort(pairs.begin(), pairs.end());
     std::vector<char> is_joined(static_cast<std::size_t>(uses.count()), 0);
     for (const auto& [bend, a, b] : pairs)

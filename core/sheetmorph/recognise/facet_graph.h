@@ -11,12 +11,17 @@ namespace sheetmorph
 class FacetGraph
 {
 public:
-    //! \param weld  vertices nearer than this share of the size count as one
-    FacetGraph(const TriangleMesh& mesh, double weld);
+    //! \param weld     vertices nearer than this share of the size count as one
+    //! \param scatter  standard deviation of measured vertices, mm; < 0: told from the mesh
+    FacetGraph(const TriangleMesh& mesh, double weld, double scatter = -1.0);
 
     const TriangleMesh& mesh() const { return welded_; }
     const EdgeTable& edges() const { return edges_; }
     int triangle_count() const { return welded_.triangle_count(); }
+
+    //! Standard deviation of the vertices about the surface they were measured on, in one
+    //! direction, mm; 0 for a mesh that was drawn. Normals and bends are without it, points not.
+    double scatter() const { return scatter_; }
 
     //! Of length 1; zero for a triangle too thin to have a plane.
     Vector3 normal(int triangle) const { return normals_.row(triangle).transpose(); }
@@ -47,6 +52,7 @@ public:
 private:
     void measure_triangles();
     void measure_bends();
+    double bend_between(const EdgeUse& one, const EdgeUse& other) const;
     void join(const EdgeUse& one, const EdgeUse& other);
     void join_straightest(int edge);
     void look_whether_solid();
@@ -61,6 +67,7 @@ private:
     std::vector<int> across_;
     std::vector<double> bends_;
     double total_area_ = 0.0;
+    double scatter_ = 0.0;
     bool is_solid_ = false;
 };
 

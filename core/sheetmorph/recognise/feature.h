@@ -44,6 +44,7 @@ struct Feature
     double depth = 0.0;           //!< between both rims of a hole; height of a bead or emboss
     double angle = 0.0;           //!< of a cone, between axis and surface
     double residual = 0.0;        //!< largest distance of one of its vertices from the fitted form
+    double scatter = 0.0;         //!< of the vertices of its mesh as measured, see tolerances.h
     double area = 0.0;            //!< of a surface, mm^2
     bool is_hollow = false;       //!< cylinder, cone, sphere of a closed part: seen from inside
     std::vector<VertexIds> rims;  //!< closed loops in order around; the first is the named one

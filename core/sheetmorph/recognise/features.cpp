@@ -67,7 +67,7 @@ void add_surfaces(const FacetGraph& graph, const FeatureTolerances& tolerances,
 std::vector<Feature> find_features(const TriangleMesh& mesh, const FeatureTolerances& tolerances)
 {
     tolerances.check();
-    const FacetGraph graph(mesh, tolerances.weld);
+    const FacetGraph graph(mesh, tolerances.weld, tolerances.scatter);
     std::vector<Feature> features = find_rims(graph, tolerances);
     add_surfaces(graph, tolerances, features);
     const WasherGrower washers(graph);
@@ -76,6 +76,7 @@ std::vector<Feature> find_features(const TriangleMesh& mesh, const FeatureTolera
         if (is_hole(feature))
             feature.washer = washers.rings(feature.vertices, tolerances.washer_rings);
         renumber(graph, feature);
+        feature.scatter = graph.scatter();
     }
     std::stable_sort(features.begin(), features.end(),
                      [](const Feature& a, const Feature& b) {

@@ -22,6 +22,9 @@ constexpr int none = -1;
 constexpr double collar_cover = 0.5;
 constexpr double through_cover = 0.85;
 
+// Height of a collar over the scatter of a measured mesh: what is lower is a bent rim.
+constexpr double lowest_collar = 6.0;
+
 // Length over width from which a raised place is a bead.
 constexpr double shortest_bead = 2.0;
 
@@ -94,7 +97,7 @@ std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
     if (loop.vertices.size() < 4)
         return std::nullopt;
     const Points rim = graph_.mesh().points()(loop.vertices, Eigen::all);
-    const Outline outline = fit_outline(rim, tolerances_.roundness);
+    const Outline outline = fit_outline(rim, tolerances_.roundness, graph_.scatter());
     const int count = static_cast<int>(loop.vertices.size());
     if (outline.kind != FeatureKind::rectangular_hole && count < tolerances_.fewest_rim_vertices)
         return std::nullopt;
@@ -175,7 +178,8 @@ void RimFinder::take_walled(const RegionLoop& loop, const WallTracer& tracer)
         return;
     const HoleWall wall = tracer.behind(loop);
     const bool is_through = (wall.leads_out && wall.covered < through_cover)
-                            || (wall.is_open && wall.covered < collar_cover);
+                            || (wall.is_open && wall.covered < collar_cover
+                                && std::abs(wall.height) >= lowest_collar * graph_.scatter());
     const bool is_hole = is_through || is_blind_hole(loop, wall);
     if (!is_hole)
     {

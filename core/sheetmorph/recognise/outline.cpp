@@ -127,20 +127,34 @@ RoundedBox rounded_box(const Plane& points)
     return box;
 }
 
-bool is_round(const Outline& circle, const RoundedBox& box, double roundness)
+// What a form may be off by, relative to its half width, and what scatter adds to that.
+struct Slack
 {
-    if (circle.residual > roundness * circle.radius
+    double form = 0.0;
+    double scatter = 0.0;  // mm
+
+    double at(double half) const { return form * half + added(half); }
+    double added(double half) const { return std::min(three * scatter, most_scatter * half); }
+
+    static constexpr double three = 3.0;
+    static constexpr double most_scatter = 0.2;
+};
+
+bool is_round(const Outline& circle, const RoundedBox& box, const Slack& slack)
+{
+    if (circle.residual > slack.at(circle.radius)
         || circle.area < least_round_area * circle.radius * circle.radius)
         return false;
-    const bool is_off =
-        box.half.x() > shortest_slot * box.half.y() || circle.residual > barely_off * circle.radius;
+    const double unsure = slack.added(circle.radius);
+    const bool is_off = box.half.x() > shortest_slot * box.half.y() + 2.0 * unsure
+                        || circle.residual > barely_off * circle.radius + unsure;
     return !(is_off && box.residual < clearly_better * circle.residual);
 }
 
-bool fits(const RoundedBox& box, double area, double roundness)
+bool fits(const RoundedBox& box, double area, const Slack& slack)
 {
     const double whole = 4.0 * box.half.prod() - (4.0 - pi) * box.radius * box.radius;
-    return box.residual <= roundness * box.half.y()
+    return box.residual <= slack.at(box.half.y())
            && std::abs(area - whole) <= most_missing_area * whole;
 }
 
@@ -179,8 +193,9 @@ Vector3 doubled_area(const Points& loop)
     return area;
 }
 
-Outline fit_outline(const Points& loop, double roundness)
+Outline fit_outline(const Points& loop, double roundness, double scatter)
 {
+    const Slack slack{roundness, scatter};
     Outline circle;
     const Vector3 area = doubled_area(loop);
     circle.area = 0.5 * area.norm();
@@ -199,9 +214,9 @@ Outline fit_outline(const Points& loop, double roundness)
     circle.bulge = (off * circle.axis).cwiseAbs().maxCoeff();
 
     const RoundedBox box = rounded_box(flat);
-    if (is_round(circle, box, roundness))
+    if (is_round(circle, box, slack))
         circle.kind = FeatureKind::round_hole;
-    else if (fits(box, circle.area, roundness))
+    else if (fits(box, circle.area, slack))
         return outline_of(box, circle, frame);
     else
     {

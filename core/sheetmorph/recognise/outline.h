@@ -24,7 +24,9 @@ struct Outline
 
 //! The simplest outline that fits closed points to `roundness` of its (half)
 //! width. \param loop  (k, 3) mm, k >= 3, in order around, not on one line
-Outline fit_outline(const Points& loop, double roundness);
+//! \param scatter  standard deviation of the points in one direction, mm: a fit may be off by
+//!                 thrice that besides
+Outline fit_outline(const Points& loop, double roundness, double scatter = 0.0);
 
 //! Twice the area vector of a closed polygon: its normal times twice its area,
 //! mm^2.

@@ -27,6 +27,9 @@ constexpr double along_surface = 0.866;
 constexpr int directions = 36;
 constexpr int fewest_directions = 3;
 
+// Over the scatter of a measured mesh: how far its vertices may be off a surface.
+constexpr double within_scatter = 4.0;
+
 // Distance from a plane over the size of the part.
 constexpr double flatness = 1e-3;
 
@@ -106,7 +109,8 @@ bool SurfaceGrower::is_near(const Surface& surface, int triangle) const
     const bool is_plane = surface.kind == FeatureKind::plane;
     const Vector3 middle = graph_.centroid(triangle);
     const double reach =
-        is_plane ? flatness * size_ : tolerances_.surface * surface.radius_at(middle);
+        (is_plane ? flatness * size_ : tolerances_.surface * surface.radius_at(middle))
+        + within_scatter * graph_.scatter();
     const double cosine = is_plane ? std::cos(tolerances_.plane_angle) : along_surface;
     if (std::abs(surface.normal(middle).dot(graph_.normal(triangle))) < cosine)
         return false;

@@ -38,6 +38,7 @@ void FeatureTolerances::check() const
     require({"roundness", roundness, 1e-9, 0.3});
     require({"surface", surface, 1e-9, 0.3});
     require({"smallest_area", smallest_area, 0.0, 1.0});
+    require({"scatter", scatter, -1.0, 1e12});
     require({"weld", weld, 0.0, 0.01});
     require({"fewest_rim_vertices", static_cast<double>(fewest_rim_vertices), 3.0, 1e6});
     require({"washer_rings", static_cast<double>(washer_rings), 0.0, 20.0});

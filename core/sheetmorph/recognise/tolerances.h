@@ -14,6 +14,8 @@ struct FeatureTolerances
     double roundness = 0.12;    //!< residual of a round rim over its radius
     double surface = 0.02;      //!< residual of a cylinder, cone, sphere over its radius
     double smallest_area = 0.004;  //!< area of a plane, flange or bead over that of its part
+    double scatter = -1.0;         //!< mm, of measured vertices about their surface, as a standard
+                                   //!< deviation in one direction; < 0: told from the mesh
     double weld = 1e-7;            //!< vertices nearer than this share of the size are one
     int fewest_rim_vertices = 6;   //!< of a hole
     int washer_rings = 1;          //!< rings of triangles proposed around a hole

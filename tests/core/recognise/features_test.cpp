@@ -79,6 +79,24 @@ TEST(Features, NoiseOfSomePercentHidesNoHole)
     }
 }
 
+TEST(Features, HolesOfAMeasuredPlateAreFoundByTheirRims)
+{
+    for (unsigned seed = 0; seed < 5; ++seed)
+    {
+        const auto plate = shapes::plate_with_holes();
+        const auto holes = of_kind(find_features(shapes::scattered(plate.mesh, 0.25, seed)),
+                                   FeatureKind::round_hole);
+        ASSERT_EQ(holes.size(), plate.rims.size()) << seed;
+        for (std::size_t k = 0; k < holes.size(); ++k)
+        {
+            VertexIds rim = plate.rims[k];
+            std::sort(rim.begin(), rim.end());
+            EXPECT_EQ(holes[k].vertices, rim);
+            EXPECT_NEAR(holes[k].radius, 12.0, 0.25);
+        }
+    }
+}
+
 TEST(Features, SlotsAndRectanglesAreToldFromCircles)
 {
     const auto stretched = [](double along)

@@ -44,6 +44,19 @@ inline TriangleMesh jittered(const TriangleMesh& mesh, double amplitude, unsigne
                   });
 }
 
+//! The mesh as measured: vertices off by a normal distribution of this standard deviation, mm.
+inline TriangleMesh scattered(const TriangleMesh& mesh, double deviation, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> off(0.0, deviation);
+    return mapped(mesh,
+                  [&](const Vector3& p)
+                  {
+                      const double x = off(random), y = off(random), z = off(random);
+                      return Vector3(p + Vector3(x, y, z));
+                  });
+}
+
 //! A flat grid as of grid(), its inner vertices moved by up to a quarter of a cell.
 inline TriangleMesh jittered_grid(int nx, int ny, double cell, unsigned seed)
 {
