@@ -98,7 +98,8 @@ def test_no_command_fails_when_asked_whether_it_is_active():
     names = [name for name in Gui.listCommands() if name.startswith("SheetMorph_")]
     assert len(names) >= 12
     active = {name for name in names if Gui.Command.get(name).isActive()}
-    always = {"CreateMorph", "ImportRecipe", "OpenExample", "CheckInstallation"}
+    always = {"Guide", "CreateMorph", "ImportPart", "ImportRecipe", "OpenExample"}
+    always |= {"CheckInstallation"}
     assert active == {f"SheetMorph_{name}" for name in always}
     yield from new_morph()
     Gui.Selection.clearSelection()

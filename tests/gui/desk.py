@@ -133,7 +133,17 @@ def panel():
     """The form of the open task panel of ours."""
     forms = [
         widget
-        for name in ("region", "move", "contact", "propagation", "feature", "thickness", "find")
+        for name in (
+            "region",
+            "move",
+            "contact",
+            "propagation",
+            "feature",
+            "thickness",
+            "find",
+            "guide",
+            "poses",
+        )
         for widget in Gui.getMainWindow().findChildren(QtGui.QWidget, name)
         if widget.isVisible()
     ]

@@ -3,11 +3,17 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.commands import contacts, create, exchange, features, finding
+from freecad.sheetmorph.commands import contacts, create, exchange, features, finding, guide
 from freecad.sheetmorph.commands import installation, motion, regions, sheets
 
 _TOOLBARS = {
-    "Morph": (create.CreateMorph, create.AddPart, create.ImportPart, sheets.ThicknessMap),
+    "Morph": (
+        guide.OpenGuide,
+        create.CreateMorph,
+        create.AddPart,
+        create.ImportPart,
+        sheets.ThicknessMap,
+    ),
     "Regions": (
         regions.MarkFixed,
         regions.MarkHandle,
@@ -53,3 +59,19 @@ def menu() -> list[str]:
             names.append("Separator")
         names += [command.name for command in classes]
     return names
+
+
+def find(name: str):
+    """The class of a command by its registered name."""
+    every = (command for classes in _TOOLBARS.values() for command in classes)
+    return next(command for command in every if command.name == name)
+
+
+def resources(name: str) -> dict:
+    """Texts, as they are before translation, and icon of a command."""
+    return find(name)().GetResources()
+
+
+def is_possible(name: str) -> bool:
+    """Whether a command makes sense now, whatever panel is open."""
+    return find(name)().is_sensible()

@@ -30,11 +30,13 @@ class Command:
     def IsActive(self) -> bool:
         """Asked all the time: never raises."""
         try:
-            if Gui.Control.activeDialog() or (self.needs_kernel and not Command.kernel_works()):
-                return False
-            return bool(self.possible())
+            return not is_panel_open() and self.is_sensible()
         except (AttributeError, RuntimeError, ReferenceError):
             return False
+
+    def is_sensible(self) -> bool:
+        """Whether the kernel and the document allow it, whatever panel is open."""
+        return (not self.needs_kernel or Command.kernel_works()) and bool(self.possible())
 
     @staticmethod
     def kernel_works() -> bool:
@@ -44,7 +46,13 @@ class Command:
         return Command._kernel_works
 
     def Activated(self, _index: int = 0) -> None:
-        """Runs the command; what goes wrong is told in words."""
+        """Runs the command, after the guide's panel gave way."""
+        from freecad.sheetmorph.panels.guide import Guide
+
+        Guide.make_room(self._run)
+
+    def _run(self) -> None:
+        """What goes wrong is told in words."""
         try:
             self.execute()
         except actions.FAULTS as error:
@@ -57,3 +65,12 @@ class Command:
     def execute(self) -> None:
         """What the command does."""
         raise TypeError(f"{self.name} has nothing to execute")
+
+
+def is_panel_open() -> bool:
+    """Whether a panel is open that does not give way to others, as the guide's does."""
+    if not Gui.Control.activeDialog():
+        return False
+    from freecad.sheetmorph.panels.guide import Guide
+
+    return not Guide.is_shown()

@@ -17,6 +17,14 @@ FILTER = (
     f"Meshes, decks and CAD ({MESHES} {' '.join('*' + ending for ending in CAD)});;All files (*)"
 )
 
+NEW = call("create_assembly", "App.ActiveDocument")
+
+
+def ensure_document() -> None:
+    """Makes a document if there is none."""
+    if App.ActiveDocument is None:
+        Gui.doCommand("App.newDocument()")
+
 
 def added(function: str, *arguments: str) -> str:
     """The line that brings a part in, as the thin solid it may be."""
@@ -76,11 +84,9 @@ class CreateMorph(Command):
         edge = ask_edge() if context.shapes() else 0.0
         if edge is None:
             return
-        if App.ActiveDocument is None:
-            Gui.doCommand("App.newDocument()")
-        new = call("create_assembly", "App.ActiveDocument")
+        ensure_document()
         before = set(App.ActiveDocument.Objects)
-        lines = [f"morph = {new}", *source_lines("morph", edge)]
+        lines = [f"morph = {NEW}", *source_lines("morph", edge)]
         if actions.attempt("Create Morph", *lines):
             Gui.Selection.clearSelection()
             made = [o for o in App.ActiveDocument.Objects if o not in before]
@@ -120,15 +126,20 @@ class ImportPart(Command):
     )
 
     def possible(self) -> bool:
-        """With a morph to import into."""
-        return context.assembly() is not None
+        """Unless it is not clear which of several morphs is meant."""
+        return context.assembly() is not None or not context.all_of(context.ASSEMBLY)
 
     def execute(self) -> None:
-        """Asks for files and imports them in one undo step."""
+        """Asks for files and imports them in one undo step, into a new morph if there is none."""
         window = Gui.getMainWindow()
         files, _ = QtWidgets.QFileDialog.getOpenFileNames(window, "Import Part", "", FILTER)
         has_cad = any(file.lower().endswith(CAD) for file in files)
         edge = ask_edge() if has_cad else 0.0
-        if files and edge is not None:
-            actions.attempt("Import Part", *import_lines(name(context.assembly()), files, edge))
+        if not files or edge is None:
+            return
+        ensure_document()
+        owner = context.assembly()
+        lines = [] if owner else [f"morph = {NEW}"]
+        lines += import_lines(name(owner) if owner else "morph", files, edge)
+        if actions.attempt("Import Part", *lines):
             Gui.SendMsgToActiveView("ViewFit")

@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget
 from freecad.sheetmorph.scene import colours
 
 WIDTH = 340  # px at which a panel is readable
@@ -50,13 +50,9 @@ class Panel:
         return True
 
     def finish(self) -> bool:
-        """Closes the task view and lets go of its widgets, which FreeCAD deletes.
-
-        PySide knows widgets by address: a wrapper that outlives its widget would be taken for
-        the next widget at that address, and that one would seem deleted.
-        """
-        Gui.Control.closeDialog()
-        self.form = None
+        """Closes the task view and lets go of its widgets, which FreeCAD deletes."""
+        form, self.form = self.form, None
+        forget(form, Gui.Control.closeDialog)
         return True
 
 

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What double clicks and context menus of the tree do."""
 
-import FreeCADGui as Gui
-
 from freecad.sheetmorph import actions, paths
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.panels.guide import Guide
 from freecad.sheetmorph.qt import QtGui
 
 
@@ -12,46 +11,47 @@ def move(handle) -> None:
     """Opens the Move Handle panel unless another panel is open."""
     from freecad.sheetmorph.panels import move_panel
 
-    if not Gui.Control.activeDialog():
-        move_panel.open_panel(handle)
+    _opened("Move Handle", lambda: move_panel.open_panel(handle))
 
 
 def edit(region) -> None:
     """Opens the picking panel for a region that exists."""
     from freecad.sheetmorph.panels import region_panel
 
-    if not Gui.Control.activeDialog():
-        region_panel.edit(region)
+    _opened("Region", lambda: region_panel.edit(region))
 
 
 def edit_feature(feature) -> None:
-    """Opens the panel of a form feature; what stands against it is told."""
+    """Opens the panel of a form feature."""
     from freecad.sheetmorph.panels import feature_panel
 
-    if not Gui.Control.activeDialog():
-        try:
-            feature_panel.open_panel(feature)
-        except actions.FAULTS as error:
-            actions.tell("Form Feature", error)
+    _opened("Form Feature", lambda: feature_panel.open_panel(feature))
 
 
 def edit_contact(contact) -> None:
-    """Opens the panel of a contact that exists; what stands against it is told."""
+    """Opens the panel of a contact that exists."""
     from freecad.sheetmorph.panels import contact_panel
 
-    if not Gui.Control.activeDialog():
-        try:
-            contact_panel.edit(contact)
-        except actions.FAULTS as error:
-            actions.tell("Contact", error)
+    _opened("Contact", lambda: contact_panel.edit(contact))
 
 
 def show_propagation(assembly) -> None:
     """Opens the Propagation panel."""
     from freecad.sheetmorph.panels import propagation_panel
 
-    if not Gui.Control.activeDialog():
-        propagation_panel.open_panel(assembly)
+    _opened("Propagation", lambda: propagation_panel.open_panel(assembly))
+
+
+def _opened(title: str, action) -> None:
+    """Opens a panel if there is room for it; what stands against it is told."""
+
+    def opened() -> None:
+        try:
+            action()
+        except actions.FAULTS as error:
+            actions.tell(title, error)
+
+    Guide.make_room(opened)
 
 
 def add_assembly_actions(menu, assembly) -> None:

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command that leads a new user through a morph."""
+
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+
+
+class OpenGuide(Command):
+    """Opens the guide."""
+
+    name = "SheetMorph_Guide"
+    text = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Guide")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_Guide",
+        "Leads through a morph step by step: says what is missing and opens what is needed",
+    )
+    alters = False
+
+    def possible(self) -> bool:
+        """Always: it begins with an empty window."""
+        return True
+
+    def execute(self) -> None:
+        """Opens the panel."""
+        from freecad.sheetmorph.panels.guide import Guide
+
+        Guide.open()

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that leads through a morph: what is done, what is missing, what to press."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import seen
+from freecad.sheetmorph.commands import context
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import guide_facts
+from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.guide_step import StepView
+from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.highlight import Highlight
+from freecad.sheetmorph.tools import guide
+
+COMMANDS = {
+    guide.PARTS: ("CreateMorph", "ImportPart", "AddPart"),
+    guide.FIXED: ("MarkFixed",),
+    guide.FEATURES: ("FindFeatures", "MarkFeature"),
+    guide.CONTACTS: ("FindContacts", "MarkContact", "Propagation"),
+    guide.HANDLE: ("MarkHandle",),
+    guide.DRAG: ("MoveHandle", "ResetMotion", "ExportParts"),
+}
+
+
+class GuidePanel(Panel):
+    """Shows the steps; ``run(command name)`` and ``closed()`` are told to the guide behind it."""
+
+    width = 380
+
+    def __init__(self, run, closed):
+        super().__init__("guide", "Guide", translate("guide", "Guide"))
+        self._closed = closed
+        self._faulty = []
+        self._highlight = Highlight()
+        self._steps = {key: StepView(self.form, key, COMMANDS[key]) for key in guide.STEPS}
+        for step in self._steps.values():
+            step.connect(run)
+
+    def refresh(self) -> None:
+        """Shows what the document says now."""
+        facts, faulty = guide_facts.read()
+        owner = context.assembly()
+        say(self.form.morph, f"<b>{owner.Label}</b>" if owner else "")
+        for step in guide.steps(facts):
+            self._steps[step.key].show(step)
+        if faulty != self._faulty:
+            self._faulty = faulty
+            self._show_faulty()
+
+    def getStandardButtons(self) -> int:
+        """Close: what was done stays."""
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterSelection(self) -> bool:
+        """Meshes are selected in the tree to become parts."""
+        return True
+
+    def isAllowedAlterDocument(self) -> bool:
+        """Nothing is open in the document: undo and every command are welcome."""
+        return True
+
+    def accept(self) -> bool:
+        """Return in the panel is no wish to close it."""
+        return False
+
+    def reject(self) -> bool:
+        """Close."""
+        self._closed()
+        return self.finish()
+
+    def finish(self) -> bool:
+        """Takes the panel and what it painted away."""
+        self._highlight.clear()
+        self._steps = {}
+        return super().finish()
+
+    def _show_faulty(self) -> None:
+        """Selects the regions that a failure names, and lights up where they are."""
+        self._highlight.clear()
+        for obj in self._faulty:
+            Gui.Selection.addSelection(obj)
+            for part, vertices in places_of(obj):
+                if part is not None and part.Source is not None:
+                    shown = seen.triangles(part)
+                    inside = vertices[vertices <= shown.max()]
+                    self._highlight.paint(part.ViewObject, shown, colours.FAULT, inside.tolist())
+
+
+def places_of(obj) -> list:
+    """Parts and vertices of a region or contact."""
+    if model.kind(obj) == model.REGION:
+        return [(obj.Part, model.vertices(obj))]
+    return [
+        (part, model.contact_vertices(obj, side))
+        for side, part in (("a", obj.PartA), ("b", obj.PartB))
+    ]

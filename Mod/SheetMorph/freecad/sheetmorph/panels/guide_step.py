@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One step in the guide: a mark, a title, what is missing in words, and buttons for commands."""
+
+from freecad.sheetmorph import commands
+from freecad.sheetmorph.panels.base import say
+from freecad.sheetmorph.qt import QtCore, QtGui, translate
+from freecad.sheetmorph.tools import guide
+
+MARKS = {
+    guide.DONE: ("✓", "#2e9e5b"),
+    guide.NEXT: ("➜", "#e07b10"),
+    guide.AFTER: ("○", "#e07b10"),
+    guide.OPEN: ("○", "#8a8f96"),
+    guide.OPTIONAL: ("○", "#8a8f96"),
+    guide.FAULTY: ("!", "#d64545"),
+}
+
+
+class StepView:
+    """The widgets of one step; a press on a button calls ``run`` with the name of a command."""
+
+    def __init__(self, form, key: str, names):
+        """``names``: of the commands, whose buttons ``form`` has, with words and without."""
+        self._form, self._key, self._names = form, key, names
+        self._title = self._widget("title").text()
+        self._presses = []
+
+    def connect(self, run) -> None:
+        """Lets the buttons call ``run``, after the click: it may end the panel they are in."""
+        for name in self._names:
+            press = _Press(f"SheetMorph_{name}", run)
+            self._presses.append(press)
+            for button in self._buttons(name):
+                dress(button, press.name)
+                button.clicked.connect(press.pressed)
+
+    def show(self, step: guide.Step) -> None:
+        """Shows the state of the step; where to press now the buttons have words."""
+        mark, colour = MARKS[step.state]
+        is_here = step.state in (guide.NEXT, guide.AFTER, guide.FAULTY)
+        self._widget("mark").setText(f'<b style="color:{colour}">{mark}</b>')
+        self._widget("title").setText(f"<b>{self._title}</b>" if is_here else self._title)
+        words = translate("Guide", step.text).format(**step.values)
+        say(self._widget("text"), words, step.state == guide.FAULTY)
+        for name in self._names:
+            is_possible = commands.is_possible(f"SheetMorph_{name}")
+            worded, small = self._buttons(name)
+            worded.setVisible(is_here and is_possible)
+            small.setVisible(not is_here)
+            small.setEnabled(is_possible)
+
+    def _widget(self, name: str):
+        return getattr(self._form, f"{self._key}_{name}")
+
+    def _buttons(self, name: str) -> tuple:
+        return getattr(self._form, name), getattr(self._form, f"{name}_small")
+
+
+class _Press:
+    """What a press on a button does."""
+
+    def __init__(self, name: str, run):
+        self.name, self._run = name, run
+
+    def pressed(self, *_) -> None:
+        """Runs the command after the click, because it may end the panel of the button."""
+        QtCore.QTimer.singleShot(0, self._later)
+
+    def _later(self) -> None:
+        self._run(self.name)
+
+
+def dress(button, name: str) -> None:
+    """Gives a button the icon and the words of a command."""
+    resources = commands.resources(name)
+    button.setIcon(QtGui.QIcon(resources["Pixmap"]))
+    button.setText(translate(name, resources["MenuText"]))
+    button.setToolTip(translate(name, resources["ToolTip"]))

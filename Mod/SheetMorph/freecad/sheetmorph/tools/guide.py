@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a morph still needs, step by step: from facts about a document to words for a person."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
+
+DONE, NEXT, AFTER, OPEN = "done", "next", "after", "open"
+OPTIONAL, FAULTY = "optional", "faulty"
+PARTS, FIXED, FEATURES, CONTACTS, HANDLE, DRAG = STEPS = (
+    "parts",
+    "fixed",
+    "features",
+    "contacts",
+    "handle",
+    "drag",
+)
+STEP_OF_ROLE = {"fixed": FIXED, "form feature": FEATURES, "handle": HANDLE, "follower": CONTACTS}
+
+NO_DOCUMENT = QT_TRANSLATE_NOOP(
+    "Guide", "Import a mesh or CAD file, or select meshes in the tree and create a morph."
+)
+MANY_MORPHS = QT_TRANSLATE_NOOP(
+    "Guide", "This document has several morphs: select one of them in the tree."
+)
+NO_PARTS = QT_TRANSLATE_NOOP("Guide", "The morph has no part yet: import a file or add a mesh.")
+SOME_PARTS = QT_TRANSLATE_NOOP("Guide", "{count} part(s); “{primary}” is deformed first.")
+NO_FIXED = QT_TRANSLATE_NOOP("Guide", "Nothing is held yet: mark what stays where it is.")
+SOME_FIXED = QT_TRANSLATE_NOOP("Guide", "{count} fixed region(s).")
+NO_FEATURES = QT_TRANSLATE_NOOP(
+    "Guide",
+    "No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.",
+)
+SOME_FEATURES = QT_TRANSLATE_NOOP("Guide", "{count} form feature(s) keep their shape exactly.")
+ONE_PART = QT_TRANSLATE_NOOP("Guide", "One part only: there is nothing to connect.")
+ONE_FOR_ALL = QT_TRANSLATE_NOOP("Guide", "One control mesh around everything moves all parts.")
+UNREACHED = QT_TRANSLATE_NOOP(
+    "Guide", "Not connected with “{primary}”, so they would not follow: {parts}."
+)
+SOME_CONTACTS = QT_TRANSLATE_NOOP("Guide", "{count} contact(s) reach every part.")
+NO_HANDLE = QT_TRANSLATE_NOOP("Guide", "Nothing can be moved yet: mark what you want to move.")
+SOME_HANDLES = QT_TRANSLATE_NOOP("Guide", "{count} handle(s).")
+NOT_READY = QT_TRANSLATE_NOOP("Guide", "Comes when there is a fixed region and a handle.")
+NOT_MOVED = QT_TRANSLATE_NOOP("Guide", "Everything is ready: move the handle and watch.")
+MOVED = QT_TRANSLATE_NOOP("Guide", "Moved. Move on, export the parts, or keep this as a pose.")
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What a document says about one morph; the default is: nothing is there."""
+
+    morphs: int = 0
+    parts: tuple[str, ...] = ()  # labels
+    primary: str = ""
+    joined: tuple[tuple[str, str], ...] = ()  # labels of parts with a contact in use
+    is_single: bool = False  # one control mesh for all
+    fixed: int = 0
+    features: int = 0
+    handles: int = 0
+    is_moved: bool = False
+    failure: str = ""  # what the last recompute said if it failed
+    faulty_role: str = ""  # role of the region that the failure names, "contact", or nothing
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step: its state, and words with gaps for values."""
+
+    key: str
+    state: str
+    text: str
+    values: dict = field(default_factory=dict)
+
+
+def steps(facts: Facts) -> list[Step]:
+    """Return all steps in their order; at most one is NEXT, and one AFTER it."""
+    found = [
+        parts_step(facts),
+        counted(FIXED, facts.fixed, NO_FIXED, SOME_FIXED),
+        features_step(facts),
+        contacts_step(facts),
+        counted(HANDLE, facts.handles, NO_HANDLE, SOME_HANDLES),
+        drag_step(facts),
+    ]
+    if facts.failure:
+        wrong = STEP_OF_ROLE.get(facts.faulty_role, faulty_step(facts))
+        found = [with_failure(step, facts) if step.key == wrong else step for step in found]
+    return with_next(found)
+
+
+def parts_step(facts: Facts) -> Step:
+    """Is there something to deform?"""
+    if facts.parts:
+        values = {"count": len(facts.parts), "primary": facts.primary}
+        return Step(PARTS, DONE, SOME_PARTS, values)
+    if facts.morphs > 1:
+        return Step(PARTS, OPEN, MANY_MORPHS)
+    return Step(PARTS, OPEN, NO_PARTS if facts.morphs else NO_DOCUMENT)
+
+
+def counted(key: str, count: int, none: str, some: str) -> Step:
+    """A step that is done when there is one of something."""
+    return Step(key, DONE, some, {"count": count}) if count else Step(key, OPEN, none)
+
+
+def features_step(facts: Facts) -> Step:
+    """Holes that keep their shape are the point of it all, but a sheet may have none."""
+    step = counted(FEATURES, facts.features, NO_FEATURES, SOME_FEATURES)
+    return step if facts.features else Step(FEATURES, OPTIONAL, step.text)
+
+
+def contacts_step(facts: Facts) -> Step:
+    """Is every part reached?"""
+    if len(facts.parts) < 2:
+        return Step(CONTACTS, DONE if facts.parts else OPEN, ONE_PART if facts.parts else NOT_READY)
+    if facts.is_single:
+        return Step(CONTACTS, DONE, ONE_FOR_ALL)
+    lost = unreached(facts)
+    if lost:
+        values = {"primary": facts.primary, "parts": ", ".join(lost)}
+        return Step(CONTACTS, OPTIONAL, UNREACHED, values)
+    return Step(CONTACTS, DONE, SOME_CONTACTS, {"count": len(facts.joined)})
+
+
+def drag_step(facts: Facts) -> Step:
+    """Has anything been moved?"""
+    if not (facts.fixed and facts.handles):
+        return Step(DRAG, OPEN, NOT_READY)
+    return Step(DRAG, DONE, MOVED) if facts.is_moved else Step(DRAG, OPEN, NOT_MOVED)
+
+
+def unreached(facts: Facts) -> list[str]:
+    """Return the labels of the parts that no chain of contacts connects with the primary."""
+    reached, due = {facts.primary}, [facts.primary]
+    while due:
+        here = due.pop()
+        for a, b in facts.joined:
+            for near, far in ((a, b), (b, a)):
+                if near == here and far not in reached:
+                    reached.add(far)
+                    due.append(far)
+    return [label for label in facts.parts if label not in reached]
+
+
+def faulty_step(facts: Facts) -> str:
+    """The step that a failure belongs to which names no region."""
+    return CONTACTS if facts.faulty_role == "contact" else DRAG
+
+
+def with_failure(step: Step, facts: Facts) -> Step:
+    """The step in which something is wrong, in the words of the recompute."""
+    return Step(step.key, FAULTY, "{failure}", {"failure": facts.failure})
+
+
+def with_next(found: list[Step]) -> list[Step]:
+    """Mark the first step that is not done as NEXT.
+
+    If that one is optional, the first that is needed is AFTER: one may go on there. What is
+    optional is passed over when something after it is done.
+    """
+    if any(step.state == FAULTY for step in found):
+        return found
+    needed = [step.key for step in found if step.state == OPEN][:1]
+    has_next = False
+    for k, step in enumerate(found):
+        is_passed = any(later.state == DONE and later.values for later in found[k + 1 :])
+        is_open = step.key in needed or (step.state == OPTIONAL and not is_passed)
+        if is_open and (not has_next or step.key in needed):
+            state = AFTER if has_next else NEXT
+            found[k] = Step(step.key, state, step.text, step.values)
+            has_next = True
+        if step.key in needed:
+            break
+    return found
+
+
+def named_in(sentence: str, labels: Iterable[str]) -> list[str]:
+    """Return the labels that a sentence names as whole words, the longest first."""
+    found = [x for x in labels if re.search(rf"(?<!\w){re.escape(x)}(?!\w)", sentence)]
+    return sorted(found, key=len, reverse=True)
