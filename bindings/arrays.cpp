@@ -166,6 +166,14 @@ py::array_t<int> to_numpy(const VertexIds& ids)
     return py::array_t<int>(static_cast<py::ssize_t>(ids.size()), ids.data());
 }
 
+py::list to_lists(const std::vector<VertexIds>& loops)
+{
+    py::list list;
+    for (const VertexIds& loop : loops)
+        list.append(to_numpy(loop));
+    return list;
+}
+
 py::array_t<double> to_numpy(const Vector3& vector)
 {
     return py::array_t<double>(3, vector.data());

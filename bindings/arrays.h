@@ -29,6 +29,7 @@ Vector3 vector_from(const pybind11::handle& array, const std::string& what);
 pybind11::array_t<double> to_numpy(Points&& points);
 pybind11::array_t<int> to_numpy(Triangles&& triangles);
 pybind11::array_t<int> to_numpy(const VertexIds& ids);
+pybind11::list to_lists(const std::vector<VertexIds>& ids);
 pybind11::array_t<double> to_numpy(const Vector3& vector);
 pybind11::array_t<double> to_numpy(const Matrix3& matrix);
 

@@ -44,14 +44,6 @@ Quads quads_from(const py::array& array)
     return Eigen::Map<const Quads>(corners.data(), array.shape(0), 4);
 }
 
-py::list to_lists(const std::vector<VertexIds>& loops)
-{
-    py::list list;
-    for (const VertexIds& loop : loops)
-        list.append(to_numpy(loop));
-    return list;
-}
-
 void bind_boundary(py::module_& module)
 {
     module.def(

@@ -10,6 +10,7 @@ namespace sheetmorph
 void bind_base(pybind11::module_& module);
 void bind_triangle_mesh(pybind11::module_& module);
 void bind_mesh(pybind11::module_& module);
+void bind_pick(pybind11::module_& module);
 void bind_features(pybind11::module_& module);
 void bind_diagnosis(pybind11::module_& module);
 void bind_thin(pybind11::module_& module);

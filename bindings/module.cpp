@@ -7,6 +7,7 @@ PYBIND11_MODULE(_core, module)
     sheetmorph::bind_base(module);
     sheetmorph::bind_triangle_mesh(module);
     sheetmorph::bind_mesh(module);
+    sheetmorph::bind_pick(module);
     sheetmorph::bind_features(module);
     sheetmorph::bind_diagnosis(module);
     sheetmorph::bind_thin(module);

@@ -8,6 +8,7 @@ MAY_INCLUDE = {
     "base": {"base"},
     "numerics": {"base", "numerics"},
     "mesh": {"base", "mesh"},
+    "pick": {"base", "mesh", "pick"},
     "repair": {"base", "mesh", "repair"},
     "surface": BELOW_ASSEMBLY | {"surface"},
     "volume": BELOW_ASSEMBLY | {"volume"},

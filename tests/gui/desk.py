@@ -79,6 +79,7 @@ def within_reach(widget):
 def click_widget(widget):
     """Clicks the middle of a widget."""
     assert widget.isVisible() and widget.isEnabled(), widget.objectName()
+    yield from within_reach(widget)
     middle = widget.mapToGlobal(widget.rect().center())
     yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
 
@@ -86,6 +87,7 @@ def click_widget(widget):
 def tick(box):
     """Clicks a check box where its text is; beside it a click does nothing."""
     assert box.isVisible() and box.isEnabled(), box.objectName()
+    yield from within_reach(box)
     place = box.mapToGlobal(QtCore.QPoint(20, box.height() // 2))
     yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
 
@@ -172,3 +174,29 @@ def activate():
     """Activates the workbench and lets it settle."""
     Gui.activateWorkbench("SheetMorphWorkbench")
     yield 700
+
+
+def draw_along(points, key: str = ""):
+    """Drags with the left button from place to place, (x, y, z) global mm, a modifier key down."""
+    places = [on_screen(point) for point in points]
+    yield from xdotool("mousemove", *places[0])
+    if key:
+        yield from xdotool("keydown", key)
+    yield from xdotool("mousedown", 1)
+    for (x, y), (to_x, to_y) in zip(places, places[1:]):
+        steps = max(1, (abs(to_x - x) + abs(to_y - y)) // 12)
+        words = []
+        for k in range(1, steps + 1):
+            words += ["mousemove", x + (to_x - x) * k // steps, y + (to_y - y) * k // steps]
+            words += ["sleep", 0.004]
+        yield from xdotool(*words)
+    yield from xdotool("mouseup", 1)
+    if key:
+        yield from xdotool("keyup", key)
+
+
+def colour_at(point) -> tuple[int, int, int]:
+    """The colour that is seen at a point (3,), global mm."""
+    image = QtGui.QImage(picture("colour"))
+    colour = image.pixelColor(*on_screen(point))
+    return colour.red(), colour.green(), colour.blue()

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 from freecad.sheetmorph.tools import wires
 from freecad.sheetmorph.tools.contact_sides import ContactSides, reach_that_touches
-from freecad.sheetmorph.tools.part_mesh import PartMesh, Ray
+from freecad.sheetmorph.tools.part_mesh import PartMesh
+from freecad.sheetmorph.tools.rims import Ray
 from sheetmorph import _core
 
 

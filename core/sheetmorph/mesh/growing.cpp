@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/edges.h"
+#include "sheetmorph/mesh/flags.h"
 #include "sheetmorph/mesh/thinness.h"
 
 #include <Eigen/Geometry>
@@ -17,33 +17,6 @@ namespace
 {
 
 constexpr int none = -1;
-
-// One flag a member of 0..count-1.
-using Flags = std::vector<char>;
-
-Flags flags_of(const std::vector<int>& ids, int count, const std::string& what)
-{
-    Flags flags(static_cast<std::size_t>(count), 0);
-    std::vector<int> bad;
-    for (const int id : ids)
-        if (id < 0 || id >= count)
-            bad.push_back(id);
-        else
-            flags[id] = 1;
-    if (!bad.empty())
-        throw InvalidInput(what + " that do not exist: " + list_ids(bad) + "; the mesh has "
-                           + std::to_string(count));
-    return flags;
-}
-
-std::vector<int> ids_of(const Flags& flags, char value = 1)
-{
-    std::vector<int> ids;
-    for (int id = 0; id < static_cast<int>(flags.size()); ++id)
-        if (flags[id] == value)
-            ids.push_back(id);
-    return ids;
-}
 
 // Sets the flag of every vertex that shares a triangle with a flagged one, `rings` times.
 void spread(const TriangleMesh& mesh, Flags& flags, int rings)
@@ -75,9 +48,9 @@ void spread(const TriangleMesh& mesh, Flags& flags, int rings)
 class CreaseFlood
 {
 public:
-    CreaseFlood(const TriangleMesh& mesh, double max_angle)
+    CreaseFlood(const TriangleMesh& mesh, const EdgeTable& table, double max_angle)
         : mesh_(mesh),
-          table_(mesh),
+          table_(table),
           max_angle_(max_angle),
           is_reached_(static_cast<std::size_t>(mesh.triangle_count()), 0),
           plane_(static_cast<std::size_t>(mesh.triangle_count()), none)
@@ -133,7 +106,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    EdgeTable table_;
+    const EdgeTable& table_;
     double max_angle_;
     Flags is_reached_;
     std::vector<int> plane_;
@@ -160,10 +133,16 @@ VertexIds shrink_rings(const TriangleMesh& mesh, const VertexIds& vertices, int 
 
 std::vector<int> grow_to_creases(const TriangleMesh& mesh, int triangle, double max_angle)
 {
+    return grow_to_creases(mesh, EdgeTable(mesh), triangle, max_angle);
+}
+
+std::vector<int> grow_to_creases(const TriangleMesh& mesh, const EdgeTable& table, int triangle,
+                                 double max_angle)
+{
     flags_of({triangle}, mesh.triangle_count(), "triangles");
     if (!std::isfinite(max_angle))
         throw InvalidInput("the angle of a crease must be a finite number of radians");
-    return CreaseFlood(mesh, max_angle).from(triangle);
+    return CreaseFlood(mesh, table, max_angle).from(triangle);
 }
 
 std::vector<int> connected_triangles(const TriangleMesh& mesh, int triangle)

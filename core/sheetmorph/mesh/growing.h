@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/mesh/edges.h"
 
 namespace sheetmorph
 {
@@ -20,6 +20,8 @@ VertexIds shrink_rings(const TriangleMesh& mesh, const VertexIds& vertices, int 
 //! (radians, between the planes, 0 flat, pi folded back), however the triangles are oriented.
 //! Triangles too thin to have a plane are crossed, and carry the plane they were reached from.
 std::vector<int> grow_to_creases(const TriangleMesh& mesh, int triangle, double max_angle);
+std::vector<int> grow_to_creases(const TriangleMesh& mesh, const EdgeTable& table, int triangle,
+                                 double max_angle);
 
 //! The triangles connected with one through shared vertices: its connected component.
 std::vector<int> connected_triangles(const TriangleMesh& mesh, int triangle);

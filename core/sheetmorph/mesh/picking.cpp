@@ -107,6 +107,12 @@ struct RangeQuery
     }
 };
 
+void require_finite(const Vector3& point)
+{
+    if (!point.allFinite())
+        throw InvalidInput("the point has coordinates that are not finite numbers");
+}
+
 Hit nothing_yet()
 {
     Hit hit;
@@ -120,11 +126,9 @@ Hit nothing_yet()
 PickingTree::PickingTree(const TriangleMesh& mesh)
     : points_(mesh.points()), triangles_(mesh.triangles())
 {
-    const int count = mesh.triangle_count();
-    if (count == 0)
+    if (mesh.triangle_count() == 0)
         return;
-    leaf_count_ = 1;
-    while (leaf_count_ * triangles_per_leaf < count)
+    for (leaf_count_ = 1; leaf_count_ * triangles_per_leaf < mesh.triangle_count();)
         leaf_count_ *= 2;
     order_triangles();
     fit_boxes();
@@ -240,8 +244,7 @@ std::optional<Hit> PickingTree::nearest_hit(const Vector3& origin, const Vector3
 
 std::vector<Hit> PickingTree::places_within(const Vector3& point, double radius) const
 {
-    if (!point.allFinite())
-        throw InvalidInput("the point has coordinates that are not finite numbers");
+    require_finite(point);
     RangeQuery query{point, nothing_yet(), {}};
     query.best.distance = radius;
     visit(query);
@@ -250,15 +253,41 @@ std::vector<Hit> PickingTree::places_within(const Vector3& point, double radius)
     return std::move(query.found);
 }
 
-std::optional<Hit> PickingTree::nearest_point(const Vector3& point) const
+std::vector<int> PickingTree::triangles_between(const Planes& planes) const
 {
-    return nearest_point(point, far_away);
+    std::vector<int> found;
+    if (leaf_count_ > 0)
+        collect(1, planes, found);
+    return found;
+}
+
+void PickingTree::collect(int node, const Planes& planes, std::vector<int>& found) const
+{
+    bool is_inside = true;
+    for (int k = 0; k < planes.rows(); ++k)
+    {
+        const auto normal = planes.row(k).head<3>().transpose();
+        const Vector3 low = normal.cwiseProduct(boxes_[node].low);
+        const Vector3 high = normal.cwiseProduct(boxes_[node].high);
+        if (low.cwiseMax(high).sum() + planes(k, 3) < 0.0)
+            return;
+        is_inside = is_inside && low.cwiseMin(high).sum() + planes(k, 3) >= 0.0;
+    }
+    if (!is_inside && node < leaf_count_)
+    {
+        collect(2 * node, planes, found);
+        return collect(2 * node + 1, planes, found);
+    }
+    int first = node, last = node;  // of the leaves below
+    for (; first < leaf_count_; last = 2 * last + 1)
+        first *= 2;
+    found.insert(found.end(), order_.begin() + first_of_leaf(first - leaf_count_),
+                 order_.begin() + first_of_leaf(last + 1 - leaf_count_));
 }
 
 std::optional<Hit> PickingTree::nearest_point(const Vector3& point, double reach) const
 {
-    if (!point.allFinite())
-        throw InvalidInput("the point has coordinates that are not finite numbers");
+    require_finite(point);
     PointQuery query{point, nothing_yet()};
     query.best.distance = reach;
     visit(query);

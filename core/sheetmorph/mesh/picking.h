@@ -3,10 +3,14 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
+#include <limits>
 #include <optional>
 
 namespace sheetmorph
 {
+
+//! (k, 4) planes (a, b, c, d), one row each: inside is where a x + b y + c z + d >= 0.
+using Planes = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 //! A place on a mesh.
 struct Hit
@@ -35,16 +39,21 @@ public:
     //! \throws InvalidInput for a direction of length zero or anything not finite
     std::optional<Hit> nearest_hit(const Vector3& origin, const Vector3& direction) const;
 
-    //! The place on the mesh nearest to a point; degenerate triangles count as the line or point
-    //! they are. Nothing if the mesh has no triangle.
+    //! The place on the mesh nearest to a point if it is not farther than `reach` (mm), which is
+    //! fast where all is far away; degenerate triangles count as the line or point they are.
     //! \throws InvalidInput if the point is not finite
-    std::optional<Hit> nearest_point(const Vector3& point) const;
+    std::optional<Hit> nearest_point(const Vector3& point,
+                                     double reach = std::numeric_limits<double>::infinity()) const;
 
     //! The place nearest to a point on every triangle that comes within `radius` (mm) of it, by
     //! rising triangle. \throws InvalidInput if the point is not finite
     std::vector<Hit> places_within(const Vector3& point, double radius) const;
-    //! The same if it is not farther than `reach` (mm), else nothing; fast where all is far away.
-    std::optional<Hit> nearest_point(const Vector3& point, double reach) const;
+
+    //! All triangles that reach to the inside of every plane, and a few near them, in no order.
+    std::vector<int> triangles_between(const Planes& planes) const;
+
+    const Points& points() const { return points_; }
+    const Triangles& triangles() const { return triangles_; }
 
 private:
     struct Box
@@ -60,6 +69,7 @@ private:
     Vector3 corner(int triangle, int k) const;
     template <typename Query>
     void visit(Query& query) const;
+    void collect(int node, const Planes& planes, std::vector<int>& found) const;
 
     Points points_;
     Triangles triangles_;

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts as they are seen now, for picking."""
 
-from freecad.sheetmorph import api, conversion, kernel
+from freecad.sheetmorph import conversion
+from freecad.sheetmorph.api.picking import mesh_as_seen
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.part_mesh import PartMesh
 
 
-def part_mesh(part) -> PartMesh:
-    """What can be picked on a part where it is seen now, deformed and placed, global mm."""
-    rotation, base = api.global_frame(part)
-    local = conversion.read_mesh(part.Mesh)[0].astype(float)
-    return PartMesh(kernel.core(), api.rest_mesh(part), local @ rotation.T + base)
-
-
 def part_meshes(assembly) -> dict[str, PartMesh]:
-    """The same for every part of a morph, by object name."""
-    return {part.Name: part_mesh(part) for part in model.parts(assembly)}
+    """What can be picked, for every part of a morph, by object name."""
+    return {part.Name: mesh_as_seen(part) for part in model.parts(assembly)}
+
+
+def visible_meshes(assembly, part) -> dict[str, PartMesh]:
+    """The same for those parts of a morph that are shown, and for one part in any case."""
+    shown = [p for p in model.parts(assembly) if p == part or p.ViewObject.Visibility]
+    return {each.Name: mesh_as_seen(each) for each in shown}
 
 
 def triangles(part):

@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
 
 from freecad.sheetmorph import conversion, kernel
-from freecad.sheetmorph.api.checks import indices, require_kind
+from freecad.sheetmorph.api.checks import indices, number, require_kind, vertex_count
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.rest import read_rest
+from freecad.sheetmorph.tools.figures import Camera
+from freecad.sheetmorph.tools.part_mesh import PartMesh
 
 
 def rest_mesh(part) -> tuple[np.ndarray, np.ndarray]:
@@ -48,18 +51,63 @@ def vertices_of_facets(part, facets: Iterable[int]) -> list[int]:
     return np.unique(triangles[chosen]).tolist()
 
 
+def face(part, facet: int, angle: float = 30.0) -> list[int]:
+    """Return the vertices of the face around a facet, sorted.
+
+    It ends where the surface bends by `angle` degrees or more.
+    """
+    mesh = mesh_at_rest(part)
+    chosen = indices([facet], len(mesh.triangles), "facet")
+    return mesh.face(int(chosen[0]), math.radians(number(angle, "angle"))).tolist()
+
+
+def piece(part, facet: int) -> list[int]:
+    """Return the vertices that are connected with a facet, sorted: often the whole part."""
+    mesh = mesh_at_rest(part)
+    return mesh.piece(int(indices([facet], len(mesh.triangles), "facet")[0])).tolist()
+
+
+def grow(part, vertices: Iterable[int], rings: int = 1) -> list[int]:
+    """Return the vertices and so many rings of neighbours, sorted."""
+    return mesh_at_rest(part).grown(checked(part, vertices), rings).tolist()
+
+
+def shrink(part, vertices: Iterable[int], rings: int = 1) -> list[int]:
+    """Return the vertices without so many outermost rings, sorted.
+
+    Where the mesh ends it does not shrink.
+    """
+    return mesh_at_rest(part).shrunk(checked(part, vertices), rings).tolist()
+
+
+def invert(part, vertices: Iterable[int]) -> list[int]:
+    """Return the vertices of the part, of those in a facet, that are not among these, sorted."""
+    return np.setdiff1d(mesh_at_rest(part).used, checked(part, vertices)).tolist()
+
+
+def vertices_inside(part, outline, camera: tuple, *, through: bool = False) -> list[int]:
+    """Return the vertices of a part, as it is now, seen inside a closed figure, sorted.
+
+    `outline`: (k, 2) px from the lower left corner of the view. `camera`: a matrix (4, 4) from
+    (x, y, z, 1), global mm, to the clip coordinates of OpenGL, and width and height of the view,
+    px. `through`: also those that the part itself or another part of its morph hides.
+    """
+    require_kind(part, model.PART, "part")
+    to_clip, width, height = camera
+    seen = Camera(np.asarray(to_clip, dtype=float), float(width), float(height))
+    figure = np.asarray(outline, dtype=float)
+    meshes = {each.Name: mesh_as_seen(each) for each in model.parts(model.assembly_of(part))}
+    hiding = None if through else list(meshes.values())
+    return meshes[part.Name].inside(seen, figure, hiding).tolist()
+
+
 def hole_rim(part, vertex: int, rings: int = 0) -> list[int]:
     """Return the vertices of the open edge that runs through `vertex`, sorted.
 
     `rings`: how many rings of vertices around the rim belong to it too, such as a flange.
     Raises ValueError if the vertex is on no open edge.
     """
-    core, mesh = kernel_mesh(part)
-    checked = indices([vertex], len(mesh.points), "vertex")
-    rim = np.asarray(core.boundary_loop_at(mesh, int(checked[0])), dtype=np.int32)
-    if rings > 0:
-        rim = core.grow_rings(mesh, rim, int(rings))
-    return np.unique(rim).tolist()
+    return mesh_at_rest(part).rim_at(int(checked(part, [vertex])[0]), int(rings)).tolist()
 
 
 def hole_rims(part) -> list[list[int]]:
@@ -68,33 +116,22 @@ def hole_rims(part) -> list[list[int]]:
     A hole is a closed open edge. The longest one of each connected component is its outline, if
     it goes round more than half of it: a sheet whose outline runs into others has holes alone.
     """
-    core, mesh = kernel_mesh(part)
-    label = np.asarray(core.components(mesh))
-    points = np.asarray(mesh.points)
-    loops = [np.asarray(loop) for loop in core.boundary_loops(mesh)]
-    outline: dict[int, int] = {}
-    for number, loop in enumerate(loops):
-        component = int(label[loop[0]])
-        longest = outline.get(component)
-        if longest is None or length(points, loop) > length(points, loops[longest]):
-            outline[component] = number
-    skipped = {k for part, k in outline.items() if is_wide(points, loops[k], label == part)}
-    return [np.unique(loop).tolist() for k, loop in enumerate(loops) if k not in skipped]
+    return [rim.tolist() for rim in mesh_at_rest(part).hole_rims(0)]
 
 
-def is_wide(points: np.ndarray, loop: np.ndarray, component: np.ndarray) -> bool:
-    """Whether a loop reaches over more than half of the vertices in `component` (n,) bool."""
-    reach, whole = (float(np.linalg.norm(np.ptp(points[v], axis=0))) for v in (loop, component))
-    return reach > 0.5 * whole
+def checked(part, vertices: Iterable[int]) -> np.ndarray:
+    """Return vertices of a part as an array of ids, or raise ValueError."""
+    return indices(vertices, vertex_count(part), "vertex")
 
 
-def length(points: np.ndarray, loop: np.ndarray) -> float:
-    """Return the length, mm, of a closed loop of vertices."""
-    return float(np.linalg.norm(points[loop] - points[np.roll(loop, 1)], axis=1).sum())
+def mesh_at_rest(part) -> PartMesh:
+    """Return what can be picked on a part at rest; raises KernelError."""
+    rest = rest_mesh(part)
+    return PartMesh(kernel.core(), rest, rest[0])
 
 
-def kernel_mesh(part):
-    """Return the compiled kernel and the rest mesh of a part in it; raises KernelError."""
-    core = kernel.core()
-    points, triangles = rest_mesh(part)
-    return core, core.TriangleMesh(points, triangles)
+def mesh_as_seen(part) -> PartMesh:
+    """Return what can be picked on a part where it is now, deformed and placed."""
+    rotation, base = global_frame(part)
+    local = conversion.read_mesh(part.Mesh)[0].astype(float)
+    return PartMesh(kernel.core(), rest_mesh(part), local @ rotation.T + base)

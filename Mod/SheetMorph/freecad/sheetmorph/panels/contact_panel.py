@@ -8,14 +8,13 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import contact_types
 from freecad.sheetmorph.panels.base import Panel, chip, say
+from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.scene import colours
-from freecad.sheetmorph.scene.highlight import Highlight
+from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.pick_view import PickView
-from freecad.sheetmorph.scene.viewport import Viewport
 from freecad.sheetmorph.tools import picking
 from freecad.sheetmorph.tools.contact_sides import ContactSides, reach_that_touches
-from freecad.sheetmorph.tools.part_mesh import Ray
 
 WAYS = ("", "a", "b")  # of the combo box: by distance, by hand on side "a", on side "b"
 
@@ -49,10 +48,10 @@ class ContactPanel(Panel):
         with actions.waiting():
             self._sides = ContactSides(seen.part_meshes(assembly))
         self._views = {}
-        self._hovered = ""
-        self._hover = Highlight()
-        self._viewport = Viewport(Gui.activeDocument().activeView(), self)
-        self._tools = PickTools(self.form, None, self._refresh)
+        self._light = PartLight()
+        self._mouse = PickMouse(Gui.activeDocument().activeView(), self)
+        self._tools = PickTools(self.form, None, self.picked)
+        self._tools.offer_holes(False)
         self._tools.choose(picking.FACE)
         self._prepare_widgets()
 
@@ -73,32 +72,28 @@ class ContactPanel(Panel):
         self.form.type.setCurrentIndex(contact_types.TYPES.index(contact.Type))
         self._follow_parts()
 
-    # -- the mouse in the 3D view
+    # -- what the mouse does in the 3D view while no side is picked by hand
 
-    def on_move(self, pointer) -> None:
-        """Highlights the part, or the vertices, that a click would take."""
-        ray = None if pointer is None else Ray(pointer.origin, pointer.direction)
-        side = self._side_by_hand()
-        if side in self._views:
-            self._views[side].show_aimed(self._sides.pickers[side].aim(ray) if ray else ())
-        elif self._contact is None:
-            self._light(self._sides.part_at(ray) if ray else "")
+    def hover(self, ray) -> None:
+        """Highlights the part that a click would take."""
+        is_choosing = self._contact is None and not self._side_by_hand() and ray is not None
+        part = self._sides.part_at(ray) if is_choosing else ""
+        if not part or part in self._sides.parts.values():
+            self._light.show()
+        else:
+            self._light.show(part, self._parts[part].ViewObject, self._sides.triangles(part))
 
-    def on_click(self, pointer) -> None:
-        """Takes a part, or vertices while a side is picked by hand."""
-        ray = Ray(pointer.origin, pointer.direction)
-        side = self._side_by_hand()
-        if side in self._views:
-            self._sides.pickers[side].click(ray, picking.mode_of(pointer.shift, pointer.control))
-            self._refresh()
-        elif self._contact is None and self._sides.take(self._sides.part_at(ray)):
-            self._light("")
+    def click(self, ray) -> None:
+        """Takes a part."""
+        is_choosing = self._contact is None and not self._side_by_hand()
+        if is_choosing and self._sides.take(self._sides.part_at(ray)):
+            self._light.show()
             self._estimate_distance()
             self._follow_parts()
 
-    def on_escape(self) -> None:
-        """Escape in the view is Cancel."""
-        self.reject()
+    def turn_wheel(self, steps: float) -> None:
+        """Changes the size of the brush."""
+        self._tools.turn_wheel(steps)
 
     # -- the buttons of the task view
 
@@ -158,9 +153,9 @@ class ContactPanel(Panel):
 
     def _release(self) -> None:
         """Gives the mouse back and takes the drawing away."""
-        self._viewport.release()
+        self._mouse.release()
         self._tools.release()
-        self._hover.clear()
+        self._light.show()
         for view in self._views.values():
             view.remove()
 
@@ -216,10 +211,10 @@ class ContactPanel(Panel):
         if self._sides.are_chosen and not self._side_by_hand():
             with actions.waiting():
                 self._sides.pick(*self._touching(float(self.form.distance.property("rawValue"))))
-        self._refresh()
+        self.picked()
 
     def _choose_way(self, *_) -> None:
-        self._light("")
+        self._light.show()
         self._follow_parts()
 
     def _follow_parts(self) -> None:
@@ -231,27 +226,17 @@ class ContactPanel(Panel):
             combo = getattr(self.form, f"part_{side}")
             combo.setCurrentIndex(combo.findData(part))
             if part:
-                view, triangles = self._parts[part].ViewObject, self._sides.mesh(side).triangles
-                colour = colours.SIDES[side]
-                self._views[side] = PickView(view, triangles, colour, on_top=True)
+                view, mesh = self._parts[part].ViewObject, self._sides.mesh(side)
+                self._views[side] = PickView(view, mesh, colours.SIDES[side], on_top=True)
         by_hand = self._side_by_hand()
-        self._tools.use(self._sides.pickers[by_hand] if by_hand else None)
+        picker = self._sides.pickers[by_hand] if by_hand else None
+        self._tools.use(picker)
+        self._mouse.use(picker, self._views.get(by_hand))
         self.form.pick.setVisible(bool(by_hand))
         self.form.distance.setEnabled(not by_hand)
         self._touch()
 
-    def _light(self, part: str) -> None:
-        """Lights up the part under the mouse."""
-        part = "" if part in self._sides.parts.values() else part
-        if part == self._hovered:
-            return
-        self._hovered = part
-        self._hover.clear()
-        if part:
-            shown = self._parts[part]
-            self._hover.paint(shown.ViewObject, seen.triangles(shown), colours.HOVER)
-
-    def _refresh(self) -> None:
+    def picked(self) -> None:
         """Shows what is picked."""
         for side in "ab":
             picked = self._sides.picked(side)

@@ -1,38 +1,59 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The buttons that pick: what a click takes, and what can be done with what is picked."""
+"""The widgets that pick, the same in every panel: what a click takes, and what to do with it."""
 
 import math
 
+import FreeCADGui as Gui
+
 from freecad.sheetmorph import paths
 from freecad.sheetmorph.qt import QtGui
-from freecad.sheetmorph.tools import picking
+from freecad.sheetmorph.tools import figures, picking
 
-ICONS = {"facet": "PickFacet", "face": "PickFace", "rim": "PickRim", "whole": "PickPart"}
-STEPS = {"grow": "grow", "shrink": "shrink", "back": "back", "clear": "clear"}
-STEPS |= {"holes": "take_holes"}
+ICONS = {"vertex": "PickVertex", "facet": "PickFacet", "face": "PickFace", "rim": "PickRim"}
+ICONS |= {"whole": "PickPart", "brush": "PickBrush", "rectangle": "PickRectangle"}
+ICONS |= {"lasso": "PickLasso"}
+STEPS = {"grow": "grow", "shrink": "shrink", "invert": "invert", "back": "back"}
+STEPS |= {"clear": "clear", "holes": "take_holes"}
+MODES = (picking.REPLACE, picking.ADD, picking.REMOVE)
+ONLY_FOR = {
+    "angle": (picking.FACE, picking.RIM),
+    "rings": (picking.RIM,),
+    "radius": (figures.BRUSH,),
+}
+KEYS = "Shift adds, Ctrl removes."
+HINTS = {
+    figures.BRUSH: "Paint with the left button. The wheel changes the size, Ctrl+wheel zooms. "
+    "Ctrl+paint removes.",
+    figures.RECTANGLE: "Drag from corner to corner. " + KEYS,
+    figures.LASSO: "Draw around it with the left button held. " + KEYS,
+}
 
 
 class PickTools:
-    """Lets the buttons of a form act on a picker; panels name their widgets alike."""
+    """Lets widgets act on a picker; they go into the layout ``pick_column`` of a form."""
 
     def __init__(self, form, picker, on_change):
         """``on_change()`` is called when a button has picked or taken back."""
-        self._form = form
         self._on_change = on_change
         self._tool = picking.FACE
-        form.angle.setProperty("unit", "deg")
-        form.angle.setProperty("minimum", 1.0)
-        form.angle.setProperty("maximum", 180.0)
-        form.angle.setProperty("rawValue", 30.0)
-        form.angle.valueChanged.connect(self._apply)
-        form.rings.valueChanged.connect(self._apply)
+        self._form = widgets = Gui.PySideUic.loadUi(paths.panel("picking"))
+        form.pick_column.addWidget(widgets)
+        widgets.angle.setProperty("unit", "deg")
+        widgets.angle.setProperty("minimum", 1.0)
+        widgets.angle.setProperty("maximum", 180.0)
+        widgets.angle.setProperty("rawValue", 30.0)
+        widgets.radius.setValue(int(picking.Options.radius))
+        for field in (widgets.angle, widgets.rings, widgets.radius):
+            field.valueChanged.connect(self._apply)
+        widgets.through.toggled.connect(self._apply)
+        for mode in MODES:
+            getattr(widgets, f"mode_{mode}").toggled.connect(self._apply)
         for tool, icon in ICONS.items():
-            button = getattr(form, tool)
+            button = getattr(widgets, tool)
             button.setIcon(QtGui.QIcon(paths.icon(icon)))
             button.clicked.connect(lambda _=False, t=tool: self.choose(t))
         for button, step in STEPS.items():
-            if hasattr(form, button):
-                getattr(form, button).clicked.connect(lambda _=False, s=step: self._do(s))
+            getattr(widgets, button).clicked.connect(lambda _=False, s=step: self._do(s))
         self.use(picker)
 
     def use(self, picker) -> None:
@@ -44,11 +65,22 @@ class PickTools:
         """Chooses what a click takes."""
         self._tool = tool
         getattr(self._form, tool).setChecked(True)
-        for widget in (self._form.angle, self._form.angle_label):
-            widget.setVisible(tool == picking.FACE)
-        for widget in (self._form.rings, self._form.rings_label):
-            widget.setVisible(tool == picking.RIM)
+        for field, tools in ONLY_FOR.items():
+            getattr(self._form, field).setVisible(tool in tools)
+            getattr(self._form, f"{field}_label").setVisible(tool in tools)
+        self._form.hint.setText(HINTS.get(tool, f"Click picks, {KEYS}"))
         self._apply()
+
+    def offer_holes(self, is_offered: bool) -> None:
+        """Shows or hides the button that picks all holes at once."""
+        self._form.holes.setVisible(is_offered)
+
+    def turn_wheel(self, steps: float) -> None:
+        """Changes the radius of the brush."""
+        radius = self._form.radius.value()
+        wanted = figures.resized(radius, steps)
+        step = 1 if steps > 0 else -1
+        self._form.radius.setValue(round(wanted) if round(wanted) != radius else radius + step)
 
     def release(self) -> None:
         """Lets go of the widgets, see Panel.finish; nothing is picked any more."""
@@ -58,11 +90,21 @@ class PickTools:
         """Buttons that would do nothing are off."""
         self._form.back.setEnabled(bool(self._picker and self._picker.can_go_back))
 
+    def _mode(self) -> str:
+        chosen = [mode for mode in MODES if getattr(self._form, f"mode_{mode}").isChecked()]
+        return chosen[0] if chosen else picking.REPLACE
+
     def _apply(self, *_) -> None:
-        if self._picker is not None:
-            crease = math.radians(self._form.angle.property("rawValue"))
-            rings = self._form.rings.value()
-            self._picker.choose(what=self._tool, crease=crease, rings=rings)
+        if self._picker is None or self._form is None:
+            return
+        self._picker.choose(
+            what=self._tool,
+            mode=self._mode(),
+            crease=math.radians(self._form.angle.property("rawValue")),
+            rings=self._form.rings.value(),
+            through=self._form.through.isChecked(),
+            radius=float(self._form.radius.value()),
+        )
 
     def _do(self, step: str) -> None:
         if self._picker is not None:

@@ -7,12 +7,13 @@ from freecad.sheetmorph import actions, seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import Panel, legend, say
+from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.pick_view import PickView
-from freecad.sheetmorph.scene.viewport import Viewport
 from freecad.sheetmorph.tools import picking
-from freecad.sheetmorph.tools.part_mesh import Ray
+from freecad.sheetmorph.tools.part_mesh import nearest_part
 
 TITLES = {"fixed": "Fixed Region", "handle": "Handle", "form feature": "Form Features"}
 TITLES |= {"follower": "Follower"}
@@ -42,39 +43,78 @@ class RegionPanel(Panel):
     def __init__(self, part, role: str, region=None):
         super().__init__("region", ICONS[role], TITLES[role])
         self._part, self._role, self._region = part, role, region
-        mesh = seen.part_mesh(part)
-        picked = model.vertices(region).tolist() if region else []
-        options = picking.Options(holes_only=role == "form feature")
-        self._picker = picking.RegionPicker(mesh, picked, options)
-        self._view = PickView(part.ViewObject, mesh.triangles, colours.ROLES[role])
-        self._viewport = Viewport(Gui.activeDocument().activeView(), self)
-        self._prepare_widgets()
-        self._tools = PickTools(self.form, self._picker, self._refresh)
+        with actions.waiting():
+            self._meshes = seen.visible_meshes(model.assembly_of(part), part)
+        self._picker = self._view = None
+        self._light = PartLight()
+        self._mouse = PickMouse(Gui.activeDocument().activeView(), self)
+        self._tools = PickTools(self.form, None, self.picked)
         self._tools.choose(picking.RIM if role == "form feature" else picking.FACE)
-        self._refresh()
+        self._prepare_widgets()
+        self._begin(part, model.vertices(region) if region else ())
 
-    # -- the mouse in the 3D view
+    def _begin(self, part, vertices=()) -> None:
+        """Picks on a part from now on."""
+        if self._view is not None:
+            self._view.remove()
+        self._part = part
+        mesh = self._meshes[part.Name]
+        others = [other for name, other in self._meshes.items() if name != part.Name]
+        options = picking.Options(holes_only=self._role == "form feature")
+        with actions.waiting():
+            mesh.prepare()
+        self._picker = picking.RegionPicker(mesh, vertices, options, others)
+        self._view = PickView(part.ViewObject, mesh, colours.ROLES[self._role])
+        self._tools.use(self._picker)
+        self._mouse.use(self._picker, self._view)
+        self.form.part.setText(f"On <b>{part.Label}</b>")
+        self.picked()
 
-    def on_move(self, pointer) -> None:
-        """Highlights what a click would take."""
-        aimed = () if pointer is None else self._picker.aim(Ray(pointer.origin, pointer.direction))
-        self._view.show_aimed(aimed)
+    # -- what the mouse does where nothing of the part is
 
-    def on_click(self, pointer) -> None:
-        """Picks."""
-        mode = picking.mode_of(pointer.shift, pointer.control)
-        self._picker.click(Ray(pointer.origin, pointer.direction), mode)
-        self._refresh()
+    def hover(self, ray) -> None:
+        """Lights up another part that a click would change to."""
+        other = self._other_part(ray)
+        if other is None:
+            self._light.show()
+        else:
+            self._light.show(other.Name, other.ViewObject, self._meshes[other.Name].triangles)
 
-    def on_escape(self) -> None:
-        """Escape in the view is Cancel."""
-        self.reject()
+    def click(self, ray) -> None:
+        """Changes to another part as long as nothing is picked."""
+        other = self._other_part(ray)
+        if other is not None:
+            self._light.show()
+            self._begin(other)
+
+    def turn_wheel(self, steps: float) -> None:
+        """Changes the size of the brush."""
+        self._tools.turn_wheel(steps)
+
+    def picked(self) -> None:
+        """Shows what is picked."""
+        picked = self._picker.picked
+        self._view.show_picked(picked)
+        self._view.show_aimed(())
+        self._tools.show_state()
+        pieces = len(self._picker.groups()) if len(picked) else 0
+        text = f"{len(picked)} vertices in {pieces} piece{'s' if pieces != 1 else ''}"
+        self.form.count.setText(f"Picked: <b>{text if len(picked) else 'nothing yet'}</b>")
+        say(self.form.message, "")
+
+    def _other_part(self, ray):
+        """The part in front under a ray, if a region of it may be picked now instead."""
+        if ray is None or self._region is not None or len(self._picker.picked):
+            return None
+        found = nearest_part(self._meshes, ray)
+        is_other = found not in ("", self._part.Name)
+        return self._part.Document.getObject(found) if is_other else None
 
     # -- the buttons of the task view
 
     def accept(self) -> bool:
         """OK: one undo step, one macro line a region; with nothing picked the panel stays."""
-        if not self._picker.picked:
+        if not len(self._picker.picked):
             say(self.form.message, "Nothing is picked: click on the part first.", True)
             return False
         try:
@@ -93,9 +133,9 @@ class RegionPanel(Panel):
     def _lines(self) -> list[str]:
         """The calls of the API that make what is picked."""
         if self._region is not None:
-            picked = actions.vertices(sorted(self._picker.picked))
+            picked = actions.vertices(self._picker.picked)
             return [call("set_vertices", name(self._region), picked)]
-        groups = [sorted(self._picker.picked)]
+        groups = [self._picker.picked]
         if self._role == "form feature" and self.form.separate.isChecked():
             groups = self._picker.groups()
         owner, part = name(model.assembly_of(self._part)), name(self._part)
@@ -104,28 +144,17 @@ class RegionPanel(Panel):
 
     def _release(self) -> None:
         """Gives the mouse back and takes the drawing away."""
-        self._viewport.release()
+        self._mouse.release()
         self._tools.release()
+        self._light.show()
         self._view.remove()
 
     # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form
-        form.part.setText(f"On <b>{self._part.Label}</b>")
         is_new_feature = self._role == "form feature" and self._region is None
         form.separate.setVisible(is_new_feature)
-        form.holes.setVisible(is_new_feature)
+        self._tools.offer_holes(is_new_feature)
         form.legend.setText(legend(self._role))
         say(form.message, "")
-
-    def _refresh(self) -> None:
-        """Shows what is picked."""
-        picked = self._picker.picked
-        self._view.show_picked(picked)
-        self._view.show_aimed(())
-        self._tools.show_state()
-        pieces = len(self._picker.groups()) if picked else 0
-        text = f"{len(picked)} vertices in {pieces} piece{'s' if pieces != 1 else ''}"
-        self.form.count.setText(f"Picked: <b>{text if picked else 'nothing yet'}</b>")
-        say(self.form.message, "")

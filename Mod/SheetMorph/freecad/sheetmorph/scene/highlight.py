@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from freecad.sheetmorph.scene import nodes
+from freecad.sheetmorph.scene import colours, nodes
 from freecad.sheetmorph.scene.patch import Patch
 
 
@@ -28,3 +28,20 @@ class Highlight:
             if root.findChild(node) >= 0:
                 root.removeChild(node)
         self._painted = []
+
+
+class PartLight:
+    """Tints at most one whole part: the one under the mouse."""
+
+    def __init__(self):
+        self._highlight = Highlight()
+        self._lit = ""
+
+    def show(self, name: str = "", view_object=None, triangles=None) -> None:
+        """Tints the part of that name, drawn by ``view_object``; an empty name tints none."""
+        if name == self._lit:
+            return
+        self._lit = name
+        self._highlight.clear()
+        if name:
+            self._highlight.paint(view_object, triangles, colours.HOVER)

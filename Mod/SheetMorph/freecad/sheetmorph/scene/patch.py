@@ -39,7 +39,10 @@ class Patch:
         self.node.addChild(separator)
 
     def show(self, triangles: np.ndarray, vertices) -> None:
-        """Shows ``vertices`` (ids) of the mesh with ``triangles`` (m, 3); none hides the patch."""
+        """Shows ``vertices`` (ids) of the mesh with ``triangles`` (m, 3); none hides the patch.
+
+        Triangles without any of the vertices may be left out.
+        """
         faces, lines, points = pieces(triangles, vertices)
         _set_index(self._faces, faces)
         _set_index(self._lines, lines)
@@ -61,26 +64,26 @@ def pieces(triangles: np.ndarray, vertices):
     A facet is drawn if all its vertices are in the set, an edge if both are and at most one
     facet at it is drawn: so a rim without facets is a line of its own.
     """
-    chosen = np.zeros(int(triangles.max(initial=-1)) + 1, bool)
-    ids = np.asarray(sorted(vertices), dtype=np.int64)
-    ids = ids[ids < len(chosen)]
+    ids = np.unique(np.asarray(vertices, dtype=np.int64))
+    chosen = np.zeros(1 + max(triangles.max(initial=-1), ids.max(initial=-1)), bool)
     chosen[ids] = True
-    inside = chosen[triangles] if len(triangles) else np.zeros((0, 3), bool)
-    faces = triangles[inside.all(axis=1)]
-    edges = _edges(triangles[inside.sum(axis=1) == 2])
-    rims = edges[chosen[edges].all(axis=1)]
-    drawn, count = np.unique(_edges(faces), axis=0, return_counts=True)
-    outline = np.unique(np.concatenate([drawn[count == 1], rims]), axis=0)
-    used = np.zeros(len(chosen), bool)
-    used[outline.ravel()] = True
-    used[faces.ravel()] = True
-    return faces, outline, ids[~used[ids]]
+    count = chosen[triangles].sum(axis=1) if len(triangles) else np.zeros(0, int)
+    faces = triangles[count == 3]
+    edges = _edges(triangles[count == 2], len(chosen))
+    both = chosen[edges // len(chosen)] & chosen[edges % len(chosen)]
+    drawn, uses = np.unique(_edges(faces, len(chosen)), return_counts=True)
+    keys = np.unique(np.concatenate([drawn[uses == 1], edges[both]]))
+    outline = np.stack([keys // len(chosen), keys % len(chosen)], axis=1)
+    chosen[outline.ravel()] = False
+    chosen[faces.ravel()] = False
+    return faces, outline, ids[chosen[ids]]
 
 
-def _edges(triangles: np.ndarray) -> np.ndarray:
-    """The edges (3m, 2) of triangles, smaller vertex first."""
+def _edges(triangles: np.ndarray, count: int) -> np.ndarray:
+    """The edges (3m,) of triangles, each a number: smaller vertex * ``count`` + larger one."""
     ends = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    return np.sort(ends, axis=1)
+    ends = np.sort(ends.astype(np.int64), axis=1)
+    return ends[:, 0] * count + ends[:, 1]
 
 
 def _appearance(colour, width):
@@ -90,7 +93,6 @@ def _appearance(colour, width):
     depth.range.setValue(0.0, NEARER if width else BEHIND)
     material = coin.SoMaterial()
     material.diffuseColor = colour
-    material.emissiveColor = tuple(0.2 * c for c in colour)
     material.specularColor = (0.1, 0.1, 0.1)
     binding = coin.SoMaterialBinding()
     binding.value = coin.SoMaterialBinding.OVERALL

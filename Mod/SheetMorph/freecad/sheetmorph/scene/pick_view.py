@@ -1,34 +1,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is seen while picking: the picked vertices, and what a click would take."""
 
-from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene import colours, nodes
 from freecad.sheetmorph.scene.patch import Patch
-from freecad.sheetmorph.scene import nodes
 
 
 class PickView:
     """Two patches over a part until ``remove`` is called."""
 
-    def __init__(self, view_object, triangles, colour, *, on_top=False):
-        """``triangles`` (m, 3) of the part; ``colour``: (r, g, b) of the picked vertices.
+    def __init__(self, view_object, mesh, colour, *, on_top=False):
+        """``mesh`` of the part, a PartMesh; ``colour``: (r, g, b) of the picked vertices.
 
         ``on_top``: their outline is seen through whatever hides it.
         """
+        self.colour = colour
         self._root = view_object.RootNode
-        self._triangles = triangles
+        self._mesh = mesh
         shown = nodes.coordinates(view_object)
         self._picked = Patch(shown, colour, 3.0 if on_top else 5.0, on_top=on_top)
         self._aimed = Patch(shown, colours.HOVER, 3.0)
+        self._last = None
         for patch in (self._picked, self._aimed):
             self._root.addChild(patch.node)
 
     def show_picked(self, vertices) -> None:
         """Colours the picked vertices."""
-        self._picked.show(self._triangles, vertices)
+        self._picked.show(self._mesh.triangles_at(vertices), vertices)
 
     def show_aimed(self, vertices) -> None:
-        """Highlights what a click would take."""
-        self._aimed.show(self._triangles, vertices)
+        """Highlights what a click would take; the same array again costs nothing."""
+        if vertices is not self._last:
+            self._last = vertices
+            self._aimed.show(self._mesh.triangles_at(vertices), vertices)
 
     def remove(self) -> None:
         """Takes both out of the view."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The mouse in the 3D view, as rays in global coordinates.
+"""The mouse in the 3D view, as rays in global coordinates and places on the screen.
 
 A Qt event filter, because FreeCAD keeps button-up events over geometry from its own callbacks.
-Nothing is consumed: turning and zooming work in every navigation style while a tool is active.
+What a tool does not claim is left to FreeCAD: turning and zooming work in every navigation style.
 """
 
 from dataclasses import dataclass
@@ -10,29 +10,63 @@ from dataclasses import dataclass
 import numpy as np
 
 from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.tools.figures import Camera
 
 CLICK_TRAVEL = 4  # logical px that a click may move between button down and up
+WHEEL_STEP = 120.0  # what Qt counts for one step of a wheel
 
 
 @dataclass(frozen=True)
 class Pointer:
-    """Where the mouse points: a ray (mm, global) and the modifier keys."""
+    """Where the mouse points: a ray (mm, global), px from the lower left, the modifier keys."""
 
     origin: np.ndarray
     direction: np.ndarray
     shift: bool
     control: bool
+    place: tuple[float, float] = (0.0, 0.0)
+
+
+class Listener:
+    """What a tool may do with the mouse and the keys of the view."""
+
+    def on_move(self, pointer) -> None:
+        """The mouse moved with no button down; None: it left the view, or a button is down."""
+
+    def on_click(self, pointer) -> None:
+        """The left button was pressed and released in one place."""
+
+    def on_press(self, _pointer) -> bool:
+        """The left button went down; True claims it until it is released: FreeCAD sees nothing."""
+        return False
+
+    def on_drag(self, pointer) -> None:
+        """The mouse moved while the left button was claimed."""
+
+    def on_release(self, pointer) -> None:
+        """The left button that was claimed went up."""
+
+    def on_wheel(self, _steps: float) -> bool:
+        """The wheel turned, up positive, with no key down; True claims it."""
+        return False
+
+    def on_escape(self) -> None:
+        """The Escape key."""
+
+    def on_enter(self) -> None:
+        """The Enter key."""
 
 
 class Viewport(QtCore.QObject):
-    """Calls ``on_move``, ``on_click`` and ``on_escape`` until ``release`` is called."""
+    """Tells a listener about mouse and keys until ``release`` is called."""
 
     def __init__(self, view, listener):
-        """``listener``: on_move(Pointer or None), on_click(Pointer), on_escape()."""
+        """``listener``: a Listener, or what has its methods."""
         super().__init__()
         self._view = view
         self._listener = listener
         self._down = None
+        self._is_claimed = False
         self._widget = view.graphicsView().viewport()
         self._role = view.getSceneGraph().getField("selectionRole")
         self._role.set("FALSE")
@@ -56,21 +90,66 @@ class Viewport(QtCore.QObject):
             pass  # closed: there is nothing to give back
         self._view = self._widget = self._listener = None
 
+    @property
+    def widget(self):
+        """The widget that shows the view."""
+        return self._widget
+
+    def camera(self) -> Camera:
+        """What the view shows now."""
+        width, height = self._view.getSize()
+        aspect = width / height
+        volume = self._view.getCameraNode().getViewVolume(aspect)
+        if aspect < 1.0:  # as Coin does: what fits into the height must fit into the width
+            volume.scale(1.0 / aspect)
+        matrix = np.array(volume.getMatrix().getValue(), dtype=float).T  # Coin's are transposed
+        return Camera(np.ascontiguousarray(matrix), float(width), float(height))
+
     def eventFilter(self, _watched, event) -> bool:
-        """Watches; consumes nothing but Escape."""
+        """Hands events to the listener; consumes those that it claims."""
         kind = event.type()
         if kind == QtCore.QEvent.MouseMove:
-            self._listener.on_move(None if event.buttons() else self._pointer(event))
-        elif kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
-            self._down = event.pos() if event.button() == QtCore.Qt.LeftButton else None
-        elif kind == QtCore.QEvent.MouseButtonRelease and event.button() == QtCore.Qt.LeftButton:
-            if self._down is not None and _near(event.pos(), self._down):
-                self._listener.on_click(self._pointer(event))
-            self._down = None
-        elif kind == QtCore.QEvent.Leave:
+            return self._moved(event)
+        if kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
+            return self._pressed(event)
+        if kind == QtCore.QEvent.MouseButtonRelease:
+            return event.button() == QtCore.Qt.LeftButton and self._released(event)
+        if kind == QtCore.QEvent.Wheel and event.modifiers() == QtCore.Qt.NoModifier:
+            return bool(self._listener.on_wheel(event.angleDelta().y() / WHEEL_STEP))
+        if kind == QtCore.QEvent.Leave:
             self._listener.on_move(None)
-        elif kind == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+        return kind == QtCore.QEvent.KeyPress and self._typed(event)
+
+    def _moved(self, event) -> bool:
+        if self._is_claimed:
+            self._listener.on_drag(self._pointer(event))
+        else:
+            self._listener.on_move(None if event.buttons() else self._pointer(event))
+        return self._is_claimed
+
+    def _pressed(self, event) -> bool:
+        if event.button() != QtCore.Qt.LeftButton:
+            self._down = None
+            return False
+        self._down = event.pos()
+        self._is_claimed = bool(self._listener.on_press(self._pointer(event)))
+        return self._is_claimed
+
+    def _released(self, event) -> bool:
+        down, is_claimed = self._down, self._is_claimed
+        self._down, self._is_claimed = None, False
+        if is_claimed:
+            self._listener.on_release(self._pointer(event))
+        elif down is not None and _near(event.pos(), down):
+            self._listener.on_click(self._pointer(event))
+        return is_claimed
+
+    def _typed(self, event) -> bool:
+        if event.key() == QtCore.Qt.Key_Escape:
             self._listener.on_escape()
+            return True
+        if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
+            self._listener.on_enter()
             return True
         return False
 
@@ -78,10 +157,11 @@ class Viewport(QtCore.QObject):
         ratio = self._widget.devicePixelRatioF()
         x = round(event.pos().x() * ratio)
         y = round((self._widget.height() - 1 - event.pos().y()) * ratio)
-        near, far = (np.array(tuple(p)) for p in self._view.projectPointToLine(x, y))
+        # Not by the view's own projectPointToLine: in a view higher than wide that is wrong.
+        near, far = self.camera().line(x, y)
         keys = event.modifiers()
         shift, control = keys & QtCore.Qt.ShiftModifier, keys & QtCore.Qt.ControlModifier
-        return Pointer(near, far - near, bool(shift), bool(control))
+        return Pointer(near, far - near, bool(shift), bool(control), (float(x), float(y)))
 
 
 def _near(a, b) -> bool:

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from freecad.sheetmorph.tools.part_mesh import nearest_part
 from freecad.sheetmorph.tools.picking import REPLACE, RegionPicker
 
 REACH = 2.0  # mm that sheets joined in a model are usually apart, at most
@@ -28,9 +27,11 @@ class ContactSides:
 
     def part_at(self, ray) -> str:
         """The part that a ray meets first, an empty string if none."""
-        met = {name: mesh.hit(ray) for name, mesh in self._meshes.items()}
-        gaps = {n: np.linalg.norm(hit[1] - ray.origin) for n, hit in met.items() if hit}
-        return min(gaps, key=gaps.get) if gaps else ""
+        return nearest_part(self._meshes, ray)
+
+    def triangles(self, part: str):
+        """The triangles (m, 3) of a part."""
+        return self._meshes[part].triangles
 
     def take(self, part: str) -> bool:
         """Puts a part that was clicked on the first free side, else on side "b"."""
@@ -45,6 +46,7 @@ class ContactSides:
         if part and self.parts[other] == part:
             self.put(other, "")
         self.parts[side] = part
+        # No other part hides what is picked: parts in contact hide each other just there.
         self.pickers[side] = RegionPicker(self._meshes[part], vertices) if part else None
 
     def pick(self, vertices_a, vertices_b) -> None:
@@ -55,7 +57,7 @@ class ContactSides:
     def picked(self, side: str) -> list[int]:
         """The vertices of a side, sorted."""
         picker = self.pickers[side]
-        return sorted(picker.picked) if picker else []
+        return picker.picked.tolist() if picker else []
 
     def mesh(self, side: str):
         """The mesh of the part of a side."""

@@ -1,22 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What can be picked on one part, asked from the kernel: facets, faces, hole rims, pieces."""
+"""What can be picked on one part, asked from the kernel: facets, faces, hole rims, pieces.
+
+Vertices are numpy arrays of ids, ascending, each once.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable
 from functools import cached_property
 
 import numpy as np
 
-OUTLINE_REACH = 0.05  # of the size: how far beside the part a click still takes its outline
+from freecad.sheetmorph.tools.figures import Camera
+from freecad.sheetmorph.tools.rims import Ray, Rims, extent, length
+
+NOTHING = np.zeros(0, np.int32)
 
 
-@dataclass(frozen=True)
-class Ray:
-    """A line of sight, global mm; the direction has any length."""
+def to_ids(vertices: Iterable[int]) -> np.ndarray:
+    """Vertices in any order, repeated or not, as an array of ids."""
+    given = vertices if isinstance(vertices, np.ndarray) else np.array(list(vertices), np.int32)
+    return np.unique(given).astype(np.int32)
 
-    origin: np.ndarray
-    direction: np.ndarray
+
+def nearest_part(meshes: dict, ray: Ray) -> str:
+    """The name of the PartMesh that a ray meets first, an empty string if none."""
+    gaps = {name: mesh.distance(ray) for name, mesh in meshes.items()}
+    nearest = min(gaps, key=gaps.get, default="")
+    return nearest if gaps.get(nearest, math.inf) < math.inf else ""
 
 
 class PartMesh:
@@ -29,139 +41,157 @@ class PartMesh:
         self._mesh = core.TriangleMesh(np.ascontiguousarray(points, float), self.triangles)
         self._seen = np.ascontiguousarray(seen, float)
         self._tree = core.PickingTree(self._seen, self.triangles)
-
-    @property
-    def size(self) -> float:
-        """The diagonal of the bounding box, mm."""
-        return self._extent(np.unique(self.triangles))
+        self._edges: dict[float, Rims] = {}  # of the last crease angle
+        self._last: tuple = ((), NOTHING, NOTHING)  # what was asked for, its triangles, vertices
 
     @cached_property
-    def rims(self) -> list[np.ndarray]:
-        """The closed boundaries, vertex ids in order; found when they are first needed."""
-        return [np.asarray(loop) for loop in self._core.boundary_loops(self._mesh)]
+    def size(self) -> float:
+        """The diagonal of the bounding box, mm."""
+        return extent(self._seen[self.used])
+
+    @cached_property
+    def used(self) -> np.ndarray:
+        """The vertices that a triangle has."""
+        return np.unique(self.triangles).astype(np.int32)
+
+    @cached_property
+    def rims(self) -> Rims:
+        """The closed boundaries."""
+        loops = [np.asarray(loop) for loop in self._core.boundary_loops(self._mesh)]
+        return Rims(loops, self._seen, self._outlines(loops, 1.0))
+
+    def edges(self, crease: float) -> Rims:
+        """The closed boundaries, and the closed edges at which the part bends by ``crease``."""
+        if crease not in self._edges:
+            self._edges = {crease: self._edges_at(crease)}
+        return self._edges[crease]
+
+    def prepare(self) -> None:
+        """Finds beforehand what the first move of the mouse would wait for."""
+        self._near.triangles_at([])
 
     def hit(self, ray: Ray):
         """The triangle and point (3,) the ray meets first, or None."""
         found = self._tree.nearest_hit(ray.origin, ray.direction)
         return None if found is None else (int(found.triangle), np.asarray(found.point))
 
-    def facet(self, triangle: int) -> frozenset:
+    def distance(self, ray: Ray) -> float:
+        """How far along a ray the part is, mm; infinite if the ray misses it."""
+        found = self._tree.nearest_hit(ray.origin, ray.direction)
+        return math.inf if found is None else float(found.distance)
+
+    def vertex(self, triangle: int, point: np.ndarray) -> np.ndarray:
+        """The corner of a triangle that is nearest to a point (3,)."""
+        corners = self.triangles[triangle]
+        gaps = np.linalg.norm(self._seen[corners] - point, axis=1)
+        return corners[[int(gaps.argmin())]]
+
+    def facet(self, triangle: int) -> np.ndarray:
         """The vertices of one triangle."""
-        return frozenset(self.triangles[triangle].tolist())
+        return np.unique(self.triangles[triangle])
 
-    def face(self, triangle: int, crease: float) -> frozenset:
+    def face(self, triangle: int, crease: float) -> np.ndarray:
         """The vertices of the face around a triangle; ``crease``: radians at which it ends."""
-        facets = np.asarray(self._core.grow_to_creases(self._mesh, int(triangle), float(crease)))
-        return frozenset(np.unique(self.triangles[facets]).tolist())
+        key = ("face", float(crease))
+        return self._remembered(key, triangle, lambda: self._near.face(triangle, key[1]))
 
-    def piece(self, triangle: int) -> frozenset:
+    def piece(self, triangle: int) -> np.ndarray:
         """The vertices of the connected component of a triangle."""
-        facets = np.asarray(self._core.connected_triangles(self._mesh, int(triangle)))
-        return frozenset(np.unique(self.triangles[facets]).tolist())
+        return self._remembered(("piece",), triangle, lambda: self._near.piece(triangle))
 
-    def rim(self, ray: Ray, rings: int, holes_only: bool = False) -> frozenset:
+    def inside(self, camera: Camera, outline: np.ndarray, hiding=None) -> np.ndarray:
+        """The vertices seen inside a closed outline, (k, 2) px.
+
+        ``hiding``: the meshes, this one among them, that hide what lies behind them; None: all
+        through the part.
+        """
+        screen = self._core.Screen(camera.to_clip, camera.width, camera.height)
+        found = self._core.vertices_inside(self._tree, screen, outline)
+        if hiding is not None:
+            trees = [mesh._tree for mesh in hiding]
+            found = self._core.visible_vertices(self._tree, found, screen, trees)
+        return np.asarray(found)
+
+    def rim(self, ray: Ray, rings: int, *, crease: float, holes_only: bool = False) -> np.ndarray:
         """The rim nearest to where the ray meets the part, with rings of vertices around it.
 
         A ray through an empty hole takes its rim; a ray far from every rim and part takes none.
         """
-        candidates = [k for k in range(len(self.rims)) if not (holes_only and k in self._outlines)]
-        if not candidates:
-            return frozenset()
         found = self.hit(ray)
-        gaps = {k: self._gap(ray, found, self.rims[k]) for k in candidates}
-        nearest = min(candidates, key=lambda k: (gaps[k], len(self.rims[k])))
-        if found is None and gaps[nearest] > self._reach(nearest):
-            return frozenset()
-        return self.grown(self.rims[nearest], rings)
+        rims = self.edges(crease)
+        nearest = rims.nearest(ray, None if found is None else found[1], holes_only)
+        return NOTHING if nearest is None else self.grown(nearest, rings)
 
-    def hole_rims(self, rings: int) -> list[frozenset]:
+    def rim_at(self, vertex: int, rings: int) -> np.ndarray:
+        """The closed boundary through a vertex, with rings of vertices around it.
+
+        Raises ValueError if there is none.
+        """
+        return self.grown(self._core.boundary_loop_at(self._mesh, vertex), rings)
+
+    def hole_rims(self, rings: int) -> list[np.ndarray]:
         """The rims of all holes."""
-        return [self.grown(r, rings) for k, r in enumerate(self.rims) if k not in self._outlines]
+        return [self.grown(loop, rings) for loop in self.rims.holes()]
 
-    def grown(self, vertices, rings: int = 1) -> frozenset:
+    def grown(self, vertices, rings: int = 1) -> np.ndarray:
         """The vertices and so many rings of neighbours."""
-        return self._resized(self._core.grow_rings, vertices, rings)
+        return np.asarray(self._near.grown(to_ids(vertices), int(rings)))
 
-    def shrunk(self, vertices, rings: int = 1) -> frozenset:
+    def shrunk(self, vertices, rings: int = 1) -> np.ndarray:
         """The vertices without so many outermost rings."""
-        return self._resized(self._core.shrink_rings, vertices, rings)
+        return np.asarray(self._near.shrunk(to_ids(vertices), int(rings)))
 
-    def groups(self, vertices) -> list[list[int]]:
-        """The connected pieces of a set of vertices, each sorted, in order of their first one."""
-        chosen = np.zeros(len(self._seen), bool)
-        chosen[list(vertices)] = True
-        ends = np.stack([self.triangles, np.roll(self.triangles, -1, axis=1)], axis=2).reshape(
-            -1, 2
-        )
-        pieces = _Pieces(vertices)
-        for a, b in ends[chosen[ends].all(axis=1)].tolist():
-            pieces.join(a, b)
-        return pieces.sorted()
+    def triangles_at(self, vertices) -> np.ndarray:
+        """The triangles (k, 3) with a corner among the vertices."""
+        return self.triangles[np.asarray(self._near.triangles_at(to_ids(vertices)))]
 
-    def _resized(self, function, vertices, rings: int) -> frozenset:
-        ids = np.asarray(sorted(vertices), np.int32)
-        if rings == 0 or len(ids) == 0:
-            return frozenset(ids.tolist())
-        return frozenset(np.asarray(function(self._mesh, ids, int(rings))).tolist())
+    def groups(self, vertices) -> list[np.ndarray]:
+        """The connected pieces of a set of vertices, in order of their first one."""
+        return [np.asarray(piece) for piece in self._near.pieces(to_ids(vertices))]
+
+    def _remembered(self, key: tuple, triangle: int, find) -> np.ndarray:
+        """The vertices of the triangles that ``find()`` returns, the same array within them."""
+        if key != self._last[0] or not self._last[1][triangle]:
+            triangles = np.asarray(find())
+            is_inside = np.zeros(len(self.triangles), bool)
+            is_inside[triangles] = True
+            vertices = np.asarray(self._core.vertices_of_triangles(self._mesh, triangles))
+            self._last = (key, is_inside, vertices)
+        return self._last[2]
 
     @cached_property
-    def _outlines(self) -> set[int]:
-        """The numbers of the rims that are outlines of their connected component.
+    def _near(self):
+        return self._core.Neighbourhood(self._mesh)
 
-        That is the longest rim of a component, if it spans half of it; a sheet whose outline
-        ends in T-joints has holes only.
+    @cached_property
+    def _labels(self) -> np.ndarray:
+        return np.asarray(self._core.components(self._mesh))
+
+    def _edges_at(self, crease: float) -> Rims:
+        known = {tuple(np.sort(loop)) for loop in self.rims.loops}
+        found = [np.asarray(loop) for loop in self._near.rims(float(crease))]
+        added = [loop for loop in found if tuple(np.sort(loop)) not in known]
+        first = len(self.rims.loops)
+        outlines = {first + k for k in self._outlines(added, 0.9)}
+        return Rims(self.rims.loops + added, self._seen, self.rims.outlines | outlines)
+
+    def _outlines(self, loops, share: float) -> set[int]:
+        """The numbers of the loops that are outlines of their connected component.
+
+        Those are the longest one, and all of ``share`` of its length, if they span half of the
+        component; a sheet whose outline ends in T-joints has holes only.
         """
-        labels = np.asarray(self._core.components(self._mesh))
-        longest: dict[int, int] = {}
-        for number, rim in enumerate(self.rims):
-            other = longest.get(int(labels[rim[0]]))
-            if other is None or self._length(rim) > self._length(self.rims[other]):
-                longest[int(labels[rim[0]])] = number
+        lengths = [length(self._seen[loop]) for loop in loops]
+        longest: dict[int, float] = {}
+        for loop, mine in zip(loops, lengths):
+            component = int(self._labels[loop[0]])
+            longest[component] = max(longest.get(component, 0.0), mine)
         return {
             number
-            for component, number in longest.items()
-            if self._extent(self.rims[number]) > 0.5 * self._extent(labels == component)
+            for number, (loop, mine) in enumerate(zip(loops, lengths))
+            if mine >= share * longest[int(self._labels[loop[0]])] and self._is_wide(loop)
         }
 
-    def _extent(self, vertices) -> float:
-        """The diagonal of the bounding box of some vertices, mm."""
-        return float(np.linalg.norm(np.ptp(self._seen[vertices], axis=0)))
-
-    def _length(self, rim) -> float:
-        points = self._seen[rim]
-        return float(np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).sum())
-
-    def _gap(self, ray: Ray, found, rim) -> float:
-        """Distance of a rim from the point that was hit, or from a ray that hits nothing."""
-        gap = self._seen[rim] - (ray.origin if found is None else found[1])
-        if found is None:
-            along = ray.direction / np.linalg.norm(ray.direction)
-            gap = gap - np.outer(gap @ along, along)
-        return float(np.linalg.norm(gap, axis=1).min())
-
-    def _reach(self, rim: int) -> float:
-        """How far from a rim a click into the void may be: anywhere in a hole, near an outline."""
-        extent = self._extent(self.rims[rim])
-        return OUTLINE_REACH * extent if rim in self._outlines else extent / 2
-
-
-class _Pieces:
-    """Which vertices hang together."""
-
-    def __init__(self, vertices):
-        self._parent = {int(v): int(v) for v in vertices}
-
-    def join(self, a: int, b: int) -> None:
-        self._parent[self._root(a)] = self._root(b)
-
-    def sorted(self) -> list[list[int]]:
-        found: dict[int, list[int]] = {}
-        for vertex in sorted(self._parent):
-            found.setdefault(self._root(vertex), []).append(vertex)
-        return list(found.values())
-
-    def _root(self, vertex: int) -> int:
-        while self._parent[vertex] != vertex:
-            self._parent[vertex] = self._parent[self._parent[vertex]]
-            vertex = self._parent[vertex]
-        return vertex
+    def _is_wide(self, loop) -> bool:
+        component = self._labels == self._labels[loop[0]]
+        return extent(self._seen[loop]) > 0.5 * extent(self._seen[component])

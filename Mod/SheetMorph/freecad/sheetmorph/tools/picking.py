@@ -1,45 +1,63 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Picking a region: what a click means, what is picked, and how to take it back."""
+"""Picking a region: what a click or a drawn figure means, what is picked, how to take it back."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
+from freecad.sheetmorph.tools.figures import BRUSH, Camera
+from freecad.sheetmorph.tools.part_mesh import NOTHING, to_ids
+from freecad.sheetmorph.tools.rims import Ray
+
 REPLACE, ADD, REMOVE = "replace", "add", "remove"
-FACET, FACE, RIM, WHOLE = "facet", "face", "rim", "whole"
+VERTEX, FACET, FACE, RIM, WHOLE = "vertex", "facet", "face", "rim", "whole"
 
 
 @dataclass(frozen=True)
 class Options:
-    """What one click takes."""
+    """What one click or figure takes."""
 
-    what: str = FACE
+    what: str = FACE  # one of the names above, or of figures.DRAWN
+    mode: str = REPLACE  # without a modifier key
     crease: float = math.radians(30.0)  # radians
     rings: int = 0  # around a hole rim
     holes_only: bool = False  # a click near the outline takes no rim
+    through: bool = False  # also what something hides
+    radius: float = 25.0  # of the brush, px
 
 
-def mode_of(shift: bool, control: bool) -> str:
-    """Shift adds, Ctrl removes, a plain click starts anew."""
+def mode_of(shift: bool, control: bool, mode: str = REPLACE) -> str:
+    """Shift adds, Ctrl removes, without either the chosen mode."""
     if control:
         return REMOVE
-    return ADD if shift else REPLACE
+    return ADD if shift else mode
 
 
 class RegionPicker:
-    """The state of picking on one part; ``mesh`` answers as ``part_mesh.PartMesh`` does."""
+    """The state of picking on one part; meshes answer as ``part_mesh.PartMesh`` does."""
 
-    def __init__(self, mesh, picked=(), options: Options = Options()):
+    def __init__(self, mesh, picked: Iterable[int] = (), options: Options = Options(), others=()):
+        """``others``: the meshes of other parts in view, which may hide this one."""
         self._mesh = mesh
-        self._picked = frozenset(int(v) for v in picked)
-        self._history: list[frozenset] = []
+        self._others = list(others)
+        self._picked = to_ids(picked)
+        self._history: list[np.ndarray] = []
         self._options = options
+        self._painted = NOTHING
 
     @property
-    def picked(self) -> frozenset:
-        """The vertices picked now."""
+    def picked(self) -> np.ndarray:
+        """The vertices picked now, ascending."""
         return self._picked
+
+    @property
+    def options(self) -> Options:
+        """What a click takes."""
+        return self._options
 
     @property
     def can_go_back(self) -> bool:
@@ -50,39 +68,69 @@ class RegionPicker:
         """Changes options, by the names in Options."""
         self._options = replace(self._options, **options)
 
-    def aim(self, ray) -> frozenset:
-        """What a click along the ray would take; empty if nothing."""
-        options = self._options
-        if options.what == RIM:
-            return self._mesh.rim(ray, options.rings, options.holes_only)
-        found = self._mesh.hit(ray)
-        if found is None:
-            return frozenset()
-        triangle = found[0]
-        if options.what == FACET:
-            return self._mesh.facet(triangle)
-        if options.what == FACE:
-            return self._mesh.face(triangle, options.crease)
-        return self._mesh.piece(triangle)
+    def mode(self, shift: bool, control: bool) -> str:
+        """What a pick with these keys down does; the strokes of a brush add up by themselves."""
+        found = mode_of(shift, control, self._options.mode)
+        return ADD if found == REPLACE and self._options.what == BRUSH else found
 
-    def click(self, ray, mode: str = REPLACE) -> bool:
+    def aim(self, ray: Ray) -> np.ndarray:
+        """What a click along the ray would take; empty if nothing, or if another part hides it."""
+        options, mesh = self._options, self._mesh
+        found = mesh.hit(ray)
+        if found is not None and self._is_hidden(ray, found[1]):
+            return NOTHING
+        if options.what == RIM:
+            return mesh.rim(
+                ray, options.rings, crease=options.crease, holes_only=options.holes_only
+            )
+        if found is None:
+            return NOTHING
+        if options.what == VERTEX:
+            return mesh.vertex(*found)
+        if options.what == FACET:
+            return mesh.facet(found[0])
+        if options.what == FACE:
+            return mesh.face(found[0], options.crease)
+        return mesh.piece(found[0])
+
+    def aim_inside(self, camera: Camera, outline: np.ndarray) -> np.ndarray:
+        """What a closed figure (k, 2) px on the screen would take."""
+        hiding = None if self._options.through else [self._mesh, *self._others]
+        return self._mesh.inside(camera, outline, hiding)
+
+    def paint(self, camera: Camera, outline: np.ndarray) -> np.ndarray:
+        """Adds a figure to the stroke that is being drawn; returns what the stroke has so far."""
+        self._painted = np.union1d(self._painted, self.aim_inside(camera, outline))
+        return self._painted
+
+    def take_painted(self, mode: str) -> bool:
+        """Takes what the stroke has; one without anything changes nothing."""
+        painted = self._painted
+        self.forget_painted()
+        return bool(len(painted)) and self.take(painted, mode)
+
+    def forget_painted(self) -> None:
+        """Begins a new stroke."""
+        self._painted = NOTHING
+
+    def click(self, ray: Ray, mode: str = REPLACE) -> bool:
         """Takes what the ray aims at; a click into the void changes nothing and returns False."""
         target = self.aim(ray)
-        return bool(target) and self.take(target, mode)
+        return bool(len(target)) and self.take(target, mode)
 
-    def take(self, vertices, mode: str = REPLACE) -> bool:
+    def take(self, vertices: Iterable[int], mode: str = REPLACE) -> bool:
         """Replaces, adds or removes vertices; whether that changed anything."""
-        target = frozenset(vertices)
+        target = to_ids(vertices)
         if mode == ADD:
-            return self._become(self._picked | target)
+            return self._become(np.union1d(self._picked, target))
         if mode == REMOVE:
-            return self._become(self._picked - target)
+            return self._become(np.setdiff1d(self._picked, target))
         return self._become(target)
 
     def take_holes(self) -> bool:
         """Picks the rims of all holes."""
         rims = self._mesh.hole_rims(self._options.rings)
-        return self._become(frozenset().union(*rims))
+        return self._become(to_ids(np.concatenate([NOTHING, *rims])))
 
     def grow(self) -> bool:
         """Adds one ring of neighbours."""
@@ -92,9 +140,13 @@ class RegionPicker:
         """Takes the outermost ring away."""
         return self._become(self._mesh.shrunk(self._picked))
 
+    def invert(self) -> bool:
+        """Picks what is not picked."""
+        return self._become(np.setdiff1d(self._mesh.used, self._picked))
+
     def clear(self) -> bool:
         """Picks nothing."""
-        return self._become(frozenset())
+        return self._become(NOTHING)
 
     def back(self) -> bool:
         """Takes back the last change."""
@@ -103,13 +155,23 @@ class RegionPicker:
         self._picked = self._history.pop()
         return True
 
-    def groups(self) -> list[list[int]]:
+    def groups(self) -> Sequence[np.ndarray]:
         """The connected pieces of what is picked."""
         return self._mesh.groups(self._picked)
 
-    def _become(self, picked: frozenset) -> bool:
-        if picked == self._picked:
+    def triangles_at(self, vertices) -> np.ndarray:
+        """The triangles (k, 3) with a corner among the vertices."""
+        return self._mesh.triangles_at(vertices)
+
+    def _is_hidden(self, ray: Ray, point: np.ndarray) -> bool:
+        if self._options.through:
+            return False
+        distance = np.linalg.norm(point - ray.origin) * (1.0 - 1e-6)
+        return any(other.distance(ray) < distance for other in self._others)
+
+    def _become(self, picked: np.ndarray) -> bool:
+        if np.array_equal(picked, self._picked):
             return False
         self._history.append(self._picked)
-        self._picked = picked
+        self._picked = picked.astype(np.int32)
         return True

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The mouse while a region is picked: hover, clicks, and figures drawn on the screen."""
+
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.figure import Figure
+from freecad.sheetmorph.scene.viewport import Listener, Viewport
+from freecad.sheetmorph.tools import figures
+from freecad.sheetmorph.tools.part_mesh import NOTHING
+from freecad.sheetmorph.tools.rims import Ray
+
+
+class PickMouse(Listener):
+    """Lets the mouse act on a picker; what it does to the picker is told to a host.
+
+    The host has ``picked()``, called after every pick, ``accept`` and ``reject``, ``hover(ray)``
+    and ``click(ray)`` for what no picker takes, and ``turn_wheel(steps)`` for a brush.
+    """
+
+    def __init__(self, view, host):
+        self._host = host
+        self._picker = self._seen = None
+        self._viewport = Viewport(view, self)
+        self._figure = Figure(self._viewport.widget, colours.HOVER)
+        self._drawing = self._mode = None
+        self._place = None
+
+    def use(self, picker, seen) -> None:
+        """Acts on a RegionPicker that is shown in a PickView from now on; None: on none."""
+        self._end()
+        self._picker, self._seen = picker, seen
+        self._figure.show_outline(None)
+
+    def release(self) -> None:
+        """Gives the mouse back."""
+        self._end()
+        self._figure.remove()
+        self._viewport.release()
+        self._picker = self._seen = self._host = None
+
+    def on_move(self, pointer) -> None:
+        """Shows what a click would take."""
+        self._place = pointer and pointer.place
+        ray = None if pointer is None else Ray(pointer.origin, pointer.direction)
+        if self._picker is None:
+            self._host.hover(ray)
+            return
+        aimed = NOTHING
+        if self._is_brush():
+            aimed = self._show_brush()
+        elif ray is not None and not self._draws():
+            aimed = self._picker.aim(ray)
+        self._seen.show_aimed(aimed)
+        self._host.hover(None if ray is None or len(aimed) or self._draws() else ray)
+
+    def on_click(self, pointer) -> None:
+        """Picks what the mouse is over."""
+        ray = Ray(pointer.origin, pointer.direction)
+        if self._picker is None:
+            self._host.click(ray)
+            return
+        target = self._picker.aim(ray)
+        if len(target):
+            self._picker.take(target, self._picker.mode(pointer.shift, pointer.control))
+            self._host.picked()
+        else:
+            self._host.click(ray)
+
+    def on_press(self, pointer) -> bool:
+        """A tool that draws claims the left button."""
+        if not self._draws():
+            return False
+        options = self._picker.options
+        self._mode = self._picker.mode(pointer.shift, pointer.control)
+        self._drawing = figures.Drawing(options.what, pointer.place, options.radius)
+        self._go_on(self._drawing.outline())
+        return True
+
+    def on_drag(self, pointer) -> None:
+        """Goes on drawing; a brush shows at once what it takes."""
+        self._place = pointer.place
+        if self._drawing is not None:
+            self._go_on(self._drawing.go_to(pointer.place))
+
+    def on_release(self, _pointer) -> None:
+        """Takes what is in the figure; an empty one changes nothing."""
+        if self._drawing is None:
+            return
+        if self._drawing.has_extent:
+            if not self._is_brush():
+                self._picker.paint(self._viewport.camera(), self._drawing.outline())
+            self._picker.take_painted(self._mode)
+        self._end()
+        self._host.picked()
+        if self._is_brush():
+            self._seen.show_aimed(self._show_brush())
+
+    def on_wheel(self, steps: float) -> bool:
+        """The size of the brush."""
+        if not self._is_brush():
+            return False
+        self._host.turn_wheel(steps)
+        self._seen.show_aimed(self._show_brush())
+        return True
+
+    def on_escape(self) -> None:
+        """Ends a figure that is being drawn, else is Cancel."""
+        if self._drawing is not None:
+            self._end()
+        else:
+            self._host.reject()
+
+    def on_enter(self) -> None:
+        """OK."""
+        self._host.accept()
+
+    def _draws(self) -> bool:
+        return self._picker is not None and self._picker.options.what in figures.DRAWN
+
+    def _is_brush(self) -> bool:
+        return self._picker is not None and self._picker.options.what == figures.BRUSH
+
+    def _show_brush(self):
+        """Draws the circle where the mouse is; returns what is in it."""
+        if self._place is None:
+            self._figure.show_outline(None)
+            return NOTHING
+        outline = figures.circle(self._place, self._picker.options.radius)
+        self._figure.show_outline(outline)
+        return self._picker.aim_inside(self._viewport.camera(), outline)
+
+    def _go_on(self, outline) -> None:
+        if self._is_brush():
+            self._seen.show_aimed(self._picker.paint(self._viewport.camera(), outline))
+        self._figure.show_outline(self._drawing.outline())
+
+    def _end(self) -> None:
+        """Forgets the figure that is being drawn."""
+        self._drawing = None
+        self._figure.show_outline(None)
+        if self._picker is not None:
+            self._picker.forget_painted()
+            self._seen.show_aimed(NOTHING)

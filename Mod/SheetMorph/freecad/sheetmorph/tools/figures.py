@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Closed figures on the screen, (k, 2) px each, and the camera that shows what is in them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+Place = tuple[float, float]  # px from the lower left corner of the view
+
+BRUSH, RECTANGLE, LASSO = "brush", "rectangle", "lasso"
+DRAWN = (BRUSH, RECTANGLE, LASSO)
+SIDES = 32  # of the polygon that stands for a circle
+NEAREST = 2.0  # px between the corners of a lasso
+SMALLEST, LARGEST, STEP = 4.0, 400.0, 1.15  # px, and how the wheel changes a radius
+
+
+@dataclass(frozen=True)
+class Camera:
+    """What the view shows: (4, 4) from (x, y, z, 1), global mm, to clip coordinates; size in px."""
+
+    to_clip: np.ndarray
+    width: float
+    height: float
+
+    def line(self, x: float, y: float) -> tuple[np.ndarray, np.ndarray]:
+        """Where the line of sight through a pixel enters and leaves what is shown, (3,) mm each."""
+        place = (2.0 * x / self.width - 1.0, 2.0 * y / self.height - 1.0)
+        ends = np.linalg.solve(self.to_clip, np.array([(*place, z, 1.0) for z in (-1.0, 1.0)]).T)
+        near, far = (ends[:3] / ends[3]).T
+        return near, far
+
+
+def circle(centre: Place, radius: float) -> np.ndarray:
+    """The circle."""
+    return swept(centre, centre, radius)
+
+
+def swept(start: Place, end: Place, radius: float) -> np.ndarray:
+    """What a circle covers on its way from one place to another."""
+    along = math.atan2(end[1] - start[1], end[0] - start[0])
+    half = np.linspace(-math.pi / 2, math.pi / 2, SIDES // 2 + 1)
+    angles = np.concatenate([along + half, along + math.pi + half])
+    centres = np.concatenate([np.tile(end, (len(half), 1)), np.tile(start, (len(half), 1))])
+    return centres + radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+
+
+def rectangle(one: Place, other: Place) -> np.ndarray:
+    """The rectangle between two opposite corners."""
+    (left, low), (right, high) = one, other
+    return np.array([[left, low], [right, low], [right, high], [left, high]], dtype=float)
+
+
+def lasso(places: Sequence[Place]) -> np.ndarray:
+    """The figure along the places, those too near to the one before left out."""
+    kept = [places[0]]
+    for place in places[1:]:
+        if math.dist(place, kept[-1]) >= NEAREST:
+            kept.append(place)
+    return np.array(kept, dtype=float)
+
+
+def resized(radius: float, steps: float) -> float:
+    """The radius of the brush after so many steps of the wheel, px."""
+    return min(max(radius * STEP**steps, SMALLEST), LARGEST)
+
+
+class Drawing:
+    """The figure that the mouse draws while its button is down."""
+
+    def __init__(self, tool: str, start: Place, radius: float = 0.0):
+        """``tool``: BRUSH with a ``radius``, RECTANGLE or LASSO."""
+        self._tool, self._radius = tool, radius
+        self._places = [start]
+
+    def go_to(self, place: Place) -> np.ndarray:
+        """Goes on to a place; returns what of a brush's stroke is new, else the figure so far."""
+        last = self._places[-1]
+        self._places.append(place)
+        return swept(last, place, self._radius) if self._tool == BRUSH else self.outline()
+
+    def outline(self) -> np.ndarray:
+        """The figure so far; for a brush the circle where it is."""
+        if self._tool == BRUSH:
+            return circle(self._places[-1], self._radius)
+        if self._tool == RECTANGLE:
+            return rectangle(self._places[0], self._places[-1])
+        return lasso(self._places)
+
+    @property
+    def has_extent(self) -> bool:
+        """Whether it is more than a click; a brush takes clicks too."""
+        extent = np.ptp(np.array(self._places), axis=0)
+        return self._tool == BRUSH or bool((extent > 2 * NEAREST).any())

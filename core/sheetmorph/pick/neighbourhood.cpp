@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/pick/neighbourhood.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/crease_loops.h"
+#include "sheetmorph/mesh/flags.h"
+#include "sheetmorph/mesh/growing.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+void require_rings(int rings)
+{
+    if (rings < 0)
+        throw InvalidInput("the number of rings is " + std::to_string(rings)
+                           + "; it must be 0 or more");
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const TriangleMesh& mesh)
+    : mesh_(mesh), edges_(mesh), starts_(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0)
+{
+    const Triangles& triangles = mesh_.triangles();
+    for (int k = 0; k < triangles.size(); ++k)
+        ++starts_[triangles.data()[k] + 1];
+    for (int i = 0; i < mesh_.vertex_count(); ++i)
+        starts_[i + 1] += starts_[i];
+    std::vector<int> next = starts_;
+    triangles_.resize(static_cast<std::size_t>(triangles.size()));
+    for (int k = 0; k < triangles.size(); ++k)
+        triangles_[next[triangles.data()[k]]++] = k / 3;
+}
+
+template <typename Visit>
+void Neighbourhood::visit_around(int vertex, Visit&& visit) const
+{
+    for (int use = starts_[vertex]; use < starts_[vertex + 1]; ++use)
+        for (int k = 0; k < 3; ++k)
+            visit(mesh_.triangles()(triangles_[use], k));
+}
+
+std::vector<int> Neighbourhood::triangles_at(const VertexIds& vertices) const
+{
+    flags_of(vertices, mesh_.vertex_count(), "vertices");
+    Flags found(static_cast<std::size_t>(mesh_.triangle_count()), 0);
+    for (const int vertex : vertices)
+        for (int use = starts_[vertex]; use < starts_[vertex + 1]; ++use)
+            found[triangles_[use]] = 1;
+    return ids_of(found);
+}
+
+VertexIds Neighbourhood::grown(const VertexIds& vertices, int rings) const
+{
+    require_rings(rings);
+    Flags inside = flags_of(vertices, mesh_.vertex_count(), "vertices");
+    VertexIds front = vertices;
+    for (; rings > 0 && !front.empty(); --rings)
+    {
+        VertexIds reached;
+        for (const int vertex : front)
+            visit_around(vertex,
+                         [&](int corner)
+                         {
+                             if (!inside[corner])
+                                 reached.push_back(corner);
+                             inside[corner] = 1;
+                         });
+        front = std::move(reached);
+    }
+    return ids_of(inside);
+}
+
+// What goes lies within as many rings of the vertices just outside.
+VertexIds Neighbourhood::shrunk(const VertexIds& vertices, int rings) const
+{
+    Flags inside = flags_of(vertices, mesh_.vertex_count(), "vertices");
+    VertexIds outside;
+    for (const int vertex : vertices)
+        visit_around(vertex,
+                     [&](int corner)
+                     {
+                         if (!inside[corner])
+                             outside.push_back(corner);
+                     });
+    for (const int vertex : grown(outside, rings))
+        inside[vertex] = 0;
+    return ids_of(inside);
+}
+
+std::vector<int> Neighbourhood::face(int triangle, double max_angle) const
+{
+    return grow_to_creases(mesh_, edges_, triangle, max_angle);
+}
+
+std::vector<int> Neighbourhood::piece(int triangle) const
+{
+    flags_of({triangle}, mesh_.triangle_count(), "triangles");
+    return triangles_at(grown({mesh_.triangles()(triangle, 0)}, mesh_.vertex_count()));
+}
+
+std::vector<VertexIds> Neighbourhood::pieces(const VertexIds& vertices) const
+{
+    Flags waiting = flags_of(vertices, mesh_.vertex_count(), "vertices");
+    std::vector<VertexIds> found;
+    for (const int first : ids_of(waiting))
+    {
+        if (!waiting[first])
+            continue;
+        waiting[first] = 0;
+        VertexIds piece = {first};
+        for (std::size_t next = 0; next < piece.size(); ++next)
+            visit_around(piece[next],
+                         [&](int corner)
+                         {
+                             if (waiting[corner])
+                                 piece.push_back(corner);
+                             waiting[corner] = 0;
+                         });
+        std::sort(piece.begin(), piece.end());
+        found.push_back(std::move(piece));
+    }
+    return found;
+}
+
+std::vector<VertexIds> Neighbourhood::rims(double crease) const
+{
+    return crease_loops(mesh_, edges_, crease);
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/pick/screen.h"
+
+#include "sheetmorph/base/errors.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int rows_of_an_outline = 256;
+constexpr double margin = 1e-6;  // px, far above rounding, by which planes lie outside
+
+}  // namespace
+
+Screen::Screen(const Matrix4& to_clip, double width, double height)
+    : to_clip_(to_clip), half_(0.5 * width, 0.5 * height)
+{
+    if (!to_clip.allFinite())
+        throw InvalidInput("the matrix of the camera has entries that are not finite numbers");
+    if (!(half_.minCoeff() > 0.0) || !half_.allFinite())
+        throw InvalidInput("the view has no extent; its width and height must be positive");
+}
+
+Vector3 Screen::seen(const Vector3& point) const
+{
+    const Eigen::Vector4d clip = to_clip_.leftCols<3>() * point + to_clip_.col(3);
+    if (!(clip.w() > 0.0))
+        return Vector3::Constant(std::numeric_limits<double>::infinity());
+    const Vector3 unit = clip.head<3>() / clip.w();
+    return {(unit.x() + 1.0) * half_.x(), (unit.y() + 1.0) * half_.y(), unit.z()};
+}
+
+Planes Screen::planes_around(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const
+{
+    Planes planes(5, 4);
+    for (int c = 0; c < 2; ++c)
+    {
+        const double from = (low(c) - margin) / half_(c) - 1.0;
+        const double to = (high(c) + margin) / half_(c) - 1.0;
+        planes.row(2 * c) = to_clip_.row(c) - from * to_clip_.row(3);
+        planes.row(2 * c + 1) = to * to_clip_.row(3) - to_clip_.row(c);
+    }
+    planes.row(4) = to_clip_.row(3);
+    return planes;
+}
+
+Outline::Outline(ScreenPoints corners) : corners_(std::move(corners))
+{
+    if (corners_.rows() < 3 || !corners_.allFinite())
+        throw InvalidInput("an outline needs three or more corners with finite coordinates; it has "
+                           + std::to_string(corners_.rows()));
+    low_ = corners_.colwise().minCoeff();
+    high_ = corners_.colwise().maxCoeff();
+    sides_.resize(rows_of_an_outline);
+    for (int k = 0; k < corners_.rows(); ++k)
+    {
+        const double one = corners_(k, 1);
+        const double other = corners_((k + 1) % corners_.rows(), 1);
+        for (int row = row_of(std::min(one, other)); row <= row_of(std::max(one, other)); ++row)
+            sides_[static_cast<std::size_t>(row)].push_back(k);
+    }
+}
+
+int Outline::row_of(double y) const
+{
+    const double extent = std::max(high_.y() - low_.y(), std::numeric_limits<double>::min());
+    const double row = (y - low_.y()) / extent * rows_of_an_outline;
+    return static_cast<int>(std::clamp(row, 0.0, rows_of_an_outline - 1.0));
+}
+
+// Counts how often the figure runs round the place: a side that crosses the ray to the right of it
+// upwards counts 1, downwards -1.
+bool Outline::contains(double x, double y) const
+{
+    if (!(x >= low_.x() && x <= high_.x() && y >= low_.y() && y <= high_.y()))
+        return false;
+    int turns = 0;
+    for (const int k : sides_[static_cast<std::size_t>(row_of(y))])
+    {
+        const Eigen::Vector2d a = corners_.row(k);
+        const Eigen::Vector2d b = corners_.row((k + 1) % corners_.rows());
+        if ((a.y() <= y) == (b.y() <= y))
+            continue;
+        if (x < a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+            turns += a.y() <= y ? 1 : -1;
+    }
+    return turns != 0;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/picking.h"
+
+namespace sheetmorph
+{
+
+using Matrix4 = Eigen::Matrix4d;
+
+//! Places on the screen, one row each: px from the lower left corner.
+using ScreenPoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+//! How a camera, parallel or in perspective, maps space to the screen.
+class Screen
+{
+public:
+    //! \param to_clip        (4, 4) from (x, y, z, 1), mm, to OpenGL's clip coordinates
+    //! \param width, height  of the view, px
+    //! \throws InvalidInput for numbers that are not finite, or a view without extent
+    Screen(const Matrix4& to_clip, double width, double height);
+
+    //! x, y in px and a depth that grows away from the eye, from -1 to 1 between the clipping
+    //! planes, and is linear over every flat triangle. All infinite for a point behind the eye.
+    Vector3 seen(const Vector3& point) const;
+
+    //! Planes around what is seen in a rectangle, px, as PickingTree::triangles_between takes them.
+    Planes planes_around(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
+
+private:
+    Matrix4 to_clip_;
+    Eigen::Vector2d half_;  // of width and height, px
+};
+
+//! A closed figure on the screen. Inside is what it runs round at least once, however often it
+//! crosses itself.
+class Outline
+{
+public:
+    //! \param corners  (k, 2) px, k >= 3; the last is joined to the first
+    //! \throws InvalidInput for fewer corners, or numbers that are not finite
+    explicit Outline(ScreenPoints corners);
+
+    bool contains(double x, double y) const;
+
+    const Eigen::Vector2d& low() const { return low_; }
+    const Eigen::Vector2d& high() const { return high_; }
+
+private:
+    int row_of(double y) const;
+
+    ScreenPoints corners_;
+    Eigen::Vector2d low_, high_;
+    std::vector<std::vector<int>> sides_;  // of each of equal rows from low to high
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/pick/sight.h"
+
+#include "sheetmorph/mesh/flags.h"
+#include "sheetmorph/pick/vertex_cells.h"
+
+#include <algorithm>
+#include <functional>
+#include <future>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr std::size_t few = 5000;  // vertices that a second thread is not worth while for
+
+// The pictures of the vertices of one shape, each computed when it is first asked for.
+class Picture
+{
+public:
+    Picture(const PickingTree& tree, const Screen& screen)
+        : points_(tree.points()),
+          screen_(screen),
+          seen_(tree.points().rows(), 3),
+          is_known_(static_cast<std::size_t>(tree.points().rows()), 0)
+    {
+    }
+
+    Vector3 operator()(int vertex)
+    {
+        if (!is_known_[static_cast<std::size_t>(vertex)])
+        {
+            seen_.row(vertex) = screen_.seen(points_.row(vertex));
+            is_known_[static_cast<std::size_t>(vertex)] = 1;
+        }
+        return seen_.row(vertex);
+    }
+
+private:
+    const Points& points_;
+    const Screen& screen_;
+    Points seen_;
+    std::vector<char> is_known_;
+};
+
+VertexIds not_hidden(const std::vector<Seen>& seen, const Screen& screen,
+                     const std::vector<const PickingTree*>& shapes)
+{
+    if (seen.empty())
+        return {};
+    VertexCells cells(seen);
+    const Planes planes = screen.planes_around(cells.low(), cells.high());
+    for (const PickingTree* shape : shapes)
+    {
+        Picture picture(*shape, screen);
+        for (const int t : shape->triangles_between(planes))
+        {
+            const auto corners = shape->triangles().row(t);
+            cells.hide_behind({picture(corners(0)), picture(corners(1)), picture(corners(2))});
+        }
+    }
+    return cells.left();
+}
+
+}  // namespace
+
+VertexIds vertices_inside(const PickingTree& tree, const Screen& screen, const Outline& outline)
+{
+    Flags is_near(static_cast<std::size_t>(tree.points().rows()), 0);
+    for (const int t : tree.triangles_between(screen.planes_around(outline.low(), outline.high())))
+        for (int k = 0; k < 3; ++k)
+            is_near[static_cast<std::size_t>(tree.triangles()(t, k))] = 1;
+    VertexIds inside;
+    for (const int vertex : ids_of(is_near))
+        if (const Vector3 place = screen.seen(tree.points().row(vertex));
+            outline.contains(place.x(), place.y()))
+            inside.push_back(vertex);
+    return inside;
+}
+
+VertexIds visible_vertices(const PickingTree& tree, const VertexIds& vertices, const Screen& screen,
+                           const std::vector<const PickingTree*>& shapes)
+{
+    std::vector<Seen> seen;
+    const int count = static_cast<int>(tree.points().rows());
+    for (const int vertex : ids_of(flags_of(vertices, count, "vertices")))
+        if (const Vector3 place = screen.seen(tree.points().row(vertex)); place.allFinite())
+            seen.push_back({place, vertex});
+    // Each thread looks at a band of the screen of its own.
+    const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
+    std::nth_element(seen.begin(), middle, seen.end(),
+                     [](const Seen& a, const Seen& b) { return a.place.y() < b.place.y(); });
+    std::future<VertexIds> upper;
+    if (seen.size() > few)
+        upper = std::async(std::launch::async, not_hidden, std::vector<Seen>(middle, seen.end()),
+                           std::cref(screen), std::cref(shapes));
+    seen.erase(upper.valid() ? middle : seen.end(), seen.end());
+    VertexIds visible = not_hidden(seen, screen, shapes);
+    if (upper.valid())
+        for (const int vertex : upper.get())
+            visible.push_back(vertex);
+    std::sort(visible.begin(), visible.end());
+    return visible;
+}
+
+}  // namespace sheetmorph

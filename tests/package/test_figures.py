@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figures drawn on the screen, and what they take; neither needs FreeCAD."""
+
+import numpy as np
+import pytest
+from freecad.sheetmorph.tools import figures
+from freecad.sheetmorph.tools.figures import BRUSH, LASSO, RECTANGLE, Camera, Drawing
+from freecad.sheetmorph.tools.part_mesh import PartMesh, nearest_part
+from freecad.sheetmorph.tools.picking import ADD, REMOVE, REPLACE, VERTEX, Options, RegionPicker
+from freecad.sheetmorph.tools.rims import Ray
+from sheetmorph import _core
+
+FROM_ABOVE = Camera(np.diag([0.1, 0.1, -0.01, 1.0]), 200.0, 200.0)  # 10 px are 1 mm
+
+
+def square(height: float = 0.0, count: int = 11) -> PartMesh:
+    """A square of 10 mm about the z axis, a vertex at every mm."""
+    steps = np.linspace(-5.0, 5.0, count)
+    x, y = (g.ravel() for g in np.meshgrid(steps, steps, indexing="ij"))
+    points = np.stack([x, y, np.full(x.size, height)], axis=1)
+    first = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
+    a, b, c, d = first, first + count, first + count + 1, first + 1
+    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]).astype(np.int32)
+    return PartMesh(_core, (points, triangles), points)
+
+
+def area(outline: np.ndarray) -> float:
+    """The area, px^2, of a figure that does not cross itself."""
+    x, y = outline.T
+    return abs(float(x @ np.roll(y, 1) - y @ np.roll(x, 1))) / 2
+
+
+def test_a_swept_circle_covers_both_ends_and_what_is_between():
+    figure = figures.swept((10.0, 20.0), (40.0, 60.0), 8.0)
+    assert np.isclose(area(figure), 50 * 16 + np.pi * 64, rtol=0.01)
+    assert np.allclose(figure.mean(axis=0), (25.0, 40.0))
+    assert np.isclose(area(figures.circle((3.0, 4.0), 5.0)), np.pi * 25, rtol=0.01)
+
+
+def test_the_wheel_changes_the_radius_within_limits():
+    assert figures.resized(20.0, 1.0) > 20.0 > figures.resized(20.0, -1.0)
+    assert figures.resized(20.0, 99.0) == figures.LARGEST
+    assert figures.resized(20.0, -99.0) == figures.SMALLEST
+
+
+def test_a_rectangle_lies_between_opposite_corners_whichever_way():
+    drawing = Drawing(RECTANGLE, (30.0, 40.0))
+    assert not drawing.has_extent
+    drawing.go_to((10.0, 90.0))
+    assert drawing.has_extent and area(drawing.outline()) == 20 * 50
+
+
+def test_a_lasso_keeps_its_corners_apart():
+    drawing = Drawing(LASSO, (0.0, 0.0))
+    for place in ((0.5, 0.0), (1.0, 0.5), (50.0, 0.0), (50.0, 50.0)):
+        drawing.go_to(place)
+    assert drawing.outline().tolist() == [[0.0, 0.0], [50.0, 0.0], [50.0, 50.0]]
+
+
+def test_a_brush_goes_on_from_where_it_was():
+    drawing = Drawing(BRUSH, (0.0, 0.0), 4.0)
+    assert drawing.has_extent
+    drawing.go_to((10.0, 0.0))
+    step = drawing.go_to((10.0, 30.0))
+    assert step[:, 0].min() >= 6.0 - 1e-9 and step[:, 1].max() == pytest.approx(34.0)
+    assert drawing.outline()[:, 1].max() == pytest.approx(34.0)
+
+
+def test_a_line_of_sight_goes_through_what_the_pixel_shows():
+    near, far = FROM_ABOVE.line(130.0, 90.0)
+    assert np.allclose(near, [3.0, -1.0, 100.0]) and np.allclose(far, [3.0, -1.0, -100.0])
+
+
+def test_a_figure_takes_what_is_seen_in_it_or_what_lies_behind_too():
+    low, lid = square(), square(2.0, 3)
+    picker = RegionPicker(low, others=[lid])
+    box = figures.rectangle((45.0, 45.0), (75.0, 65.0))
+    assert len(picker.aim_inside(FROM_ABOVE, box)) == 0
+    picker.choose(through=True)
+    assert len(picker.aim_inside(FROM_ABOVE, box)) == 6
+    assert len(RegionPicker(low).aim_inside(FROM_ABOVE, box)) == 6
+
+
+def test_a_part_in_front_takes_the_click_away_unless_it_goes_through():
+    picker = RegionPicker(square(), options=Options(what=VERTEX), others=[square(2.0)])
+    ray = Ray(np.array([0.2, 0.1, 50.0]), np.array([0.0, 0.0, -1.0]))
+    assert not picker.click(ray)
+    assert len(picker.aim(Ray(-ray.origin, -ray.direction))), "from below nothing is in front"
+    picker.choose(through=True)
+    assert picker.click(ray) and picker.picked.tolist() == [60]
+
+
+def test_a_stroke_is_one_pick_that_can_be_taken_back():
+    picker = RegionPicker(square(), [0])
+    picker.choose(what=BRUSH)
+    assert picker.mode(shift=False, control=False) == ADD
+    assert picker.mode(shift=False, control=True) == REMOVE
+    for x in (100.0, 110.0, 120.0):
+        stroke = picker.paint(FROM_ABOVE, figures.circle((x, 100.0), 4.0))
+    assert len(stroke) == 3
+    assert picker.take_painted(ADD) and len(picker.picked) == 4
+    assert picker.back() and picker.picked.tolist() == [0] and not picker.back()
+    picker.paint(FROM_ABOVE, figures.circle((900.0, 100.0), 4.0))
+    assert not picker.take_painted(REPLACE), "an empty stroke changes nothing"
+
+
+def test_the_chosen_mode_holds_without_keys():
+    picker = RegionPicker(square(), options=Options(mode=REMOVE))
+    assert picker.mode(shift=False, control=False) == REMOVE
+    assert picker.mode(shift=True, control=False) == ADD
+
+
+def test_inverting_picks_the_rest(picked=(0, 5, 120)):
+    picker = RegionPicker(square(), picked)
+    assert picker.invert() and len(picker.picked) == 118
+    assert picker.invert() and picker.picked.tolist() == list(picked)
+
+
+def test_a_face_is_asked_for_once_while_the_mouse_stays_in_it():
+    picker = RegionPicker(square())
+    down = np.array([0.0, 0.0, -1.0])
+    aimed = [picker.aim(Ray(np.array([x, 0.3, 50.0]), down)) for x in (-3.2, 2.1)]
+    assert aimed[0] is aimed[1] and len(aimed[0]) == 121
+
+
+def test_a_rim_of_a_closed_solid_ends_where_it_bends():
+    angles = 2 * np.pi * np.arange(24) / 24
+    ring = np.stack([np.cos(angles), np.sin(angles), np.zeros(24)], axis=1)
+    points = np.concatenate([5 * ring, 5 * ring + [0, 0, 4], [[0, 0, 0], [0, 0, 4]]])
+    k, n = np.arange(24), (np.arange(24) + 1) % 24
+    sides = np.concatenate([np.stack([k, n, n + 24], 1), np.stack([k, n + 24, k + 24], 1)])
+    caps = [np.stack([n, k, 0 * k + 48], 1), np.stack([k + 24, n + 24, 0 * k + 49], 1)]
+    mesh = PartMesh(_core, (points, np.concatenate([sides, *caps]).astype(np.int32)), points)
+    ray = Ray(np.array([4.5, 0.2, 50.0]), np.array([0.0, 0.0, -1.0]))
+    assert mesh.rim(ray, 0, crease=0.5).tolist() == list(range(24, 48))
+    assert len(mesh.rim(ray, 0, crease=2.0)) == 0, "an edge of 90 degrees is none then"
+
+
+def test_the_part_in_front_is_named():
+    meshes = {"low": square(), "high": square(2.0)}
+    assert nearest_part(meshes, Ray(np.array([0.1, 0.2, 9.0]), np.array([0.0, 0, -1]))) == "high"
+    assert nearest_part(meshes, Ray(np.array([90.0, 0, 9]), np.array([0.0, 0, -1]))) == ""
+    assert nearest_part({}, Ray(np.zeros(3), np.array([0.0, 0, 1]))) == ""
