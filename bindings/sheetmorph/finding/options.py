@@ -53,7 +53,7 @@ class FindOptions:
     smallest_radius: float = 0.0
     largest_radius: float = 1e12
     roundness: float = 0.12
-    surface: float = 0.02
+    surface: float = 0.01
     crease_angle: float = 35.0
     plane_angle: float = 6.0
     smallest_area: float = 0.004

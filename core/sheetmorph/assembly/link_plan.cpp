@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/link_plan.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/boundary.h"
 
 #include <algorithm>
@@ -30,14 +31,6 @@ bool has_features(const Assembly& assembly, int part)
 {
     return std::any_of(assembly.features.begin(), assembly.features.end(),
                        [&](const PartFeature& feature) { return feature.part == part; });
-}
-
-VertexIds sorted_union(VertexIds a, const VertexIds& b)
-{
-    a.insert(a.end(), b.begin(), b.end());
-    std::sort(a.begin(), a.end());
-    a.erase(std::unique(a.begin(), a.end()), a.end());
-    return a;
 }
 
 // Boundary vertices that neither a region nor a feature of the part holds.
@@ -76,7 +69,7 @@ VertexIds follower_vertices(const Assembly& assembly, int part)
     VertexIds found;
     for (const PartRegion& region : assembly.followers)
         if (region.part == part)
-            found = sorted_union(found, region.vertices);
+            merge_into(found, region.vertices);
     return found;
 }
 
@@ -205,7 +198,7 @@ void add_followers(const Assembly& assembly, std::vector<PlannedLink>& links)
                 + assembly.parts[at(follower.part)].name
                 + "' has no contact to follow; add one of type control mesh or tied");
         VertexIds& vertices = nearest->targets.front().vertices;
-        vertices = sorted_union(vertices, follower.vertices);
+        merge_into(vertices, follower.vertices);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/boundary.h"
 #include "sheetmorph/mesh/edges.h"
 
@@ -158,9 +159,7 @@ private:
             middle += normal.norm() * centre;
             found.vertices.insert(found.vertices.end(), {row(0), row(1), row(2)});
         }
-        std::sort(found.vertices.begin(), found.vertices.end());
-        found.vertices.erase(std::unique(found.vertices.begin(), found.vertices.end()),
-                             found.vertices.end());
+        make_set(found.vertices);
         for (const int v : found.vertices)
         {
             const double along = (point(v) - shape.point).dot(shape.axis);

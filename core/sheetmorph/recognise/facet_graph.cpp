@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/facet_graph.h"
 
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/thinness.h"
 #include "sheetmorph/recognise/noise.h"
 #include "sheetmorph/recognise/welding.h"
@@ -166,8 +167,10 @@ void FacetGraph::measure_triangles()
     }
     if (scatter_ < 0.0)
         scatter_ = scatter_of(welded_, edges_, normals_);
-    if (scatter_ > 0.0)
-        normals_ = calmed_normals(welded_, edges_, normals_, scatter_);
+    if (scatter_ <= 0.0)
+        return;
+    unsure_ = unsure_normals(welded_, areas_, scatter_);
+    normals_ = calmed_normals(edges_, normals_, areas_, unsure_);
 }
 
 double FacetGraph::bend_between(const EdgeUse& one, const EdgeUse& other) const
@@ -254,8 +257,7 @@ VertexIds FacetGraph::originals(const VertexIds& vertices) const
     for (const int v : vertices)
         found.insert(found.end(), members_.begin() + member_starts_[v],
                      members_.begin() + member_starts_[v + 1]);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    make_set(found);
     return found;
 }
 

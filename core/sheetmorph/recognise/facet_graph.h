@@ -23,6 +23,9 @@ public:
     //! direction, mm; 0 for a mesh that was drawn. Normals and bends are without it, points not.
     double scatter() const { return scatter_; }
 
+    //! What the scatter does to a triangle's normal as it stands, radians.
+    double unsure(int triangle) const { return scatter_ > 0.0 ? unsure_[triangle] : 0.0; }
+
     //! Of length 1; zero for a triangle too thin to have a plane.
     Vector3 normal(int triangle) const { return normals_.row(triangle).transpose(); }
     Vector3 centroid(int triangle) const;
@@ -68,6 +71,7 @@ private:
     std::vector<double> bends_;
     double total_area_ = 0.0;
     double scatter_ = 0.0;
+    std::vector<double> unsure_;  // empty for a drawn mesh
     bool is_solid_ = false;
 };
 

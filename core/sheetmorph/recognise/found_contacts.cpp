@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -29,13 +30,6 @@ constexpr double bolt_reach = 2.2;
 // neighbours.
 constexpr double connection_spacing = 2.0;
 
-void merge(VertexIds& into, const VertexIds& from)
-{
-    into.insert(into.end(), from.begin(), from.end());
-    std::sort(into.begin(), into.end());
-    into.erase(std::unique(into.begin(), into.end()), into.end());
-}
-
 bool share_any(const VertexIds& a, const VertexIds& b)
 {
     VertexIds both;
@@ -47,7 +41,7 @@ VertexIds with_washer(const Feature& feature)
 {
     VertexIds all = feature.vertices;
     for (const VertexIds& ring : feature.washer)
-        merge(all, ring);
+        merge_into(all, ring);
     return all;
 }
 
@@ -57,7 +51,7 @@ double share_on_flanges(const ContactPart& part, const VertexIds& vertices)
     VertexIds flanges;
     for (const Feature& feature : part.features)
         if (feature.kind == FeatureKind::flange)
-            merge(flanges, feature.vertices);
+            merge_into(flanges, feature.vertices);
     VertexIds both;
     std::set_intersection(flanges.begin(), flanges.end(), vertices.begin(), vertices.end(),
                           std::back_inserter(both));
@@ -218,8 +212,8 @@ void ContactCollector::join_pair(std::vector<FoundContact>& contacts) const
 {
     for (std::size_t i = 1; i < contacts.size(); ++i)
     {
-        merge(contacts[0].a, contacts[i].a);
-        merge(contacts[0].b, contacts[i].b);
+        merge_into(contacts[0].a, contacts[i].a);
+        merge_into(contacts[0].b, contacts[i].b);
         contacts[0].kind = std::max(contacts[0].kind, contacts[i].kind);
         contacts[0].distance = std::max(contacts[0].distance, contacts[i].distance);
     }
@@ -255,8 +249,8 @@ void ContactCollector::add_connected(std::vector<FoundContact>& contacts, const 
     for (std::size_t i = 0; i < elements.size(); ++i)
     {
         FoundContact& group = groups[labels[i]];
-        merge(group.a, {elements[i].first});
-        merge(group.b, {elements[i].second});
+        merge_into(group.a, {elements[i].first});
+        merge_into(group.b, {elements[i].second});
         ++group.connections;
         const Points& b = parts_[pair.second].mesh.points();
         group.distance = (b.row(elements[i].second).transpose() - places[i]).norm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/holes.h"
 
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/recognise/hole_wall.h"
 #include "sheetmorph/recognise/outline.h"
 
@@ -24,9 +25,6 @@ constexpr double through_cover = 0.85;
 
 // Height of a collar over the scatter of a measured mesh: what is lower is a bent rim.
 constexpr double lowest_collar = 6.0;
-
-// Length over width from which a raised place is a bead.
-constexpr double shortest_bead = 2.0;
 
 // Out of plane a rim on a curved sheet may be, over the radius of a circle of
 // the same area.
@@ -122,9 +120,7 @@ void RimFinder::add_wall(Feature& feature, const HoleWall& wall)
     for (const int triangle : wall.triangles)
         for (int k = 0; k < 3; ++k)
             feature.vertices.push_back(graph_.mesh().triangles()(triangle, k));
-    std::sort(feature.vertices.begin(), feature.vertices.end());
-    feature.vertices.erase(std::unique(feature.vertices.begin(), feature.vertices.end()),
-                           feature.vertices.end());
+    make_set(feature.vertices);
 }
 
 // Both rims of a hole lead to the same wall: the second joins the first; the
@@ -185,8 +181,7 @@ void RimFinder::take_walled(const RegionLoop& loop, const WallTracer& tracer)
     {
         if (wall.triangles.empty() || wall.leads_out)
             return;
-        feature->kind = feature->length >= shortest_bead * feature->width ? FeatureKind::bead
-                                                                          : FeatureKind::emboss;
+        feature->kind = raised_kind(feature->length, feature->width);
         feature->residual = 0.0;
     }
     else if (!is_in_range(*feature) || has_merged(*feature, wall))

@@ -152,24 +152,30 @@ double scatter_of(const TriangleMesh& mesh, const EdgeTable& edges, const Points
     return scatter < least * quantile(lengths, 0.5) ? 0.0 : scatter;
 }
 
-Points calmed_normals(const TriangleMesh& mesh, const EdgeTable& edges, const Points& normals,
-                      double scatter)
+std::vector<double> unsure_normals(const TriangleMesh& mesh, const std::vector<double>& areas,
+                                   double scatter)
 {
-    Eigen::VectorXd areas = Eigen::VectorXd::Zero(normals.rows());
-    Eigen::VectorXd unsure = areas;  // what scatter does to a normal, radians, squared
-    for (Eigen::Index t = 0; t < normals.rows(); ++t)
+    std::vector<double> unsure(areas.size(), 0.0);
+    for (std::size_t t = 0; t < areas.size(); ++t)
     {
-        const Points corners = mesh.points()(mesh.triangles().row(t), Eigen::all);
+        const Points corners =
+            mesh.points()(mesh.triangles().row(static_cast<Eigen::Index>(t)), Eigen::all);
         const Points sides = corners({1, 2, 0}, Eigen::all) - corners;
-        const Vector3 first = sides.row(0).transpose();
-        areas(t) = normals.row(t).isZero() ? 0.0 : 0.5 * first.cross(Vector3(sides.row(1))).norm();
-        const double height = 2.0 * areas(t) / sides.rowwise().norm().maxCoeff();
-        unsure(t) = areas(t) > 0.0 ? std::pow(of_normal * scatter / height, 2) : 0.0;
+        const double height = 2.0 * areas[t] / sides.rowwise().norm().maxCoeff();
+        unsure[t] = areas[t] > 0.0 ? of_normal * scatter / height : 0.0;
     }
+    return unsure;
+}
+
+Points calmed_normals(const EdgeTable& edges, const Points& normals,
+                      const std::vector<double>& areas, const std::vector<double>& unsure)
+{
+    const Eigen::VectorXd area =
+        Eigen::Map<const Eigen::VectorXd>(areas.data(), static_cast<Eigen::Index>(areas.size()));
     Points calm = normals;
     for (int round = 0; round < rounds; ++round)
     {
-        Points sums = areas.asDiagonal() * calm;
+        Points sums = area.asDiagonal() * calm;
         for (int e = 0; e < edges.count(); ++e)
         {
             const EdgeUses uses = edges.uses(e);
@@ -179,13 +185,15 @@ Points calmed_normals(const TriangleMesh& mesh, const EdgeTable& edges, const Po
             const int b = uses.begin()[1].triangle;
             const double same_way = uses.begin()[0].from != uses.begin()[1].from ? 1.0 : -1.0;
             const double apart = (calm.row(a) - same_way * calm.row(b)).squaredNorm();
-            const double explained = alike * alike + 2.0 * (unsure(a) + unsure(b)) / (1.0 + round);
+            const double explained =
+                alike * alike
+                + 2.0 * (unsure[a] * unsure[a] + unsure[b] * unsure[b]) / (1.0 + round);
             const double weight = std::exp(-0.5 * apart / explained);
-            sums.row(a) += weight * areas(b) * same_way * calm.row(b);
-            sums.row(b) += weight * areas(a) * same_way * calm.row(a);
+            sums.row(a) += weight * areas[b] * same_way * calm.row(b);
+            sums.row(b) += weight * areas[a] * same_way * calm.row(a);
         }
         for (Eigen::Index t = 0; t < calm.rows(); ++t)
-            if (areas(t) > 0.0)
+            if (area(t) > 0.0)
                 calm.row(t) = sums.row(t).normalized();
     }
     return calm;

@@ -193,6 +193,12 @@ Vector3 doubled_area(const Points& loop)
     return area;
 }
 
+FeatureKind raised_kind(double length, double width)
+{
+    constexpr double shortest_bead = 2.0;
+    return length >= shortest_bead * width ? FeatureKind::bead : FeatureKind::emboss;
+}
+
 Outline fit_outline(const Points& loop, double roundness, double scatter)
 {
     const Slack slack{roundness, scatter};

@@ -22,6 +22,9 @@ struct Outline
     double area = 0.0;                 //!< enclosed by the polygon, mm^2
 };
 
+//! What a raised place of this length and width is called: a bead or an emboss.
+FeatureKind raised_kind(double length, double width);
+
 //! The simplest outline that fits closed points to `roundness` of its (half)
 //! width. \param loop  (k, 3) mm, k >= 3, in order around, not on one line
 //! \param scatter  standard deviation of the points in one direction, mm: a fit may be off by

@@ -29,7 +29,6 @@ constexpr double folded = 0.3;
 
 // Area of a plane that may hold beads, over that of its part.
 constexpr double least_base = 0.04;
-constexpr double shortest_bead = 2.0;
 
 // Share of its outline that a raised place covers, seen from above; else it is
 // a hole.
@@ -139,8 +138,7 @@ std::optional<Feature> raised_inside(const FacetGraph& graph, const RegionLoop& 
         return std::nullopt;
     const Outline outline = fit_outline(graph.mesh().points()(loop.vertices, Eigen::all), 0.1);
     Feature feature;
-    feature.kind =
-        outline.length >= shortest_bead * outline.width ? FeatureKind::bead : FeatureKind::emboss;
+    feature.kind = raised_kind(outline.length, outline.width);
     feature.center = outline.center;
     feature.axis = loop.normal;
     feature.length = outline.length;

@@ -164,7 +164,7 @@ std::optional<Surface> plane(const FacetGraph& graph, const std::vector<int>& tr
 
 }  // namespace
 
-double Surface::distance(const Vector3& place) const
+double Surface::offset(const Vector3& place) const
 {
     const Vector3 off = place - point;
     const double along = off.dot(axis);
@@ -172,13 +172,13 @@ double Surface::distance(const Vector3& place) const
     switch (kind)
     {
         case FeatureKind::cylinder:
-            return std::abs(away - radius);
+            return away - radius;
         case FeatureKind::sphere:
-            return std::abs(off.norm() - radius);
+            return off.norm() - radius;
         case FeatureKind::cone:
-            return std::abs(away * std::cos(angle) - along * std::sin(angle));
+            return away * std::cos(angle) - along * std::sin(angle);
         default:
-            return std::abs(along);
+            return along;
     }
 }
 

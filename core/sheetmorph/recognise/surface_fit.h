@@ -4,6 +4,7 @@
 #include "sheetmorph/recognise/facet_graph.h"
 #include "sheetmorph/recognise/feature.h"
 
+#include <cmath>
 #include <optional>
 
 namespace sheetmorph
@@ -19,8 +20,9 @@ struct Surface
     double radius = 0.0;              //!< of cylinder and sphere, mm
     double angle = 0.0;               //!< of a cone, between axis and surface, radians
 
-    //! Distance of a point from it, mm.
-    double distance(const Vector3& place) const;
+    //! Distance of a point from it, mm; offset: to which side, along the normal.
+    double distance(const Vector3& place) const { return std::abs(offset(place)); }
+    double offset(const Vector3& place) const;
 
     //! Its normal at a place, length 1, to either side.
     Vector3 normal(const Vector3& place) const;
@@ -29,9 +31,17 @@ struct Surface
     double radius_at(const Vector3& place) const;
 };
 
-//! The least-squares surface of one kind through triangles; nothing where their
+//! A surface of one kind through triangles, from their normals and corners; nothing where their
 //! normals are not those of that kind.
 std::optional<Surface> fit_surface(const FacetGraph& graph, const std::vector<int>& triangles,
                                    FeatureKind kind);
+
+//! The surface with the least squared distances from the corners of the triangles (Levenberg and
+//! Marquardt): exact where they were drawn on one. A start that nothing betters is returned.
+Surface refined(const FacetGraph& graph, const std::vector<int>& triangles, const Surface& start);
+
+//! The largest distance of a corner of the triangles over the radius there.
+double misfit_of(const FacetGraph& graph, const std::vector<int>& triangles,
+                 const Surface& surface);
 
 }  // namespace sheetmorph

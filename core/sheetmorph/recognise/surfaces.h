@@ -15,10 +15,8 @@ struct SurfaceRegion
     double area = 0.0;  //!< mm^2
 };
 
-//! The cylinders, spheres and cones of a part, then its planes, by region
-//! growing: a patch around a triangle is fitted, grown over all that lies near
-//! and turns with it, fitted and grown again. Regions do not overlap; seeds are
-//! taken in the order of the triangles, of planes by area.
+//! The planes, cylinders, spheres and cones of a part, by region growing (see
+//! surface_grower.h). Regions do not overlap.
 std::vector<SurfaceRegion> find_surfaces(const FacetGraph& graph,
                                          const FeatureTolerances& tolerances);
 

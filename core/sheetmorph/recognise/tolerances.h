@@ -12,7 +12,7 @@ struct FeatureTolerances
     double smooth_angle = 0.9;  //!< the same where a curved surface may go on (52 degrees)
     double plane_angle = 0.1;   //!< largest bend inside a plane (6 degrees)
     double roundness = 0.12;    //!< residual of a round rim over its radius
-    double surface = 0.02;      //!< residual of a cylinder, cone, sphere over its radius
+    double surface = 0.01;      //!< residual of a cylinder, cone, sphere over its radius
     double smallest_area = 0.004;  //!< area of a plane, flange or bead over that of its part
     double scatter = -1.0;         //!< mm, of measured vertices about their surface, as a standard
                                    //!< deviation in one direction; < 0: told from the mesh

@@ -95,17 +95,22 @@ double smallest_angle(const FaceMesh& mesh)
     return smallest * 180.0 / M_PI;
 }
 
+FaceSizes sizes_of(double edge, double deflection, double angle)
+{
+    FaceSizes sizes;
+    sizes.edge = edge;
+    sizes.deflection = deflection;
+    sizes.angle = angle;
+    return sizes;
+}
+
 }  // namespace
 
 TEST(FaceRefinement, fills_a_flat_face_with_well_shaped_triangles)
 {
     const Plane plane;
     FaceMesh mesh = rectangle(plane, {40.0, 30.0}, 40, 1.0);
-    FaceSizes sizes;
-    sizes.edge = 4.0;
-    sizes.deflection = 0.1;
-    sizes.angle = 0.35;
-    refine_face(mesh, plane, sizes);
+    refine_face(mesh, plane, sizes_of(4.0, 0.1, 0.35));
     EXPECT_NEAR(area(mesh), 1200.0, 1e-9);
     EXPECT_GT(smallest_angle(mesh), 5.0);  // at the ends: sides of 30 mm that must stay
     int fixed = 0;
@@ -119,11 +124,7 @@ TEST(FaceRefinement, follows_a_curved_face_and_leaves_it_long_along_its_rulings)
 {
     const Cylinder cylinder;
     FaceMesh mesh = rectangle(cylinder, {1.5, 60.0}, 8, 60.0);
-    FaceSizes sizes;
-    sizes.edge = 60.0;
-    sizes.deflection = 0.05;
-    sizes.angle = 0.5;
-    refine_face(mesh, cylinder, sizes);
+    refine_face(mesh, cylinder, sizes_of(60.0, 0.05, 0.5));
     EXPECT_NEAR(area(mesh), 90.0, 1e-9);
     EXPECT_LT(mesh.triangles().size(), 100u);
     EXPECT_LT(deviation(mesh, cylinder), 0.06);
