@@ -180,7 +180,7 @@ BodyMotions known_body_motions(const PlacementInput& part, const SurfaceTargets&
     const std::vector<Body>& bodies = part.roles.bodies;
     const auto count = static_cast<Eigen::Index>(bodies.size());
     BodyMotions known{std::vector<RigidMotion>(bodies.size()), Points::Zero(count, 3),
-                      Points::Zero(count, 3), part.rest.points()};
+                      Points::Zero(count, 3)};
     for (const int index : leaders_first(bodies))
     {
         const Body& body = bodies[at(index)];

@@ -14,7 +14,6 @@ struct BodyMotions
     std::vector<RigidMotion> motions;  //!< whole motion of known bodies, about the body's centre
     Points logs;                       //!< (b, 3) rotations, zero where interpolated
     Points tilts;                      //!< (b, 3) what the logs cannot tell: R = exp(tilt) exp(log)
-    Points shape;                      //!< (n, 3) rest positions with the sizes of the pose
 };
 
 //! What the rotation field is given. Near whole turns the logarithm of a rotation leaps; there the

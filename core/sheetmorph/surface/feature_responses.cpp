@@ -26,7 +26,7 @@ std::size_t at(Eigen::Index index)
 
 FeatureResponses::FeatureResponses(const RotationFieldInput& input,
                                    const ConstrainedMinimiser& minimiser,
-                                   std::vector<Turner> turners, const FeatureShapes& shapes)
+                                   std::vector<Turner> turners)
     : mesh_(input.mesh),
       constraints_(input.constraints),
       roles_(input.roles),
@@ -35,12 +35,12 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input,
       turners_(std::move(turners)),
       weights_(turner_weights(input, turners_))
 {
-    number_columns(shapes);
-    offsets_ = direct_moves(shapes);
+    number_columns();
+    offsets_ = direct_moves();
     respond();
 }
 
-void FeatureResponses::number_columns(const FeatureShapes& shapes)
+void FeatureResponses::number_columns()
 {
     for (const Turner& turner : turners_)
     {
@@ -51,19 +51,9 @@ void FeatureResponses::number_columns(const FeatureShapes& shapes)
             columns.shift = count_++;
         columns_.push_back(columns);
     }
-    extended_ = count_;
-    for (std::size_t k = 0; k < turners_.size(); ++k)
-    {
-        if (turners_[k].body < 0 || !turners_[k].turns)
-            continue;
-        for (const int feature : roles_.bodies[at(turners_[k].body)].features)
-            if (shapes[at(feature)])
-                resizings_.push_back(
-                    {feature, columns_[k].turn, std::exchange(extended_, extended_ + 6)});
-    }
 }
 
-SparseMatrix FeatureResponses::direct_moves(const FeatureShapes& shapes) const
+SparseMatrix FeatureResponses::direct_moves() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t k = 0; k < turners_.size(); ++k)
@@ -80,19 +70,7 @@ SparseMatrix FeatureResponses::direct_moves(const FeatureShapes& shapes) const
                 entries.emplace_back(vertex, columns_[k].shift, 1.0);
         }
     }
-    for (const Resizing& resizing : resizings_)
-    {
-        const VertexIds& vertices = constraints_.features[at(resizing.feature)].vertices;
-        const FeatureShape& shape = *shapes[at(resizing.feature)];
-        for (std::size_t i = 0; i < vertices.size(); ++i)
-            for (int b = 0; b < 3; ++b)
-            {
-                const auto row = static_cast<Eigen::Index>(i);
-                entries.emplace_back(vertices[i], resizing.first + b, shape.growth(row, b));
-                entries.emplace_back(vertices[i], resizing.first + 3 + b, shape.rounding(row, b));
-            }
-    }
-    SparseMatrix moves(mesh_.vertex_count(), extended_);
+    SparseMatrix moves(mesh_.vertex_count(), count_);
     // A vertex listed twice in a feature moves once.
     moves.setFromTriplets(entries.begin(), entries.end(),
                           [](double, double latest) { return latest; });
@@ -124,13 +102,13 @@ ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
 
 void FeatureResponses::respond()
 {
-    const double bytes = 8.0 * mesh_.vertex_count() * extended_;
+    const double bytes = 8.0 * mesh_.vertex_count() * count_;
     if (bytes <= most_bytes)
-        responses_.resize(mesh_.vertex_count(), extended_);
-    stiffness_.resize(extended_, extended_);
-    for (Eigen::Index first = 0; first < extended_; first += block)
+        responses_.resize(mesh_.vertex_count(), count_);
+    stiffness_.resize(count_, count_);
+    for (Eigen::Index first = 0; first < count_; first += block)
     {
-        const Eigen::Index count = std::min(block, extended_ - first);
+        const Eigen::Index count = std::min(block, count_ - first);
         const ConstrainedMinimiser::Targets asked = asked_of(first, count);
         const ConstrainedMinimiser::Solution answer = minimiser_.minimum(asked, refinements);
         const ConstrainedMinimiser::Balance left = minimiser_.balance(asked, answer);
@@ -163,42 +141,17 @@ Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& le
     return slopes;
 }
 
-// (extended, c): a size adds the responses of growth and rounding to those of the shape at rest.
-SparseMatrix FeatureResponses::expansion(const SizeChanges& sizes) const
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int column = 0; column < count_; ++column)
-        entries.emplace_back(column, column, 1.0);
-    for (const Resizing& resizing : resizings_)
-        for (int b = 0; b < 3 && sizes[at(resizing.feature)]; ++b)
-        {
-            entries.emplace_back(resizing.first + b, resizing.turn + b,
-                                 *sizes[at(resizing.feature)]);
-            entries.emplace_back(resizing.first + 3 + b, resizing.turn + b, 1.0);
-        }
-    SparseMatrix matrix(extended_, count_);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
 ReducedEnergy FeatureResponses::energy(const ConstrainedMinimiser::Targets& asked,
-                                       const ConstrainedMinimiser::Solution& base,
-                                       const SizeChanges& sizes) const
+                                       const ConstrainedMinimiser::Solution& base) const
 {
-    const Eigen::MatrixXd slope = slopes(minimiser_.balance(asked, base));
-    if (extended_ == count_)
-        return {stiffness_, slope};
-    const SparseMatrix expand = expansion(sizes);
-    const Eigen::MatrixXd half = stiffness_ * expand;
-    return {expand.transpose() * half, expand.transpose() * slope};
+    return {stiffness_, slopes(minimiser_.balance(asked, base))};
 }
 
-std::optional<Eigen::MatrixXd> FeatureResponses::displacements(const Eigen::MatrixXd& rho,
-                                                               const SizeChanges& sizes) const
+std::optional<Eigen::MatrixXd> FeatureResponses::displacements(const Eigen::MatrixXd& rho) const
 {
     if (responses_.size() == 0)
         return std::nullopt;
-    return responses_ * Eigen::MatrixXd(expansion(sizes) * rho);
+    return responses_ * rho;
 }
 
 }  // namespace sheetmorph

@@ -4,7 +4,6 @@
 #include "sheetmorph/numerics/constrained_minimiser.h"
 #include "sheetmorph/surface/joints.h"
 #include "sheetmorph/surface/rotation_field.h"
-#include "sheetmorph/surface/sizes.h"
 
 namespace sheetmorph
 {
@@ -30,9 +29,8 @@ struct TurnerColumns
 class FeatureResponses
 {
 public:
-    //! \param shapes  of the resizable form features
     FeatureResponses(const RotationFieldInput& input, const ConstrainedMinimiser& minimiser,
-                     std::vector<Turner> turners, const FeatureShapes& shapes);
+                     std::vector<Turner> turners);
 
     const std::vector<Turner>& turners() const { return turners_; }
     const std::vector<TurnerColumns>& columns() const { return columns_; }
@@ -40,33 +38,20 @@ public:
     //! (n, turners) turner_weights().
     const SparseMatrix& weights() const { return weights_; }
 
-    //! Every size as at rest.
-    SizeChanges no_sizes() const { return SizeChanges(constraints_.features.size()); }
-
     //! \param base  the minimum of the pose with every turner unmoved, and what it was asked for
     ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
-                         const ConstrainedMinimiser::Solution& base,
-                         const SizeChanges& sizes) const;
+                         const ConstrainedMinimiser::Solution& base) const;
 
     //! (n, 3) change of the sheet for entries rho (c, 3); nothing where the responses would take
     //! more memory than they are worth: solve again instead.
-    std::optional<Eigen::MatrixXd> displacements(const Eigen::MatrixXd& rho,
-                                                 const SizeChanges& sizes) const;
+    std::optional<Eigen::MatrixXd> displacements(const Eigen::MatrixXd& rho) const;
 
 private:
-    struct Resizing
-    {
-        int feature;
-        int turn;   // column of the turner it belongs to
-        int first;  // of its six: three grow, three round
-    };
-
-    void number_columns(const FeatureShapes& shapes);
-    SparseMatrix direct_moves(const FeatureShapes& shapes) const;
+    void number_columns();
+    SparseMatrix direct_moves() const;
     ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
     void respond();
     Eigen::MatrixXd slopes(const ConstrainedMinimiser::Balance& left) const;
-    SparseMatrix expansion(const SizeChanges& sizes) const;
 
     const TriangleMesh& mesh_;
     const SurfaceConstraints& constraints_;
@@ -75,13 +60,11 @@ private:
     const ConstrainedMinimiser& minimiser_;
     std::vector<Turner> turners_;
     std::vector<TurnerColumns> columns_;
-    std::vector<Resizing> resizings_;
-    int count_ = 0;     // c
-    int extended_ = 0;  // c and the columns of sizes
+    int count_ = 0;  // c
     SparseMatrix weights_;
-    SparseMatrix offsets_;       // (n, extended) what the columns move directly
-    Eigen::MatrixXd responses_;  // (n, extended) Phi
-    Eigen::MatrixXd stiffness_;  // (extended, extended)
+    SparseMatrix offsets_;       // (n, c) what the columns move directly
+    Eigen::MatrixXd responses_;  // (n, c) Phi
+    Eigen::MatrixXd stiffness_;  // (c, c)
 };
 
 }  // namespace sheetmorph

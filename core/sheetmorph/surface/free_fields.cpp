@@ -51,8 +51,7 @@ bool FreeFields::is_possible(const PlacementInput& part, const FeatureResponses*
     const std::vector<Turner>& turners = responses->turners();
     const auto count = 3 * static_cast<Eigen::Index>(turners.size());
     return std::all_of(turners.begin(), turners.end(), is_plain)
-           && responses->displacements(Eigen::MatrixXd::Zero(count, 1), responses->no_sizes())
-                  .has_value();
+           && responses->displacements(Eigen::MatrixXd::Zero(count, 1)).has_value();
 }
 
 bool FreeFields::turns(int body) const
@@ -69,7 +68,7 @@ void FreeFields::append(const ConstrainedMinimiser::Targets& asked,
 {
     if (responses_ == nullptr)
         return;
-    const ReducedEnergy energy = responses_->energy(asked, answer, responses_->no_sizes());
+    const ReducedEnergy energy = responses_->energy(asked, answer);
     stiffness_ = energy.stiffness;
     slopes_.conservativeResize(Eigen::NoChange, slopes_.cols() + energy.slope.cols());
     slopes_.rightCols(energy.slope.cols()) = energy.slope;
@@ -83,8 +82,7 @@ void FreeFields::fill(ResponseBasis& basis) const
         const Eigen::Index some = std::min(together, count() - first);
         const Eigen::MatrixXd unit =
             Eigen::MatrixXd::Identity(count(), count()).middleCols(first, some);
-        basis.set_columns(basis.columns() - count() + first,
-                          *responses_->displacements(unit, responses_->no_sizes()));
+        basis.set_columns(basis.columns() - count() + first, *responses_->displacements(unit));
     }
 }
 

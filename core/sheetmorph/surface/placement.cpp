@@ -34,7 +34,7 @@ void place_known(const PlacementInput& part, const SurfaceTargets& targets,
         if (part.roles.role[at(i)] == Role::handle)
             place(i, targets.handles[at(owner)].apply(point));
         else if (part.roles.role[at(i)] == Role::body)
-            place(i, bodies.motions[at(owner)].apply(Vector3(bodies.shape.row(i))));
+            place(i, bodies.motions[at(owner)].apply(point));
     }
 }
 
@@ -64,8 +64,7 @@ void complete_bodies(const PlacementInput& part, const Eigen::MatrixXd& displace
         const Vector3 start = part.rest.points().row(first).transpose();
         RigidMotion& motion = bodies.motions[k];
         motion.translation.setZero();
-        motion.translation = displacements.row(first).transpose()
-                             - (motion.apply(Vector3(bodies.shape.row(first))) - start);
+        motion.translation = displacements.row(first).transpose() - (motion.apply(start) - start);
     }
 }
 

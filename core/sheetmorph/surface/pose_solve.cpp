@@ -108,7 +108,6 @@ struct Solving
     Exactness exactness;
     BodyMotions bodies;
     Field field;
-    SizeChanges sizes;
     ConstrainedMinimiser::Targets asked;
 
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
@@ -123,7 +122,7 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
     asked.offset = known_displacements(part.placement(), pose.targets, unmoved);
     const ConstrainedMinimiser::Solution base =
         part.minimiser.minimum(asked, std::min(pose.refinements(), 1));
-    ReducedEnergy energy = part.responses->energy(asked, base, pose.sizes);
+    ReducedEnergy energy = part.responses->energy(asked, base);
     const PlacementInput placement = part.placement();
     Joints joints(placement, pose.targets, part.responses->turners(), pose.bodies);
     hold_far_turned(*part.responses, farthest_turns(*part.responses, pose.field.logs), joints,
@@ -142,7 +141,7 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
     if (pose.exactness == Exactness::live)
     {
         const Eigen::MatrixXd rho = entries_of(joints, placement, *part.responses);
-        if (const auto change = part.responses->displacements(rho, pose.sizes))
+        if (const auto change = part.responses->displacements(rho))
             return base.u + *change;
     }
     asked.rows = turned_rows(part, field, joints.states());
@@ -153,9 +152,7 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
 {
     check_targets(part.constraints, targets);
     const PlacementInput placement = part.placement();
-    Solving pose{targets, exactness, known_body_motions(placement, targets), {}, {}, {}};
-    pose.sizes = size_changes(part.constraints, part.shapes, targets);
-    pose.bodies.shape = shaped_points(part.rest, part.constraints, part.shapes, pose.sizes);
+    Solving pose{targets, exactness, known_body_motions(placement, targets), {}, {}};
     pose.field = field_of(part, given_rotations(placement, targets, pose.bodies));
     turn_open_bodies(placement, pose.field.logs, pose.field.tilts, pose.bodies);
     pose.asked.constraints =
@@ -189,13 +186,15 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
 Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
                        Exactness exactness)
 {
+    const SizeChanges sizes = size_changes(part.constraints, part.shapes, targets);
     Deformation result = solved(part, targets, exactness);
     const auto is_set = [](const std::optional<double>& size) { return size.has_value(); };
-    if (exactness == Exactness::exact
-        && std::any_of(targets.sizes.begin(), targets.sizes.end(), is_set))
-        require_reachable_sizes(part, targets, result,
-                                [&](const SurfaceTargets& other)
-                                { return solved(part, other, Exactness::live); });
+    if (std::none_of(sizes.begin(), sizes.end(), is_set))
+        return result;
+    if (exactness == Exactness::exact)
+        require_reachable_sizes(part, sizes, result);
+    part.growth.lay(sizes, result);
+    part.followers.place(part.rest, result.positions, result.rotation_logs);
     return result;
 }
 

@@ -114,14 +114,13 @@ ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input, const U
 
 std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& input,
                                                      const ConstrainedMinimiser& minimiser,
-                                                     const FeatureShapes& shapes,
                                                      const Progress& progress)
 {
     std::vector<Turner> turners = turners_of(input.mesh, input.constraints, input.roles);
     if (turners.empty())
         return nullptr;
     progress.report(0.7, "responses of features");
-    return std::make_unique<FeatureResponses>(input, minimiser, std::move(turners), shapes);
+    return std::make_unique<FeatureResponses>(input, minimiser, std::move(turners));
 }
 
 std::unique_ptr<Refinement> refinement_of(const RotationFieldInput& input, const Unknowns& unknowns)
@@ -143,9 +142,9 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
       unknowns(position_unknowns(roles)),
       field(reported_field({rest, constraints, roles, operators}, progress)),
       minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, progress)),
-      responses(
-          reported_responses({rest, constraints, roles, operators}, minimiser, shapes, progress)),
+      responses(reported_responses({rest, constraints, roles, operators}, minimiser, progress)),
       refinement(refinement_of({rest, constraints, roles, operators}, unknowns)),
+      growth({rest, constraints, roles, operators}, shapes),
       followers(rest, roles)
 {
     progress.report(1.0, "ready");

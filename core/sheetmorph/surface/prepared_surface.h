@@ -5,6 +5,7 @@
 #include "sheetmorph/surface/feature_responses.h"
 #include "sheetmorph/surface/followers.h"
 #include "sheetmorph/surface/refinement.h"
+#include "sheetmorph/surface/sheet_growth.h"
 #include "sheetmorph/surface/unknowns.h"
 
 namespace sheetmorph
@@ -31,6 +32,7 @@ struct PreparedSurface
     ConstrainedMinimiser minimiser;
     std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
     std::unique_ptr<Refinement> refinement;       //!< none unless it is asked for
+    SheetGrowth growth;
     Followers followers;
 };
 

@@ -80,36 +80,45 @@ std::string rounded(double value)
 struct Excess
 {
     const PreparedSurface& part;
-    const SurfaceTargets& targets;
-    const std::vector<int>& standing;  // triangles that are over without any size
+    const Deformation& unsized;
+    const SizeChanges& sizes;
     std::size_t feature;
 };
 
-bool is_reached(const Excess& excess, double size,
-                const std::function<Deformation(const SurfaceTargets&)>& solve)
+// The triangles that sizes turn over.
+std::vector<int> overturned_by(const PreparedSurface& part, const SizeChanges& sizes,
+                               const Deformation& unsized)
 {
-    SurfaceTargets targets = excess.targets;
-    targets.sizes[excess.feature] = size;
-    return without(overturned_triangles(excess.part.rest, solve(targets)), excess.standing).empty();
+    Deformation sized = unsized;
+    part.growth.lay(sizes, sized);
+    const std::vector<int> overturned = overturned_triangles(part.rest, sized);
+    return overturned.empty() ? overturned
+                              : without(overturned, overturned_triangles(part.rest, unsized));
+}
+
+bool is_reached(const Excess& excess, double size)
+{
+    SizeChanges sizes = excess.sizes;
+    sizes[excess.feature] = size - excess.part.shapes[excess.feature]->size;
+    return overturned_by(excess.part, sizes, excess.unsized).empty();
 }
 
 // Between the size at rest, if that can be reached, and the wanted one; rounded towards rest.
-std::optional<double> limit(const Excess& excess,
-                            const std::function<Deformation(const SurfaceTargets&)>& solve)
+std::optional<double> limit(const Excess& excess)
 {
     double reached = excess.part.shapes[excess.feature]->size;
-    double refused = *excess.targets.sizes[excess.feature];
-    if (!is_reached(excess, reached, solve))
+    double refused = reached + *excess.sizes[excess.feature];
+    if (!is_reached(excess, reached))
         return std::nullopt;
     for (int halving = 0; halving < halvings; ++halving)
     {
         const double tried = 0.5 * (reached + refused);
-        (is_reached(excess, tried, solve) ? reached : refused) = tried;
+        (is_reached(excess, tried) ? reached : refused) = tried;
     }
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(reached))) - 3.0);
     const double towards_rest =
         reached < refused ? std::floor(reached / unit) * unit : std::ceil(reached / unit) * unit;
-    return is_reached(excess, towards_rest, solve) ? towards_rest : reached;
+    return is_reached(excess, towards_rest) ? towards_rest : reached;
 }
 
 }  // namespace
@@ -130,28 +139,19 @@ std::vector<int> overturned_triangles(const TriangleMesh& rest, const Deformatio
     return overturned;
 }
 
-void require_reachable_sizes(const PreparedSurface& part, const SurfaceTargets& targets,
-                             const Deformation& deformation,
-                             const std::function<Deformation(const SurfaceTargets&)>& solve)
+void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& sizes,
+                             const Deformation& unsized)
 {
-    std::vector<int> overturned = overturned_triangles(part.rest, deformation);
+    const std::vector<int> overturned = overturned_by(part, sizes, unsized);
     if (overturned.empty())
         return;
-    SurfaceTargets unsized = targets;
-    unsized.sizes.assign(targets.sizes.size(), std::nullopt);
-    const std::vector<int> standing = overturned_triangles(part.rest, solve(unsized));
-    overturned = without(overturned, standing);
-    if (overturned.empty())
-        return;
-    const SizeChanges sizes = size_changes(part.constraints, part.shapes, targets);
     const auto feature = static_cast<std::size_t>(nearest_sized(part, sizes, overturned.front()));
-    const double wanted = *targets.sizes[feature];
-    const Excess excess{part, targets, standing, feature};
-    const std::optional<double> reachable = limit(excess, solve);
-    const std::string word = wanted > part.shapes[feature]->size ? "largest" : "smallest";
+    const std::optional<double> reachable = limit({part, unsized, sizes, feature});
+    const std::string word = *sizes[feature] > 0.0 ? "largest" : "smallest";
     throw InvalidInput(
         part.constraints.features[feature].label() + ": a " + part.shapes[feature]->measure()
-            + " of " + rounded(wanted) + " mm would turn over triangles ",
+            + " of " + rounded(part.shapes[feature]->size + *sizes[feature])
+            + " mm would turn over triangles ",
         overturned,
         reachable ? "; the " + word + " that can be reached is " + rounded(*reachable) + " mm"
                   : "; the other sizes of this pose turn triangles over too");

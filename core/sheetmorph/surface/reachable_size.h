@@ -4,8 +4,6 @@
 #include "sheetmorph/surface/prepared_surface.h"
 #include "sheetmorph/surface/surface_deformer.h"
 
-#include <functional>
-
 namespace sheetmorph
 {
 
@@ -14,11 +12,10 @@ namespace sheetmorph
 std::vector<int> overturned_triangles(const TriangleMesh& rest, const Deformation& deformation);
 
 //! Refuses sizes that turn triangles over which stand without them.
-//! \param solve  a pose like the one given with other sizes
+//! \param unsized  the pose without its sizes
 //! \throws InvalidInput naming the feature, triangles and the size nearest to the wanted one that
 //! can be reached
-void require_reachable_sizes(const PreparedSurface& part, const SurfaceTargets& targets,
-                             const Deformation& deformation,
-                             const std::function<Deformation(const SurfaceTargets&)>& solve);
+void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& sizes,
+                             const Deformation& unsized);
 
 }  // namespace sheetmorph

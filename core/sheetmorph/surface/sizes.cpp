@@ -70,22 +70,4 @@ SizeChanges size_changes(const SurfaceConstraints& constraints, const FeatureSha
     return changes;
 }
 
-Points shaped_points(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                     const FeatureShapes& shapes, const SizeChanges& sizes)
-{
-    Points points = mesh.points();
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-    {
-        const VertexIds& vertices = constraints.features[k].vertices;
-        for (std::size_t i = 0; i < vertices.size() && sizes[k]; ++i)
-        {
-            const auto row = static_cast<Eigen::Index>(i);
-            points.row(vertices[i]) = mesh.points().row(vertices[i])
-                                      + *sizes[k] * shapes[k]->growth.row(row)
-                                      + shapes[k]->rounding.row(row);
-        }
-    }
-    return points;
-}
-
 }  // namespace sheetmorph

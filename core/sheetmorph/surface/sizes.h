@@ -22,8 +22,4 @@ FeatureShapes resizable_shapes(const TriangleMesh& mesh, const SurfaceConstraint
 SizeChanges size_changes(const SurfaceConstraints& constraints, const FeatureShapes& shapes,
                          const SurfaceTargets& targets);
 
-//! (n, 3) rest positions with the sizes of a pose.
-Points shaped_points(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                     const FeatureShapes& shapes, const SizeChanges& sizes);
-
 }  // namespace sheetmorph
