@@ -184,6 +184,16 @@ void bind_quality(py::module_& module)
         py::arg("points"), py::arg("triangles"),
         "MeshQuality of (n, 3) float64 points, mm, and (m, 3) int32 triangles.");
     module.def(
+        "vertex_quality",
+        [](const py::object& points, const py::object& triangles)
+        {
+            const TriangleMesh mesh = mesh_from(points, triangles);
+            const Eigen::VectorXd found = without_gil([&] { return vertex_quality(mesh); });
+            return py::array_t<double>(found.size(), found.data());
+        },
+        py::arg("points"), py::arg("triangles"),
+        "(n,) smallest corner of any triangle at each vertex, degrees; 60 without triangles.");
+    module.def(
         "compare_quality",
         [](const py::object& rest_points, const py::object& points, const py::object& triangles)
         {

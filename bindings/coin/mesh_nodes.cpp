@@ -9,21 +9,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "node_at.h"
+
 namespace sheetmorph::coin
 {
 
 namespace
 {
-
-template <typename Node>
-Node* node_at(std::uintptr_t address)
-{
-    auto* node = reinterpret_cast<SoNode*>(address);
-    if (node == nullptr || !node->isOfType(Node::getClassTypeId()))
-        throw std::invalid_argument(std::string("expected the address of a Coin node of type ")
-                                    + Node::getClassTypeId().getName().getString());
-    return static_cast<Node*>(node);
-}
 
 Triangles checked(const Triangles& triangles, Eigen::Index vertex_count)
 {

@@ -7,12 +7,32 @@
 #include <string>
 
 #include "mesh_nodes.h"
+#include "value_colours.h"
 
 namespace py = pybind11;
 using sheetmorph::Points;
 using sheetmorph::Triangles;
 using sheetmorph::coin::MeshNodes;
 using sheetmorph::coin::NodeAddresses;
+using sheetmorph::coin::ValueColours;
+
+namespace
+{
+
+void bind_colours(py::module_& module)
+{
+    py::class_<ValueColours>(module, "ValueColours",
+                             "Shows one value a vertex as colours of a material, kept alive.")
+        .def(py::init<std::uintptr_t, sheetmorph::coin::Colours, Eigen::RowVector3f>(),
+             py::arg("material"), py::arg("ramp"), py::arg("missing"),
+             "material: address int(node.this) of an SoMaterial bound PER_VERTEX_INDEXED; ramp\n"
+             "(k, 3) from the low to the high end; missing (3,): where there is no value.\n"
+             "ValueError for a wrong address, type or ramp.")
+        .def("show", &ValueColours::show, py::arg("values"), py::arg("span"),
+             "Colours (n,) values, NaN where there is none, in a span (low, high).");
+}
+
+}  // namespace
 
 PYBIND11_MODULE(_coin, module)
 {
@@ -42,4 +62,5 @@ PYBIND11_MODULE(_coin, module)
             { self.show(points); },
             py::arg("points"),
             "Shows other positions, (n, 3) mm, with their own normals. ValueError for another n.");
+    bind_colours(module);
 }

@@ -96,3 +96,32 @@ def test_a_node_of_another_type_is_refused():
 def test_a_triangle_outside_the_mesh_is_refused():
     with pytest.raises(ValueError, match="does not have"):
         _coin.MeshNodes(Nodes().addresses, POINTS, TRIANGLES + 3, 0.5)
+
+
+def coloured(values, span=(1.0, 3.0)) -> np.ndarray:
+    """The colours that values get on a ramp from black to white, grey where there is none."""
+    material = coin.SoMaterial()
+    ramp = np.repeat(np.linspace(0.0, 1.0, 256)[:, None], 3, axis=1)
+    colours = _coin.ValueColours(int(material.this), ramp, (0.5, 0.25, 0.5))
+    colours.show(np.array(values, float), span)
+    return np.array([c.getValue() for c in material.diffuseColor.getValues()])
+
+
+def test_values_are_colours_and_what_is_outside_has_the_colour_of_its_end():
+    found = coloured([1.0, 2.0, 3.0, -9.0, 1e300])
+    assert np.allclose(found[:, 0], (0, 0.5, 1, 0, 1), atol=0.003)
+    assert np.allclose(found[:, 0], found[:, 2])
+
+
+def test_where_there_is_no_value_the_colour_says_so():
+    assert np.allclose(coloured([np.nan, np.inf]), (0.5, 0.25, 0.5))
+
+
+def test_a_span_of_nothing_is_harmless():
+    assert np.allclose(coloured([1.0, 5.0], (1.0, 1.0)), 0.0)
+
+
+def test_a_material_is_needed():
+    node = coin.SoNormal()
+    with pytest.raises(ValueError, match="Material"):
+        _coin.ValueColours(int(node.this), np.zeros((2, 3)), np.zeros(3))

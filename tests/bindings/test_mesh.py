@@ -118,6 +118,13 @@ def test_quality_counts_degenerate_triangles():
     assert found.worst_aspect == pytest.approx(np.sqrt(3.0))
 
 
+def test_quality_by_vertex_is_its_smallest_corner():
+    points, triangles = grid(2, 2)
+    found = _core.vertex_quality(points, triangles)
+    assert found.shape == (len(points),)
+    assert found == pytest.approx(np.full(len(points), 45.0))
+
+
 def test_quality_compares_with_the_mesh_at_rest():
     points, triangles = grid(4, 4)
     upside_down = points * [1.0, -1.0, -1.0]

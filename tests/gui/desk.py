@@ -72,8 +72,11 @@ def within_reach(widget):
     # Not by widget.parent(): PySide takes the children of a parent asked for so for deleted.
     for area in Gui.getMainWindow().findChildren(QtGui.QScrollArea):
         if area.isVisible() and area.isAncestorOf(widget):
+            bar = area.verticalScrollBar()
+            before = bar.value()
             area.ensureWidgetVisible(widget)
-    yield 150
+            if bar.value() != before:
+                yield 150
 
 
 def click_widget(widget):
@@ -101,9 +104,9 @@ def enter(field, text: str):
 
 
 def choose_below(combo, steps: int):
-    """Opens a combo box with the mouse and goes so many entries down."""
+    """Opens a combo box with the mouse and goes so many entries down, or up if negative."""
     yield from click_widget(combo)
-    yield from xdotool("key", *["Down"] * steps, "Return")
+    yield from xdotool("key", *["Down" if steps > 0 else "Up"] * abs(steps), "Return")
     yield 200
 
 
@@ -144,7 +147,7 @@ def panel():
             "thickness",
             "find",
             "guide",
-            "poses",
+            "pose",
         )
         for widget in Gui.getMainWindow().findChildren(QtGui.QWidget, name)
         if widget.isVisible()

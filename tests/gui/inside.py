@@ -67,7 +67,15 @@ class Runner:
         for name in list(App.listDocuments()):
             App.closeDocument(name)
         desk.clear_report_view()
+        forget_preferences()
         QtCore.QTimer.singleShot(100, self.next_test)
+
+
+def forget_preferences() -> None:
+    """What one test chose is no concern of the next."""
+    from freecad.sheetmorph import preferences
+
+    preferences.reset()
 
 
 def collect():

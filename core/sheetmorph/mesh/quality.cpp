@@ -38,6 +38,23 @@ double aspect(const TriangleMesh& mesh, int triangle)
     return std::sqrt(0.75) * longest / a.cross(b).norm();
 }
 
+// Tangent of the smallest corner, which is opposite the shortest edge and at most 60 degrees.
+double smallest_tangent(const TriangleMesh& mesh, int triangle)
+{
+    const Eigen::RowVector3i corners = mesh.triangles().row(triangle);
+    Vector3 edges[3];
+    for (int k = 0; k < 3; ++k)  // edge k is opposite corner k
+        edges[k] =
+            mesh.points().row(corners((k + 2) % 3)) - mesh.points().row(corners((k + 1) % 3));
+    const double lengths[3] = {edges[0].squaredNorm(), edges[1].squaredNorm(),
+                               edges[2].squaredNorm()};
+    const auto k = std::min_element(lengths, lengths + 3) - lengths;
+    const Vector3& a = edges[(k + 1) % 3];
+    const Vector3& b = edges[(k + 2) % 3];
+    const double along = -a.dot(b);
+    return along > 0.0 ? a.cross(b).norm() / along : 0.0;
+}
+
 // Whether two neighbours lie on each other that did not at rest.
 bool is_fold(const TriangleMesh& rest, const TriangleMesh& deformed, const EdgeUse uses[2])
 {
@@ -84,6 +101,21 @@ MeshQuality quality(const TriangleMesh& mesh)
                 std::min(found.worst_angle_degrees, corner_angle(mesh, t, k) * 180.0 / pi);
     }
     return found;
+}
+
+Eigen::VectorXd vertex_quality(const TriangleMesh& mesh)
+{
+    Eigen::VectorXd found = Eigen::VectorXd::Constant(mesh.vertex_count(), std::sqrt(3.0));
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        const double tangent = smallest_tangent(mesh, t);
+        for (int k = 0; k < 3; ++k)
+        {
+            double& worst = found(mesh.triangles()(t, k));
+            worst = std::min(worst, tangent);
+        }
+    }
+    return found.array().atan() * (180.0 / pi);
 }
 
 QualityChange compare_quality(const TriangleMesh& rest, const Points& points)

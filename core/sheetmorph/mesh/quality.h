@@ -18,6 +18,9 @@ struct MeshQuality
 //! The quality of a mesh, in whatever shape its points are.
 MeshQuality quality(const TriangleMesh& mesh);
 
+//! By vertex the smallest corner of any triangle at it, degrees; 60 at a vertex without triangles.
+Eigen::VectorXd vertex_quality(const TriangleMesh& mesh);
+
 //! What a deformation did to the triangles.
 struct QualityChange
 {

@@ -40,6 +40,20 @@ Points folded(const TriangleMesh& sheet, double angle)
 
 }  // namespace
 
+TEST(Quality, OfAVertexIsTheSmallestCornerOfItsTriangles)
+{
+    Points points(5, 3);
+    points << 0, 0, 0, 2, 0, 0, 1, std::sqrt(3.0), 0, 1, -1, 0, 9, 9, 9;
+    Triangles triangles(2, 3);
+    triangles << 0, 1, 2, 0, 3, 1;
+    const Eigen::VectorXd found = vertex_quality(TriangleMesh(points, triangles));
+    EXPECT_NEAR(found(2), 60.0, 1e-12);
+    for (const int vertex : {0, 1, 3})
+        EXPECT_NEAR(found(vertex), 45.0, 1e-12);
+    EXPECT_NEAR(found(4), 60.0, 1e-12);
+    EXPECT_EQ(vertex_quality(one_triangle({1, 0, 0}))(0), 0.0);
+}
+
 TEST(Quality, OfAnEquilateralTriangleIsPerfect)
 {
     const MeshQuality found = quality(one_triangle({1, std::sqrt(3.0), 0}));

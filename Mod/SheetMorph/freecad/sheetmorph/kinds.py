@@ -5,9 +5,10 @@ ASSEMBLY = "SheetMorph::Assembly"
 CONTACT = "SheetMorph::Contact"
 DEFORMATION = "SheetMorph::Deformation"
 PART = "SheetMorph::Part"
+POSE = "SheetMorph::Pose"
 REGION = "SheetMorph::Region"
 RELATION = "SheetMorph::Relation"
-ALL = (ASSEMBLY, CONTACT, DEFORMATION, PART, REGION, RELATION)
+ALL = (ASSEMBLY, CONTACT, DEFORMATION, PART, POSE, REGION, RELATION)
 
 
 def kind(obj) -> str:

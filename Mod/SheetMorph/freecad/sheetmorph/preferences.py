@@ -42,3 +42,9 @@ def put(entry: str, value) -> None:
 
 def _number(group, entry: str) -> float:
     return group.GetFloat(entry, DEFAULTS[entry])
+
+
+def reset() -> None:
+    """Forget what the user said."""
+    for entry, default in DEFAULTS.items():
+        put(entry, default)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 from collections import OrderedDict
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -191,6 +191,20 @@ def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
     """Return global positions (n, 3) mm of every part by object name; raises MorphError."""
     try:
         found = cache_of(assembly).positions(read_morph(assembly), exact)
+    except FAILURES as error:
+        raise MorphError(one_sentence(error)) from error
+    return {name: np.array(points) for name, points in found.items()}
+
+
+def deform_in(assembly, entries: dict[str, dict]) -> dict[str, np.ndarray]:
+    """Return what `deform` does in the pose that `entries` change; raises MorphError.
+
+    `entries`: document object name of a region -> entry of a recipe's pose.
+    """
+    try:
+        cache, morph = cache_of(assembly), read_morph(assembly)
+        pose = {**morph.pose, **{morph.names[name]: entry for name, entry in entries.items()}}
+        found = cache.positions(replace(morph, pose=pose))
     except FAILURES as error:
         raise MorphError(one_sentence(error)) from error
     return {name: np.array(points) for name, points in found.items()}

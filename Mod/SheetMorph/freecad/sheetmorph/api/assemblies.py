@@ -122,7 +122,7 @@ def set_refine(assembly, refine: bool) -> None:
 
 
 def remove(obj) -> None:
-    """Delete a region, contact or relation, a part with all that is on it, or a whole assembly.
+    """Delete a region, contact, relation, pose, a part with all on it, or a whole assembly.
 
     The source meshes stay and are shown again. Raises ValueError for any other object.
     """
@@ -133,7 +133,7 @@ def remove(obj) -> None:
         remove_part(obj)
     elif what == model.REGION:
         remove_region(obj)
-    elif what in (model.CONTACT, model.RELATION):
+    elif what in (model.CONTACT, model.POSE, model.RELATION):
         obj.Document.removeObject(obj.Name)
     else:
         raise ValueError(

@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.commands import contacts, create, exchange, features, finding, guide
-from freecad.sheetmorph.commands import installation, motion, regions, sheets
+from freecad.sheetmorph.commands import installation, motion, poses, regions, sheets
 
 _TOOLBARS = {
     "Morph": (
@@ -33,7 +33,13 @@ _TOOLBARS = {
         features.MakeCoaxial,
         features.KeepDistance,
     ),
-    "Motion": (motion.MoveHandle, motion.ResetMotion),
+    "Motion": (
+        motion.MoveHandle,
+        motion.ResetMotion,
+        poses.SavePose,
+        poses.BlendPoses,
+        poses.CopyAsMeshes,
+    ),
     "Exchange": (exchange.ExportParts, exchange.ExportRecipe, exchange.ImportRecipe),
     "Help": (exchange.OpenExample, installation.CheckInstallation),
 }

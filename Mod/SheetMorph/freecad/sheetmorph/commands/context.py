@@ -4,9 +4,9 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.kinds import ASSEMBLY, PART, REGION
+from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION
 
-__all__ = ["ASSEMBLY", "PART", "REGION"]
+__all__ = ["ASSEMBLY", "PART", "POSE", "REGION"]
 
 
 def kind(obj) -> str:
@@ -68,6 +68,11 @@ def regions(owner, role: str = "") -> list:
     """The regions of a morph, those of one role if given, in the order of the document."""
     mine = [o for o in owner.Document.Objects if kind(o) == REGION and assembly_of(o) == owner]
     return [obj for obj in mine if not role or obj.Role == role]
+
+
+def poses(owner) -> list:
+    """The poses of a morph."""
+    return [obj for obj in owner.Group if kind(obj) == POSE]
 
 
 def part():

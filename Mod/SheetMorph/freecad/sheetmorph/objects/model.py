@@ -7,7 +7,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DEFORMATION, PART, REGION, RELATION, kind
+from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DEFORMATION, PART, POSE, REGION
+from freecad.sheetmorph.kinds import RELATION, kind
 
 
 def assembly_of(obj):
@@ -46,6 +47,11 @@ def relations(assembly, feature=None) -> list:
     """Return the groups and pairs of form features of an assembly, or those with one feature."""
     mine = [obj for obj in assembly.Group if kind(obj) == RELATION]
     return [obj for obj in mine if feature is None or feature in obj.Features]
+
+
+def poses(assembly) -> list:
+    """Return the poses of an assembly in the order of its group."""
+    return [obj for obj in assembly.Group if kind(obj) == POSE]
 
 
 def deformation_of(assembly):

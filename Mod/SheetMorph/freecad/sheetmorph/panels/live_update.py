@@ -5,11 +5,10 @@ import time
 
 from freecad.sheetmorph import kernel, live_session
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import control_meshes
 from freecad.sheetmorph.panels.frame_worker import FrameWorker
+from freecad.sheetmorph.panels.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore
-from freecad.sheetmorph.scene import preview, wireframe
-from freecad.sheetmorph.tools import grabbing
+from freecad.sheetmorph.tools import grabbing, live_values
 
 
 class LiveUpdate(QtCore.QObject):
@@ -22,16 +21,16 @@ class LiveUpdate(QtCore.QObject):
     drawn = QtCore.Signal()
     failed = QtCore.Signal(str)
 
-    def __init__(self, assembly, updating):
-        """Raises session.MorphError if the morph cannot be computed."""
+    def __init__(self, assembly, updating, view):
+        """``view``: the 3D view; raises session.MorphError if the morph cannot be computed."""
         super().__init__()
         self._assembly = assembly
         self._updating = updating
         self._live = live_session.live(assembly)
         self._worker = FrameWorker(self._compute, self)
-        self._previews = {}
-        self._wires = None
-        self._frame = None
+        self._frame = self._valuer = None
+        self.scene = LiveScene(assembly, self._live, view)
+        self.legend = None
         self.kernel_ms = self.draw_ms = 0.0
         self.count = 0
 
@@ -53,33 +52,28 @@ class LiveUpdate(QtCore.QObject):
             meshes[name] = (local @ rest.frame.rotation.T + rest.frame.base, rest.triangles)
         return grabbing.grab(kernel.core(), meshes, ray)
 
-    def use_wires(self, view) -> None:
-        """Shows the control meshes in a 3D view as well; None: no longer."""
-        if self._wires is not None:
-            self._wires.remove()
-        self._wires = None if view is None else wireframe.Wireframe(view)
-        if self._worker.is_idle:  # else they come with the frame that is under way
-            self._show_wires()
+    def refresh(self) -> None:
+        """Shows what the scene was told to show meanwhile, unless a frame that does is coming."""
+        if self._worker.is_idle:
+            self.scene.refresh(self._frame)
+
+    def use_colours(self, kind: int) -> None:
+        """What the colours say: NONE, DISPLACEMENT, QUALITY or GAPS of live_scene."""
+        self._valuer, self.legend = self.scene.valuer(kind), None
+        self.ask()
 
     def end(self) -> None:
         """Shows the meshes as the document has them."""
         self._worker.stop()
-        self.use_wires(None)
-        for shown in self._previews.values():
-            shown.end()
-        self._previews = {}
+        self.scene.end()
 
     # -- what the worker calls
 
     def on_answer(self, answer) -> None:
         """Draws a frame; the result objects follow an exact one, or at once if that is quick."""
-        self._frame, self.kernel_ms = answer
+        self._frame, values, self.legend, self.kernel_ms = answer
         start = time.perf_counter()
-        if not self._previews:
-            self._begin()
-        for name, shown in self._previews.items():
-            shown.show(self._frame.local[name])
-        self._show_wires()
+        self.scene.show(self._frame, values, self.legend and self.legend.span)
         self.draw_ms = 1000.0 * (time.perf_counter() - start)
         self.count += 1
         self.drawn.emit()
@@ -89,15 +83,27 @@ class LiveUpdate(QtCore.QObject):
         elif self._worker.is_free and self._updating.is_due_now():
             self._worker.ask(live_session.Question(question.pose, question.moved, True))
 
+    @property
+    def worst(self) -> str:
+        """What the legend says in words; empty without colours."""
+        if self.legend is None or self._valuer is None:
+            return ""
+        if not self.legend.part:
+            return "There is nothing to show: no contact is in use."
+        part = self._assembly.Document.getObject(self.legend.part).Label
+        return f"{self._valuer.worst} {self.legend.extreme:.3g} {self._valuer.unit} on {part}"
+
     def on_fault(self, text: str) -> None:
         """Tells what went wrong."""
         self.failed.emit(text)
 
     def _compute(self, question):
-        """In the thread: a frame and the milliseconds it took."""
-        start = time.perf_counter()
+        """In the thread: a frame, the values of its colours, their legend, the milliseconds."""
+        start, valuer = time.perf_counter(), self._valuer
         frame = self._live.answer(question)
-        return frame, 1000.0 * (time.perf_counter() - start)
+        values = None if valuer is None else valuer(frame.positions)
+        legend = None if valuer is None else live_values.legend_of(valuer, values)
+        return frame, values, legend, 1000.0 * (time.perf_counter() - start)
 
     def _commit(self) -> None:
         """Recomputes the document; what was solved in the thread is found there."""
@@ -108,21 +114,6 @@ class LiveUpdate(QtCore.QObject):
         faulty = [p for p in model.parts(self._assembly) if "Invalid" in p.State]
         if faulty:
             self.failed.emit(faulty[0].getStatusString())
-
-    def _begin(self) -> None:
-        module = preview.module()
-        for part in model.parts(self._assembly):
-            rest = self._live.parts[part.Name]
-            points = rest.frame.to_local(rest.points)
-            self._previews[part.Name] = preview.Preview(
-                part.ViewObject, module, points, rest.triangles
-            )
-
-    def _show_wires(self) -> None:
-        """In the pose that was shown last."""
-        if self._wires is not None:
-            meshes = control_meshes.collect(self._assembly, self._live.control_mesh)
-            self._wires.show(meshes)
 
     def _recompute_regions(self) -> None:
         """Lets expressions between handles follow; cheap, the parts are not among them."""

@@ -7,6 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api, preferences
+from freecad.sheetmorph.api.poses import motion_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, say
@@ -14,7 +15,8 @@ from freecad.sheetmorph.panels.handle_drag import HandleDrag
 from freecad.sheetmorph.panels.live_update import LiveUpdate
 from freecad.sheetmorph.panels.mouse_fields import MouseFields
 from freecad.sheetmorph.panels.motion_fields import MotionFields
-from freecad.sheetmorph.panels.moved_handles import MovedHandles, motion_of
+from freecad.sheetmorph.panels.moved_handles import MovedHandles
+from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
@@ -40,6 +42,7 @@ class MovePanel(Panel):
         self._updating = Updating(preferences.get("UpdateResults"))
         self._live = None
         self._fields = MotionFields(self.form)
+        self._shown = ShowFields(self.form)
         self._frame = self._timer(0, self._show)
         self._pause = self._timer(round(1000 * PAUSE), self.settle)
         App.setActiveDocument(self._document.Name)
@@ -80,6 +83,7 @@ class MovePanel(Panel):
         """Closes the panel."""
         self._fields.release()
         self._mouse.release()
+        self._shown.release()
         return super().finish()
 
     def _is_in_order(self) -> bool:
@@ -157,9 +161,10 @@ class MovePanel(Panel):
             say(self.form.message, str(error), True)
 
     def _new_live(self) -> LiveUpdate:
-        live = LiveUpdate(self._handles.assembly, self._updating)
+        live = LiveUpdate(self._handles.assembly, self._updating, self._view())
         live.drawn.connect(self._on_drawn)
         live.failed.connect(self._on_fault)
+        self._shown.connect(live)
         return live
 
     def _renew(self) -> None:
@@ -204,10 +209,9 @@ class MovePanel(Panel):
 
     def _on_drawn(self) -> None:
         say(self.form.message, "")
-        live = self._live
-        say(
-            self.form.status, f"Computed in {live.kernel_ms:.1f} ms, drawn in {live.draw_ms:.1f} ms"
-        )
+        computed, drawn = self._live.kernel_ms, self._live.draw_ms
+        say(self.form.status, f"Computed in {computed:.1f} ms, drawn in {drawn:.1f} ms")
+        self._shown.tell()
 
     def _on_fault(self, text: str) -> None:
         say(self.form.message, text, True)
@@ -219,11 +223,6 @@ class MovePanel(Panel):
         if self._live is not None:
             self._live.end()
 
-    def _show_wires(self, is_shown: bool) -> None:
-        """Control meshes in the view that move along, or none."""
-        if self._live is not None:
-            self._live.use_wires(self._view() if is_shown else None)
-
     # -- the widgets
 
     def _prepare_widgets(self) -> None:
@@ -234,7 +233,6 @@ class MovePanel(Panel):
         form.results.setCurrentIndex(self._updating.preference)
         form.results.currentIndexChanged.connect(self._choose_update)
         form.reset.clicked.connect(self._reset)
-        form.control_meshes.toggled.connect(self._show_wires)
         self._fields.changed.connect(self._on_change)
         for label in (form.axis_message, form.message, form.status):
             say(label, "")

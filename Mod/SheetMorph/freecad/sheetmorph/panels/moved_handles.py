@@ -3,8 +3,8 @@
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.api.poses import motion_of
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.tools.motion import CENTROID, Motion
 
 
 class MovedHandles:
@@ -73,11 +73,3 @@ def made(assembly, handle) -> list[str]:
 def label_on(part) -> str:
     """What a grabbed point is called."""
     return f"Point on {part.Label}"
-
-
-def motion_of(handle) -> Motion:
-    """The motion the properties of a handle say."""
-    shift = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
-    pivot = CENTROID if handle.PivotAtCentroid else tuple(handle.Pivot)
-    translation = tuple(float(value.Value) for value in shift)
-    return Motion(translation, tuple(handle.Axis), float(handle.Angle.Value), pivot)

@@ -7,7 +7,8 @@ from freecad.sheetmorph import actions, api, conversion
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.panels.base import Panel, chip, say
-from freecad.sheetmorph.qt import QtGui, QtWidgets
+from freecad.sheetmorph.panels.scale import gradient
+from freecad.sheetmorph.qt import QtWidgets
 from freecad.sheetmorph.scene.value_map import ValueMap
 from freecad.sheetmorph.tools import colour_scale
 
@@ -78,14 +79,3 @@ def summary(solid) -> str:
     lines.append(f"Lumps, which stay rigid: {len(solid.lumps)}")
     lines.append(f"{chip(colour_scale.MISSING)} walls and lumps: no thickness")
     return "<br>".join(lines)
-
-
-def gradient(width: int = 256, height: int = 16):
-    """The legend: all colours from left to right, a QPixmap."""
-    colours = colour_scale.ramp(width)
-    image = QtGui.QImage(width, height, QtGui.QImage.Format_RGB32)
-    for x, colour in enumerate(colours):
-        shown = QtGui.QColor.fromRgbF(*colour).rgb()
-        for y in range(height):
-            image.setPixel(x, y, shown)
-    return QtGui.QPixmap.fromImage(image)

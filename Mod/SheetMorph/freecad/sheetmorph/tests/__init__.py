@@ -24,6 +24,7 @@ MODULES = tuple(
         "examples",
         "registration",
         "live",
+        "poses",
         "scripting",
     )
 )

@@ -49,3 +49,12 @@ def colours_of(values: np.ndarray, span: tuple[float, float]) -> np.ndarray:
     colours = np.stack([np.interp(share, places, STOPS[:, k]) for k in range(3)], axis=1)
     colours[~np.isfinite(values)] = MISSING
     return colours
+
+
+def round_up(value: float) -> float:
+    """The next of 1, 2, 5, 10, ... that is not less: a legend that does not flicker."""
+    if not value > 0.0:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(value))
+    steps = (power * factor for factor in (1.0, 2.0, 5.0))
+    return float(next((step for step in steps if step >= value * (1.0 - 1e-9)), 10.0 * power))

@@ -4,13 +4,14 @@
 
 def attach(obj) -> None:
     """Gives one of our objects its view provider; the objects call it through ``appearance``."""
-    from freecad.sheetmorph.views import assembly, contact, part, region, relation
+    from freecad.sheetmorph.views import assembly, contact, part, pose, region, relation
 
     providers = {
         "SheetMorph::Assembly": assembly.AssemblyView,
         "SheetMorph::Contact": contact.ContactView,
         "SheetMorph::Deformation": assembly.DeformationView,
         "SheetMorph::Part": part.PartView,
+        "SheetMorph::Pose": pose.PoseView,
         "SheetMorph::Region": region.RegionView,
         "SheetMorph::Relation": relation.RelationView,
     }

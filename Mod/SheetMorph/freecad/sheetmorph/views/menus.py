@@ -3,6 +3,7 @@
 
 from freecad.sheetmorph import actions, paths
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.guide import Guide
 from freecad.sheetmorph.qt import QtGui
 
@@ -75,6 +76,28 @@ def add_part_actions(menu, assembly, part) -> None:
         menu, "PartPrimary", "Set as Primary", lambda: actions.attempt("Set as Primary", line)
     )
     entry.setEnabled(assembly.Primary != part)
+
+
+def apply_pose(pose) -> None:
+    """Takes the morph to a pose unless a panel is open."""
+    line = call("apply_pose", name(pose))
+    _opened("Apply Pose", lambda: actions.run("Apply Pose", line, document=pose.Document))
+
+
+def blend_poses(pose) -> None:
+    """Opens the panel that goes to a pose with a slider."""
+    from freecad.sheetmorph.panels import pose_panel
+
+    owner = model.assembly_of(pose)
+    _opened("Blend Poses", lambda: pose_panel.open_panel(owner, pose))
+
+
+def add_pose_actions(menu, pose) -> None:
+    """Going there, a copy there, blending."""
+    line = call("copy_as_meshes", name(model.assembly_of(pose)), name(pose))
+    _add(menu, "Pose", "Apply Pose", lambda: apply_pose(pose))
+    _add(menu, "BlendPoses", "Blend Poses…", lambda: blend_poses(pose))
+    _add(menu, "CopyAsMeshes", "Copy as Meshes", lambda: actions.attempt("Copy as Meshes", line))
 
 
 def add_region_actions(menu, region) -> None:

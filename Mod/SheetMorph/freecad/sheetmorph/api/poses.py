@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Poses: kept by name, come back to, blended, compared, and taken out as ordinary meshes."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, replace
+
+import numpy as np
+
+from freecad.sheetmorph import conversion, session
+from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
+from freecad.sheetmorph.api.motions import rest_centroid, set_motion, set_rotation
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.pose import PoseProxy
+from freecad.sheetmorph.objects.region import FORM_FEATURE, HANDLE, PRESCRIBED
+from freecad.sheetmorph.tools import poses as tools
+from freecad.sheetmorph.tools.motion import CENTROID, Motion
+
+
+def save_pose(assembly, label: str = "Pose"):
+    """Keep the present motions of all handles, and prescribed rotations, and return the pose."""
+    require_assembly(assembly)
+    pose = assembly.Document.addObject("App::FeaturePython", "Pose")
+    PoseProxy(pose)
+    pose.Label = label
+    pose.Motions = tools.to_text(present(assembly))
+    assembly.addObject(pose)
+    return pose
+
+
+def poses(assembly) -> list:
+    """Return the poses of an assembly in the order of its group."""
+    require_assembly(assembly)
+    return model.poses(assembly)
+
+
+def apply_pose(pose) -> None:
+    """Move all handles to where they were when the pose was saved; new ones go to rest."""
+    blend_poses(pose, pose, 0.0)
+
+
+def blend_poses(first, second, weight: float) -> None:
+    """Move all handles between two poses of one assembly: the first at 0, the second at 1.
+
+    One of them may be None: at rest. Translations and pivots go straight, rotations by angle. A
+    weight outside 0 .. 1 goes beyond. Raises ValueError.
+    """
+    assembly = assembly_of_poses(first, second)
+    share = number(weight, "weight")
+    ends = (motions_in(assembly, first), motions_in(assembly, second))
+    for name, motion in tools.blended(*alike(assembly, *ends), share).items():
+        put(assembly.Document.getObject(name), motion)
+
+
+def compare_poses(first, second) -> dict[str, tuple[float, float]]:
+    """Return how far two poses of one assembly are apart, by `part.Name`: largest and mean, mm.
+
+    One of them may be None: at rest. Nothing in the document is changed. Raises ValueError.
+    """
+    assembly = assembly_of_poses(first, second)
+    one, other = (deform_in(assembly, pose) for pose in (first, second))
+    apart = {name: np.linalg.norm(one[name] - other[name], axis=1) for name in one}
+    return {name: (float(gap.max()), float(gap.mean())) for name, gap in apart.items()}
+
+
+def copy_as_meshes(assembly, pose=None, label: str | None = None):
+    """Return a new group of ordinary meshes, one a part: the assembly in a pose, the present one.
+
+    They depend on nothing and stay as they are. Raises ValueError.
+    """
+    require_assembly(assembly)
+    if pose is not None and assembly_of_poses(pose, pose) != assembly:
+        raise ValueError(f"'{pose.Label}' is no pose of '{assembly.Label}'; pass one of its own.")
+    found = session.deform(assembly) if pose is None else deform_in(assembly, pose)
+    document = assembly.Document
+    group = document.addObject("App::DocumentObjectGroup", "Meshes")
+    group.Label = label or f"{assembly.Label} {pose.Label if pose else 'meshes'}"
+    morph = session.read_morph(assembly)
+    for part in model.parts(assembly):
+        rest = morph.rests[part.Name]
+        mesh = document.addObject("Mesh::Feature", "Mesh")
+        mesh.Label = f"{part.Label} {pose.Label if pose else 'mesh'}"
+        local = rest.frame.to_local(found[part.Name])
+        placement = part.Source.getGlobalPlacement()
+        mesh.Mesh = conversion.MeshWriter(rest.triangles).mesh(local, placement)
+        group.addObject(mesh)
+    return group
+
+
+def assembly_of_poses(first, second):
+    """Return the assembly of two poses, one of which may be None; raises ValueError."""
+    given = [pose for pose in (first, second) if pose is not None]
+    if not given:
+        raise ValueError("Both poses are None; pass one pose at least.")
+    for pose in given:
+        require_kind(pose, model.POSE, "pose")
+    owners = {model.assembly_of(pose) for pose in given}
+    if len(owners) > 1 or None in owners:
+        raise ValueError("The poses are not of one assembly; pass two of the same.")
+    return owners.pop()
+
+
+def moving(assembly) -> list:
+    """Return the regions that a pose tells about: handles and prescribed rotations."""
+    return [
+        region
+        for region in model.regions(assembly)
+        if region.Part is not None
+        and (
+            region.Role == HANDLE or (region.Role == FORM_FEATURE and region.Rotation == PRESCRIBED)
+        )
+    ]
+
+
+def present(assembly) -> tools.Pose:
+    """Return the motions that the document has."""
+    return {region.Name: motion_of(region) for region in moving(assembly)}
+
+
+def motion_of(region) -> Motion:
+    """Return the motion of a handle, or the rotation of a form feature as one."""
+    if region.Role == FORM_FEATURE:
+        return Motion(axis=tuple(region.RotationAxis), angle=region.RotationAngle.Value)
+    shift = (region.TranslationX, region.TranslationY, region.TranslationZ)
+    pivot = CENTROID if region.PivotAtCentroid else tuple(region.Pivot)
+    translation = tuple(float(length.Value) for length in shift)
+    return Motion(translation, tuple(region.Axis), float(region.Angle.Value), pivot)
+
+
+def motions_in(assembly, pose) -> tools.Pose:
+    """Return the motion of everything that moves in a pose, None for rest."""
+    kept = tools.from_text(pose.Motions) if pose is not None else {}
+    return {region.Name: kept.get(region.Name, Motion()) for region in moving(assembly)}
+
+
+def alike(assembly, first: tools.Pose, second: tools.Pose) -> tuple:
+    """Return both with the same kind of pivots: a centroid that meets a point becomes one."""
+    for name in first:
+        if (first[name].pivot == CENTROID) != (second[name].pivot == CENTROID):
+            centre = tuple(rest_centroid(assembly.Document.getObject(name)))
+            for pose in (first, second):
+                if pose[name].pivot == CENTROID:
+                    pose[name] = replace(pose[name], pivot=centre)
+    return first, second
+
+
+def put(region, motion: Motion) -> None:
+    """Give a region a motion."""
+    if region.Role == HANDLE:
+        set_motion(region, **asdict(motion))
+    else:
+        set_rotation(region, (motion.axis, motion.angle))
+
+
+def deform_in(assembly, pose) -> dict[str, np.ndarray]:
+    """Return the positions (n, 3) of all parts by `part.Name` in a pose; the document stays."""
+    entries = {
+        name: entry_of(assembly.Document.getObject(name), motion)
+        for name, motion in motions_in(assembly, pose).items()
+    }
+    return session.deform_in(assembly, entries)
+
+
+def entry_of(region, motion: Motion) -> dict:
+    """Return a motion as a recipe's pose has it."""
+    rotation = {"axis": list(motion.axis), "degrees": motion.angle}
+    if region.Role == FORM_FEATURE:
+        return {"rotation": rotation}
+    entry: dict = {"translation": list(motion.translation)}
+    if motion.angle and not region.FreeRotation:
+        entry["rotation"] = rotation
+    if motion.pivot != CENTROID:
+        entry["pivot"] = list(motion.pivot)
+    return entry

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands that keep poses, blend them and take them out as ordinary meshes."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.commands import context
+from freecad.sheetmorph.commands.base import Command
+from freecad.sheetmorph.qt import QtCore, QtWidgets
+
+QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
+
+
+class SavePose(Command):
+    """Keeps the present motions under a name."""
+
+    name = "SheetMorph_SavePose"
+    text = QT_TRANSLATE_NOOP("SheetMorph_SavePose", "Save Pose…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_SavePose", "Keeps where all handles are now, under a name to come back to"
+    )
+
+    def possible(self) -> bool:
+        """With a handle."""
+        return context.handle() is not None
+
+    def execute(self) -> None:
+        """Asks for a name; one undo step."""
+        owner = context.assembly()
+        number = len(context.poses(owner)) + 1
+        window = Gui.getMainWindow()
+        label, is_given = QtWidgets.QInputDialog.getText(
+            window, "Save Pose", "Name of the pose", QtWidgets.QLineEdit.Normal, f"Pose {number}"
+        )
+        if is_given and label.strip():
+            line = call("save_pose", name(owner), repr(label.strip()))
+            actions.attempt("Save Pose", line, document=owner.Document)
+
+
+class BlendPoses(Command):
+    """Opens the panel that goes from one pose to another."""
+
+    name = "SheetMorph_BlendPoses"
+    text = QT_TRANSLATE_NOOP("SheetMorph_BlendPoses", "Blend Poses…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_BlendPoses", "Goes from one pose to another with a slider, and compares them"
+    )
+
+    def possible(self) -> bool:
+        """With a pose."""
+        owner = context.assembly()
+        return owner is not None and bool(context.poses(owner))
+
+    def execute(self) -> None:
+        """Opens the panel at the selected pose, else at the last one."""
+        from freecad.sheetmorph.panels import pose_panel
+
+        owner = context.assembly()
+        chosen = context.selected(context.POSE) or context.poses(owner)
+        pose_panel.open_panel(owner, chosen[-1])
+
+
+class CopyAsMeshes(Command):
+    """Takes the deformed parts out as ordinary meshes."""
+
+    name = "SheetMorph_CopyAsMeshes"
+    text = QT_TRANSLATE_NOOP("SheetMorph_CopyAsMeshes", "Copy as Meshes")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_CopyAsMeshes",
+        "Copies the parts as ordinary meshes, as they are now or in the selected pose",
+    )
+
+    def possible(self) -> bool:
+        """With a part."""
+        return context.part() is not None
+
+    def execute(self) -> None:
+        """One undo step."""
+        owner, chosen = context.assembly(), context.selected(context.POSE)
+        poses = [name(chosen[0])] if chosen else []
+        line = call("copy_as_meshes", name(owner), *poses)
+        actions.attempt("Copy as Meshes", line, document=owner.Document)

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is drawn while a morph moves: the parts, and on demand what tells more about the motion."""
+
+from freecad.sheetmorph import kernel
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import control_meshes
+from freecad.sheetmorph.scene import preview
+from freecad.sheetmorph.scene.feature_marks import FeatureMarks
+from freecad.sheetmorph.scene.ghost import Ghost
+from freecad.sheetmorph.scene.wireframe import Wireframe
+from freecad.sheetmorph.tools import live_values
+
+NONE, DISPLACEMENT, QUALITY, GAPS = range(4)
+
+
+class LiveScene:
+    """Drawings of one morph in a 3D view until ``end`` is called."""
+
+    def __init__(self, assembly, live, view):
+        """``live``: a live_session.LiveSession."""
+        self._assembly, self._live, self._view = assembly, live, view
+        self._previews, self._ghosts = {}, []
+        self._wires = self._marks = None
+
+    def show(self, frame, values, span) -> None:
+        """Shows a live_session.Frame; ``values`` (n,) by part, or None, are colours in a span."""
+        if not self._previews:
+            self._begin()
+        for name, shown in self._previews.items():
+            shown.show(frame.local[name])
+            if values is None:
+                shown.plain()
+            else:
+                shown.colour(values[name], span)
+        self.refresh(frame)
+
+    def refresh(self, frame) -> None:
+        """Shows what goes with the parts in a frame that is shown, None before the first one."""
+        if self._wires is not None:
+            self._wires.show(control_meshes.collect(self._assembly, self._live.control_mesh))
+        if self._marks is not None and frame is not None and frame.result is not None:
+            self._marks.show(frame.result.features)
+
+    def use_original(self, is_on: bool) -> None:
+        """The parts at rest as ghosts."""
+        for ghost in self._ghosts:
+            ghost.remove()
+        self._ghosts = [Ghost(*drawn) for drawn in self._at_rest()] if is_on else []
+
+    def use_wires(self, is_on: bool) -> None:
+        """The control meshes as wires."""
+        self._wires = self._exchanged(self._wires, Wireframe, is_on)
+
+    def use_marks(self, is_on: bool) -> None:
+        """How far every form feature moved and turned."""
+        self._marks = self._exchanged(self._marks, FeatureMarks, is_on)
+
+    def valuer(self, kind: int):
+        """What works out the values that the colours say, None for NONE."""
+        parts = self._live.parts
+        if kind == DISPLACEMENT:
+            return live_values.Displacement({name: rest.points for name, rest in parts.items()})
+        if kind == QUALITY:
+            triangles = {name: rest.triangles for name, rest in parts.items()}
+            return live_values.Quality(kernel.core(), triangles)
+        if kind == GAPS:
+            meshes = {name: (rest.points, rest.triangles) for name, rest in parts.items()}
+            return live_values.Gaps(kernel.core(), meshes, self._sides())
+        return None
+
+    def end(self) -> None:
+        """Shows the meshes as the document has them."""
+        self.use_original(False)
+        self.use_wires(False)
+        self.use_marks(False)
+        for shown in self._previews.values():
+            shown.end()
+        self._previews = {}
+
+    def _exchanged(self, drawing, kind, is_on: bool):
+        if drawing is not None:
+            drawing.remove()
+        return kind(self._view) if is_on else None
+
+    def _begin(self) -> None:
+        drawn = zip(model.parts(self._assembly), self._at_rest())
+        self._previews = {part.Name: preview.Preview(*at_rest) for part, at_rest in drawn}
+
+    def _at_rest(self) -> list:
+        """The view of every part, who draws it, and its mesh at rest."""
+        module, found = preview.module(), []
+        for part in model.parts(self._assembly):
+            rest = self._live.parts[part.Name]
+            points = rest.frame.to_local(rest.points)
+            found.append((part.ViewObject, module, points, rest.triangles))
+        return found
+
+    def _sides(self) -> list:
+        parts, sides = self._live.parts, []
+        for contact in model.contacts(self._assembly):
+            pair = {"a": contact.PartA, "b": contact.PartB}
+            if contact.Active and all(p is not None and p.Name in parts for p in pair.values()):
+                for side, other in ("ab", "ba"):
+                    vertices = model.contact_vertices(contact, side)
+                    sides.append(live_values.Side(pair[side].Name, vertices, pair[other].Name))
+        return sides

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A part as it was, seen through, while it moves."""
+
+from pivy import coin
+
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.surface import Surface
+
+
+class Ghost:
+    """In the view of a part, at its placement, until ``remove`` is called."""
+
+    def __init__(self, view_object, module, points, triangles):
+        """``module``: sheetmorph._coin; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
+        self._root = view_object.RootNode
+        self._surface = Surface(coin.SoCoordinate3())
+        self._surface.paint(colours.GHOST, 0.45)
+        self._surface.fill(module, points, triangles)
+        self._root.addChild(self._surface.node)
+
+    def remove(self) -> None:
+        """Takes it out of the view."""
+        if self._root.findChild(self._surface.node) >= 0:
+            self._root.removeChild(self._surface.node)

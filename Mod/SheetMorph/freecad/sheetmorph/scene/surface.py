@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A shaded mesh in Coin nodes that the kernel fills without Python in between."""
+
+import math
+
+import numpy as np
+from pivy import coin
+
+from freecad.sheetmorph.tools import colour_scale
+
+CREASE = math.radians(30.0)
+SHADES = 256
+
+
+class Surface:
+    """One mesh; ``node`` hangs it into a scene."""
+
+    def __init__(self, coordinates):
+        """``coordinates``: the SoCoordinate3 it is drawn with, also that of another shape."""
+        self._coordinates = coordinates
+        self._normals = coin.SoNormal()
+        self._faces = coin.SoIndexedFaceSet()
+        self._material = coin.SoMaterial()
+        self._binding = coin.SoMaterialBinding()
+        self._mesh = self._colours = None
+        self.node = self._separator()
+
+    def fill(self, module, points: np.ndarray, triangles: np.ndarray) -> None:
+        """``module``: sheetmorph._coin; ``points`` (n, 3) mm, ``triangles`` (m, 3)."""
+        addresses = tuple(int(n.this) for n in (self._coordinates, self._normals, self._faces))
+        self._mesh = module.MeshNodes(addresses, points, triangles, CREASE)
+        ramp = colour_scale.ramp(SHADES)
+        self._colours = module.ValueColours(int(self._material.this), ramp, colour_scale.MISSING)
+
+    def show(self, points: np.ndarray) -> None:
+        """Moves it to other positions (n, 3), mm, with normals of their own."""
+        self._mesh.show(np.ascontiguousarray(points, dtype=float))
+
+    def paint(self, colour, transparency: float = 0.0) -> None:
+        """All of it in one colour."""
+        self._binding.value = coin.SoMaterialBinding.OVERALL
+        self._material.diffuseColor = colour
+        self._material.transparency = transparency
+
+    def colour(self, values: np.ndarray, span) -> None:
+        """A colour for the value of every vertex, (n,), in a span (low, high)."""
+        self._colours.show(np.asarray(values, dtype=float), span)
+        self._material.transparency = 0.0
+        self._binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+
+    def _separator(self):
+        style = coin.SoPickStyle()
+        style.style = coin.SoPickStyle.UNPICKABLE
+        hints = coin.SoShapeHints()
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        normals = coin.SoNormalBinding()
+        normals.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+        separator = coin.SoSeparator()
+        look = (style, hints, self._material, self._binding, normals)
+        for node in (*look, self._normals, self._coordinates, self._faces):
+            separator.addChild(node)
+        return separator

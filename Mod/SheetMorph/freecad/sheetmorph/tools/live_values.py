@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One value a vertex while a morph moves: how far it went, how good its triangles, how open a gap.
+
+Parts are given by name; positions are (n, 3) mm, global; a vertex without a value has NaN.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from freecad.sheetmorph.tools import colour_scale
+
+PERFECT = 60.0  # degrees: the corners of an equilateral triangle
+Positions = dict[str, np.ndarray]
+
+
+class Displacement:
+    """How far every vertex is from where it was at rest, mm."""
+
+    unit, worst = "mm", "farthest"
+
+    def __init__(self, rest: Positions):
+        self._rest = rest
+
+    def __call__(self, positions: Positions) -> Positions:
+        """The values (n,) by part."""
+        return {name: _lengths(positions[name] - rest) for name, rest in self._rest.items()}
+
+
+class Quality:
+    """The smallest corner of the triangles at every vertex, degrees: 60 is best."""
+
+    unit, worst = "°", "sharpest corner"
+
+    def __init__(self, core, triangles: dict[str, np.ndarray]):
+        """``core``: sheetmorph._core; ``triangles`` (m, 3) by part."""
+        self._core, self._triangles = core, triangles
+
+    def __call__(self, positions: Positions) -> Positions:
+        """The values (n,) by part."""
+        return {
+            name: self._core.vertex_quality(positions[name], triangles)
+            for name, triangles in self._triangles.items()
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class Side:
+    """Vertices (k,) of a part and the part they face."""
+
+    part: str
+    vertices: np.ndarray
+    other: str
+
+
+class Gaps:
+    """By how much the distance of the vertices of contacts to the other part has changed, mm."""
+
+    unit, worst = "mm", "largest change"
+
+    def __init__(self, core, meshes: dict[str, tuple], sides: Iterable[Side]):
+        """``meshes``: by part points (n, 3) at rest and triangles (m, 3)."""
+        self._counts = {name: len(points) for name, (points, _) in meshes.items()}
+        trees = {name: core.PickingTree(*mesh) for name, mesh in meshes.items()}
+        self._feet = [self._foot(trees[side.other], meshes, side) for side in sides]
+
+    def __call__(self, positions: Positions) -> Positions:
+        """The values (n,) by part."""
+        found = {name: np.full(count, np.nan) for name, count in self._counts.items()}
+        for side, corners, weights, gap in self._feet:
+            values = np.abs(_gaps(positions, side, corners, weights) - gap)
+            known = found[side.part][side.vertices]
+            found[side.part][side.vertices] = np.fmax(known, values)
+        return found
+
+    @staticmethod
+    def _foot(tree, meshes: dict[str, tuple], side: Side) -> tuple:
+        """Where every vertex of a side touches the other part at rest, and how far that is."""
+        rest = {name: points for name, (points, _) in meshes.items()}
+        hits = [tree.nearest_point(point) for point in rest[side.part][side.vertices]]
+        corners = meshes[side.other][1][[hit.triangle for hit in hits]]
+        weights = np.array([hit.barycentric for hit in hits])
+        return side, corners, weights, _gaps(rest, side, corners, weights)
+
+
+def _gaps(positions: Positions, side: Side, corners, weights) -> np.ndarray:
+    feet = np.einsum("kc,kcx->kx", weights, positions[side.other][corners])
+    return _lengths(positions[side.part][side.vertices] - feet)
+
+
+def _lengths(vectors: np.ndarray) -> np.ndarray:
+    return np.sqrt(np.einsum("kx,kx->k", vectors, vectors))
+
+
+@dataclass(frozen=True)
+class Legend:
+    """The values at the two ends of the colours, the worst value and the part it is on."""
+
+    span: tuple[float, float]
+    extreme: float
+    part: str
+
+
+def legend_of(valuer, values: Positions) -> Legend:
+    """The legend for what one of the above answered; the part is empty if there is no value."""
+    is_quality = isinstance(valuer, Quality)
+    known = {name: found[np.isfinite(found)] for name, found in values.items()}
+    known = {name: found for name, found in known.items() if len(found)}
+    if not known:
+        return Legend((0.0, 1.0), 0.0, "")
+    pick = (np.min, min) if is_quality else (np.max, max)
+    extremes = {name: float(pick[0](found)) for name, found in known.items()}
+    part = pick[1](extremes, key=lambda name: extremes[name])
+    high = PERFECT if is_quality else colour_scale.round_up(extremes[part])
+    return Legend((0.0, high), extremes[part], part)
+
+
+def turn_of(rotation: np.ndarray) -> float:
+    """The angle of a rotation (3, 3), degrees from 0 to 180."""
+    skew = rotation - rotation.T
+    sine = 0.5 * np.linalg.norm((skew[2, 1], skew[0, 2], skew[1, 0]))
+    return float(np.degrees(np.arctan2(sine, 0.5 * (np.trace(rotation) - 1.0))))

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Poses: what moves and how, by name of the region; kept as text, blended number by number."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, replace
+
+import numpy as np
+
+from freecad.sheetmorph.tools.motion import CENTROID, Motion
+
+Pose = dict[str, Motion]
+
+
+def to_text(pose: Pose) -> str:
+    """The pose as JSON; every number is read back to the bit."""
+    return json.dumps({name: asdict(motion) for name, motion in sorted(pose.items())})
+
+
+def from_text(text: str) -> Pose:
+    """What ``to_text`` wrote."""
+    entries = json.loads(text or "{}")
+    return {name: _motion(entry) for name, entry in entries.items()}
+
+
+def blended(first: Pose, second: Pose, weight: float) -> Pose:
+    """The pose between two, the first at weight 0, the second at 1; both name the same regions.
+
+    Translations and pivots go straight; rotations go along their axis, between two axes along
+    the line between axis times angle, so whole turns count.
+    """
+    return {name: between(first[name], second[name], weight) for name in first}
+
+
+def between(first: Motion, second: Motion, weight: float) -> Motion:
+    """The motion between two; one about the centroid meets only another one about it."""
+    if weight in (0.0, 1.0):
+        return second if weight else first
+    ends = [np.asarray(m.axis, float) / np.linalg.norm(m.axis) * m.angle for m in (first, second)]
+    turn = _mixed(*ends, weight)
+    angle = float(np.linalg.norm(turn))
+    axis = tuple((turn / angle).tolist()) if angle else first.axis
+    along = np.dot(axis, first.axis if first.angle else second.axis)
+    if angle and along < 0.0:  # the same turn, told about the axis the user knows
+        axis, angle = tuple(-c for c in axis), -angle
+    is_free = CENTROID in (first.pivot, second.pivot)
+    return replace(
+        first,
+        translation=tuple(_mixed(first.translation, second.translation, weight).tolist()),
+        axis=axis,
+        angle=angle,
+        pivot=CENTROID if is_free else tuple(_mixed(first.pivot, second.pivot, weight).tolist()),
+    )
+
+
+def _mixed(a, b, weight: float) -> np.ndarray:
+    return (1.0 - weight) * np.asarray(a, float) + weight * np.asarray(b, float)
+
+
+def _motion(entry: dict) -> Motion:
+    pivot = entry["pivot"]
+    return Motion(
+        tuple(entry["translation"]),
+        tuple(entry["axis"]),
+        entry["angle"],
+        pivot if isinstance(pivot, str) else tuple(pivot),
+    )

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is shown while a handle is dragged: ghost, features, colours with their scale, gaps."""
+
+import numpy as np
+from checks_dragging import drag_up, grab_up_arrow
+from checks_moving import lifted, open_panel
+from desk import child, choose_below, enter, picture, press, tick, until, view, xdotool
+from pivy import coin
+from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, part, stored
+
+__all__ = [
+    "test_the_original_stays_as_a_ghost_while_the_part_moves",
+    "test_features_say_how_far_they_move",
+    "test_displacement_has_colours_with_a_scale",
+    "test_quality_and_gaps_have_colours_too",
+]
+
+
+def found(node_type, root) -> list:
+    """All nodes of a type below a root, also where a switch is off."""
+    search = coin.SoSearchAction()
+    search.setType(node_type.getClassTypeId())
+    search.setSearchingAll(True)
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(root)
+    paths = search.getPaths()
+    return [paths[k].getTail() for k in range(paths.getLength())]
+
+
+def positions_in(node) -> np.ndarray:
+    """The positions (n, 3) in an SoCoordinate3."""
+    return np.array([p.getValue() for p in node.point.getValues()]).reshape(-1, 3)
+
+
+def vertex_colours() -> np.ndarray:
+    """The colours (n, 3) of the vertices of the part that is seen."""
+    materials = found(coin.SoMaterial, part().ViewObject.RootNode)
+    fields = [m.diffuseColor for m in materials if m.diffuseColor.getNum() == len(drawn())]
+    assert len(fields) == 1, len(fields)
+    return np.array([c.getValue() for c in fields[0].getValues()])
+
+
+def test_the_original_stays_as_a_ghost_while_the_part_moves():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    yield from tick(child("original"))
+    start = yield from grab_up_arrow()
+    yield from drag_up(start, 8)
+    picture("ghost")
+    yield from until(lambda: lifted(rest, drawn())[0, 2] > 3, "the drag")
+    shapes = found(coin.SoCoordinate3, part().ViewObject.RootNode)
+    at_rest = [s for s in shapes if s.point.getNum() == len(rest)]
+    assert any(np.array_equal(positions_in(s), rest.astype(np.float32)) for s in at_rest)
+    yield from xdotool("mouseup", 1)
+    yield from press("Cancel")
+    assert len(found(coin.SoCoordinate3, part().ViewObject.RootNode)) < len(shapes)
+
+
+def test_features_say_how_far_they_move():
+    yield from new_morph()
+    yield from open_panel()
+    yield from tick(child("feature_motions"))
+    yield from enter(child("translation_z"), "20")
+    yield 300
+    picture("features")
+    texts = found(coin.SoText2, view().getSceneGraph())
+    words = [text.string.getValues()[0] for text in texts]
+    said = [word for word in words if "mm" in word and "°" in word]
+    assert len(said) == 2 and all(5.0 < float(word.split()[0]) < 20.0 for word in said), words
+    yield from press("OK")
+    left = found(coin.SoText2, view().getSceneGraph())
+    assert len(left) == len(texts) - 2
+
+
+def test_displacement_has_colours_with_a_scale():
+    yield from new_morph()
+    yield from open_panel()
+    yield from enter(child("translation_z"), "18")
+    yield from choose_below(child("colours"), 1)
+    yield from until(child("scale").isVisible, "the scale")
+    assert child("scale_text").text() == "0 to 20; farthest 18 mm on sheet morphed"
+    seen = vertex_colours()
+    moved, fixed = seen[handle_vertices()], seen[np.flatnonzero(stored()[:, 0] == 0.0)]
+    assert np.ptp(moved, axis=0).max() < 0.01 and moved[0, 0] > 0.7  # yellow
+    assert np.ptp(fixed, axis=0).max() < 0.01 and fixed[0, 2] > fixed[0, 1]  # blue
+    picture("displacement")
+    yield from choose_below(child("colours"), -1)
+    assert not child("scale").isVisible()
+    yield from press("Cancel")
+
+
+def test_quality_and_gaps_have_colours_too():
+    yield from new_assembly(is_joined=True)
+    yield from open_panel()
+    yield from enter(child("translation_z"), "25")
+    yield from choose_below(child("colours"), 2)
+    yield from until(lambda: "sharpest corner" in child("scale_text").text(), "the quality")
+    assert child("scale_text").text().startswith("0 to 60; ")
+    yield from choose_below(child("colours"), 1)
+    yield from until(lambda: "largest change" in child("scale_text").text(), "the gaps")
+    picture("gaps")
+    change = float(child("scale_text").text().split("largest change ")[1].split()[0])
+    assert 0.0 < change < 1.0
+    yield from press("OK")
+    assert largest(drawn() - stored()) == 0.0

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the colours say while a morph moves, which needs no FreeCAD."""
+
+import numpy as np
+import pytest
+from freecad.sheetmorph.tools import colour_scale
+from freecad.sheetmorph.tools.live_values import Displacement, Gaps, Quality, Side
+from freecad.sheetmorph.tools.live_values import legend_of, turn_of
+from sheetmorph import _core
+
+SQUARE = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], float)
+HALVES = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
+
+
+def test_displacement_is_the_way_from_rest():
+    valuer = Displacement({"a": SQUARE, "b": SQUARE})
+    values = valuer({"a": SQUARE + (3.0, 0.0, 4.0), "b": SQUARE})
+    assert values["a"] == pytest.approx(np.full(4, 5.0)) and not values["b"].any()
+    legend = legend_of(valuer, values)
+    assert (legend.span, legend.extreme, legend.part) == ((0.0, 5.0), 5.0, "a")
+
+
+def test_quality_tells_the_sharpest_corner():
+    valuer = Quality(_core, {"flat": HALVES, "thin": HALVES})
+    values = valuer({"flat": SQUARE, "thin": SQUARE * (1.0, 0.1, 1.0)})
+    legend = legend_of(valuer, values)
+    assert legend.span == (0.0, 60.0) and legend.part == "thin"
+    assert legend.extreme == pytest.approx(np.degrees(np.arctan(0.1)))
+
+
+def gaps(above: np.ndarray) -> dict:
+    """Two squares, one 1 mm above the other at rest; the values with the upper one elsewhere."""
+    meshes = {"low": (SQUARE, HALVES), "high": (SQUARE + (0.0, 0.0, 1.0), HALVES)}
+    sides = [Side("high", np.array([0, 2]), "low"), Side("low", np.array([1]), "high")]
+    return Gaps(_core, meshes, sides)({"low": SQUARE, "high": above})
+
+
+def test_a_gap_that_stays_has_not_changed_wherever_both_go():
+    values = gaps(SQUARE + (0.0, 0.0, 1.0))
+    assert values["high"][[0, 2]] == pytest.approx((0.0, 0.0))
+    assert np.isnan(values["high"][[1, 3]]).all() and np.isnan(values["low"][[0, 2, 3]]).all()
+
+
+def test_a_gap_that_opens_or_closes_shows_where():
+    assert gaps(SQUARE + (0.0, 0.0, 1.5))["high"][[0, 2]] == pytest.approx((0.5, 0.5))
+    assert gaps(SQUARE + (0.0, 0.0, 0.25))["low"][1] == pytest.approx(0.75)
+
+
+def test_without_contacts_there_is_nothing_to_say():
+    valuer = Gaps(_core, {"low": (SQUARE, HALVES)}, [])
+    legend = legend_of(valuer, valuer({"low": SQUARE}))
+    assert (legend.part, legend.span) == ("", (0.0, 1.0))
+
+
+@pytest.mark.parametrize(("value", "end"), [(0.0, 1.0), (0.03, 0.05), (1.0, 1.0), (18.0, 20.0)])
+def test_a_legend_ends_at_a_round_number(value, end):
+    assert colour_scale.round_up(value) == pytest.approx(end)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 1e-5, 90.0, 179.9999])
+def test_a_turn_is_told_in_degrees(degrees):
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    assert turn_of(np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])) == pytest.approx(degrees)
