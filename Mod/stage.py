@@ -2,7 +2,7 @@
 """Stages the add-on: the workbench, the Python package, its compiled modules and the resources.
 
 Copies what changed and removes what vanished, so that a staged folder is always what a fresh one
-would be. Called by the build: stage.py SOURCE STAGED [MODULE ...]
+would be. Called by the build: stage.py SOURCE STAGED [MODULE or TRANSLATION ...]
 """
 import filecmp
 import os
@@ -45,8 +45,14 @@ def wanted_files(source: Path, modules: list[Path]) -> dict[Path, Path]:
             for name in files_below(source / origin):
                 wanted[Path(place) / name] = source / origin / name
     for module in modules:
-        wanted[Path("sheetmorph") / module.name] = module
+        wanted[place_of_built(module)] = module
     return wanted
+
+
+def place_of_built(file: Path) -> Path:
+    """The place in the add-on of a file that the build made: a module or compiled translation."""
+    folder = "resources/translations" if file.suffix == ".qm" else "sheetmorph"
+    return Path(folder) / file.name
 
 
 def copy_if_changed(origin: Path, target: Path) -> None:

@@ -32,10 +32,13 @@ def staged_files(staged):
 def test_everything_comes_to_its_place(staging, source, tmp_path):
     module = tmp_path / "_core.so"
     module.write_text("machine code")
-    staging.stage(source, tmp_path / "staged", [module])
+    words = tmp_path / "SheetMorph_de.qm"
+    words.write_text("Wörter")
+    staging.stage(source, tmp_path / "staged", [module, words])
     assert staged_files(tmp_path / "staged") == [
         "freecad/a.py",
         "resources/c.svg",
+        "resources/translations/SheetMorph_de.qm",
         "sheetmorph/_core.so",
         "sheetmorph/b.py",
     ]

@@ -17,6 +17,10 @@ class SheetMorphWorkbench(Gui.Workbench):
         """Adds the commands to menu and toolbar; called once by FreeCAD."""
         from freecad.sheetmorph import commands
 
+        Gui.addLanguagePath(paths.translations())
+        Gui.updateLocale()
+        Gui.addIconPath(paths.icons())
+        Gui.addPreferencePage(paths.panel("preferences"), "SheetMorph")
         self.toolbars = commands.register()
         for title, names in self.toolbars.items():
             self.appendToolbar(title, names)

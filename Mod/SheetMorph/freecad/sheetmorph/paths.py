@@ -18,6 +18,16 @@ def panel(name: str) -> str:
     return os.path.join(_RESOURCES, "panels", f"{name}.ui")
 
 
+def icons() -> str:
+    """Absolute path of the folder of the icons."""
+    return os.path.join(_RESOURCES, "icons")
+
+
+def translations() -> str:
+    """Absolute path of the folder of the compiled translations."""
+    return os.path.join(_RESOURCES, "translations")
+
+
 def examples() -> str:
     """Absolute path of the folder of the example assemblies."""
     return os.path.join(_RESOURCES, "examples")

@@ -13,6 +13,9 @@ DEFAULTS: dict[str, bool | int | float] = {
     "SnapLength": 1.0,
     "SnapAngle": 5.0,
     "ShowArrows": True,
+    "CreaseAngle": 30.0,
+    "HoleRings": 0,
+    "BrushRadius": 25,
     "ShowOriginal": False,
     "ShowFeatures": False,
     "ShowControlMeshes": False,
@@ -27,6 +30,20 @@ def get(entry: str):
     if isinstance(default, bool):
         return group.GetBool(entry, default)
     return group.GetInt(entry, default) if isinstance(default, int) else _number(group, entry)
+
+
+def get_colour(entry: str, default: tuple[float, float, float]) -> tuple[float, float, float]:
+    """Return a colour with components 0..1; FreeCAD keeps it as 0xRRGGBBAA."""
+    packed = FreeCAD.ParamGet(PATH).GetUnsigned(entry, packed_colour(default))
+    if packed == packed_colour(default):
+        return default
+    return tuple((packed >> shift & 255) / 255.0 for shift in (24, 16, 8))
+
+
+def packed_colour(colour: tuple[float, float, float]) -> int:
+    """Return a colour as FreeCAD keeps it, opaque."""
+    red, green, blue = (round(255 * c) for c in colour)
+    return red << 24 | green << 16 | blue << 8 | 255
 
 
 def put(entry: str, value) -> None:

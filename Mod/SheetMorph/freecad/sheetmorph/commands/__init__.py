@@ -5,42 +5,47 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph.commands import contacts, create, exchange, features, finding, guide
 from freecad.sheetmorph.commands import installation, motion, poses, regions, sheets
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 _TOOLBARS = {
-    "Morph": (
+    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Morph"): (
         guide.OpenGuide,
         create.CreateMorph,
         create.AddPart,
         create.ImportPart,
         sheets.ThicknessMap,
     ),
-    "Regions": (
+    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Regions"): (
         regions.MarkFixed,
         regions.MarkHandle,
         regions.MarkFeature,
         regions.MarkFollower,
         finding.FindFeatures,
     ),
-    "Contacts": (
+    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Contacts"): (
         contacts.MarkContact,
         finding.FindContacts,
         contacts.Propagation,
         contacts.SetPrimary,
     ),
-    "Features": (
+    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Features"): (
         features.FeatureSettings,
         features.GroupFeatures,
         features.MakeCoaxial,
         features.KeepDistance,
     ),
-    "Motion": (
+    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Motion"): (
         motion.MoveHandle,
         motion.ResetMotion,
         poses.SavePose,
         poses.BlendPoses,
         poses.CopyAsMeshes,
     ),
-    "Exchange": (exchange.ExportParts, exchange.ExportRecipe, exchange.ImportRecipe),
+    QT_TRANSLATE_NOOP("Workbench", "SheetMorph Exchange"): (
+        exchange.ExportParts,
+        exchange.ExportRecipe,
+        exchange.ImportRecipe,
+    ),
     "Help": (exchange.OpenExample, installation.CheckInstallation),
 }
 
@@ -51,7 +56,7 @@ def register() -> dict[str, list[str]]:
         for command in classes:
             Gui.addCommand(command.name, command())
     return {
-        f"SheetMorph {title}": [command.name for command in classes]
+        title: [command.name for command in classes]
         for title, classes in _TOOLBARS.items()
         if title != "Help"
     }

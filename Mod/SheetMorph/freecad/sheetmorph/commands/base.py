@@ -24,6 +24,7 @@ class Command:
             "MenuText": self.text,
             "ToolTip": self.tooltip,
             "StatusTip": self.tooltip,
+            "WhatsThis": self.tooltip,
             "CmdType": "AlterDoc" if self.alters else "ForEdit",
         }
 

@@ -4,10 +4,18 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, translate
 from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
+LEGEND = {
+    "fixed": QT_TRANSLATE_NOOP("panels", "Fixed"),
+    "handle": QT_TRANSLATE_NOOP("panels", "Handle"),
+    "form feature": QT_TRANSLATE_NOOP("panels", "Form feature"),
+    "follower": QT_TRANSLATE_NOOP("panels", "Follower"),
+}
 WIDTH = 340  # px at which a panel is readable
+MARGINS = 60  # px of the task view around a panel, with its scroll bar
 
 
 class Panel:
@@ -17,8 +25,12 @@ class Panel:
 
     def __init__(self, widgets: str, icon: str, title: str):
         self.form = Gui.PySideUic.loadUi(paths.panel(widgets))
-        self.form.setWindowTitle(title)
+        self.form.setWindowTitle(translate(widgets, title))
         self.form.setWindowIcon(QtGui.QIcon(paths.icon(icon)))
+        for name, widget in vars(self.form).items():
+            if isinstance(widget, QtWidgets.QWidget) and not name.startswith("_"):
+                widget.setWhatsThis(widget.whatsThis() or widget.toolTip())
+                widget.setStatusTip(widget.statusTip() or widget.toolTip())
 
     def present(self) -> None:
         """Shows the panel, in a task view wide enough to read it."""
@@ -42,8 +54,10 @@ class Panel:
         """Makes the dock around the panel wide enough; a wider one stays as it is."""
         window = Gui.getMainWindow()
         for dock in window.findChildren(QtWidgets.QDockWidget):
-            if self.form and dock.isAncestorOf(self.form) and dock.width() < self.width:
-                window.resizeDocks([dock], [self.width], QtCore.Qt.Horizontal)
+            if self.form and dock.isAncestorOf(self.form):
+                wanted = max(self.width, self.form.minimumSizeHint().width() + MARGINS)
+                if dock.width() < wanted:
+                    window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
 
     def isAllowedAlterView(self) -> bool:
         """The user may turn and zoom."""
@@ -65,11 +79,11 @@ def say(label, text: str, is_error: bool = False) -> None:
 
 def legend(active: str) -> str:
     """The colours of the roles as rich text, the active role in bold."""
-    names = {"fixed": "Fixed", "handle": "Handle", "form feature": "Form&nbsp;feature"}
-    if active == "follower":
-        names |= {"follower": "Follower"}
     chips = []
-    for role, text in names.items():
+    for role, name in LEGEND.items():
+        if role == "follower" and role != active:
+            continue
+        text = translate("panels", name).replace(" ", "&nbsp;")
         shown = f"<b>{text}</b>" if role == active else text
         chips.append(f"{chip(colours.ROLES[role])}&nbsp;{shown}")
     return "&nbsp;&nbsp; ".join(chips)

@@ -10,6 +10,7 @@ from freecad.sheetmorph.panels import contact_types
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
+from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.pick_view import PickView
@@ -180,7 +181,7 @@ class ContactPanel(Panel):
         say(form.message, "")
 
     def _explain(self, index: int) -> None:
-        self.form.type_text.setText(contact_types.TYPE_TEXTS[index])
+        self.form.type_text.setText(translate("panels", contact_types.TYPE_TEXTS[index]))
 
     def _is_active(self) -> bool:
         return self.form.active.isChecked()

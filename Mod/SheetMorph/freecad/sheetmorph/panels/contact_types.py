@@ -1,27 +1,49 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The types of a contact and the modes of a part, in a designer's words."""
 
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 TYPES = ("control mesh", "tied", "rigid")
-TYPE_NAMES = ("Control mesh", "Tied", "Rigid")
-TYPE_TEXTS = (
-    "The other part bends along smoothly. Right for most flanges and weld seams.",
-    "Every vertex keeps its place over the facing triangle. For glued faces and mesh ties.",
-    "Both sides move as one stiff body. For bolts, rivets and spot welds.",
+TYPE_NAMES = (
+    QT_TRANSLATE_NOOP("panels", "Control mesh"),
+    QT_TRANSLATE_NOOP("panels", "Tied"),
+    QT_TRANSLATE_NOOP("panels", "Rigid"),
 )
-MODE_NAMES = ("Automatic", "1 Whole part", "2 Contacts lead", "3 Contacts and edges lead")
+TYPE_TEXTS = (
+    QT_TRANSLATE_NOOP(
+        "panels", "The other part bends along smoothly. Right for most flanges and weld seams."
+    ),
+    QT_TRANSLATE_NOOP(
+        "panels",
+        "Every vertex keeps its place over the facing triangle. For glued faces and mesh ties.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "panels", "Both sides move as one stiff body. For bolts, rivets and spot welds."
+    ),
+)
+MODE_NAMES = (
+    QT_TRANSLATE_NOOP("panels", "Automatic"),
+    QT_TRANSLATE_NOOP("panels", "1 Whole part"),
+    QT_TRANSLATE_NOOP("panels", "2 Contacts lead"),
+    QT_TRANSLATE_NOOP("panels", "3 Contacts and edges lead"),
+)
 MODE_TEXTS = (
-    "SheetMorph chooses by contacts and form features.",
-    "The control mesh moves every vertex; form features would lose their shape.",
-    "Contacts and followers go with the control mesh, the rest bends like sheet; form features "
-    "keep their shape.",
-    "As 2, and free edges inside the control mesh go with it too.",
+    QT_TRANSLATE_NOOP("panels", "SheetMorph chooses by contacts and form features."),
+    QT_TRANSLATE_NOOP(
+        "panels", "The control mesh moves every vertex; form features would lose their shape."
+    ),
+    QT_TRANSLATE_NOOP(
+        "panels",
+        "Contacts and followers go with the control mesh, the rest bends like sheet; form "
+        "features keep their shape.",
+    ),
+    QT_TRANSLATE_NOOP("panels", "As 2, and free edges inside the control mesh go with it too."),
 )
 
 
 def fill(combo, names, texts) -> None:
     """Fills a combo box with names, each with its text as tooltip."""
     for index, (shown, text) in enumerate(zip(names, texts)):
-        combo.addItem(shown)
-        combo.setItemData(index, text, QtCore.Qt.ToolTipRole)
+        combo.addItem(translate("panels", shown))
+        combo.setItemData(index, translate("panels", text), QtCore.Qt.ToolTipRole)

@@ -3,7 +3,8 @@
 
 from freecad.sheetmorph.actions import call, name, vertices
 from freecad.sheetmorph.api.finding import with_washers
-from freecad.sheetmorph.qt import QtWidgets
+from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 MARKED = "In the document already"
 
@@ -16,14 +17,16 @@ def widget(form, title: str):
 class Features:
     """Proposals that become form features."""
 
-    title, icon = "Find Features", "FindFeatures"
+    title, icon = QT_TRANSLATE_NOOP("find", "Find Features"), "FindFeatures"
     columns = ["Feature", "Size", "Quality"]
 
     def prepare(self, form) -> None:
         """Hides the tolerances that concern contacts."""
         for widget in (form.gap, form.gap_label, form.facing, form.facing_label, form.one_per_pair):
             widget.setVisible(False)
-        form.hint.setText("Size: diameter or length. Quality: how far the rim is off its form.")
+        form.hint.setText(
+            translate("find", "Size: diameter or length. Quality: how far the rim is off its form.")
+        )
 
     def options(self, form) -> dict:
         """The tolerances that the panel shows."""
@@ -66,7 +69,7 @@ class Features:
 class Contacts:
     """Proposals that become contacts."""
 
-    title, icon = "Find Contacts", "FindContacts"
+    title, icon = QT_TRANSLATE_NOOP("find", "Find Contacts"), "FindContacts"
     columns = ["Contact", "Type", "Size", "Gap"]
 
     def prepare(self, form) -> None:
@@ -81,7 +84,9 @@ class Contacts:
             form.surfaces,
         ):
             widget.setVisible(False)
-        form.hint.setText("Size: of the place. Gap: between the parts, measured in the middle.")
+        form.hint.setText(
+            translate("find", "Size: of the place. Gap: between the parts, measured in the middle.")
+        )
 
     def options(self, form) -> dict:
         """The tolerances that the panel shows."""

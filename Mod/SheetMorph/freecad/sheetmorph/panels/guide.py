@@ -34,7 +34,11 @@ class Guide:
     @classmethod
     def is_shown(cls) -> bool:
         """Whether the panel that is open is the guide's, so that commands may be used."""
-        return cls._open is not None and cls._open._panel is not None
+        if cls._open is None or cls._open._panel is None:
+            return False
+        if not Gui.Control.activeDialog():
+            cls._open._end()  # somebody closed all dialogs
+        return cls._open is not None
 
     @classmethod
     def make_room(cls, action) -> None:
@@ -66,10 +70,7 @@ class Guide:
         self._calm.start()
 
     def _refresh(self) -> None:
-        if self._panel is not None and not Gui.Control.activeDialog():
-            self._panel = None  # somebody closed all dialogs
-            self._end()
-        elif self._panel is not None:
+        if Guide.is_shown():
             self._panel.refresh()
 
     def _end(self) -> None:

@@ -9,7 +9,7 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import guide_facts
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.guide_step import StepView
-from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.qt import QtWidgets
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.tools import guide
@@ -30,7 +30,7 @@ class GuidePanel(Panel):
     width = 380
 
     def __init__(self, run, closed):
-        super().__init__("guide", "Guide", translate("guide", "Guide"))
+        super().__init__("guide", "Guide", "Guide")
         self._closed = closed
         self._faulty = []
         self._highlight = Highlight()

@@ -5,9 +5,10 @@ import math
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import paths
-from freecad.sheetmorph.qt import QtGui
+from freecad.sheetmorph import paths, preferences
+from freecad.sheetmorph.qt import QtGui, translate
 from freecad.sheetmorph.tools import figures, picking
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 ICONS = {"vertex": "PickVertex", "facet": "PickFacet", "face": "PickFace", "rim": "PickRim"}
 ICONS |= {"whole": "PickPart", "brush": "PickBrush", "rectangle": "PickRectangle"}
@@ -20,12 +21,19 @@ ONLY_FOR = {
     "rings": (picking.RIM,),
     "radius": (figures.BRUSH,),
 }
-KEYS = "Shift adds, Ctrl removes."
+KEYS = QT_TRANSLATE_NOOP("picking", "Click picks, Shift adds, Ctrl removes.")
 HINTS = {
-    figures.BRUSH: "Paint with the left button. The wheel changes the size, Ctrl+wheel zooms. "
-    "Ctrl+paint removes.",
-    figures.RECTANGLE: "Drag from corner to corner. " + KEYS,
-    figures.LASSO: "Draw around it with the left button held. " + KEYS,
+    figures.BRUSH: QT_TRANSLATE_NOOP(
+        "picking",
+        "Paint with the left button. The wheel changes the size, Ctrl+wheel zooms. "
+        "Ctrl+paint removes.",
+    ),
+    figures.RECTANGLE: QT_TRANSLATE_NOOP(
+        "picking", "Drag from corner to corner. Shift adds, Ctrl removes."
+    ),
+    figures.LASSO: QT_TRANSLATE_NOOP(
+        "picking", "Draw around it with the left button held. Shift adds, Ctrl removes."
+    ),
 }
 
 
@@ -41,8 +49,9 @@ class PickTools:
         widgets.angle.setProperty("unit", "deg")
         widgets.angle.setProperty("minimum", 1.0)
         widgets.angle.setProperty("maximum", 180.0)
-        widgets.angle.setProperty("rawValue", 30.0)
-        widgets.radius.setValue(int(picking.Options.radius))
+        widgets.angle.setProperty("rawValue", preferences.get("CreaseAngle"))
+        widgets.rings.setValue(preferences.get("HoleRings"))
+        widgets.radius.setValue(preferences.get("BrushRadius"))
         for field in (widgets.angle, widgets.rings, widgets.radius):
             field.valueChanged.connect(self._apply)
         widgets.through.toggled.connect(self._apply)
@@ -68,7 +77,7 @@ class PickTools:
         for field, tools in ONLY_FOR.items():
             getattr(self._form, field).setVisible(tool in tools)
             getattr(self._form, f"{field}_label").setVisible(tool in tools)
-        self._form.hint.setText(HINTS.get(tool, f"Click picks, {KEYS}"))
+        self._form.hint.setText(translate("picking", HINTS.get(tool, KEYS)))
         self._apply()
 
     def offer_holes(self, is_offered: bool) -> None:

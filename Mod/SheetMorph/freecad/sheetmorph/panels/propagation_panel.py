@@ -8,7 +8,7 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import contact_types, control_meshes, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.qt import QtWidgets
+from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.wireframe import Wireframe
@@ -112,7 +112,11 @@ class PropagationPanel(Panel):
     def _hint(self) -> str:
         """What to do next, if anything."""
         if not self._steps:
-            return "" if self.form.message.text() else "Mark a fixed region and a handle first."
+            return (
+                ""
+                if self.form.message.text()
+                else translate("panels", "Mark a fixed region and a handle first.")
+            )
         if any(step.level < 0 for step in self._steps):
             return propagation_tree.HINT
         return ""
@@ -144,13 +148,13 @@ class PropagationPanel(Panel):
             form.mode.setEnabled(not is_primary)
             mode = chosen.getEnumerationsOfProperty("Mode").index(chosen.Mode)
             form.mode.setCurrentIndex(mode)
-            form.mode_text.setText(contact_types.MODE_TEXTS[mode])
+            form.mode_text.setText(translate("panels", contact_types.MODE_TEXTS[mode]))
             form.primary.setEnabled(not is_primary)
         elif kind == model.CONTACT:
             form.contact_box.setTitle(chosen.Label)
             kind = contact_types.TYPES.index(chosen.Type)
             form.type.setCurrentIndex(kind)
-            form.type_text.setText(contact_types.TYPE_TEXTS[kind])
+            form.type_text.setText(translate("panels", contact_types.TYPE_TEXTS[kind]))
             form.active.setChecked(chosen.Active)
         self._is_filling = False
 

@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph import paths
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, translate
 
 OBJECT = QtCore.Qt.UserRole
 HINT = "Parts not reached stay at rest: mark a contact that joins them to a part above."
@@ -58,7 +58,12 @@ def _add_part(tree, assembly, step, rows):
     above = [rows[source.Name] for source in sources(step) if source.Name in rows]
     nearest = min(above, key=lambda found: found[0], default=(0, tree))
     row = _row(nearest[1], step.part)
-    row.setText(1, f"level {step.level}" if step.level else "primary")
+    row.setText(
+        1,
+        translate("panels", "level {0}").format(step.level)
+        if step.level
+        else translate("panels", "primary"),
+    )
     if step.part == assembly.Primary:
         font = row.font(0)
         font.setBold(True)

@@ -9,14 +9,20 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import Panel, legend, say
 from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
+from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.pick_view import PickView
 from freecad.sheetmorph.tools import picking
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.part_mesh import nearest_part
 
-TITLES = {"fixed": "Fixed Region", "handle": "Handle", "form feature": "Form Features"}
-TITLES |= {"follower": "Follower"}
+TITLES = {
+    "fixed": QT_TRANSLATE_NOOP("region", "Fixed Region"),
+    "handle": QT_TRANSLATE_NOOP("region", "Handle"),
+    "form feature": QT_TRANSLATE_NOOP("region", "Form Features"),
+    "follower": QT_TRANSLATE_NOOP("region", "Follower"),
+}
 ICONS = {"fixed": "MarkFixed", "handle": "MarkHandle", "form feature": "MarkFeature"}
 ICONS |= {"follower": "MarkFollower"}
 FUNCTIONS = {"fixed": "add_fixed", "handle": "add_handle", "form feature": "add_feature"}
@@ -67,7 +73,7 @@ class RegionPanel(Panel):
         self._view = PickView(part.ViewObject, mesh, colours.ROLES[self._role])
         self._tools.use(self._picker)
         self._mouse.use(self._picker, self._view)
-        self.form.part.setText(f"On <b>{part.Label}</b>")
+        self.form.part.setText(translate("region", "On {0}").format(f"<b>{part.Label}</b>"))
         self.picked()
 
     # -- what the mouse does where nothing of the part is
@@ -98,8 +104,8 @@ class RegionPanel(Panel):
         self._view.show_aimed(())
         self._tools.show_state()
         pieces = len(self._picker.groups()) if len(picked) else 0
-        text = f"{len(picked)} vertices in {pieces} piece{'s' if pieces != 1 else ''}"
-        self.form.count.setText(f"Picked: <b>{text if len(picked) else 'nothing yet'}</b>")
+        text = translate("region", "Picked: {0} vertices, {1} piece(s)").format(len(picked), pieces)
+        self.form.count.setText(text if pieces else translate("region", "Nothing picked yet"))
         say(self.form.message, "")
 
     def _other_part(self, ray):
@@ -115,7 +121,11 @@ class RegionPanel(Panel):
     def accept(self) -> bool:
         """OK: one undo step, one macro line a region; with nothing picked the panel stays."""
         if not len(self._picker.picked):
-            say(self.form.message, "Nothing is picked: click on the part first.", True)
+            say(
+                self.form.message,
+                translate("region", "Nothing is picked: click on the part first."),
+                True,
+            )
             return False
         try:
             actions.run(f"Mark {TITLES[self._role]}", *self._lines(), document=self._part.Document)

@@ -1,15 +1,40 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colours of the roles, the same in the 3D view, the icons and the legend."""
+"""The colours of the roles, the same in the 3D view and the legend."""
+
+from collections.abc import Mapping
+
+from freecad.sheetmorph import preferences
 
 Colour = tuple[float, float, float]
 
-ROLES = {
-    "fixed": (0.12, 0.44, 0.77),
-    "handle": (0.94, 0.54, 0.11),
-    "form feature": (0.06, 0.64, 0.49),
-    "follower": (0.53, 0.34, 0.72),
-}
-SIDES = {"a": (0.86, 0.16, 0.44), "b": (0.02, 0.66, 0.78)}
+
+class Preferred(Mapping):
+    """Colours by key, each from the preferences or as it is by default."""
+
+    def __init__(self, **defaults: tuple[str, Colour]):
+        """``defaults``: (key, default) by the entry of the preferences."""
+        self._entries = {key: (entry, colour) for entry, (key, colour) in defaults.items()}
+
+    def __getitem__(self, key: str) -> Colour:
+        return preferences.get_colour(*self._entries[key])
+
+    def __iter__(self):
+        return iter(self._entries)
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+
+ROLES = Preferred(
+    ColourFixed=("fixed", (0.12, 0.44, 0.77)),
+    ColourHandle=("handle", (0.94, 0.54, 0.11)),
+    ColourFeature=("form feature", (0.06, 0.64, 0.49)),
+    ColourFollower=("follower", (0.53, 0.34, 0.72)),
+)
+SIDES = Preferred(
+    ColourSideA=("a", (0.86, 0.16, 0.44)),
+    ColourSideB=("b", (0.02, 0.66, 0.78)),
+)
 FAULT = (0.87, 0.16, 0.14)
 HOVER = (1.0, 0.93, 0.45)
 SHEET = (0.80, 0.84, 0.88)

@@ -23,6 +23,8 @@ MODULES = tuple(
         "recipes",
         "examples",
         "registration",
+        "preferences",
+        "workbench",
         "live",
         "poses",
         "scripting",

@@ -5,7 +5,11 @@ from freecad.sheetmorph import actions, paths
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.guide import Guide
-from freecad.sheetmorph.qt import QtGui
+from freecad.sheetmorph.qt import QtGui, translate
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
+
+USED = QT_TRANSLATE_NOOP("menus", "Do Not Use Contact")
+UNUSED = QT_TRANSLATE_NOOP("menus", "Use Contact")
 
 
 def move(handle) -> None:
@@ -57,15 +61,25 @@ def _opened(title: str, action) -> None:
 
 def add_assembly_actions(menu, assembly) -> None:
     """Propagation."""
-    _add(menu, "Propagation", "Propagation…", lambda: show_propagation(assembly))
+    _add(
+        menu,
+        "Propagation",
+        QT_TRANSLATE_NOOP("menus", "Propagation…"),
+        lambda: show_propagation(assembly),
+    )
 
 
 def add_contact_actions(menu, contact) -> None:
     """Editing, and using it or not."""
     line = call("set_active", name(contact), repr(not contact.Active))
-    title = "Do Not Use Contact" if contact.Active else "Use Contact"
+    title = USED if contact.Active else UNUSED
     icon = "ContactOff" if contact.Active else "MarkContact"
-    _add(menu, "MarkContact", "Edit Contact…", lambda: edit_contact(contact))
+    _add(
+        menu,
+        "MarkContact",
+        QT_TRANSLATE_NOOP("menus", "Edit Contact…"),
+        lambda: edit_contact(contact),
+    )
     _add(menu, icon, title, lambda: actions.attempt(title, line))
 
 
@@ -73,7 +87,10 @@ def add_part_actions(menu, assembly, part) -> None:
     """Set as Primary."""
     line = call("set_primary", name(assembly), name(part))
     entry = _add(
-        menu, "PartPrimary", "Set as Primary", lambda: actions.attempt("Set as Primary", line)
+        menu,
+        "PartPrimary",
+        QT_TRANSLATE_NOOP("menus", "Set as Primary"),
+        lambda: actions.attempt("Set as Primary", line),
     )
     entry.setEnabled(assembly.Primary != part)
 
@@ -104,14 +121,24 @@ def add_region_actions(menu, region) -> None:
     """Move and reset for handles, picking anew for all."""
     if region.Role == "handle":
         line = call("reset_motion", name(region))
-        _add(menu, "MoveHandle", "Move Handle…", lambda: move(region))
-        _add(menu, "ResetMotion", "Reset Motion", lambda: actions.attempt("Reset Motion", line))
+        _add(menu, "MoveHandle", QT_TRANSLATE_NOOP("menus", "Move Handle…"), lambda: move(region))
+        _add(
+            menu,
+            "ResetMotion",
+            QT_TRANSLATE_NOOP("menus", "Reset Motion"),
+            lambda: actions.attempt("Reset Motion", line),
+        )
     if region.Role == "form feature":
-        _add(menu, "FeatureSettings", "Form Feature Settings…", lambda: edit_feature(region))
-    _add(menu, "PickFace", "Edit Region…", lambda: edit(region))
+        _add(
+            menu,
+            "FeatureSettings",
+            QT_TRANSLATE_NOOP("menus", "Form Feature Settings…"),
+            lambda: edit_feature(region),
+        )
+    _add(menu, "PickFace", QT_TRANSLATE_NOOP("menus", "Edit Region…"), lambda: edit(region))
 
 
 def _add(menu, icon: str, text: str, action):
-    entry = menu.addAction(QtGui.QIcon(paths.icon(icon)), text)
+    entry = menu.addAction(QtGui.QIcon(paths.icon(icon)), translate("menus", text))
     entry.triggered.connect(lambda *_: action())
     return entry

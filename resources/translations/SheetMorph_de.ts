@@ -1,0 +1,1666 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!-- SPDX-License-Identifier: LGPL-2.1-or-later -->
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+ <context>
+  <name>Guide</name>
+  <message>
+   <source>Import a mesh or CAD file, or select meshes in the tree and create a morph.</source>
+   <translation>Importiere ein Netz oder eine CAD-Datei, oder wähle Netze im Baum und erzeuge einen Morph.</translation>
+  </message>
+  <message>
+   <source>This document has several morphs: select one of them in the tree.</source>
+   <translation>Dieses Dokument hat mehrere Morphs: wähle einen davon im Baum.</translation>
+  </message>
+  <message>
+   <source>The morph has no part yet: import a file or add a mesh.</source>
+   <translation>Der Morph hat noch kein Teil: importiere eine Datei oder füge ein Netz hinzu.</translation>
+  </message>
+  <message>
+   <source>{count} part(s); “{primary}” is deformed first.</source>
+   <translation>{count} Teil(e); „{primary}“ wird zuerst verformt.</translation>
+  </message>
+  <message>
+   <source>Nothing is held yet: mark what stays where it is.</source>
+   <translation>Noch hält nichts: markiere, was bleibt, wo es ist.</translation>
+  </message>
+  <message>
+   <source>{count} fixed region(s).</source>
+   <translation>{count} feste Region(en).</translation>
+  </message>
+  <message>
+   <source>No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.</source>
+   <translation>Noch behält kein Loch seine Form: finde alle, oder wähle die wichtigen. Oder mach ohne weiter.</translation>
+  </message>
+  <message>
+   <source>{count} form feature(s) keep their shape exactly.</source>
+   <translation>{count} Formelement(e) behalten ihre Form exakt.</translation>
+  </message>
+  <message>
+   <source>One part only: there is nothing to connect.</source>
+   <translation>Nur ein Teil: es gibt nichts zu verbinden.</translation>
+  </message>
+  <message>
+   <source>One control mesh around everything moves all parts.</source>
+   <translation>Ein Steuernetz um alles herum bewegt alle Teile.</translation>
+  </message>
+  <message>
+   <source>Not connected with “{primary}”, so they would not follow: {parts}.</source>
+   <translation>Nicht mit „{primary}“ verbunden, sie würden also nicht folgen: {parts}.</translation>
+  </message>
+  <message>
+   <source>{count} contact(s) reach every part.</source>
+   <translation>{count} Kontakt(e) erreichen jedes Teil.</translation>
+  </message>
+  <message>
+   <source>Nothing can be moved yet: mark what you want to move.</source>
+   <translation>Noch lässt sich nichts bewegen: markiere, was du bewegen willst.</translation>
+  </message>
+  <message>
+   <source>{count} handle(s).</source>
+   <translation>{count} Griff(e).</translation>
+  </message>
+  <message>
+   <source>Comes when there is a fixed region and a handle.</source>
+   <translation>Kommt, wenn es eine feste Region und einen Griff gibt.</translation>
+  </message>
+  <message>
+   <source>Everything is ready: move the handle and watch.</source>
+   <translation>Alles ist bereit: bewege den Griff und sieh zu.</translation>
+  </message>
+  <message>
+   <source>Moved. Move on, export the parts, or keep this as a pose.</source>
+   <translation>Bewegt. Bewege weiter, exportiere die Teile, oder behalte dies als Stellung.</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_AddPart</name>
+  <message>
+   <source>Add Part</source>
+   <translation>Teil hinzufügen</translation>
+  </message>
+  <message>
+   <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
+   <translation>Fügt dem Morph die gewählten Netze und Formen als Teile hinzu, die sich verformen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CheckInstallation</name>
+  <message>
+   <source>Check Installation</source>
+   <translation>Installation prüfen</translation>
+  </message>
+  <message>
+   <source>Shows whether the deformation kernel works, as a report to copy</source>
+   <translation>Zeigt als Bericht zum Kopieren, ob der Verformungskern funktioniert</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CreateMorph</name>
+  <message>
+   <source>Create Morph</source>
+   <translation>Morph erzeugen</translation>
+  </message>
+  <message>
+   <source>Creates a morph; selected meshes and shapes become its parts and stay as they are</source>
+   <translation>Erzeugt einen Morph; gewählte Netze und Formen werden seine Teile und bleiben, wie sie sind</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ExportParts</name>
+  <message>
+   <source>Export Parts…</source>
+   <translation>Teile exportieren…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts into a folder, each in its own file format</source>
+   <translation>Schreibt alle verformten Teile in einen Ordner, jedes in seinem eigenen Dateiformat</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ExportRecipe</name>
+  <message>
+   <source>Export Recipe…</source>
+   <translation>Rezept exportieren…</translation>
+  </message>
+  <message>
+   <source>Writes the morph as a recipe that also runs without FreeCAD</source>
+   <translation>Schreibt den Morph als Rezept, das auch ohne FreeCAD läuft</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FeatureSettings</name>
+  <message>
+   <source>Form Feature Settings…</source>
+   <translation>Formelement einstellen…</translation>
+  </message>
+  <message>
+   <source>Says how the selected form feature turns, what it may do, and which size it has</source>
+   <translation>Sagt, wie sich das gewählte Formelement dreht, was es darf und welche Größe es hat</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FindContacts</name>
+  <message>
+   <source>Find Contacts…</source>
+   <translation>Kontakte finden…</translation>
+  </message>
+  <message>
+   <source>Finds where parts lie on each other or are bolted; those you accept become contacts</source>
+   <translation>Findet, wo Teile aufeinander liegen oder verschraubt sind; was du annimmst, wird Kontakt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FindFeatures</name>
+  <message>
+   <source>Find Features…</source>
+   <translation>Formelemente finden…</translation>
+  </message>
+  <message>
+   <source>Finds holes and other features on all parts; those you accept become form features</source>
+   <translation>Findet Löcher und andere Formelemente auf allen Teilen; was du annimmst, wird Formelement</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_GroupFeatures</name>
+  <message>
+   <source>Group Form Features</source>
+   <translation>Formelemente gruppieren</translation>
+  </message>
+  <message>
+   <source>Lets the selected form features of a part move as one body</source>
+   <translation>Lässt die gewählten Formelemente eines Teils sich als ein Körper bewegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Guide</name>
+  <message>
+   <source>Guide</source>
+   <translation>Wegweiser</translation>
+  </message>
+  <message>
+   <source>Leads through a morph step by step: says what is missing and opens what is needed</source>
+   <translation>Führt Schritt für Schritt durch einen Morph: sagt, was fehlt, und öffnet, was man braucht</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ImportPart</name>
+  <message>
+   <source>Import Part…</source>
+   <translation>Teil importieren…</translation>
+  </message>
+  <message>
+   <source>Imports a mesh as a part, with its exact positions, or every solid of a CAD file, meshed</source>
+   <translation>Importiert ein Netz als Teil, mit seinen genauen Koordinaten, oder jeden Körper einer CAD-Datei, vernetzt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ImportRecipe</name>
+  <message>
+   <source>Import Recipe…</source>
+   <translation>Rezept importieren…</translation>
+  </message>
+  <message>
+   <source>Creates a morph from a recipe and the mesh files it names</source>
+   <translation>Erzeugt einen Morph aus einem Rezept und den Netzdateien, die es nennt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_KeepDistance</name>
+  <message>
+   <source>Keep Distance</source>
+   <translation>Abstand halten</translation>
+  </message>
+  <message>
+   <source>Lets two selected form features, of one part or of two, keep their distance</source>
+   <translation>Lässt zwei gewählte Formelemente, eines Teils oder zweier, ihren Abstand behalten</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_MakeCoaxial</name>
+  <message>
+   <source>Make Coaxial</source>
+   <translation>Koaxial machen</translation>
+  </message>
+  <message>
+   <source>Lets two selected form features, of one part or of two, keep their common axis</source>
+   <translation>Lässt zwei gewählte Formelemente, eines Teils oder zweier, ihre gemeinsame Achse behalten</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_MarkContact</name>
+  <message>
+   <source>Mark Contact…</source>
+   <translation>Kontakt markieren…</translation>
+  </message>
+  <message>
+   <source>Joins two parts where they touch, so that one follows the other; select both, or click on them in the panel</source>
+   <translation>Verbindet zwei Teile, wo sie sich berühren, so dass eines dem anderen folgt; wähle beide, oder klicke sie im Panel an</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_MarkFeature</name>
+  <message>
+   <source>Mark Form Features…</source>
+   <translation>Formelemente markieren…</translation>
+  </message>
+  <message>
+   <source>Marks holes and other form features that move but keep their shape</source>
+   <translation>Markiert Löcher und andere Formelemente, die sich bewegen, aber ihre Form behalten</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_MarkFixed</name>
+  <message>
+   <source>Mark Fixed Region…</source>
+   <translation>Feste Region markieren…</translation>
+  </message>
+  <message>
+   <source>Marks a region that stays where it is, by picking in the 3D view</source>
+   <translation>Markiert durch Anklicken in der 3D-Ansicht eine Region, die bleibt, wo sie ist</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_MarkFollower</name>
+  <message>
+   <source>Mark Follower…</source>
+   <translation>Mitläufer markieren…</translation>
+  </message>
+  <message>
+   <source>Marks a region that goes with the control meshes of the part's contacts</source>
+   <translation>Markiert eine Region, die mit den Steuernetzen der Kontakte ihres Teils geht</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_MarkHandle</name>
+  <message>
+   <source>Mark Handle…</source>
+   <translation>Griff markieren…</translation>
+  </message>
+  <message>
+   <source>Marks a region that is moved and turned as you say; the part follows</source>
+   <translation>Markiert eine Region, die bewegt und gedreht wird, wie du es sagst; das Teil folgt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_MoveHandle</name>
+  <message>
+   <source>Move Handle…</source>
+   <translation>Griff bewegen…</translation>
+  </message>
+  <message>
+   <source>Moves and turns a handle; the parts follow while you change the values</source>
+   <translation>Bewegt und dreht einen Griff; die Teile folgen, während du die Werte änderst</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_OpenExample</name>
+  <message>
+   <source>Open Example…</source>
+   <translation>Beispiel öffnen…</translation>
+  </message>
+  <message>
+   <source>Opens an example assembly whose regions are marked, ready to move</source>
+   <translation>Öffnet eine Beispielbaugruppe, deren Regionen markiert sind, bereit zum Bewegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Propagation</name>
+  <message>
+   <source>Propagation…</source>
+   <translation>Ausbreitung…</translation>
+  </message>
+  <message>
+   <source>Shows how the motion goes from the primary part through the contacts to the others</source>
+   <translation>Zeigt, wie die Bewegung vom Hauptteil über die Kontakte zu den anderen gelangt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ResetMotion</name>
+  <message>
+   <source>Reset Motion</source>
+   <translation>Bewegung zurücksetzen</translation>
+  </message>
+  <message>
+   <source>Puts the selected handles, else all handles of the morph, back to rest</source>
+   <translation>Bringt die gewählten Griffe, sonst alle Griffe des Morphs, in Ruhelage</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_SetPrimary</name>
+  <message>
+   <source>Set as Primary</source>
+   <translation>Zum Hauptteil machen</translation>
+  </message>
+  <message>
+   <source>Makes the selected part the primary: it is deformed first, the others follow it</source>
+   <translation>Macht das gewählte Teil zum Hauptteil: es wird zuerst verformt, die anderen folgen ihm</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ThicknessMap</name>
+  <message>
+   <source>Thickness…</source>
+   <translation>Dicke…</translation>
+  </message>
+  <message>
+   <source>Shows in colours how thick the selected part is, and lets it bend as one sheet</source>
+   <translation>Zeigt in Farben, wie dick das gewählte Teil ist, und lässt es sich als ein Blech biegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>Workbench</name>
+  <message>
+   <source>SheetMorph Morph</source>
+   <translation>SheetMorph Morph</translation>
+  </message>
+  <message>
+   <source>SheetMorph Regions</source>
+   <translation>SheetMorph Regionen</translation>
+  </message>
+  <message>
+   <source>SheetMorph Contacts</source>
+   <translation>SheetMorph Kontakte</translation>
+  </message>
+  <message>
+   <source>SheetMorph Features</source>
+   <translation>SheetMorph Formelemente</translation>
+  </message>
+  <message>
+   <source>SheetMorph Motion</source>
+   <translation>SheetMorph Bewegung</translation>
+  </message>
+  <message>
+   <source>SheetMorph Exchange</source>
+   <translation>SheetMorph Austausch</translation>
+  </message>
+ </context>
+ <context>
+  <name>contact</name>
+  <message>
+   <source>Contact</source>
+   <translation>Kontakt</translation>
+  </message>
+  <message>
+   <source>Parts</source>
+   <translation>Teile</translation>
+  </message>
+  <message>
+   <source>The part on this side; or click on it in the 3D view</source>
+   <translation>Das Teil auf dieser Seite; oder klicke es in der 3D-Ansicht an</translation>
+  </message>
+  <message>
+   <source>Type</source>
+   <translation>Typ</translation>
+  </message>
+  <message>
+   <source>How the second part follows the first</source>
+   <translation>Wie das zweite Teil dem ersten folgt</translation>
+  </message>
+  <message>
+   <source>In use</source>
+   <translation>In Gebrauch</translation>
+  </message>
+  <message>
+   <source>Off: the contact is kept but moves nothing, as if the weld were open</source>
+   <translation>Aus: der Kontakt bleibt erhalten, bewegt aber nichts, als wäre die Schweißnaht offen</translation>
+  </message>
+  <message>
+   <source>Vertices</source>
+   <translation>Vertices</translation>
+  </message>
+  <message>
+   <source>Which vertices of both parts are joined</source>
+   <translation>Welche Vertices beider Teile verbunden sind</translation>
+  </message>
+  <message>
+   <source>Within the gap distance</source>
+   <translation>Innerhalb des Spaltabstands</translation>
+  </message>
+  <message>
+   <source>Picked by hand: first part</source>
+   <translation>Von Hand gewählt: erstes Teil</translation>
+  </message>
+  <message>
+   <source>Picked by hand: second part</source>
+   <translation>Von Hand gewählt: zweites Teil</translation>
+  </message>
+  <message>
+   <source>Gap distance</source>
+   <translation>Spaltabstand</translation>
+  </message>
+  <message>
+   <source>Vertices within this distance of the other part belong to the contact</source>
+   <translation>Vertices innerhalb dieses Abstands vom anderen Teil gehören zum Kontakt</translation>
+  </message>
+  <message>
+   <source>Pick</source>
+   <translation>Wählen</translation>
+  </message>
+ </context>
+ <context>
+  <name>feature</name>
+  <message>
+   <source>Form Feature</source>
+   <translation>Formelement</translation>
+  </message>
+  <message>
+   <source>Rotation</source>
+   <translation>Drehung</translation>
+  </message>
+  <message>
+   <source>What decides how the form feature turns</source>
+   <translation>Was entscheidet, wie sich das Formelement dreht</translation>
+  </message>
+  <message>
+   <source>Free: the sheet turns it</source>
+   <translation>Frei: das Blech dreht es</translation>
+  </message>
+  <message>
+   <source>Interpolated: as the handles turn</source>
+   <translation>Interpoliert: wie sich die Griffe drehen</translation>
+  </message>
+  <message>
+   <source>Prescribed</source>
+   <translation>Vorgeschrieben</translation>
+  </message>
+  <message>
+   <source>Axis</source>
+   <translation>Achse</translation>
+  </message>
+  <message>
+   <source>x of the axis of the rotation, global</source>
+   <translation>x der Drehachse, global</translation>
+  </message>
+  <message>
+   <source>y of the axis of the rotation, global</source>
+   <translation>y der Drehachse, global</translation>
+  </message>
+  <message>
+   <source>z of the axis of the rotation, global</source>
+   <translation>z der Drehachse, global</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <source>Angle of the rotation, any number of turns</source>
+   <translation>Drehwinkel, beliebig viele Umdrehungen</translation>
+  </message>
+  <message>
+   <source>Motion</source>
+   <translation>Bewegung</translation>
+  </message>
+  <message>
+   <source>What the form feature may do</source>
+   <translation>Was das Formelement darf</translation>
+  </message>
+  <message>
+   <source>Free</source>
+   <translation>Frei</translation>
+  </message>
+  <message>
+   <source>Fixed: stays where it is</source>
+   <translation>Fest: bleibt, wo es ist</translation>
+  </message>
+  <message>
+   <source>Translation: never turns</source>
+   <translation>Verschiebung: dreht sich nie</translation>
+  </message>
+  <message>
+   <source>Plane: shifts in a plane</source>
+   <translation>Ebene: verschiebt sich in einer Ebene</translation>
+  </message>
+  <message>
+   <source>Line: shifts along a line</source>
+   <translation>Gerade: verschiebt sich entlang einer Geraden</translation>
+  </message>
+  <message>
+   <source>Axis: turns about an axis</source>
+   <translation>Achse: dreht sich um eine Achse</translation>
+  </message>
+  <message>
+   <source>Direction</source>
+   <translation>Richtung</translation>
+  </message>
+  <message>
+   <source>x of the normal, line or axis, global</source>
+   <translation>x der Normalen, Geraden oder Achse, global</translation>
+  </message>
+  <message>
+   <source>y of the normal, line or axis, global</source>
+   <translation>y der Normalen, Geraden oder Achse, global</translation>
+  </message>
+  <message>
+   <source>z of the normal, line or axis, global</source>
+   <translation>z der Normalen, Geraden oder Achse, global</translation>
+  </message>
+  <message>
+   <source>Point</source>
+   <translation>Punkt</translation>
+  </message>
+  <message>
+   <source>x of a point on the axis, global, mm</source>
+   <translation>x eines Punkts auf der Achse, global, mm</translation>
+  </message>
+  <message>
+   <source>y of a point on the axis, global, mm</source>
+   <translation>y eines Punkts auf der Achse, global, mm</translation>
+  </message>
+  <message>
+   <source>z of a point on the axis, global, mm</source>
+   <translation>z eines Punkts auf der Achse, global, mm</translation>
+  </message>
+  <message>
+   <source>Size</source>
+   <translation>Größe</translation>
+  </message>
+  <message>
+   <source>Gives the hole, slot or cylinder a size of its own; the sheet around follows</source>
+   <translation>Gibt dem Loch, Langloch oder Zylinder eine eigene Größe; das Blech darum folgt</translation>
+  </message>
+  <message>
+   <source>Diameter of a hole, length of a slot, radius of a cylinder</source>
+   <translation>Durchmesser eines Lochs, Länge eines Langlochs, Radius eines Zylinders</translation>
+  </message>
+  <message>
+   <source>Relation</source>
+   <translation>Beziehung</translation>
+  </message>
+  <message>
+   <source>What the form feature keeps with the others that are ticked</source>
+   <translation>Was das Formelement mit den anderen angehakten einhält</translation>
+  </message>
+  <message>
+   <source>None to add</source>
+   <translation>Keine hinzufügen</translation>
+  </message>
+  <message>
+   <source>Group: moves as one body with…</source>
+   <translation>Gruppe: bewegt sich als ein Körper mit…</translation>
+  </message>
+  <message>
+   <source>Coaxial: keeps its axis with…</source>
+   <translation>Koaxial: behält seine Achse mit…</translation>
+  </message>
+  <message>
+   <source>Distance: keeps its distance to…</source>
+   <translation>Abstand: behält seinen Abstand zu…</translation>
+  </message>
+  <message>
+   <source>The form features it is related to</source>
+   <translation>Die Formelemente, mit denen es in Beziehung steht</translation>
+  </message>
+ </context>
+ <context>
+  <name>find</name>
+  <message>
+   <source>Find Features</source>
+   <translation>Formelemente finden</translation>
+  </message>
+  <message>
+   <source>Find Contacts</source>
+   <translation>Kontakte finden</translation>
+  </message>
+  <message>
+   <source>Size: diameter or length. Quality: how far the rim is off its form.</source>
+   <translation>Größe: Durchmesser oder Länge. Güte: wie weit der Rand von seiner Form abweicht.</translation>
+  </message>
+  <message>
+   <source>Size: of the place. Gap: between the parts, measured in the middle.</source>
+   <translation>Größe: der Stelle. Spalt: zwischen den Teilen, in der Mitte gemessen.</translation>
+  </message>
+  <message>
+   <source>Find</source>
+   <translation>Finden</translation>
+  </message>
+  <message>
+   <source>Show</source>
+   <translation>Zeigen</translation>
+  </message>
+  <message>
+   <source>Kind</source>
+   <translation>Art</translation>
+  </message>
+  <message>
+   <source>Shows one kind only; what is not shown is not taken</source>
+   <translation>Zeigt nur eine Art; was nicht gezeigt wird, wird nicht genommen</translation>
+  </message>
+  <message>
+   <source>From</source>
+   <translation>Von</translation>
+  </message>
+  <message>
+   <source>Hides what is smaller; what is hidden is not taken</source>
+   <translation>Verbirgt, was kleiner ist; was verborgen ist, wird nicht genommen</translation>
+  </message>
+  <message>
+   <source> mm</source>
+   <translation> mm</translation>
+  </message>
+  <message>
+   <source>to</source>
+   <translation>bis</translation>
+  </message>
+  <message>
+   <source>Hides what is larger; what is hidden is not taken</source>
+   <translation>Verbirgt, was größer ist; was verborgen ist, wird nicht genommen</translation>
+  </message>
+  <message>
+   <source>any size</source>
+   <translation>jede Größe</translation>
+  </message>
+  <message>
+   <source>What was found; what is checked is taken. What the mouse is over lights up in the view</source>
+   <translation>Was gefunden wurde; Angehaktes wird genommen. Worüber die Maus steht, leuchtet in der Ansicht auf</translation>
+  </message>
+  <message>
+   <source>Checks everything that is shown</source>
+   <translation>Hakt alles an, was gezeigt wird</translation>
+  </message>
+  <message>
+   <source>All</source>
+   <translation>Alle</translation>
+  </message>
+  <message>
+   <source>Unchecks everything</source>
+   <translation>Nimmt alle Haken weg</translation>
+  </message>
+  <message>
+   <source>None</source>
+   <translation>Keine</translation>
+  </message>
+  <message>
+   <source>Tolerances</source>
+   <translation>Toleranzen</translation>
+  </message>
+  <message>
+   <source>Rim off a circle, up to</source>
+   <translation>Rand neben einem Kreis, bis</translation>
+  </message>
+  <message>
+   <source>Largest distance of a rim vertex from the circle, of its radius</source>
+   <translation>Größter Abstand eines Randvertex vom Kreis, bezogen auf dessen Radius</translation>
+  </message>
+  <message>
+   <source>An edge bends more than</source>
+   <translation>Eine Kante knickt mehr als</translation>
+  </message>
+  <message>
+   <source>Where the surface bends more than this it has an edge</source>
+   <translation>Wo die Fläche mehr als dies knickt, hat sie eine Kante</translation>
+  </message>
+  <message>
+   <source>Washer rings</source>
+   <translation>Unterlegringe</translation>
+  </message>
+  <message>
+   <source>Rings of triangles around a hole that keep their form with it</source>
+   <translation>Ringe von Dreiecken um ein Loch, die mit ihm ihre Form behalten</translation>
+  </message>
+  <message>
+   <source>All kinds, surfaces and beads too</source>
+   <translation>Alle Arten, auch Flächen und Sicken</translation>
+  </message>
+  <message>
+   <source>Proposes planes, cylinders, flanges and beads as well</source>
+   <translation>Schlägt auch Ebenen, Zylinder, Flansche und Sicken vor</translation>
+  </message>
+  <message>
+   <source>Largest gap</source>
+   <translation>Größter Spalt</translation>
+  </message>
+  <message>
+   <source>Parts farther apart are not in contact</source>
+   <translation>Teile mit größerem Abstand sind nicht in Kontakt</translation>
+  </message>
+  <message>
+   <source>proposed</source>
+   <translation>vorgeschlagen</translation>
+  </message>
+  <message>
+   <source>Surfaces face within</source>
+   <translation>Flächen stehen sich gegenüber bis</translation>
+  </message>
+  <message>
+   <source>Largest angle between two surfaces in contact</source>
+   <translation>Größter Winkel zwischen zwei Flächen in Kontakt</translation>
+  </message>
+  <message>
+   <source>One contact for two parts</source>
+   <translation>Ein Kontakt für zwei Teile</translation>
+  </message>
+  <message>
+   <source>Joins all places in which two parts touch into one contact</source>
+   <translation>Fasst alle Stellen, an denen sich zwei Teile berühren, zu einem Kontakt zusammen</translation>
+  </message>
+  <message>
+   <source>Searches anew with these tolerances</source>
+   <translation>Sucht neu mit diesen Toleranzen</translation>
+  </message>
+  <message>
+   <source>Search Again</source>
+   <translation>Neu suchen</translation>
+  </message>
+ </context>
+ <context>
+  <name>guide</name>
+  <message>
+   <source>Guide</source>
+   <translation>Wegweiser</translation>
+  </message>
+  <message>
+   <source>The morph that the guide speaks of: the selected one, or the only one</source>
+   <translation>Der Morph, von dem der Wegweiser spricht: der gewählte, oder der einzige</translation>
+  </message>
+  <message>
+   <source>1  Parts</source>
+   <translation>1  Teile</translation>
+  </message>
+  <message>
+   <source>2  What stays</source>
+   <translation>2  Was bleibt</translation>
+  </message>
+  <message>
+   <source>3  What keeps its shape</source>
+   <translation>3  Was seine Form behält</translation>
+  </message>
+  <message>
+   <source>4  What is joined</source>
+   <translation>4  Was verbunden ist</translation>
+  </message>
+  <message>
+   <source>5  What moves</source>
+   <translation>5  Was sich bewegt</translation>
+  </message>
+  <message>
+   <source>6  Move</source>
+   <translation>6  Bewegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>menus</name>
+  <message>
+   <source>Do Not Use Contact</source>
+   <translation>Kontakt nicht verwenden</translation>
+  </message>
+  <message>
+   <source>Use Contact</source>
+   <translation>Kontakt verwenden</translation>
+  </message>
+  <message>
+   <source>Propagation…</source>
+   <translation>Ausbreitung…</translation>
+  </message>
+  <message>
+   <source>Edit Contact…</source>
+   <translation>Kontakt bearbeiten…</translation>
+  </message>
+  <message>
+   <source>Set as Primary</source>
+   <translation>Zum Hauptteil machen</translation>
+  </message>
+  <message>
+   <source>Edit Region…</source>
+   <translation>Region bearbeiten…</translation>
+  </message>
+  <message>
+   <source>Move Handle…</source>
+   <translation>Griff bewegen…</translation>
+  </message>
+  <message>
+   <source>Reset Motion</source>
+   <translation>Bewegung zurücksetzen</translation>
+  </message>
+  <message>
+   <source>Form Feature Settings…</source>
+   <translation>Formelement einstellen…</translation>
+  </message>
+ </context>
+ <context>
+  <name>move</name>
+  <message>
+   <source>Move Handle</source>
+   <translation>Griff bewegen</translation>
+  </message>
+  <message>
+   <source>Handle</source>
+   <translation>Griff</translation>
+  </message>
+  <message>
+   <source>The handle that is moved</source>
+   <translation>Der Griff, der bewegt wird</translation>
+  </message>
+  <message>
+   <source>Translation</source>
+   <translation>Verschiebung</translation>
+  </message>
+  <message>
+   <source>X</source>
+   <translation>X</translation>
+  </message>
+  <message>
+   <source>Translation along the global X axis</source>
+   <translation>Verschiebung entlang der globalen x-Achse</translation>
+  </message>
+  <message>
+   <source>Y</source>
+   <translation>Y</translation>
+  </message>
+  <message>
+   <source>Translation along the global Y axis</source>
+   <translation>Verschiebung entlang der globalen y-Achse</translation>
+  </message>
+  <message>
+   <source>Z</source>
+   <translation>Z</translation>
+  </message>
+  <message>
+   <source>Translation along the global Z axis</source>
+   <translation>Verschiebung entlang der globalen z-Achse</translation>
+  </message>
+  <message>
+   <source>Rotation</source>
+   <translation>Drehung</translation>
+  </message>
+  <message>
+   <source>Angle</source>
+   <translation>Winkel</translation>
+  </message>
+  <message>
+   <source>Angle of rotation about the axis</source>
+   <translation>Drehwinkel um die Achse</translation>
+  </message>
+  <message>
+   <source>Axis</source>
+   <translation>Achse</translation>
+  </message>
+  <message>
+   <source>Turns about the global X axis</source>
+   <translation>Dreht um die globale x-Achse</translation>
+  </message>
+  <message>
+   <source>Turns about the global Y axis</source>
+   <translation>Dreht um die globale y-Achse</translation>
+  </message>
+  <message>
+   <source>Turns about the global Z axis</source>
+   <translation>Dreht um die globale z-Achse</translation>
+  </message>
+  <message>
+   <source>X component of the axis</source>
+   <translation>x-Komponente der Achse</translation>
+  </message>
+  <message>
+   <source>Y component of the axis</source>
+   <translation>y-Komponente der Achse</translation>
+  </message>
+  <message>
+   <source>Z component of the axis</source>
+   <translation>z-Komponente der Achse</translation>
+  </message>
+  <message>
+   <source>Pivot</source>
+   <translation>Drehpunkt</translation>
+  </message>
+  <message>
+   <source>X of the point that the handle turns about, mm</source>
+   <translation>x des Punkts, um den sich der Griff dreht, mm</translation>
+  </message>
+  <message>
+   <source>Y of the point that the handle turns about, mm</source>
+   <translation>y des Punkts, um den sich der Griff dreht, mm</translation>
+  </message>
+  <message>
+   <source>Z of the point that the handle turns about, mm</source>
+   <translation>z des Punkts, um den sich der Griff dreht, mm</translation>
+  </message>
+  <message>
+   <source>Centre of Handle</source>
+   <translation>Mitte des Griffs</translation>
+  </message>
+  <message>
+   <source>Turns about the centre of the handle's vertices</source>
+   <translation>Dreht um die Mitte der Vertices des Griffs</translation>
+  </message>
+  <message>
+   <source>Move</source>
+   <translation>Verschieben</translation>
+  </message>
+  <message>
+   <source>The arrows move the pivot; the shape stays as it is</source>
+   <translation>Die Pfeile verschieben den Drehpunkt; die Form bleibt, wie sie ist</translation>
+  </message>
+  <message>
+   <source>Mouse</source>
+   <translation>Maus</translation>
+  </message>
+  <message>
+   <source>Arrows</source>
+   <translation>Pfeile</translation>
+  </message>
+  <message>
+   <source>Shows arrows and arcs in the 3D view that drag the handle</source>
+   <translation>Zeigt in der 3D-Ansicht Pfeile und Bögen, die den Griff ziehen</translation>
+  </message>
+  <message>
+   <source>Drag points</source>
+   <translation>Punkte ziehen</translation>
+  </message>
+  <message>
+   <source>Drags the point under the mouse in the plane of the view; the sheet decides how it turns. A point that is in no handle becomes one</source>
+   <translation>Zieht den Punkt unter der Maus in der Bildebene; das Blech entscheidet, wie er sich dreht. Ein Punkt, der in keinem Griff ist, wird einer</translation>
+  </message>
+  <message>
+   <source>Snap to</source>
+   <translation>Einrasten auf</translation>
+  </message>
+  <message>
+   <source>Drags the arrows in steps</source>
+   <translation>Zieht die Pfeile in Schritten</translation>
+  </message>
+  <message>
+   <source>Steps of a translation</source>
+   <translation>Schritte einer Verschiebung</translation>
+  </message>
+  <message>
+   <source>Steps of a rotation</source>
+   <translation>Schritte einer Drehung</translation>
+  </message>
+  <message>
+   <source>Show</source>
+   <translation>Zeigen</translation>
+  </message>
+  <message>
+   <source>Original</source>
+   <translation>Original</translation>
+  </message>
+  <message>
+   <source>Shows the shape at rest as a ghost</source>
+   <translation>Zeigt die Form in Ruhe als Geist</translation>
+  </message>
+  <message>
+   <source>Form features</source>
+   <translation>Formelemente</translation>
+  </message>
+  <message>
+   <source>Shows how far every form feature moves and turns</source>
+   <translation>Zeigt, wie weit sich jedes Formelement verschiebt und dreht</translation>
+  </message>
+  <message>
+   <source>Control meshes</source>
+   <translation>Steuernetze</translation>
+  </message>
+  <message>
+   <source>Shows the control meshes of contacts as wires that move along</source>
+   <translation>Zeigt die Steuernetze der Kontakte als Drahtgitter, die sich mitbewegen</translation>
+  </message>
+  <message>
+   <source>Colours</source>
+   <translation>Farben</translation>
+  </message>
+  <message>
+   <source>What the colours of the parts say</source>
+   <translation>Was die Farben der Teile sagen</translation>
+  </message>
+  <message>
+   <source>None</source>
+   <translation>Keine</translation>
+  </message>
+  <message>
+   <source>Displacement</source>
+   <translation>Verschiebungsweg</translation>
+  </message>
+  <message>
+   <source>Triangle quality</source>
+   <translation>Dreiecksqualität</translation>
+  </message>
+  <message>
+   <source>Contact gaps</source>
+   <translation>Kontaktspalte</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <translation>Zurücksetzen</translation>
+  </message>
+  <message>
+   <source>Puts this handle back to rest</source>
+   <translation>Bringt diesen Griff in Ruhelage</translation>
+  </message>
+  <message>
+   <source>Update results</source>
+   <translation>Ergebnisse nachführen</translation>
+  </message>
+  <message>
+   <source>When the result objects follow; the 3D view always follows at once</source>
+   <translation>Wann die Ergebnisobjekte folgen; die 3D-Ansicht folgt immer sofort</translation>
+  </message>
+  <message>
+   <source>Automatically</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>While changing</source>
+   <translation>Während der Änderung</translation>
+  </message>
+  <message>
+   <source>On pause</source>
+   <translation>In Pausen</translation>
+  </message>
+  <message>
+   <source>On OK</source>
+   <translation>Bei OK</translation>
+  </message>
+ </context>
+ <context>
+  <name>panels</name>
+  <message>
+   <source>Fixed</source>
+   <translation>Fest</translation>
+  </message>
+  <message>
+   <source>Handle</source>
+   <translation>Griff</translation>
+  </message>
+  <message>
+   <source>Form feature</source>
+   <translation>Formelement</translation>
+  </message>
+  <message>
+   <source>Follower</source>
+   <translation>Mitläufer</translation>
+  </message>
+  <message>
+   <source>Control mesh</source>
+   <translation>Steuernetz</translation>
+  </message>
+  <message>
+   <source>Tied</source>
+   <translation>Gebunden</translation>
+  </message>
+  <message>
+   <source>Rigid</source>
+   <translation>Starr</translation>
+  </message>
+  <message>
+   <source>The other part bends along smoothly. Right for most flanges and weld seams.</source>
+   <translation>Das andere Teil biegt sich weich mit. Richtig für die meisten Flansche und Schweißnähte.</translation>
+  </message>
+  <message>
+   <source>Every vertex keeps its place over the facing triangle. For glued faces and mesh ties.</source>
+   <translation>Jeder Vertex behält seinen Platz über dem gegenüberliegenden Dreieck. Für Klebeflächen und Netzkopplungen.</translation>
+  </message>
+  <message>
+   <source>Both sides move as one stiff body. For bolts, rivets and spot welds.</source>
+   <translation>Beide Seiten bewegen sich als ein starrer Körper. Für Schrauben, Niete und Schweißpunkte.</translation>
+  </message>
+  <message>
+   <source>Automatic</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>1 Whole part</source>
+   <translation>1 Ganzes Teil</translation>
+  </message>
+  <message>
+   <source>2 Contacts lead</source>
+   <translation>2 Kontakte führen</translation>
+  </message>
+  <message>
+   <source>3 Contacts and edges lead</source>
+   <translation>3 Kontakte und Ränder führen</translation>
+  </message>
+  <message>
+   <source>SheetMorph chooses by contacts and form features.</source>
+   <translation>SheetMorph wählt nach Kontakten und Formelementen.</translation>
+  </message>
+  <message>
+   <source>The control mesh moves every vertex; form features would lose their shape.</source>
+   <translation>Das Steuernetz bewegt jeden Vertex; Formelemente würden ihre Form verlieren.</translation>
+  </message>
+  <message>
+   <source>Contacts and followers go with the control mesh, the rest bends like sheet; form features keep their shape.</source>
+   <translation>Kontakte und Mitläufer gehen mit dem Steuernetz, der Rest biegt sich wie Blech; Formelemente behalten ihre Form.</translation>
+  </message>
+  <message>
+   <source>As 2, and free edges inside the control mesh go with it too.</source>
+   <translation>Wie 2, und freie Ränder im Steuernetz gehen auch mit.</translation>
+  </message>
+  <message>
+   <source>Mark a fixed region and a handle first.</source>
+   <translation>Markiere zuerst eine feste Region und einen Griff.</translation>
+  </message>
+  <message>
+   <source>primary</source>
+   <translation>Hauptteil</translation>
+  </message>
+  <message>
+   <source>level {0}</source>
+   <translation>Stufe {0}</translation>
+  </message>
+ </context>
+ <context>
+  <name>picking</name>
+  <message>
+   <source>Click picks, Shift adds, Ctrl removes.</source>
+   <translation>Klick wählt, Umschalt fügt hinzu, Strg nimmt weg.</translation>
+  </message>
+  <message>
+   <source>Paint with the left button. The wheel changes the size, Ctrl+wheel zooms. Ctrl+paint removes.</source>
+   <translation>Male mit der linken Taste. Das Rad ändert die Größe, Strg+Rad zoomt. Strg+Malen nimmt weg.</translation>
+  </message>
+  <message>
+   <source>Drag from corner to corner. Shift adds, Ctrl removes.</source>
+   <translation>Ziehe von Ecke zu Ecke. Umschalt fügt hinzu, Strg nimmt weg.</translation>
+  </message>
+  <message>
+   <source>Draw around it with the left button held. Shift adds, Ctrl removes.</source>
+   <translation>Umfahre es mit gedrückter linker Taste. Umschalt fügt hinzu, Strg nimmt weg.</translation>
+  </message>
+  <message>
+   <source>Vertex</source>
+   <translation>Vertex</translation>
+  </message>
+  <message>
+   <source>Picks single vertices</source>
+   <translation>Wählt einzelne Vertices</translation>
+  </message>
+  <message>
+   <source>Facet</source>
+   <translation>Facette</translation>
+  </message>
+  <message>
+   <source>Picks single facets</source>
+   <translation>Wählt einzelne Facetten</translation>
+  </message>
+  <message>
+   <source>Face</source>
+   <translation>Fläche</translation>
+  </message>
+  <message>
+   <source>Picks a face up to its creases</source>
+   <translation>Wählt eine Fläche bis zu ihren Knicken</translation>
+  </message>
+  <message>
+   <source>Hole rim</source>
+   <translation>Lochrand</translation>
+  </message>
+  <message>
+   <source>Picks the rim of a hole by one click near it</source>
+   <translation>Wählt den Rand eines Lochs durch einen Klick in seiner Nähe</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
+   <source>Picks the whole connected part</source>
+   <translation>Wählt das ganze zusammenhängende Teil</translation>
+  </message>
+  <message>
+   <source>Brush</source>
+   <translation>Pinsel</translation>
+  </message>
+  <message>
+   <source>Picks what you paint over; the wheel changes the size of the brush</source>
+   <translation>Wählt, worüber du malst; das Rad ändert die Größe des Pinsels</translation>
+  </message>
+  <message>
+   <source>Rectangle</source>
+   <translation>Rechteck</translation>
+  </message>
+  <message>
+   <source>Picks what lies in a rectangle that you draw</source>
+   <translation>Wählt, was in einem Rechteck liegt, das du aufziehst</translation>
+  </message>
+  <message>
+   <source>Lasso</source>
+   <translation>Lasso</translation>
+  </message>
+  <message>
+   <source>Picks what lies in a closed figure that you draw</source>
+   <translation>Wählt, was in einer geschlossenen Figur liegt, die du zeichnest</translation>
+  </message>
+  <message>
+   <source>New</source>
+   <translation>Neu</translation>
+  </message>
+  <message>
+   <source>A pick starts anew; the brush goes on</source>
+   <translation>Eine Auswahl beginnt neu; der Pinsel macht weiter</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <translation>Hinzu</translation>
+  </message>
+  <message>
+   <source>A pick adds, as with Shift</source>
+   <translation>Ein Klick fügt hinzu, wie mit Umschalt</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Weg</translation>
+  </message>
+  <message>
+   <source>A pick removes, as with Ctrl</source>
+   <translation>Ein Klick nimmt weg, wie mit Strg</translation>
+  </message>
+  <message>
+   <source>Crease angle</source>
+   <translation>Knickwinkel</translation>
+  </message>
+  <message>
+   <source>A face and a rim end where the surface turns by more than this</source>
+   <translation>Fläche und Rand enden, wo die Oberfläche mehr als dies knickt</translation>
+  </message>
+  <message>
+   <source>Rings around hole</source>
+   <translation>Ringe um Loch</translation>
+  </message>
+  <message>
+   <source>Takes so many rings of vertices around the rim as well</source>
+   <translation>Nimmt so viele Ringe von Vertices um den Rand dazu</translation>
+  </message>
+  <message>
+   <source>Brush radius</source>
+   <translation>Pinselradius</translation>
+  </message>
+  <message>
+   <source>Radius of the brush on the screen; the wheel changes it</source>
+   <translation>Radius des Pinsels auf dem Bildschirm; das Rad ändert ihn</translation>
+  </message>
+  <message>
+   <source> px</source>
+   <translation> px</translation>
+  </message>
+  <message>
+   <source>Also what is hidden</source>
+   <translation>Auch Verdecktes</translation>
+  </message>
+  <message>
+   <source>Picks through parts and facets that hide others, as if all were made of glass</source>
+   <translation>Wählt durch Teile und Facetten hindurch, die andere verdecken, als wäre alles aus Glas</translation>
+  </message>
+  <message>
+   <source>Grow</source>
+   <translation>Wachsen</translation>
+  </message>
+  <message>
+   <source>Adds one ring of neighbouring vertices</source>
+   <translation>Fügt einen Ring benachbarter Vertices hinzu</translation>
+  </message>
+  <message>
+   <source>Shrink</source>
+   <translation>Schrumpfen</translation>
+  </message>
+  <message>
+   <source>Removes the outermost ring of vertices</source>
+   <translation>Nimmt den äußersten Ring von Vertices weg</translation>
+  </message>
+  <message>
+   <source>Invert</source>
+   <translation>Umkehren</translation>
+  </message>
+  <message>
+   <source>Picks what is not picked, and nothing else</source>
+   <translation>Wählt, was nicht gewählt ist, und nichts sonst</translation>
+  </message>
+  <message>
+   <source>Undo Pick</source>
+   <translation>Auswahl zurück</translation>
+  </message>
+  <message>
+   <source>Takes back the last pick</source>
+   <translation>Nimmt die letzte Auswahl zurück</translation>
+  </message>
+  <message>
+   <source>Clear</source>
+   <translation>Leeren</translation>
+  </message>
+  <message>
+   <source>Picks nothing</source>
+   <translation>Wählt nichts</translation>
+  </message>
+  <message>
+   <source>All Holes</source>
+   <translation>Alle Löcher</translation>
+  </message>
+  <message>
+   <source>Picks the rims of all holes of the part</source>
+   <translation>Wählt die Ränder aller Löcher des Teils</translation>
+  </message>
+ </context>
+ <context>
+  <name>preferences</name>
+  <message>
+   <source>General</source>
+   <translation>Allgemein</translation>
+  </message>
+  <message>
+   <source>Moving handles</source>
+   <translation>Griffe bewegen</translation>
+  </message>
+  <message>
+   <source>Update results</source>
+   <translation>Ergebnisse nachführen</translation>
+  </message>
+  <message>
+   <source>When the result objects follow a motion: the 3D view always does at once. Automatically: at once if that takes less than 50 ms, else on a pause</source>
+   <translation>Wann die Ergebnisobjekte einer Bewegung folgen: die 3D-Ansicht folgt immer sofort. Automatisch: sofort, wenn es weniger als 50 ms dauert, sonst in Pausen</translation>
+  </message>
+  <message>
+   <source>Automatically</source>
+   <translation>Automatisch</translation>
+  </message>
+  <message>
+   <source>While changing</source>
+   <translation>Während der Änderung</translation>
+  </message>
+  <message>
+   <source>On pause</source>
+   <translation>In Pausen</translation>
+  </message>
+  <message>
+   <source>On OK</source>
+   <translation>Bei OK</translation>
+  </message>
+  <message>
+   <source>Shows arrows to drag when the Move Handle panel opens</source>
+   <translation>Zeigt Pfeile zum Ziehen, wenn „Griff bewegen“ geöffnet wird</translation>
+  </message>
+  <message>
+   <source>Arrows and arcs in the view</source>
+   <translation>Pfeile und Bögen in der Ansicht</translation>
+  </message>
+  <message>
+   <source>Motions by the mouse go in steps</source>
+   <translation>Bewegungen mit der Maus gehen in Schritten</translation>
+  </message>
+  <message>
+   <source>Snap to steps</source>
+   <translation>Auf Schritte einrasten</translation>
+  </message>
+  <message>
+   <source>Step of a length</source>
+   <translation>Schritt einer Länge</translation>
+  </message>
+  <message>
+   <source>Motions by the mouse are multiples of this length when they snap</source>
+   <translation>Bewegungen mit der Maus sind beim Einrasten Vielfache dieser Länge</translation>
+  </message>
+  <message>
+   <source> mm</source>
+   <translation> mm</translation>
+  </message>
+  <message>
+   <source>Step of an angle</source>
+   <translation>Schritt eines Winkels</translation>
+  </message>
+  <message>
+   <source>Turns by the mouse are multiples of this angle when they snap</source>
+   <translation>Drehungen mit der Maus sind beim Einrasten Vielfache dieses Winkels</translation>
+  </message>
+  <message>
+   <source>Picking</source>
+   <translation>Auswählen</translation>
+  </message>
+  <message>
+   <source>Crease angle</source>
+   <translation>Knickwinkel</translation>
+  </message>
+  <message>
+   <source>A face ends at edges where the sheet turns by more than this angle</source>
+   <translation>Eine Fläche endet an Kanten, an denen das Blech mehr als um diesen Winkel knickt</translation>
+  </message>
+  <message>
+   <source>Rings around hole</source>
+   <translation>Ringe um Loch</translation>
+  </message>
+  <message>
+   <source>How many rings of vertices around the rim of a hole belong to it</source>
+   <translation>Wie viele Ringe von Vertices um den Rand eines Lochs zu ihm gehören</translation>
+  </message>
+  <message>
+   <source>Size of brush</source>
+   <translation>Größe des Pinsels</translation>
+  </message>
+  <message>
+   <source>Radius of the brush on the screen</source>
+   <translation>Radius des Pinsels auf dem Bildschirm</translation>
+  </message>
+  <message>
+   <source> px</source>
+   <translation> px</translation>
+  </message>
+  <message>
+   <source>Colours</source>
+   <translation>Farben</translation>
+  </message>
+  <message>
+   <source>Fixed regions</source>
+   <translation>Feste Regionen</translation>
+  </message>
+  <message>
+   <source>Fixed regions are drawn in this colour</source>
+   <translation>Feste Regionen werden in dieser Farbe gezeichnet</translation>
+  </message>
+  <message>
+   <source>Handles</source>
+   <translation>Griffe</translation>
+  </message>
+  <message>
+   <source>Handles are drawn in this colour</source>
+   <translation>Griffe werden in dieser Farbe gezeichnet</translation>
+  </message>
+  <message>
+   <source>Form features</source>
+   <translation>Formelemente</translation>
+  </message>
+  <message>
+   <source>Form features are drawn in this colour</source>
+   <translation>Formelemente werden in dieser Farbe gezeichnet</translation>
+  </message>
+  <message>
+   <source>Followers</source>
+   <translation>Mitläufer</translation>
+  </message>
+  <message>
+   <source>Followers are drawn in this colour</source>
+   <translation>Mitläufer werden in dieser Farbe gezeichnet</translation>
+  </message>
+  <message>
+   <source>First side of contacts</source>
+   <translation>Erste Seite von Kontakten</translation>
+  </message>
+  <message>
+   <source>First side of contacts is drawn in this colour</source>
+   <translation>Die erste Seite von Kontakten wird in dieser Farbe gezeichnet</translation>
+  </message>
+  <message>
+   <source>Second side of contacts</source>
+   <translation>Zweite Seite von Kontakten</translation>
+  </message>
+  <message>
+   <source>Second side of contacts is drawn in this colour</source>
+   <translation>Die zweite Seite von Kontakten wird in dieser Farbe gezeichnet</translation>
+  </message>
+ </context>
+ <context>
+  <name>propagation</name>
+  <message>
+   <source>Propagation</source>
+   <translation>Ausbreitung</translation>
+  </message>
+  <message>
+   <source>Local: from part to part along contacts. Single: one control mesh around everything</source>
+   <translation>Lokal: von Teil zu Teil entlang der Kontakte. Einzeln: ein Steuernetz um alles herum</translation>
+  </message>
+  <message>
+   <source>Local: from contact to contact</source>
+   <translation>Lokal: von Kontakt zu Kontakt</translation>
+  </message>
+  <message>
+   <source>Single: one control mesh for all</source>
+   <translation>Einzeln: ein Steuernetz für alles</translation>
+  </message>
+  <message>
+   <source>Levels</source>
+   <translation>Stufen</translation>
+  </message>
+  <message>
+   <source>How often control meshes are subdivided: more follows finer bends and takes longer (3 is right for most sheets)</source>
+   <translation>Wie oft Steuernetze unterteilt werden: mehr folgt feineren Biegungen und dauert länger (3 passt für die meisten Bleche)</translation>
+  </message>
+  <message>
+   <source>Smoothness</source>
+   <translation>Glattheit</translation>
+  </message>
+  <message>
+   <source>How smooth control meshes stay: small follows the source closely, large evens out its details</source>
+   <translation>Wie glatt Steuernetze bleiben: klein folgt der Vorlage genau, groß gleicht ihre Einzelheiten aus</translation>
+  </message>
+  <message>
+   <source>A click shows parts and contacts in the 3D view</source>
+   <translation>Ein Klick zeigt Teile und Kontakte in der 3D-Ansicht</translation>
+  </message>
+  <message>
+   <source>Part, contact</source>
+   <translation>Teil, Kontakt</translation>
+  </message>
+  <message>
+   <source>Type</source>
+   <translation>Typ</translation>
+  </message>
+  <message>
+   <source>Gap, mm</source>
+   <translation>Spalt, mm</translation>
+  </message>
+  <message>
+   <source>Show control meshes</source>
+   <translation>Steuernetze zeigen</translation>
+  </message>
+  <message>
+   <source>Shows the control mesh of the chosen contact, else all of them, as wires</source>
+   <translation>Zeigt das Steuernetz des gewählten Kontakts, sonst alle, als Drahtgitter</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
+   <source>Mode</source>
+   <translation>Modus</translation>
+  </message>
+  <message>
+   <source>How the part follows; the primary is deformed by its handles</source>
+   <translation>Wie das Teil folgt; das Hauptteil wird durch seine Griffe verformt</translation>
+  </message>
+  <message>
+   <source>Set as Primary</source>
+   <translation>Zum Hauptteil machen</translation>
+  </message>
+  <message>
+   <source>This part is deformed first, the others follow it</source>
+   <translation>Dieses Teil wird zuerst verformt, die anderen folgen ihm</translation>
+  </message>
+  <message>
+   <source>Contact</source>
+   <translation>Kontakt</translation>
+  </message>
+  <message>
+   <source>How one side follows the other</source>
+   <translation>Wie eine Seite der anderen folgt</translation>
+  </message>
+  <message>
+   <source>In use</source>
+   <translation>In Gebrauch</translation>
+  </message>
+  <message>
+   <source>Off: the contact is kept but moves nothing, as if the weld were open</source>
+   <translation>Aus: der Kontakt bleibt erhalten, bewegt aber nichts, als wäre die Schweißnaht offen</translation>
+  </message>
+ </context>
+ <context>
+  <name>region</name>
+  <message>
+   <source>Fixed Region</source>
+   <translation>Feste Region</translation>
+  </message>
+  <message>
+   <source>Handle</source>
+   <translation>Griff</translation>
+  </message>
+  <message>
+   <source>Form Features</source>
+   <translation>Formelemente</translation>
+  </message>
+  <message>
+   <source>Follower</source>
+   <translation>Mitläufer</translation>
+  </message>
+  <message>
+   <source>Picked: {0} vertices, {1} piece(s)</source>
+   <translation>Gewählt: {0} Vertices, {1} Stück(e)</translation>
+  </message>
+  <message>
+   <source>Nothing picked yet</source>
+   <translation>Noch nichts gewählt</translation>
+  </message>
+  <message>
+   <source>Nothing is picked: click on the part first.</source>
+   <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
+  </message>
+  <message>
+   <source>On {0}</source>
+   <translation>Auf {0}</translation>
+  </message>
+  <message>
+   <source>Region</source>
+   <translation>Region</translation>
+  </message>
+  <message>
+   <source>Part</source>
+   <translation>Teil</translation>
+  </message>
+  <message>
+   <source>Pick</source>
+   <translation>Wählen</translation>
+  </message>
+  <message>
+   <source>Nothing picked</source>
+   <translation>Nichts gewählt</translation>
+  </message>
+  <message>
+   <source>Each hole is a feature of its own</source>
+   <translation>Jedes Loch ist ein eigenes Formelement</translation>
+  </message>
+  <message>
+   <source>Separate pieces of the selection become separate form features that move independently</source>
+   <translation>Getrennte Stücke der Auswahl werden getrennte Formelemente, die sich unabhängig bewegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>thickness</name>
+  <message>
+   <source>Thickness</source>
+   <translation>Dicke</translation>
+  </message>
+  <message>
+   <source>Bend as one sheet (thin solid)</source>
+   <translation>Als ein Blech biegen (dünner Körper)</translation>
+  </message>
+  <message>
+   <source>Both skins and the walls follow one sheet and keep their distance; off: the closed surface bends as it is</source>
+   <translation>Beide Häute und die Wände folgen einem Blech und behalten ihren Abstand; aus: die geschlossene Oberfläche biegt sich, wie sie ist</translation>
+  </message>
+  <message>
+   <source>Mark Holes as Form Features</source>
+   <translation>Löcher als Formelemente markieren</translation>
+  </message>
+  <message>
+   <source>Every hole through both skins becomes a form feature: it keeps its shape, wall included</source>
+   <translation>Jedes Loch durch beide Häute wird ein Formelement: es behält seine Form samt Wand</translation>
+  </message>
+ </context>
+</TS>

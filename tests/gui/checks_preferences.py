@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The preferences page, other languages, a dark theme, and what FreeCAD's Test workbench runs."""
+
+import io
+import os
+import unittest
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from desk import activate, child, picture, press, press_tool, until
+from freecad.sheetmorph import preferences
+from freecad.sheetmorph.scene import colours
+from PySide import QtCore, QtGui
+from scenes import new_morph
+
+__all__ = [
+    "test_the_preferences_page_changes_what_panels_begin_with",
+    "test_the_window_tests_of_the_test_workbench_pass",
+    "test_panels_are_readable_in_a_dark_theme_and_in_german",
+]
+
+
+def preferences_dialog():
+    """The open dialog with the page of this workbench, and the page."""
+    dialog = QtGui.QApplication.activeModalWidget()
+    pages = [p for p in dialog.findChildren(QtGui.QWidget, "preferences")]
+    return dialog, pages[0] if pages else None
+
+
+def test_the_preferences_page_changes_what_panels_begin_with():
+    yield from new_morph()
+    QtCore.QTimer.singleShot(0, lambda: Gui.showPreferences("SheetMorph", 0))
+    yield from until(QtGui.QApplication.activeModalWidget, "the preferences")
+    yield 500
+    dialog, page = preferences_dialog()
+    picture("preferences")
+    page.findChild(QtGui.QDoubleSpinBox, "CreaseAngle").setValue(17.0)
+    page.findChild(QtGui.QSpinBox, "HoleRings").setValue(2)
+    page.findChild(QtGui.QComboBox, "UpdateResults").setCurrentIndex(2)
+    handle_colour = page.findChild(QtGui.QPushButton, "ColourHandle")
+    handle_colour.setProperty("color", QtGui.QColor(255, 0, 128))
+    boxes = dialog.findChildren(QtGui.QDialogButtonBox)
+    boxes[-1].button(QtGui.QDialogButtonBox.Ok).click()
+    yield 400
+    try:
+        assert preferences.get("UpdateResults") == 2
+        assert colours.css(colours.ROLES["handle"]) == "#ff0080"
+        yield from press_tool("Mark Form Features…")
+        assert float(child("angle").property("rawValue")) == 17.0
+        assert child("rings").value() == 2
+        yield from press("Cancel")
+    finally:
+        group = App.ParamGet(preferences.PATH)
+        for entry in ("CreaseAngle", "HoleRings", "UpdateResults", "ColourHandle"):
+            for remove in (group.RemFloat, group.RemInt, group.RemUnsigned):
+                remove(entry)
+
+
+def test_the_window_tests_of_the_test_workbench_pass():
+    yield from activate()
+    name = "freecad.sheetmorph.tests.test_workbench"
+    assert name in App.__unit_test__
+    said = io.StringIO()
+    found = unittest.defaultTestLoader.loadTestsFromName(name)
+    result = unittest.TextTestRunner(said).run(found)
+    assert result.wasSuccessful() and not result.skipped, said.getvalue()
+
+
+def test_panels_are_readable_in_a_dark_theme_and_in_german():
+    yield from new_morph()
+    path = os.path.join(App.getResourceDir(), "Gui", "Stylesheets", "Dark-blue.qss")
+    with open(path, encoding="utf-8") as file:
+        sheet = file.read().replace("qss:", os.path.dirname(path) + "/")
+    before = QtGui.QApplication.instance().styleSheet()
+    Gui.setLocale("German")
+    QtGui.QApplication.instance().setStyleSheet(sheet)
+    yield 500
+    try:
+        for tool, title in (
+            ("Wegweiser", "guide"),
+            ("Griff bewegen…", "move"),
+            ("Formelemente markieren…", "region"),
+            ("Ausbreitung…", "propagation"),
+        ):
+            yield from press_tool(tool)
+            yield 300
+            picture(f"dark-{title}")
+            assert Gui.Control.activeDialog()
+            Gui.Control.closeDialog()
+            yield 300
+    finally:
+        Gui.setLocale("English")
+        QtGui.QApplication.instance().setStyleSheet(before)
+    yield 300
+    assert not Gui.Control.activeDialog()
