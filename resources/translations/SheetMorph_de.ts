@@ -85,6 +85,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_BlendPoses</name>
+  <message>
+   <source>Blend Poses…</source>
+   <translation>Stellungen mischen…</translation>
+  </message>
+  <message>
+   <source>Goes from one pose to another with a slider, and compares them</source>
+   <translation>Geht mit einem Schieber von einer Stellung zur anderen und vergleicht sie</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_CheckInstallation</name>
   <message>
    <source>Check Installation</source>
@@ -93,6 +104,17 @@
   <message>
    <source>Shows whether the deformation kernel works, as a report to copy</source>
    <translation>Zeigt als Bericht zum Kopieren, ob der Verformungskern funktioniert</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CopyAsMeshes</name>
+  <message>
+   <source>Copy as Meshes</source>
+   <translation>Als Netze kopieren</translation>
+  </message>
+  <message>
+   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
+   <translation>Kopiert die Teile als gewöhnliche Netze, wie sie jetzt sind oder in der gewählten Stellung</translation>
   </message>
  </context>
  <context>
@@ -324,6 +346,17 @@
   <message>
    <source>Puts the selected handles, else all handles of the morph, back to rest</source>
    <translation>Bringt die gewählten Griffe, sonst alle Griffe des Morphs, in Ruhelage</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_SavePose</name>
+  <message>
+   <source>Save Pose…</source>
+   <translation>Stellung speichern…</translation>
+  </message>
+  <message>
+   <source>Keeps where all handles are now, under a name to come back to</source>
+   <translation>Behält, wo alle Griffe jetzt sind, unter einem Namen, um zurückzukommen</translation>
   </message>
  </context>
  <context>
@@ -1329,6 +1362,37 @@
   <message>
    <source>Picks the rims of all holes of the part</source>
    <translation>Wählt die Ränder aller Löcher des Teils</translation>
+  </message>
+ </context>
+ <context>
+  <name>pose</name>
+  <message>
+   <source>Blend Poses</source>
+   <translation>Stellungen mischen</translation>
+  </message>
+  <message>
+   <source>From</source>
+   <translation>Von</translation>
+  </message>
+  <message>
+   <source>The pose at 0 %</source>
+   <translation>Die Stellung bei 0 %</translation>
+  </message>
+  <message>
+   <source>To</source>
+   <translation>Bis</translation>
+  </message>
+  <message>
+   <source>The pose at 100 %</source>
+   <translation>Die Stellung bei 100 %</translation>
+  </message>
+  <message>
+   <source>How far the morph is on the way from one pose to the other</source>
+   <translation>Wie weit der Morph auf dem Weg von einer Stellung zur anderen ist</translation>
+  </message>
+  <message>
+   <source>The same as a number; beyond 0 and 100 % the motion goes on</source>
+   <translation>Dasselbe als Zahl; jenseits von 0 und 100 % geht die Bewegung weiter</translation>
   </message>
  </context>
  <context>

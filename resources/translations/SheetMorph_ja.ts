@@ -85,6 +85,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_BlendPoses</name>
+  <message>
+   <source>Blend Poses…</source>
+   <translation>姿勢を混ぜる…</translation>
+  </message>
+  <message>
+   <source>Goes from one pose to another with a slider, and compares them</source>
+   <translation>スライダーで姿勢から姿勢へ動かし、比べます</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_CheckInstallation</name>
   <message>
    <source>Check Installation</source>
@@ -93,6 +104,17 @@
   <message>
    <source>Shows whether the deformation kernel works, as a report to copy</source>
    <translation>変形カーネルが動作するかを、コピーできる報告として示します</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CopyAsMeshes</name>
+  <message>
+   <source>Copy as Meshes</source>
+   <translation>メッシュとして複製</translation>
+  </message>
+  <message>
+   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
+   <translation>部品を今の形または選択した姿勢で通常のメッシュとして複製します</translation>
   </message>
  </context>
  <context>
@@ -324,6 +346,17 @@
   <message>
    <source>Puts the selected handles, else all handles of the morph, back to rest</source>
    <translation>選択したハンドル、なければモーフの全ハンドルを初期位置に戻します</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_SavePose</name>
+  <message>
+   <source>Save Pose…</source>
+   <translation>姿勢を保存…</translation>
+  </message>
+  <message>
+   <source>Keeps where all handles are now, under a name to come back to</source>
+   <translation>全ハンドルの今の位置に名前を付けて残し、後で戻れるようにします</translation>
   </message>
  </context>
  <context>
@@ -1329,6 +1362,37 @@
   <message>
    <source>Picks the rims of all holes of the part</source>
    <translation>部品のすべての穴の縁を選びます</translation>
+  </message>
+ </context>
+ <context>
+  <name>pose</name>
+  <message>
+   <source>Blend Poses</source>
+   <translation>姿勢を混ぜる</translation>
+  </message>
+  <message>
+   <source>From</source>
+   <translation>最小</translation>
+  </message>
+  <message>
+   <source>The pose at 0 %</source>
+   <translation>0 % の姿勢</translation>
+  </message>
+  <message>
+   <source>To</source>
+   <translation>終わり</translation>
+  </message>
+  <message>
+   <source>The pose at 100 %</source>
+   <translation>100 % の姿勢</translation>
+  </message>
+  <message>
+   <source>How far the morph is on the way from one pose to the other</source>
+   <translation>一方の姿勢から他方への進み具合</translation>
+  </message>
+  <message>
+   <source>The same as a number; beyond 0 and 100 % the motion goes on</source>
+   <translation>同じ値を数で。0 % と 100 % の外でも動きは続きます</translation>
   </message>
  </context>
  <context>
