@@ -15,13 +15,17 @@ namespace
 
 constexpr std::size_t fewest = 3;
 
+// Distance over the reach of a contact, up to which a vertex nearly touches.
+constexpr double nearly = 3.0;
+
 class Clusterer
 {
 public:
     Clusterer(const PartShape& a, const PartShape& b,
-              const std::array<std::vector<Touch>, 2>& touches)
+              const std::array<std::vector<Touch>, 2>& touches, double reach)
         : shapes_{&a, &b},
           touches_(touches),
+          reach_(reach),
           sets_(static_cast<int>(touches[0].size() + touches[1].size()))
     {
         for (int side = 0; side < 2; ++side)
@@ -53,19 +57,38 @@ private:
         return static_cast<int>(i + (side == 0 ? 0 : touches_[0].size()));
     }
 
-    // The corners of every triangle around a touching vertex that touch too.
+    // The touching vertices around each, over one that nearly touches, too.
     void join_neighbours(int side)
     {
-        const PartShape& shape = *shapes_[side];
         for (std::size_t i = 0; i < touches_[side].size(); ++i)
-            for (const int t : shape.triangles_at(touches_[side][i].vertex))
-                for (int k = 0; k < 3; ++k)
-                {
-                    const int corner = shape.graph().mesh().triangles()(t, k);
-                    const auto found = place_[side].find(corner);
-                    if (found != place_[side].end())
-                        sets_.join(number(side, i), found->second);
-                }
+            for (const int near : corners_around(side, touches_[side][i].vertex))
+                if (!joins(side, i, near) && is_close(side, near))
+                    for (const int next : corners_around(side, near))
+                        joins(side, i, next);
+    }
+
+    bool joins(int side, std::size_t i, int vertex)
+    {
+        const auto found = place_[side].find(vertex);
+        if (found == place_[side].end())
+            return false;
+        sets_.join(number(side, i), found->second);
+        return true;
+    }
+
+    bool is_close(int side, int vertex) const
+    {
+        const Vector3 point = shapes_[side]->graph().point(vertex);
+        return shapes_[1 - side]->tree().nearest_point(point, nearly * reach_).has_value();
+    }
+
+    VertexIds corners_around(int side, int vertex) const
+    {
+        VertexIds corners;
+        for (const int t : shapes_[side]->triangles_at(vertex))
+            for (int k = 0; k < 3; ++k)
+                corners.push_back(shapes_[side]->graph().mesh().triangles()(t, k));
+        return corners;
     }
 
     void join_across(int side, std::size_t i)
@@ -109,6 +132,7 @@ private:
 
     std::array<const PartShape*, 2> shapes_;
     const std::array<std::vector<Touch>, 2>& touches_;
+    double reach_;
     DisjointSets sets_;
     std::array<std::map<int, int>, 2> place_;  // of a touching vertex in sets_
 };
@@ -116,9 +140,9 @@ private:
 }  // namespace
 
 std::vector<Patch> patches_of(const PartShape& a, const PartShape& b,
-                              const std::array<std::vector<Touch>, 2>& touches)
+                              const std::array<std::vector<Touch>, 2>& touches, double reach)
 {
-    return Clusterer(a, b, touches).patches();
+    return Clusterer(a, b, touches, reach).patches();
 }
 
 }  // namespace sheetmorph

@@ -17,10 +17,11 @@ struct Patch
 };
 
 //! The patches of a pair: vertices belong together along edges of their part,
-//! and across both parts by the triangle they touch. A side of fewer than three
+//! over a vertex between them that is a few times `reach` (mm, that of the
+//! touches) away, and across both parts by the triangle they touch. A side of fewer than three
 //! vertices takes in the corners of the triangles that the other side touches.
 //! By smallest vertex.
 std::vector<Patch> patches_of(const PartShape& a, const PartShape& b,
-                              const std::array<std::vector<Touch>, 2>& touches);
+                              const std::array<std::vector<Touch>, 2>& touches, double reach);
 
 }  // namespace sheetmorph

@@ -153,7 +153,7 @@ void ContactCollector::take_pair(int a, int b)
         one.touches(other, reach, tolerances_.facing_angle),
         other.touches(one, reach, tolerances_.facing_angle)};
     std::vector<FoundContact> contacts;
-    for (const Patch& patch : patches_of(one, other, touches))
+    for (const Patch& patch : patches_of(one, other, touches, reach))
     {
         const FoundContact contact = contact_of(patch, {a, b});
         const auto smaller = std::min(contact.a.size(), contact.b.size());

@@ -105,7 +105,17 @@ std::vector<SurfaceGrower::Seed> SurfaceGrower::seeds()
     return seeds;
 }
 
+// Within creases if that turns, as one row around a raised place does; else over the edges of a
+// coarse mesh.
 std::vector<int> SurfaceGrower::patch_around(int seed)
+{
+    std::vector<int> patch = patch_around(seed, tolerances_.crease_angle);
+    if (patch.size() >= fewest_triangles && turns(patch))
+        return patch;
+    return patch_around(seed, tolerances_.smooth_angle);
+}
+
+std::vector<int> SurfaceGrower::patch_around(int seed, double sharpest)
 {
     const std::size_t most = graph_.scatter() > 0.0 ? measured_patch_size : patch_size;
     std::vector<int> patch = {seed};
@@ -115,7 +125,7 @@ std::vector<int> SurfaceGrower::patch_around(int seed)
         {
             const int other = graph_.across(patch[i], k);
             if (other == none || is_taken_[other] || stamp_[other] == search_
-                || graph_.bend(patch[i], k) > tolerances_.smooth_angle || graph_.is_thin(other))
+                || graph_.bend(patch[i], k) > sharpest || graph_.is_thin(other))
                 continue;
             stamp_[other] = search_;
             patch.push_back(other);

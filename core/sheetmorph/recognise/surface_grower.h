@@ -28,6 +28,7 @@ private:
 
     std::vector<Seed> seeds();
     std::vector<int> patch_around(int seed);
+    std::vector<int> patch_around(int seed, double sharpest);
     bool turns(const std::vector<int>& patch) const;
     std::optional<SurfaceRegion> curved_at(int seed);
     std::optional<SurfaceRegion> curved_at(int seed, const std::vector<int>& patch,
