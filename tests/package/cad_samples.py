@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 # A plate of 60 x 40 x 2 mm with holes of radius 3 mm at (15, 20) and 5 mm at (40, 20), and two
-# pins of radius 3 mm, 8 mm long, the first in the smaller hole.
+# pins of radius 3 mm, 8 mm long, the first in the smaller hole; and a turned plate of 120 x 60 x
+# 3 mm with a slot of 32 x 8 mm and rectangles of 30 x 20 mm, corners of 4 mm, and of 16 x 10 mm.
 _SCRIPT = """
 import os
 import FreeCAD
@@ -40,13 +41,28 @@ document.recompute()
 Import.export(shown, os.path.join(folder, "fixture.step"))
 plate.exportIges(os.path.join(folder, "plate.igs"))
 plate.exportBrep(os.path.join(folder, "plate.brep"))
+slot = Part.makeBox(24, 8, 5, Vector(20, 26, -1))
+for x in (20, 44):
+    slot = slot.fuse(Part.makeCylinder(4, 5, Vector(x, 30, -1)))
+box = Part.makeBox(30, 20, 5, Vector(60, 20, -1))
+upright = [e for e in box.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9]
+turned = Part.makeBox(120, 60, 3)
+for tool in (
+    slot.removeSplitter(),
+    box.makeFillet(4, upright),
+    Part.makeBox(10, 16, 5, Vector(100, 22, -1)),
+):
+    turned = turned.cut(tool)
+turned.rotate(Vector(0, 0, 0), Vector(1, 2, 3), 25)
+turned.exportStep(os.path.join(folder, "openings.step"))
 open(os.path.join(folder, "done"), "w").close()
 os._exit(0)
 """
 
 
 def make_cad_samples(folder: Path) -> Path:
-    """fixture.step (plate, the same pin twice), plate.igs, plate.brep; skips without FreeCAD."""
+    """fixture.step (plate, the same pin twice), plate.igs, plate.brep,
+    openings.step; skips without FreeCAD."""
     program = shutil.which("freecadcmd")
     if program is None:
         pytest.skip("freecadcmd, which makes the CAD files, is not installed")

@@ -32,11 +32,12 @@ def coarsened(
     gone = [v for rim, kept in zip(rims, kept_rims) for v in rim if v not in kept]
     gone += random.permutation(inner)[: len(inner) // 2].tolist()
     for v in gone:
-        _collapse(v, points, faces, around, on_rim)
+        _collapse(v, (points, faces, around), on_rim)
     return _packed(points, list(faces.values()), kept_rims)
 
 
-def _collapse(v, points, faces, around, on_rim) -> None:
+def _collapse(v, mesh, on_rim) -> None:
+    points, faces, around = mesh
     near = {u for k in around[v] for u in faces[k]} - {v}
     edge = Counter(u for k in around[v] for u in faces[k] if u != v)
     for u in sorted(near, key=lambda u: float(np.linalg.norm(points[u] - points[v]))):

@@ -106,3 +106,35 @@ def test_holes_of_a_bare_mesh_are_found_within_the_chordal_error(samples: Path, 
         assert abs(hole["radius"] - radius) <= chordal
         assert np.allclose(hole["center"][:2], [x, 20], atol=chordal)
         assert np.abs(hole["axis"]) == pytest.approx([0, 0, 1], abs=1e-9)
+
+
+def test_slots_and_rectangles_of_step_are_exact(samples: Path, capsys: pytest.CaptureFixture):
+    kinds = ["--kind", "slotted hole", "--kind", "rectangular hole"]
+    assert main(["find", str(samples / "openings.step"), *kinds]) == 0
+    found = json.loads(capsys.readouterr().out)
+    jsonschema.validate(found, find_schema())
+    keys = ("kind", "length", "width", "radius", "depth")
+    told = sorted(tuple(entry[key] for key in keys) for entry in found["features"])
+    assert [one[0] for one in told] == ["rectangular hole"] * 2 + ["slotted hole"]
+    sizes = [(16, 10, 0, 3), (30, 20, 4, 3), (32, 8, 4, 3)]
+    assert np.allclose([one[1:] for one in told], sizes, rtol=0, atol=1e-10)
+    turn = np.array([1, 2, 3]) / np.sqrt(14)
+    angle = np.radians(25)
+    for entry in found["features"]:
+        place = (75, 30) if entry["length"] == pytest.approx(30) else (32, 30)
+        place = (105, 30) if entry["length"] == pytest.approx(16) else place
+        center = _rotated(np.array([*place, 1.5]), turn, angle)
+        axis = _rotated(np.array([0.0, 0.0, 1.0]), turn, angle)
+        off = np.array(entry["center"]) - center
+        assert np.linalg.norm(np.cross(off, axis)) < 1e-10
+        assert abs(axis @ entry["axis"]) == pytest.approx(1.0, abs=1e-12)
+        assert entry["residual"] < 1e-9
+
+
+def _rotated(point: np.ndarray, axis: np.ndarray, angle: float) -> np.ndarray:
+    """Rodrigues."""
+    return (
+        np.cos(angle) * point
+        + np.sin(angle) * np.cross(axis, point)
+        + (1 - np.cos(angle)) * (axis @ point) * axis
+    )

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..files.cad_file import CadFile, exact_features
 from ..recipe.parts import Source
+from .exact_outlines import OUTLINES, exact_outline
 
 Entry = dict[str, Any]
 _NUMBERS = ("radius", "angle", "hollow", "residual")
@@ -33,12 +34,13 @@ def _shifted(entry: Entry, first: int) -> Entry:
     return {**entry, "vertices": [v + first for v in entry["vertices"]]}
 
 
-def with_exact(entries: list[Entry], exact: list[Entry]) -> list[Entry]:
+def with_exact(entries: list[Entry], exact: list[Entry], walls: list[Entry]) -> list[Entry]:
     """The entries found on a part's mesh, those of a kind that CAD knows with its numbers.
 
     Both with vertices as indices. A feature is the same if nearly all its vertices are on the same
     surface; its center is moved onto the exact axis, rims and washers stay. What was not found on
-    the mesh is added.
+    the mesh is added. walls: everything that CAD knows, of which the walls of slots and rectangles
+    tell what these are.
     """
     surfaces = [(known, frozenset(known["vertices"])) for known in exact]
     is_found = [False] * len(exact)
@@ -49,6 +51,8 @@ def with_exact(entries: list[Entry], exact: list[Entry]) -> list[Entry]:
                 is_found[k] = is_found[k] or entry["kind"] == known["kind"]
                 entry = _snapped(entry, known)
                 break
+        if entry["kind"] in OUTLINES:
+            entry = exact_outline(entry, walls)
         result.append(entry)
     return result + [known for known, found in zip(exact, is_found) if not found]
 

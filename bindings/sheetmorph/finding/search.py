@@ -75,24 +75,20 @@ def _feature_entries(
     for part, of_part in zip(parts, features):
         fitted = [feature_entry(part, found) for found in of_part if found.kind in options.kinds]
         counts: Counter[str] = Counter()
-        for entry in with_exact(fitted, _known(part, options)):
+        walls = [{**k, "vertices": part.mesh.file_ids(k["vertices"])} for k in part.exact]
+        known = [wall for wall in walls if _is_wanted(wall, options)]
+        for entry in with_exact(fitted, known, walls):
             counts[entry["kind"]] += 1
             name = f"{part.name}: {entry['kind']} {counts[entry['kind']]}"
             entries.append({"name": name, "part": part.name, **entry})
     return entries
 
 
-def _known(part: FindPart, options: FindOptions) -> list[dict[str, Any]]:
-    """What CAD says about a part and the options ask for, with the vertex ids of its file."""
-    return [
-        {**known, "vertices": part.mesh.file_ids(known["vertices"])}
-        for known in part.exact
-        if known["kind"] in options.kinds
-        and (
-            known["kind"] != "round hole"
-            or options.smallest_radius <= known["radius"] <= options.largest_radius
-        )
-    ]
+def _is_wanted(known: dict[str, Any], options: FindOptions) -> bool:
+    """Whether the options ask for what CAD says."""
+    is_hole = known["kind"] == "round hole"
+    is_sized = options.smallest_radius <= known.get("radius", 0.0) <= options.largest_radius
+    return known["kind"] in options.kinds and (is_sized or not is_hole)
 
 
 def _contact_entries(
