@@ -23,6 +23,7 @@ from .files.signals import stopping_signals
 
 DONE, BAD_INPUT, NOT_CERTIFIED = 0, 2, 3
 _INTERRUPTED = 130
+_POSE_HELP = "name of one of the recipe's poses, or JSON file with a pose, instead of its own"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -114,7 +115,7 @@ def _parser() -> argparse.ArgumentParser:
     run = commands.add_parser("run", help="deform the parts of a recipe and write them")
     run.add_argument("recipe", help="JSON file; the part files are relative to it")
     run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
-    run.add_argument("--pose", metavar="FILE", help="JSON file with a pose instead of the recipe's")
+    run.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
     run.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
     check = commands.add_parser("check", help="validate a recipe and the parts it names")
     check.add_argument("recipe", help="JSON file")

@@ -63,14 +63,16 @@ def run(
 ) -> dict[str, Any]:
     """Deform the parts of a recipe file and write them under out_dir; returns the report.
 
-    pose: a pose or the path of a JSON file with one, instead of the recipe's; report: path to write
+    pose: instead of the recipe's a pose, the name of one of its `poses`, or the path of a JSON file
+    with one; report: path to write
     the report to; files: a new FileSet for the parts, whose ``committed`` tells, also after an
     interrupt, whether they were written. Raises RecipeError, FileError, KernelError,
     CertificateError, OSError; then no part is written.
     """
     path, out = Path(recipe_path), Path(out_dir)
-    pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
     recipe = read_json(path)
+    pose = _named_pose(recipe, pose)
+    pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
     begin = time.perf_counter()
     with _named(path):
         parts = prepare(recipe, path.parent)
@@ -87,6 +89,13 @@ def run(
     timings = {"read": reading, "deform": time.perf_counter() - begin}
     _certify(result, timings, report)
     return _Writer(result, parts.sources, places, timings).write(files or FileSet())
+
+
+def _named_pose(recipe: Any, pose: Any) -> Any:
+    """The pose of the recipe that a name stands for; anything else as it is."""
+    named = recipe.get("poses") if isinstance(recipe, dict) else None
+    is_name = isinstance(pose, str) and isinstance(named, dict) and pose in named
+    return named[pose] if is_name else pose
 
 
 def _keep_going(_fraction: float, _task: str) -> bool:

@@ -118,6 +118,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_CopyInPose</name>
+  <message>
+   <source>Copy in Pose</source>
+   <translation>In Stellung kopieren</translation>
+  </message>
+  <message>
+   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
+   <translation>Kopiert den ganzen Morph und bringt die Kopie in die gewählte Stellung; das Original bleibt</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_CreateMorph</name>
   <message>
    <source>Create Morph</source>

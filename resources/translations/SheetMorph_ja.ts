@@ -118,6 +118,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_CopyInPose</name>
+  <message>
+   <source>Copy in Pose</source>
+   <translation>姿勢で複製</translation>
+  </message>
+  <message>
+   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
+   <translation>モーフ全体を複製し、複製を選択した姿勢にします。元はそのまま残ります</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_CreateMorph</name>
   <message>
    <source>Create Morph</source>

@@ -108,6 +108,28 @@ def test_a_file_that_is_not_json_is_bad_input(text: str, message: str, folder: P
     assert message in capsys.readouterr().err
 
 
+def test_a_pose_of_the_recipe_is_chosen_by_its_name(folder: Path):
+    recipe = json.loads((folder / "recipe.json").read_text())
+    pose = recipe["pose"]
+    name = next(iter(pose))
+    recipe["poses"] = {"open": pose, "half": {name: {"translation": [0, 0, 5]}}}
+    recipe["pose"] = {}
+    (folder / "recipe.json").write_text(json.dumps(recipe))
+    run = ["run", str(folder / "recipe.json"), "-o"]
+    for chosen in ("open", "half"):
+        assert main([*run, str(folder / chosen), "--pose", chosen]) == 0
+    files = [next((folder / chosen).glob("*.*")).read_bytes() for chosen in ("open", "half")]
+    assert files[0] != files[1]
+
+
+def test_a_bad_pose_among_several_is_named(folder: Path, capsys):
+    recipe = json.loads((folder / "recipe.json").read_text())
+    recipe["poses"] = {"open": {"nobody": {}}}
+    (folder / "recipe.json").write_text(json.dumps(recipe))
+    assert main(["check", str(folder / "recipe.json")]) == 2
+    assert "poses.open.nobody" in capsys.readouterr().err
+
+
 def test_a_bad_pose_file_is_named(folder: Path, capsys):
     (folder / "pose.json").write_text(json.dumps({"tup": {}}))
     assert main(["run", "recipe.json", "-o", "out", "--pose", "pose.json"]) == 2

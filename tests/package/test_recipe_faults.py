@@ -169,7 +169,7 @@ def test_a_single_mistake_gives_one_fault(mistake: tuple, folder: Path):
 NOT_AVAILABLE = [
     ("features.0.groups", [], "groups"),
     ("parts.0.refine", True, "refine"),
-    ("poses", [], "poses"),
+    ("modes", [], "modes"),
     ("parts.0.modes", [], "modes"),
 ]
 
@@ -182,14 +182,14 @@ def test_what_later_versions_bring_is_refused_by_name(path, value, key, folder: 
 
 
 def test_all_faults_are_collected(folder: Path):
-    recipe = changed("poses", [])
+    recipe = changed("modes", [])
     recipe["fixed"] = [{"part": "cover", "vertices": [77]}, {"part": "lid", "vertices": [1]}]
     recipe["handles"][0]["pivot"] = [1]
     recipe["colour"] = "red"
     recipe["pose"]["nobody"] = {}
     places = [fault.where for fault in faults_of(recipe, folder)]
     assert places == [
-        "poses",
+        "modes",
         "recipe",
         "handles[0] (tip).pivot",
         "fixed[1].part",

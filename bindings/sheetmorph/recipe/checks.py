@@ -63,7 +63,9 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
     if not known.is_held:
         what = "nothing is fixed and nothing is moved"
         faults.append(Fault("recipe", what, "add a fixed region and a handle"))
-    return faults + pose_meaning_faults(model, model.pose, known.posed)
+    for pose in (model.pose, *model.poses.values()):
+        faults += pose_meaning_faults(model, pose, known.posed)
+    return faults
 
 
 def pose_meaning_faults(

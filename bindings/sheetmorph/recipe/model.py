@@ -123,7 +123,8 @@ class PropagationEntry:
 
 @dataclass(frozen=True)
 class Model:
-    """A whole recipe; pose by the name of handle, feature or point; found: what a search put in."""
+    """A whole recipe; pose by the name of handle, feature or point, poses by
+    their names; found: what a search put in."""
 
     parts: list[PartEntry] = field(default_factory=list)
     primary: str | None = None
@@ -136,6 +137,7 @@ class Model:
     refine: bool = False
     propagation: PropagationEntry = PropagationEntry()
     pose: dict[str, Motion] = field(default_factory=dict)
+    poses: dict[str, dict[str, Motion]] = field(default_factory=dict)
     found: dict[str, Any] | None = None
 
     @property
@@ -189,6 +191,10 @@ def model_of(recipe: dict[str, Any]) -> Model:
         refine=bool(recipe.get("refine", False)),
         propagation=_propagation(**recipe.get("propagation", {})),
         pose=motions_of(recipe.get("pose", {})),
+        poses={
+            name: motions_of(pose, f"poses.{name}")
+            for name, pose in recipe.get("poses", {}).items()
+        },
     )
 
 
@@ -237,11 +243,11 @@ def _entries(recipe: dict[str, Any], section: str) -> Iterator[tuple[str, int, d
             yield place_of(recipe, [section, k]), k, entry
 
 
-def motions_of(pose: dict[str, Any]) -> dict[str, Motion]:
+def motions_of(pose: dict[str, Any], where: str = "pose") -> dict[str, Motion]:
     """The entries of a pose of sound form."""
     return {
         name: Motion(
-            f"pose.{name}",
+            f"{where}.{name}",
             vector_of(entry.get("translation")),
             _rotation(entry.get("rotation")),
             vector_of(entry.get("pivot")),

@@ -22,7 +22,7 @@ class _Reserved:
     todo: str = "leave it out"
 
 
-_OPTIONS = ("margin", "thickness", "criteria", "poses", "modes")
+_OPTIONS = ("margin", "thickness", "criteria", "modes")
 _RESERVED = (
     *(_Reserved((key,)) for key in _OPTIONS),
     *(_Reserved((key,), todo="give it to a part") for key in ("remesh", "weld", "thin")),

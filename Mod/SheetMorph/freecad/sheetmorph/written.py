@@ -34,8 +34,8 @@ def write_parts(assembly, morph, positions: dict[str, np.ndarray], place: tuple)
     return paths
 
 
-def write_recipe(assembly, morph, path: Path) -> Path:
-    """Write the recipe to `path` and the parts at rest beside it; return the path."""
+def write_recipe(assembly, morph, path: Path, poses: dict) -> Path:
+    """Write the recipe with its poses to `path`, the parts at rest beside it; return the path."""
     names = file_names(assembly, morph)
     recipe = {key: value for key, value in morph.recipe.items() if value not in ([], "")}
     found = model.parts(assembly)
@@ -43,6 +43,8 @@ def write_recipe(assembly, morph, path: Path) -> Path:
         {**entry, "file": names[part.Name]} for entry, part in zip(recipe["parts"], found)
     ]
     recipe["pose"] = recipes.pose_of(assembly, morph.names)
+    if poses:
+        recipe["poses"] = poses
     rests = {name: rest.points for name, rest in morph.rests.items()}
     with kernel.load().files.atomic.FileSet() as files:
         for part in found:

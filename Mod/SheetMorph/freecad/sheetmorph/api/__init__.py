@@ -73,6 +73,7 @@ from freecad.sheetmorph.api.poses import (
     blend_poses,
     compare_poses,
     copy_as_meshes,
+    copy_in_pose,
     poses,
     save_pose,
 )
@@ -110,6 +111,7 @@ __all__ = [
     "contact_vertices",
     "control_mesh",
     "copy_as_meshes",
+    "copy_in_pose",
     "create_assembly",
     "deform",
     "exact_features",

@@ -27,6 +27,7 @@ from freecad.sheetmorph.api.loading import (
     keep_extras,
     with_names,
 )
+from freecad.sheetmorph.api.poses import add_named_poses, named_poses
 from freecad.sheetmorph.api.propagations import set_mode
 from freecad.sheetmorph.api.thin import set_thin
 from freecad.sheetmorph.rest import write_rest_data
@@ -98,7 +99,7 @@ def export_recipe(assembly, path: str | os.PathLike) -> Path:
     morph = session.read_morph(assembly)
     if not morph.rests:
         raise ValueError(f"The morph '{assembly.Label}' has no part yet; add one first.")
-    return written.write_recipe(assembly, morph, path)
+    return written.write_recipe(assembly, morph, path, named_poses(assembly, morph.names))
 
 
 def import_recipe(document, path: str | os.PathLike):
@@ -127,6 +128,7 @@ def import_recipe(document, path: str | os.PathLike):
     apply_options(assembly, recipe)
     apply_pose(regions, recipe)
     keep_extras(assembly, recipe, regions, found)
+    add_named_poses(assembly, recipe, regions)
     assembly.Label = path.stem  # last: where labels clash, those of the parts stay
     return assembly
 

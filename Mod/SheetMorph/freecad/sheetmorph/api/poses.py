@@ -5,13 +5,14 @@ from __future__ import annotations
 
 from dataclasses import asdict, replace
 
+import FreeCAD
 import numpy as np
 
 from freecad.sheetmorph import conversion, session
 from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
 from freecad.sheetmorph.api.motions import rest_centroid, set_motion, set_rotation
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.pose import PoseProxy
+from freecad.sheetmorph.objects.pose import PoseProxy, keep_motions, kept_motions
 from freecad.sheetmorph.objects.region import FORM_FEATURE, HANDLE, PRESCRIBED
 from freecad.sheetmorph.tools import poses as tools
 from freecad.sheetmorph.tools.motion import CENTROID, Motion
@@ -20,10 +21,15 @@ from freecad.sheetmorph.tools.motion import CENTROID, Motion
 def save_pose(assembly, label: str = "Pose"):
     """Keep the present motions of all handles, and prescribed rotations, and return the pose."""
     require_assembly(assembly)
+    return add_pose(assembly, label, present(assembly))
+
+
+def add_pose(assembly, label: str, motions: tools.Pose):
+    """Add a pose of motions by `region.Name` and return it."""
     pose = assembly.Document.addObject("App::FeaturePython", "Pose")
     PoseProxy(pose)
     pose.Label = label
-    pose.Motions = tools.to_text(present(assembly))
+    keep_motions(pose, motions)
     assembly.addObject(pose)
     return pose
 
@@ -87,6 +93,54 @@ def copy_as_meshes(assembly, pose=None, label: str | None = None):
     return group
 
 
+def copy_in_pose(pose, label: str | None = None):
+    """Copy the assembly of a pose with all it holds, put the copy into the pose and return it.
+
+    The original stays as it is. `label`: default the assembly's and the pose's. Raises ValueError.
+    """
+    assembly = assembly_of_poses(pose, pose)
+    place = model.poses(assembly).index(pose)
+    twin = assembly.Document.copyObject(assembly, True)
+    apply_pose(model.poses(twin)[place])
+    twin.Label = label or f"{assembly.Label} {pose.Label}"
+    return twin
+
+
+def named_poses(assembly, names: dict[str, str]) -> dict[str, dict]:
+    """Return all poses as a recipe has them; `names`: in the recipe by document object name."""
+    return {
+        pose.Label: {
+            names[name]: entry_of(assembly.Document.getObject(name), motion)
+            for name, motion in motions_in(assembly, pose).items()
+        }
+        for pose in model.poses(assembly)
+    }
+
+
+def add_named_poses(assembly, recipe: dict, regions: dict) -> None:
+    """Add the poses of a recipe; `regions` by their name in it.
+
+    A pose object knows no sizes and no targets of points: those of a recipe stay behind, and that
+    is told.
+    """
+    for label, entries in recipe.get("poses", {}).items():
+        known = {regions[name]: entry for name, entry in entries.items() if name in regions}
+        motions = {region.Name: motion_from(region, entry) for region, entry in known.items()}
+        add_pose(assembly, label, {r.Name: motion_of(r) for r in moving(assembly)} | motions)
+        if len(known) < len(entries) or any("size" in entry for entry in entries.values()):
+            FreeCAD.Console.PrintWarning(
+                f"SheetMorph: pose '{label}' is kept without sizes and targets of points.\n"
+            )
+
+
+def motion_from(region, entry: dict) -> Motion:
+    """Return a recipe's entry as a motion."""
+    turn = entry.get("rotation") or {"axis": (0.0, 0.0, 1.0), "degrees": 0.0}
+    shift = tuple(map(float, entry.get("translation", (0.0, 0.0, 0.0))))
+    pivot = motion_of(region).pivot if "pivot" not in entry else tuple(entry["pivot"])
+    return Motion(shift, tuple(map(float, turn["axis"])), float(turn["degrees"]), pivot)
+
+
 def assembly_of_poses(first, second):
     """Return the assembly of two poses, one of which may be None; raises ValueError."""
     given = [pose for pose in (first, second) if pose is not None]
@@ -129,7 +183,7 @@ def motion_of(region) -> Motion:
 
 def motions_in(assembly, pose) -> tools.Pose:
     """Return the motion of everything that moves in a pose, None for rest."""
-    kept = tools.from_text(pose.Motions) if pose is not None else {}
+    kept = kept_motions(pose) if pose is not None else {}
     return {region.Name: kept.get(region.Name, Motion()) for region in moving(assembly)}
 
 

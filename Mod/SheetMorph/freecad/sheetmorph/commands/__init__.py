@@ -39,6 +39,7 @@ _TOOLBARS = {
         motion.ResetMotion,
         poses.SavePose,
         poses.BlendPoses,
+        poses.CopyInPose,
         poses.CopyAsMeshes,
     ),
     QT_TRANSLATE_NOOP("Workbench", "SheetMorph Exchange"): (

@@ -61,6 +61,27 @@ class BlendPoses(Command):
         pose_panel.open_panel(owner, chosen[-1])
 
 
+class CopyInPose(Command):
+    """Copies a morph and puts the copy into a pose."""
+
+    name = "SheetMorph_CopyInPose"
+    text = QT_TRANSLATE_NOOP("SheetMorph_CopyInPose", "Copy in Pose")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_CopyInPose",
+        "Copies the whole morph and puts the copy into the selected pose; the original stays",
+    )
+
+    def possible(self) -> bool:
+        """With one pose selected."""
+        return len(context.selected(context.POSE)) == 1
+
+    def execute(self) -> None:
+        """One undo step."""
+        (chosen,) = context.selected(context.POSE)
+        line = call("copy_in_pose", name(chosen))
+        actions.attempt("Copy in Pose", line, document=chosen.Document)
+
+
 class CopyAsMeshes(Command):
     """Takes the deformed parts out as ordinary meshes."""
 

@@ -15,7 +15,8 @@ LEGEND = {
     "follower": QT_TRANSLATE_NOOP("panels", "Follower"),
 }
 WIDTH = 340  # px at which a panel is readable
-MARGINS = 60  # px of the task view around a panel, with its scroll bar
+FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"  # any theme
+MARGINS = 80  # px of the task view around a panel, with its scroll bar
 
 
 class Panel:
@@ -71,9 +72,9 @@ class Panel:
 
 
 def say(label, text: str, is_error: bool = False) -> None:
-    """Shows a sentence in a label, errors in red; an empty one takes no room."""
+    """Shows a sentence in a label, errors on red; an empty one takes no room."""
     label.setText(text)
-    label.setStyleSheet("color: #c62828; font-weight: bold;" if is_error else "")
+    label.setStyleSheet(FAULT_STYLE if is_error else "")
     label.setVisible(bool(text))
 
 

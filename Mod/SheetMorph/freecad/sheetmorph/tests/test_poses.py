@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Poses are kept by name, come back exactly, are blended, compared and copied as meshes."""
 
+import json
+import os
 import unittest
 
 import FreeCAD
@@ -122,6 +124,41 @@ class TestPoses(support.DocumentTest):
         left = [o.Label for o in self.document.Objects if model.kind(o)]
         self.assertEqual(left, [])
         self.assertIsNotNone(FreeCAD.getDocument(self.document.Name))
+
+    def test_a_copy_has_poses_of_its_own(self):
+        seen = self.mesh()
+        twin = api.copy_in_pose(self.high, "Twin")
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertEqual(twin.Label, "Twin")
+        (grip,) = [r for r in model.regions(twin) if r.Role == "handle"]
+        self.assertEqual((grip.TranslationZ.Value, grip.Angle.Value), (40.0, -30.0))
+        np.testing.assert_array_equal(self.mesh(), seen)
+        api.apply_pose(api.poses(twin)[1])
+        self.assertEqual(grip.Angle.Value, 90.0)
+        self.assertEqual(self.handle.Angle.Value, 90.0)
+
+    def test_a_deleted_region_leaves_the_others_their_motions(self):
+        other = api.add_handle(self.assembly, self.part, api.hole_rims(self.part)[1], "Aaa")
+        api.set_motion(other, (0, 7, 0))
+        pose = api.save_pose(self.assembly, "Both")
+        api.remove(other)
+        api.reset_motion(self.handle)
+        api.apply_pose(pose)
+        self.assertEqual(self.handle.Angle.Value, 90.0)
+
+    def test_poses_go_with_a_recipe_and_come_back(self):
+        path = api.export_recipe(self.assembly, os.path.join(self.folder, "posed.json"))
+        with open(path, encoding="utf-8") as file:
+            written = json.load(file)["poses"]
+        self.assertEqual(written["High"]["Tip"]["translation"], [0.0, 0.0, 40.0])
+        assembly = api.import_recipe(self.new_document(), path)
+        high, turned = api.poses(assembly)
+        self.assertEqual((high.Label, turned.Label), ("High", "Turned"))
+        api.apply_pose(turned)
+        found = list(api.deform(assembly).values())[0]
+        api.apply_pose(self.turned)
+        np.testing.assert_allclose(found, list(api.deform(self.assembly).values())[0], atol=1e-9)
 
 
 if __name__ == "__main__":

@@ -40,6 +40,21 @@ def run_example(source: str, namespace: dict) -> list[tuple[str, str, str]]:
     return checked
 
 
+def command_sources() -> list[str]:
+    """Return the sources of the commands; they are not imported, because they need a window."""
+    folder = Path(__file__).absolute().parent.parent / "commands"
+    return [path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.py"))]
+
+
+def commands_of_the_workbench() -> set[str]:
+    """Return the names of all commands."""
+    return {
+        found
+        for source in command_sources()
+        for found in re.findall(r'^    name = "(SheetMorph_\w+)"$', source, re.MULTILINE)
+    }
+
+
 class TestGuide(unittest.TestCase):
     def setUp(self):
         path = guide()
@@ -69,6 +84,21 @@ class TestGuide(unittest.TestCase):
             with self.subTest(name):
                 self.assertTrue(f"\n### `{name}(" in self.text, "no heading in the guide")
                 self.assertRegex(code, rf"\bapi\.{name}\(")
+
+    def test_every_command_is_in_the_table_and_calls_what_exists(self):
+        rows = dict(re.findall(r"^\| `(SheetMorph_\w+)` \|.*?\| (.*) \|$", self.text, re.MULTILINE))
+        self.assertEqual(set(rows), commands_of_the_workbench())
+        for command, calls in rows.items():
+            for name in re.findall(r"`(\w+)`", calls):
+                with self.subTest(command):
+                    self.assertIn(name, api.__all__)
+
+    def test_every_command_has_its_menu_text_in_the_table(self):
+        for source in command_sources():
+            texts = re.findall(r'QT_TRANSLATE_NOOP\("(SheetMorph_\w+)", "([^"]+)"\)', source)
+            for command, text in dict(reversed(texts)).items():
+                with self.subTest(command):
+                    self.assertIn(f"| `{command}` | {text} |", self.text)
 
     def test_every_call_has_a_docstring(self):
         for name in api.__all__:

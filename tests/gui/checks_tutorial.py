@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The first five minutes of the user guide, done literally: menus, mouse and keyboard."""
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from desk import WORK, activate, child, click_point, click_widget, enter, picture, press, until
+from desk import view, xdotool
+from freecad.sheetmorph import api, paths
+from freecad.sheetmorph.objects import model
+from PySide import QtGui
+from scenes import assembly, largest, part, regions, stored
+
+__all__ = ["test_the_tutorial_as_a_new_user_does_it"]
+
+
+def menu(*texts: str):
+    """Chooses an entry of the menu bar with the mouse."""
+    bar = Gui.getMainWindow().menuBar()
+    kept = []  # PySide takes a menu for deleted whose action it forgets
+    for text in texts:
+        (action,) = [a for a in bar.actions() if a.text().replace("&", "") == text]
+        middle = bar.mapToGlobal(bar.actionGeometry(action).center())
+        yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
+        yield 250
+        bar = action.menu()
+        kept += [action, bar]
+
+
+def answer(text: str):
+    """Types into the dialog that waits, and confirms."""
+    yield from until(QtGui.QApplication.activeModalWidget, "a dialog")
+    yield 500
+    yield from xdotool("key", "ctrl+a")
+    yield from xdotool("type", "--delay", 10, "--", text)
+    yield from xdotool("key", "Return")
+    yield from until(lambda: QtGui.QApplication.activeModalWidget() is None, "its end")
+    yield 500
+
+
+def mark(command: str, vertex: int):
+    """Mark …: Facet, a click near a vertex, Grow four times, OK."""
+    yield from menu("SheetMorph", command)
+    yield from until(Gui.Control.activeDialog, "the panel")
+    yield from click_widget(child("facet"))
+    points, triangles = api.rest_mesh(part())
+    facet = triangles[np.flatnonzero((triangles == vertex).any(axis=1))[0]]
+    yield from click_point(points[facet].mean(axis=0))
+    for _ in range(4):
+        yield from click_widget(child("grow"))
+    yield 200
+    assert not child("message").isVisible(), child("message").text()
+
+
+def near_edge(sign: float) -> int:
+    """A vertex of the cover near its left (-1) or right (1) edge, half way up, seen in front."""
+    points, _ = api.rest_mesh(part())
+    low, high = points.min(axis=0), points.max(axis=0)
+    wanted = 0.5 * (low + high)
+    wanted[0] = (low if sign < 0 else high)[0] - sign * 0.03 * (high - low)[0]
+    apart = np.linalg.norm((points - wanted)[:, [0, 2]], axis=1)
+    near = np.flatnonzero(apart < apart.min() + 2.0)
+    return int(near[np.argmin(points[near, 1])])
+
+
+def test_the_tutorial_as_a_new_user_does_it():
+    yield from activate()
+    yield from menu("File", "New")
+    yield from menu("SheetMorph", "Import Part…")
+    yield from answer(os.path.join(paths.examples(), "door_mirror", "cover.obj"))
+    assert part().Label == "cover"
+    view().graphicsView().setFocus()
+    yield from xdotool("key", "1")
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 300
+    yield from mark("Mark Fixed Region…", near_edge(-1.0))
+    yield from press("OK")
+    yield from mark("Mark Handle…", near_edge(1.0))
+    picture("tutorial-handle")
+    yield from press("OK")
+    yield from menu("SheetMorph", "Mark Form Features…")
+    yield from enter(child("rings"), "1")
+    yield from click_widget(child("holes"))
+    picture("tutorial-features")
+    yield from press("OK")
+    assert [len(regions(role)) for role in ("fixed", "handle", "form feature")] == [1, 1, 4]
+    before = stored()
+    yield from menu("SheetMorph", "Move Handle…")
+    yield 400
+    yield from enter(child("translation_z"), "30 mm")
+    yield from enter(child("angle"), "-15")
+    yield from click_widget(child("along_y"))
+    yield 600
+    picture("tutorial-moved")
+    yield from press("OK")
+    yield 400
+    moved = stored()
+    assert largest(moved - before) > 20.0
+    yield from undo_and_redo(before, moved)
+    folder = os.path.join(WORK, "taken")
+    os.makedirs(folder, exist_ok=True)
+    yield from menu("SheetMorph", "Export Parts…")
+    yield from answer(folder)
+    assert sorted(os.listdir(folder)) == ["cover.obj", "report.json"]
+
+
+def undo_and_redo(before, moved):
+    """Ctrl+Z and Ctrl+Shift+Z bring back both to the bit."""
+    view().graphicsView().setFocus()
+    yield from xdotool("key", "ctrl+z")
+    yield 400
+    assert np.array_equal(stored(), before)
+    yield from xdotool("key", "ctrl+shift+z")
+    yield 400
+    assert np.array_equal(stored(), moved)
+    assert model.kind(assembly()) == model.ASSEMBLY and App.ActiveDocument is not None
