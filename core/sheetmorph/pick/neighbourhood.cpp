@@ -5,8 +5,10 @@
 #include "sheetmorph/mesh/crease_loops.h"
 #include "sheetmorph/mesh/flags.h"
 #include "sheetmorph/mesh/growing.h"
+#include "sheetmorph/mesh/thinness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -37,6 +39,27 @@ Neighbourhood::Neighbourhood(const TriangleMesh& mesh)
     triangles_.resize(static_cast<std::size_t>(triangles.size()));
     for (int k = 0; k < triangles.size(); ++k)
         triangles_[next[triangles.data()[k]]++] = k / 3;
+    measure_bends();
+}
+
+void Neighbourhood::measure_bends()
+{
+    for (int t = 0; t < mesh_.triangle_count() && !has_thin_; ++t)
+        has_thin_ = is_thin(mesh_.points(), mesh_.triangles(), t);
+    bends_.resize(static_cast<std::size_t>(edges_.count()));
+    for (int edge = 0; edge < edges_.count(); ++edge)
+        if (const EdgeUses uses = edges_.uses(edge); uses.count() == 2)
+            bends_[edge] = bend_angle(mesh_.points(), uses.first[0], uses.first[1]);
+}
+
+double Neighbourhood::bend(int edge, int triangle, const EdgeUse& other) const
+{
+    if (edges_.uses(edge).count() == 2)
+        return bends_[edge];
+    for (const EdgeUse& use : edges_.uses(edge))
+        if (use.triangle == triangle)
+            return bend_angle(mesh_.points(), use, other);
+    return 0.0;
 }
 
 template <typename Visit>
@@ -95,9 +118,25 @@ VertexIds Neighbourhood::shrunk(const VertexIds& vertices, int rings) const
     return ids_of(inside);
 }
 
+// Without triangles too thin to have a plane, and they are rare, every bend is known beforehand.
 std::vector<int> Neighbourhood::face(int triangle, double max_angle) const
 {
-    return grow_to_creases(mesh_, edges_, triangle, max_angle);
+    if (has_thin_ || !std::isfinite(max_angle))
+        return grow_to_creases(mesh_, edges_, triangle, max_angle);
+    Flags is_reached = flags_of({triangle}, mesh_.triangle_count(), "triangles");
+    std::vector<int> front = {triangle};
+    for (std::size_t next = 0; next < front.size(); ++next)
+        for (int k = 0; k < 3; ++k)
+        {
+            const int edge = edges_.edge_of(front[next], k);
+            for (const EdgeUse& use : edge < 0 ? EdgeUses{nullptr, nullptr} : edges_.uses(edge))
+                if (!is_reached[use.triangle] && bend(edge, front[next], use) < max_angle)
+                {
+                    is_reached[use.triangle] = 1;
+                    front.push_back(use.triangle);
+                }
+        }
+    return ids_of(is_reached);
 }
 
 std::vector<int> Neighbourhood::piece(int triangle) const

@@ -39,11 +39,15 @@ private:
     //! Calls visit(corner) for the corners of all triangles at a vertex.
     template <typename Visit>
     void visit_around(int vertex, Visit&& visit) const;
+    void measure_bends();
+    double bend(int edge, int triangle, const EdgeUse& other) const;
 
     TriangleMesh mesh_;
     EdgeTable edges_;
     std::vector<int> triangles_;  // at every vertex
     std::vector<int> starts_;     // of each vertex in triangles_, and the end
+    std::vector<double> bends_;   // radians, at every edge of two triangles
+    bool has_thin_ = false;       // triangles without a plane of their own
 };
 
 }  // namespace sheetmorph

@@ -16,6 +16,7 @@ namespace
 
 constexpr int rows_of_an_outline = 256;
 constexpr double margin = 1e-6;  // px, far above rounding, by which planes lie outside
+constexpr double depth_margin = 1e-9;
 
 }  // namespace
 
@@ -37,9 +38,9 @@ Vector3 Screen::seen(const Vector3& point) const
     return {(unit.x() + 1.0) * half_.x(), (unit.y() + 1.0) * half_.y(), unit.z()};
 }
 
-Planes Screen::planes_around(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const
+Planes Screen::planes_around(const Vector3& low, const Vector3& high) const
 {
-    Planes planes(5, 4);
+    Planes planes(6, 4);
     for (int c = 0; c < 2; ++c)
     {
         const double from = (low(c) - margin) / half_(c) - 1.0;
@@ -48,6 +49,7 @@ Planes Screen::planes_around(const Eigen::Vector2d& low, const Eigen::Vector2d& 
         planes.row(2 * c + 1) = to * to_clip_.row(3) - to_clip_.row(c);
     }
     planes.row(4) = to_clip_.row(3);
+    planes.row(5) = (high.z() + depth_margin) * to_clip_.row(3) - to_clip_.row(2);
     return planes;
 }
 

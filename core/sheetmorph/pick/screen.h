@@ -24,8 +24,9 @@ public:
     //! planes, and is linear over every flat triangle. All infinite for a point behind the eye.
     Vector3 seen(const Vector3& point) const;
 
-    //! Planes around what is seen in a rectangle, px, as PickingTree::triangles_between takes them.
-    Planes planes_around(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
+    //! Planes around what is seen in a box, px and depth, as PickingTree::triangles_between takes
+    //! them: between low and high in x and y, in front of the eye, and not behind high in depth.
+    Planes planes_around(const Vector3& low, const Vector3& high) const;
 
 private:
     Matrix4 to_clip_;
@@ -43,8 +44,9 @@ public:
 
     bool contains(double x, double y) const;
 
-    const Eigen::Vector2d& low() const { return low_; }
-    const Eigen::Vector2d& high() const { return high_; }
+    //! The rectangle around it, over all depths.
+    Vector3 low() const { return {low_.x(), low_.y(), -1.0}; }
+    Vector3 high() const { return {high_.x(), high_.y(), 1.0}; }
 
 private:
     int row_of(double y) const;

@@ -18,16 +18,20 @@ constexpr int most_cells = 1024;  // along a side
 bool is_hidden(const Vector3& place, const std::array<Vector3, 3>& corners)
 {
     double weights[3];
+    bool is_left = false, is_right = false;
     for (int k = 0; k < 3; ++k)
     {
         const Vector3& a = corners[(k + 1) % 3];
         const Vector3& b = corners[(k + 2) % 3];
         weights[k] =
             (a.x() - place.x()) * (b.y() - place.y()) - (a.y() - place.y()) * (b.x() - place.x());
+        is_left = is_left || weights[k] > 0.0;
+        is_right = is_right || weights[k] < 0.0;
+        if (is_left && is_right)
+            return false;
     }
-    const auto [least, most] = std::minmax({weights[0], weights[1], weights[2]});
     const double sum = weights[0] + weights[1] + weights[2];
-    if ((least < 0.0 && most > 0.0) || sum == 0.0)
+    if (sum == 0.0)
         return false;
     double depth = 0.0;
     for (int k = 0; k < 3; ++k)
@@ -47,10 +51,11 @@ VertexCells::VertexCells(const std::vector<Seen>& seen)
 {
     const double side = std::sqrt(static_cast<double>(seen.size()) / vertices_per_cell);
     count_ = std::clamp(static_cast<int>(side), 1, most_cells);
+    for (const Seen& one : seen)
+        for (int c = 0; c < 3; ++c)
+            extent_[c].add(one.place(c));
     for (int c = 0; c < 2; ++c)
     {
-        for (const Seen& one : seen)
-            extent_[c].add(one.place(c));
         const double extent = extent_[c].high - extent_[c].low;
         cells_per_px_[c] = extent > 0.0 ? count_ / extent : 0.0;
     }

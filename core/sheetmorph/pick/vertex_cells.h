@@ -30,9 +30,9 @@ public:
     //! Those that are left, in no order.
     VertexIds left() const;
 
-    //! The rectangle, px, around all vertices at first.
-    Eigen::Vector2d low() const { return {extent_[0].low, extent_[1].low}; }
-    Eigen::Vector2d high() const { return {extent_[0].high, extent_[1].high}; }
+    //! The box, px and depth, around all vertices at first.
+    Vector3 low() const { return {extent_[0].low, extent_[1].low, extent_[2].low}; }
+    Vector3 high() const { return {extent_[0].high, extent_[1].high, extent_[2].high}; }
 
 private:
     static constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ private:
     Range width_in(int row, const std::array<Vector3, 3>& corners) const;
     void hide_in(Cell& cell, const std::array<Vector3, 3>& corners, double nearest);
 
-    std::array<Range, 2> extent_;  // in x and y
+    std::array<Range, 3> extent_;  // in x, y and depth
     std::array<double, 2> cells_per_px_;
     int count_ = 1;  // of cells along a side
     std::vector<Cell> cells_;

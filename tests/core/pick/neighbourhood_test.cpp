@@ -19,8 +19,14 @@ using testing::SizeIs;
 
 std::vector<TriangleMesh> meshes()
 {
+    const TriangleMesh grid = shapes::grid(6, 5, 6, 5);
+    Points folded(44, 3);  // a third sheet stands on a row of the grid: T-joints
+    folded << grid.points(),
+        Points::NullaryExpr(2, 3, [](auto i, auto c) { return c ? 2.0 * c : i; });
+    Triangles triangles(63, 3);
+    triangles << grid.triangles(), 14, 15, 42, 15, 43, 42, 15, 16, 43;
     return {shapes::plate_with_holes().mesh, shapes::torus(20, 12, 10, 4),
-            shapes::box(5, {30, 20, 10})};
+            shapes::box(5, {30, 20, 10}), TriangleMesh(folded, triangles)};
 }
 
 }  // namespace

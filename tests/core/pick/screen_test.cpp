@@ -69,11 +69,12 @@ TEST(Screen, PlanesAroundARectangleSeparateWhatIsSeenInIt)
     for (const Screen& screen :
          {cameras::parallel_from_above(100.0), cameras::perspective_from_above(100.0)})
     {
-        const Planes planes = screen.planes_around({300, 250}, {420, 500});
+        const Planes planes = screen.planes_around({300, 250, -1}, {420, 500, 0.7});
         for (const Vector3& point : some_points())
         {
             const Vector3 seen = screen.seen(point);
-            const bool is_in = seen.x() > 300 && seen.x() < 420 && seen.y() > 250 && seen.y() < 500;
+            const bool is_in = seen.x() > 300 && seen.x() < 420 && seen.y() > 250 && seen.y() < 500
+                               && seen.z() < 0.7;
             const double least = (planes.leftCols<3>() * point + planes.col(3)).minCoeff();
             EXPECT_EQ(least >= 0.0, is_in);
         }
