@@ -168,8 +168,9 @@ def test_escape_ends_a_figure_and_enter_is_ok():
     yield from new_morph()
     yield from start("Mark Handle…", "lasso")
     yield from xdotool("mousemove", *on_screen((20, 10, 0)), "mousedown", 1)
-    for x in (40, 60, 80):
-        yield from xdotool("mousemove", *on_screen((x, 20, 0)))
+    for place in ring(60, 30, 40)[::2]:
+        yield from xdotool("mousemove", *on_screen(place))
+    picture("picking-drawing")
     yield from xdotool("key", "Escape")
     yield from xdotool("mouseup", 1)
     assert Gui.Control.activeDialog() and "Nothing" in child("count").text()

@@ -7,8 +7,20 @@ import subprocess
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
+from checks_drawing import ring, start
 from checks_picking import start_morph, view_from
-from desk import WORK, child, choose_below, click_point, enter, press, press_tool, until, xdotool
+from desk import (
+    WORK,
+    child,
+    choose_below,
+    click_point,
+    draw_along,
+    enter,
+    press,
+    press_tool,
+    until,
+    xdotool,
+)
 from PySide import QtCore, QtGui
 from scenes import add_bracket, assembly, labelled, largest, look, new_document, stored
 from scenes import stored_of_all
@@ -16,6 +28,7 @@ from shapes import HOLES
 
 __all__ = [
     "test_a_recorded_macro_replays_headless_to_the_bit",
+    "test_figures_drawn_on_the_screen_replay_headless_to_the_bit",
     "test_a_recorded_contact_replays_headless_to_the_bit",
 ]
 
@@ -99,6 +112,30 @@ def test_a_recorded_macro_replays_headless_to_the_bit():
     yield from stop_recording("recorded")
     assert calls_in("recorded") == [*CALLS, "set_motion"], calls_in("recorded")
     yield from replay("recorded")
+
+
+def test_figures_drawn_on_the_screen_replay_headless_to_the_bit():
+    yield from start_recording("drawn")
+    yield from new_document()
+    yield from start_morph()
+    yield from start("Mark Fixed Region…", "rectangle")
+    yield from draw_along([(-3, -3, 0), (6, 63, 0)])
+    yield from press("OK")
+    yield from start("Mark Form Features…", "lasso")
+    yield from draw_along(ring(*HOLES[0][:2], HOLES[0][2] + 5))
+    yield from press("OK")
+    yield from start("Mark Handle…", "brush")
+    yield from draw_along([(112, 8, 0), (112, 52, 0)])
+    yield from press("OK")
+    yield from press_tool("Move Handle…")
+    yield 300
+    yield from enter(child("translation_z"), "11.9")
+    yield 400
+    yield from press("OK")
+    yield from stop_recording("drawn")
+    wanted = ["add_fixed", "add_feature", "add_handle", "set_motion"]
+    assert calls_in("drawn")[-4:] == wanted, calls_in("drawn")
+    yield from replay("drawn")
 
 
 def test_a_recorded_contact_replays_headless_to_the_bit():

@@ -15,5 +15,6 @@ from checks_preferences import *  # noqa: F401,F403
 from checks_propagation import *  # noqa: F401,F403
 from checks_showing import *  # noqa: F401,F403
 from checks_thickness import *  # noqa: F401,F403
+from checks_tree import *  # noqa: F401,F403
 from checks_tutorial import *  # noqa: F401,F403
 from checks_workbench import *  # noqa: F401,F403

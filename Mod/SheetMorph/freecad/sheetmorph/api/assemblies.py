@@ -122,60 +122,53 @@ def set_refine(assembly, refine: bool) -> None:
 
 
 def remove(obj) -> None:
-    """Delete a region, contact, relation, pose, a part with all on it, or a whole assembly.
+    """Delete a region, contact or relation, a part with all that is on it, or a whole assembly.
 
     The source meshes stay and are shown again. Raises ValueError for any other object.
     """
+    remove_dependents(obj)
+    document, assembly = obj.Document, assembly_of(obj)
+    deformation = obj.Deformation if kind(obj) == model.PART else None
+    document.removeObject(obj.Name)
+    if assembly is None and deformation is not None and not deformation.InList:
+        document.removeObject(deformation.Name)
+
+
+def remove_dependents(obj) -> None:
+    """Delete what cannot live without an object of ours, before the object itself is deleted.
+
+    Of a part its regions and contacts, of a region relations with nothing left to relate, of an
+    assembly all that is in it. Source meshes are shown again. Raises ValueError for what is not
+    ours.
+    """
     what = kind(obj)
     if what == model.ASSEMBLY:
-        remove_assembly(obj)
+        for part in parts(obj):
+            leave_part(part)
+            obj.Document.removeObject(part.Name)
+        for member in [each for each in obj.Group if kind(each)]:
+            obj.Document.removeObject(member.Name)
     elif what == model.PART:
-        remove_part(obj)
-    elif what == model.REGION:
-        remove_region(obj)
-    elif what in (model.CONTACT, model.POSE, model.RELATION):
-        obj.Document.removeObject(obj.Name)
-    else:
+        leave_part(obj)
+    elif what == model.REGION and assembly_of(obj) is not None:
+        for relation in relations(assembly_of(obj), obj):
+            if len(relation.Features) <= 2:
+                obj.Document.removeObject(relation.Name)
+    elif not what:
         raise ValueError(
             f"'{obj.Label}' is no assembly, part, region or contact; delete it yourself."
         )
 
 
-def remove_region(region) -> None:
-    """Delete a region and the relations of form features that have nothing to relate without it."""
-    document, assembly = region.Document, assembly_of(region)
+def leave_part(part) -> None:
+    """Delete the regions and contacts of a part, show its source, let another be the primary."""
+    assembly, source = assembly_of(part), part.Source
     if assembly is not None:
-        for relation in relations(assembly, region):
-            if len(relation.Features) <= 2:
-                document.removeObject(relation.Name)
-    document.removeObject(region.Name)
-
-
-def remove_assembly(assembly) -> None:
-    """Delete an assembly and everything in its group that is ours."""
-    document = assembly.Document
-    for part in parts(assembly):
-        remove_part(part)
-    for member in [obj for obj in assembly.Group if kind(obj)]:
-        document.removeObject(member.Name)
-    document.removeObject(assembly.Name)
-
-
-def remove_part(part) -> None:
-    """Delete a part, its regions and contacts, and show its source."""
-    document, assembly = part.Document, assembly_of(part)
-    source, deformation = part.Source, part.Deformation
-    if assembly is not None:
-        for region in regions(assembly, part):
-            remove_region(region)
-        for contact in contacts(assembly, part):
-            document.removeObject(contact.Name)
-    document.removeObject(part.Name)
-    if source is not None and not any(kind(user) == model.PART for user in source.InList):
+        for member in regions(assembly, part) + contacts(assembly, part):
+            remove_dependents(member)
+            part.Document.removeObject(member.Name)
+        others = [other for other in parts(assembly) if other != part]
+        if assembly.Primary == part:
+            assembly.Primary = others[0] if others else None
+    if source is not None and all(kind(u) != model.PART or u == part for u in source.InList):
         source.Visibility = True
-    if assembly is None and deformation is not None and not deformation.InList:
-        document.removeObject(deformation.Name)
-    if assembly is not None:
-        if assembly.Primary is None and parts(assembly):
-            assembly.Primary = parts(assembly)[0]
-        follow_group(assembly)

@@ -7,6 +7,7 @@ import FreeCAD
 
 from freecad.sheetmorph.objects.model import (
     ASSEMBLY,
+    assembly_of,
     contacts,
     deformation_of,
     parts,
@@ -133,3 +134,11 @@ def update_links(obj, name: str, wanted: list) -> None:
     """Set a list of links where it differs."""
     if list(getattr(obj, name)) != wanted:
         setattr(obj, name, wanted)
+
+
+def join_assembly(obj, part) -> None:
+    """Let an object that was copied and pasted belong to the morph of its part, None for none."""
+    assembly = assembly_of(part) if part is not None else None
+    if assembly is not None and assembly_of(obj) is None:
+        assembly.addObject(obj)
+        follow_group(assembly)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import CONTACT
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
@@ -36,6 +37,10 @@ class ContactProxy(ObjectProxy):
         Property("Distance", "GapChange", "Result", GAP_DOC, None, READ_ONLY, is_output=True),
         Property("Distance", "Deviation", "Result", DEVIATION_DOC, None, READ_ONLY, is_output=True),
     )
+
+    def onDocumentRestored(self, obj) -> None:
+        super().onDocumentRestored(obj)
+        join_assembly(obj, obj.PartA)
 
     def execute(self, _obj) -> None:
         """Do nothing: the deformation that depends on the contact reads it."""

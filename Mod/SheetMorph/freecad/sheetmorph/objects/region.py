@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCAD
 
+from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import REGION
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
@@ -84,6 +85,7 @@ class RegionProxy(ObjectProxy):
         super().onDocumentRestored(obj)
         offer_all_rotations(obj)
         show_properties_of_role(obj)
+        join_assembly(obj, obj.Part)
 
     def onChanged(self, obj, name: str) -> None:
         """Follow a change of role or of the kind of pivot in the property editor."""

@@ -3,10 +3,10 @@
 
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.views import menus
-from freecad.sheetmorph.views.base import View
+from freecad.sheetmorph.views.base import OwnerView, View
 
 
-class AssemblyView(View):
+class AssemblyView(OwnerView):
     """A group; double click moves its first handle."""
 
     icon = "Morph"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the view providers share: icon, nothing saved, nothing edited by FreeCAD's own dragger."""
 
-from freecad.sheetmorph import paths
+from freecad.sheetmorph import actions, paths
 
 
 class View:
@@ -40,3 +40,12 @@ class View:
 
     def __setstate__(self, _state) -> None:
         """Nothing is restored (FreeCAD before 0.21.2)."""
+
+
+class OwnerView(View):
+    """A view of what other objects of ours depend on: deleted in the tree, it takes them along."""
+
+    def onDelete(self, _view_object, _sub_elements) -> bool:
+        """One undo step, and a line in a macro, as for all that FreeCAD deletes."""
+        actions.record(actions.call("remove_dependents", actions.name(self.object)))
+        return True

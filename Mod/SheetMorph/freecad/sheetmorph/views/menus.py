@@ -11,6 +11,13 @@ from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 USED = QT_TRANSLATE_NOOP("menus", "Do Not Use Contact")
 UNUSED = QT_TRANSLATE_NOOP("menus", "Use Contact")
 
+MARKS = {
+    "fixed": ("MarkFixed", "Mark Fixed Region…"),
+    "handle": ("MarkHandle", "Mark Handle…"),
+    "form feature": ("MarkFeature", "Mark Form Features…"),
+    "follower": ("MarkFollower", "Mark Follower…"),
+}
+
 
 def move(handle) -> None:
     """Opens the Move Handle panel unless another panel is open."""
@@ -83,8 +90,18 @@ def add_contact_actions(menu, contact) -> None:
     _add(menu, icon, title, lambda: actions.attempt(title, line))
 
 
+def mark(part, role: str) -> None:
+    """Opens the picking panel for a new region of a part."""
+    from freecad.sheetmorph.panels import region_panel
+
+    _opened("Region", lambda: region_panel.create(part, role))
+
+
 def add_part_actions(menu, assembly, part) -> None:
-    """Set as Primary."""
+    """New regions, and Set as Primary."""
+    for role, (icon, title) in MARKS.items():
+        _add(menu, icon, title, lambda r=role: mark(part, r))
+    menu.addSeparator()
     line = call("set_primary", name(assembly), name(part))
     entry = _add(
         menu,

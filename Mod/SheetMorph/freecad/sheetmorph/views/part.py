@@ -4,10 +4,10 @@
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.views import menus
-from freecad.sheetmorph.views.base import View
+from freecad.sheetmorph.views.base import OwnerView
 
 
-class PartView(View):
+class PartView(OwnerView):
     """The result mesh of one part."""
 
     icon = "Part"
@@ -29,13 +29,6 @@ class PartView(View):
         """The source mesh lies beneath the part."""
         source = getattr(self.object, "Source", None)
         return [source] if source is not None else []
-
-    def onDelete(self, _view_object, _sub_elements) -> bool:
-        """The source comes back into view."""
-        source = self.object.Source
-        if source is not None:
-            source.ViewObject.Visibility = True
-        return True
 
     def setupContextMenu(self, _view_object, menu) -> bool:
         """Primary and regions of this part."""

@@ -5,10 +5,10 @@ from freecad.sheetmorph import conversion
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.scene import nodes
 from freecad.sheetmorph.scene.patch import Patch, group
-from freecad.sheetmorph.views.base import View
+from freecad.sheetmorph.views.base import OwnerView
 
 
-class PatchView(View):
+class PatchView(OwnerView):
     """Draws what ``patches`` returns; subclasses also name the properties that decide it."""
 
     drawn_properties: tuple[str, ...] = ()

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Regions and parts in the tree: copied, renamed, deleted and edited as other objects are."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from desk import child, click_point, click_widget, picture, press, until
+from freecad.sheetmorph.objects import model
+from PySide import QtCore, QtGui
+from scenes import assembly, contacts, labelled, new_assembly, new_morph, part, regions
+
+__all__ = [
+    "test_a_region_copied_and_pasted_belongs_to_the_morph",
+    "test_a_part_deleted_in_the_tree_takes_its_regions_and_contacts_along",
+    "test_a_morph_deleted_in_the_tree_leaves_the_meshes_in_view",
+    "test_a_renamed_region_is_edited_by_a_double_click",
+    "test_the_context_menu_of_a_part_marks_a_region_on_it",
+]
+
+
+def select(*objects) -> None:
+    """Selects objects as a click in the tree does."""
+    Gui.Selection.clearSelection()
+    for obj in objects:
+        Gui.Selection.addSelection(obj)
+
+
+def delete(*objects):
+    """Deletes objects as the Del key does; FreeCAD asks first where others link to them."""
+    select(*objects)
+    QtCore.QTimer.singleShot(800, say_yes)
+    Gui.runCommand("Std_Delete")
+    yield 900
+
+
+def say_yes() -> None:
+    """Answers the question that is asked, if any."""
+    box = QtGui.QApplication.activeModalWidget()
+    for button in box.findChildren(QtGui.QPushButton) if box else ():
+        if button.text().replace("&", "") in ("Yes", "OK"):
+            button.click()
+
+
+def menu_of(obj) -> dict:
+    """The entries that our view provider adds to a context menu, by text."""
+    menu = QtGui.QMenu()
+    obj.ViewObject.Proxy.setupContextMenu(obj.ViewObject, menu)
+    entries = {action.text(): action for action in menu.actions() if action.text()}
+    entries["menu"] = menu  # kept: the actions die with it
+    return entries
+
+
+def test_a_region_copied_and_pasted_belongs_to_the_morph():
+    yield from new_morph()
+    (original,) = regions("fixed")
+    select(original)
+    Gui.runCommand("Std_Copy")
+    yield 300
+    Gui.runCommand("Std_Paste")
+    yield from until(lambda: len(regions("fixed")) == 2, "the copy in the morph")
+    copied = regions("fixed")[1]
+    assert copied.Part == part() and copied.Label != original.Label
+    assert copied in model.deformation_of(assembly()).Regions
+    assert model.vertices(copied).tolist() == model.vertices(original).tolist()
+    App.ActiveDocument.recompute()
+    assert "Invalid" not in part().State
+    App.ActiveDocument.undo()
+    assert regions("fixed") == [original]
+
+
+def test_a_part_deleted_in_the_tree_takes_its_regions_and_contacts_along():
+    yield from new_assembly(is_joined=True)
+    gone, count = part(), len(App.ActiveDocument.Objects)
+    source, names = gone.Source, [r.Name for r in model.regions(assembly())]
+    yield from delete(gone, regions("handle")[0])
+    assert model.regions(assembly()) == []
+    assert contacts() == [] and source.ViewObject.Visibility
+    assert assembly().Primary == labelled("bracket")
+    assert App.ActiveDocument.UndoNames == ["Delete"]
+    App.ActiveDocument.undo()
+    App.ActiveDocument.recompute()
+    assert len(App.ActiveDocument.Objects) == count
+    assert [r.Name for r in model.regions(assembly())] == names
+    assert labelled("sheet") == assembly().Primary and len(contacts()) == 1
+    assert not source.ViewObject.Visibility
+
+
+def test_a_morph_deleted_in_the_tree_leaves_the_meshes_in_view():
+    yield from new_assembly(is_joined=True)
+    yield from delete(assembly())
+    left = {obj.Name: obj.ViewObject.Visibility for obj in App.ActiveDocument.Objects}
+    assert left == {"sheet": True, "bracket": True, "loose": True}
+    App.ActiveDocument.undo()
+    App.ActiveDocument.recompute()
+    assert len(model.parts(assembly())) == 3 and len(contacts()) == 1
+    assert "Invalid" not in part().State
+
+
+def test_a_renamed_region_is_edited_by_a_double_click():
+    yield from new_morph()
+    (region,) = regions("fixed")
+    region.Label = "clamp, left"
+    before = model.vertices(region).tolist()
+    assert region.ViewObject.Proxy.doubleClicked(region.ViewObject)
+    yield 400
+    assert f"{len(before)} vertices" in child("count").text()
+    yield from click_widget(child("facet"))
+    yield from click_point((20.5, 12.0, 0), "shift")
+    picture("tree-region-edited")
+    yield from press("OK")
+    assert len(model.vertices(region)) == len(before) + 3 and region.Label == "clamp, left"
+    App.ActiveDocument.undo()
+    assert model.vertices(region).tolist() == before
+
+
+def test_the_context_menu_of_a_part_marks_a_region_on_it():
+    yield from new_assembly(is_joined=True)
+    bracket = labelled("bracket")
+    entries = menu_of(bracket)
+    assert entries["Set as Primary"].isEnabled()
+    entries["Mark Follower…"].trigger()
+    yield 400
+    assert bracket.Label in child("part").text()
+    yield from press("Cancel")
+    assert "Edit Region…" in menu_of(regions("fixed")[0])
+    assert "Edit Contact…" in menu_of(contacts()[0])
