@@ -219,6 +219,7 @@ def test_faces_end_at_the_angle_and_invert_takes_the_rest():
     yield from new_morph()
     yield from start("Mark Fixed Region…", "face")
     yield from click_point((20.5, 12.0, 0))
+    yield from until(lambda: "piece" in child("count").text(), "the face to be picked")
     flat = int(child("count").text().split(">")[1].split()[0])
     yield from click_widget(child("invert"))
     rest = int(child("count").text().split(">")[1].split()[0])

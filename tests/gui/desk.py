@@ -80,8 +80,9 @@ def within_reach(widget):
 
 
 def click_widget(widget):
-    """Clicks the middle of a widget."""
-    assert widget.isVisible() and widget.isEnabled(), widget.objectName()
+    """Clicks the middle of a widget as soon as it can be pressed."""
+    name = widget.objectName() or type(widget).__name__
+    yield from until(lambda: widget.isVisible() and widget.isEnabled(), f"{name} to be enabled")
     yield from within_reach(widget)
     middle = widget.mapToGlobal(widget.rect().center())
     yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)

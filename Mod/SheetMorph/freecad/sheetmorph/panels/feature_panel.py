@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of a form feature: how it turns, what it may do, its size, and its relations."""
 
-from freecad.sheetmorph import actions, api
+from freecad.sheetmorph import actions, api, live_session
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.panels.live_update import LiveUpdate
+from freecad.sheetmorph.panels.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 RELATE = ("", "group", "coaxial", "keep_distance")
@@ -125,10 +125,11 @@ class FeaturePanel(Panel):
             with actions.waiting():
                 for function, arguments, keywords in changes:
                     getattr(api, function)(*arguments, **keywords)
-                api.deform(self._assembly)
+                live = live_session.live(self._assembly)
+                frame = live.answer(live.ask(exact=True))
                 self._end_drawing()
-                self._shown = LiveUpdate(self._assembly, None)
-                self._shown.show()
+                self._shown = LiveScene(self._assembly, live, None)
+                self._shown.show(frame, None, None)
         finally:
             document.abortTransaction()
 
