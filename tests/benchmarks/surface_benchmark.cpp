@@ -40,11 +40,9 @@ void frame(benchmark::State& state, Exactness exactness)
 }
 
 // Into one buffer, as a drag does; the response was built when the drag began.
-void live_frame(benchmark::State& state)
+void run_live(benchmark::State& state, const Panel& panel, const SurfaceDeformer& deformer)
 {
-    const auto size = static_cast<int>(state.range(0));
-    const Panel& panel = panel_of(size);
-    const auto response = deformer_of(size).response({{0}, {}, 8});
+    const auto response = deformer.response({{0}, {}, 8});
     Deformation shape;
     std::vector<SurfaceTargets> poses;
     for (int step = 0; step < 10; ++step)
@@ -57,6 +55,13 @@ void live_frame(benchmark::State& state)
         benchmark::DoNotOptimize(shape.positions.data());
     }
     state.counters["vertices"] = panel.mesh.vertex_count();
+    state.counters["bytes_a_vertex"] = response->bytes() / panel.mesh.vertex_count();
+}
+
+void live_frame(benchmark::State& state)
+{
+    const auto size = static_cast<int>(state.range(0));
+    run_live(state, panel_of(size), deformer_of(size));
 }
 
 // The same panel with so many free features: its holes cut into pieces.
@@ -87,19 +92,7 @@ void live_frame_50_free_features(benchmark::State& state)
 {
     const Panel panel = with_free_features(panel_of(static_cast<int>(state.range(0))), 50);
     const SurfaceDeformer deformer(panel.mesh, panel.constraints);
-    const auto response = deformer.response({{0}, {}, 8});
-    Deformation shape;
-    std::vector<SurfaceTargets> poses;
-    for (int step = 0; step < 10; ++step)
-        poses.push_back(drag(panel, step));
-    std::size_t step = 0;
-    for (auto pass : state)
-    {
-        (void)pass;
-        response->place(*response->frame(poses[step++ % poses.size()]), false, shape);
-        benchmark::DoNotOptimize(shape.positions.data());
-    }
-    state.counters["vertices"] = panel.mesh.vertex_count();
+    run_live(state, panel, deformer);
 }
 
 void response_set_up(benchmark::State& state)

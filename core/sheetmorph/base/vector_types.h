@@ -34,7 +34,7 @@ struct VectorTypes<8>
     using Bits = long long __attribute__((vector_size(64)));
 };
 
-//! The same for floats: Lanes of `width` floats, and as many doubles.
+//! The same for floats: Lanes of `width` floats, and as many short integers.
 template <int width>
 struct FloatVectorTypes;
 
@@ -42,21 +42,21 @@ template <>
 struct FloatVectorTypes<4>
 {
     using Lanes = float __attribute__((vector_size(16)));
-    using Doubles = double __attribute__((vector_size(32)));
+    using Shorts = short __attribute__((vector_size(8)));
 };
 
 template <>
 struct FloatVectorTypes<8>
 {
     using Lanes = float __attribute__((vector_size(32)));
-    using Doubles = double __attribute__((vector_size(64)));
+    using Shorts = short __attribute__((vector_size(16)));
 };
 
 template <>
 struct FloatVectorTypes<16>
 {
     using Lanes = float __attribute__((vector_size(64)));
-    using Doubles = double __attribute__((vector_size(128)));
+    using Shorts = short __attribute__((vector_size(32)));
 };
 
 }  // namespace sheetmorph

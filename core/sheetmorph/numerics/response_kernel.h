@@ -1,28 +1,44 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstdint>
+
 namespace sheetmorph
 {
 
-//! Rows of a response basis that lie together, in float32: one column after the other.
+//! Rows of a field that lie together, in float32.
 struct alignas(64) ResponseRows
 {
     static constexpr int count = 48;
     float at[count];
 };
 
-//! A stretch of blocks of ResponseRows::count rows each.
-struct ResponseBlocks
+//! The same in steps of 16 bits.
+struct alignas(32) NarrowRows
 {
-    const ResponseRows* basis;  //!< `columns` a block
-    int columns;
+    std::int16_t at[ResponseRows::count];
+};
+
+//! The product of one patch of rows: its fields, blended by shares * coefficients.
+struct ResponseProduct
+{
+    static constexpr int lanes = 8;        //!< shares of a column are a multiple of these
+    static constexpr int most_blocks = 8;  //!< of a patch, so that it has at most as many fields
+    static constexpr int most_fields = most_blocks * ResponseRows::count;
+
+    const ResponseRows* wide;  //!< block by block, one of each wide field
+    int wide_count;
+    const NarrowRows* narrow;  //!< likewise
+    int narrow_count;
     int blocks;
-    const float* coefficients;  //!< 3 a column
-    const double* start;        //!< 3 a row
-    double* result;             //!< 3 a row: start + basis * coefficients
+    const float* shares;  //!< column by column: of each field, filled up with zeros
+    int columns;
+    const double* coefficients;  //!< 3 a column
+    const double* start;         //!< 3 a row
+    double* result;              //!< 3 a row: start + fields * (shares * coefficients)
 };
 
 //! Uses the widest instructions the processor has.
-void run_response_kernel(const ResponseBlocks& work);
+void run_response_kernel(const ResponseProduct& work);
 
 }  // namespace sheetmorph

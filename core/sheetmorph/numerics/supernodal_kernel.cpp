@@ -30,13 +30,26 @@ SHEETMORPH_INLINE void store(const Lanes& value, double* w, int row)
     std::memcpy(w + right_sides_at_once * row, &value, sizeof value);
 }
 
+// Entries of `together` columns from `first` on.
+template <int together>
+struct Columns
+{
+    const double* at[together];
+
+    SHEETMORPH_INLINE Columns(const Supernode& node, int first)
+    {
+        for (int c = 0; c < together; ++c)
+            at[c] = node.entries + static_cast<long>(first + c) * node.rows;
+    }
+
+    SHEETMORPH_INLINE const double* operator[](int c) const { return at[c]; }
+};
+
 // `together` columns from `first` on: their own triangle, then every row below.
 template <int together>
 SHEETMORPH_INLINE void forward_columns(const Supernode& node, int first, double* w)
 {
-    const double* column[together];
-    for (int c = 0; c < together; ++c)
-        column[c] = node.entries + static_cast<long>(first + c) * node.rows;
+    const Columns<together> column(node, first);
     Lanes x[together];
     for (int c = 0; c < together; ++c)
     {
@@ -58,9 +71,7 @@ SHEETMORPH_INLINE void forward_columns(const Supernode& node, int first, double*
 template <int together>
 SHEETMORPH_INLINE void backward_columns(const Supernode& node, int first, double* w)
 {
-    const double* column[together];
-    for (int c = 0; c < together; ++c)
-        column[c] = node.entries + static_cast<long>(first + c) * node.rows;
+    const Columns<together> column(node, first);
     Lanes x[together];
     for (int c = 0; c < together; ++c)
         x[c] = load(w, first + c);

@@ -16,6 +16,7 @@ constexpr int none = -1;
 constexpr Eigen::Index block = 24;              // columns solved at once
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
 constexpr int refinements = 1;
+constexpr double miss_a_size = 5e-9;  // of the responses of live frames
 
 std::size_t at(Eigen::Index index)
 {
@@ -102,9 +103,7 @@ ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
 
 void FeatureResponses::respond()
 {
-    const double bytes = 8.0 * mesh_.vertex_count() * count_;
-    if (bytes <= most_bytes)
-        responses_.resize(mesh_.vertex_count(), count_);
+    responses_.emplace(mesh_.vertex_count(), count_);
     stiffness_.resize(count_, count_);
     for (Eigen::Index first = 0; first < count_; first += block)
     {
@@ -113,8 +112,11 @@ void FeatureResponses::respond()
         const ConstrainedMinimiser::Solution answer = minimiser_.minimum(asked, refinements);
         const ConstrainedMinimiser::Balance left = minimiser_.balance(asked, answer);
         stiffness_.middleCols(first, count) = slopes(left);
-        if (responses_.size() != 0)
-            responses_.middleCols(first, count) = answer.u;
+        if (responses_)
+            responses_->append(answer.u,
+                               Eigen::VectorXd::Constant(count, miss_a_size * mesh_.size()));
+        if (responses_ && responses_->bytes() > most_bytes)
+            responses_.reset();
     }
     stiffness_ = 0.5 * (stiffness_ + stiffness_.transpose()).eval();
 }
@@ -149,9 +151,9 @@ ReducedEnergy FeatureResponses::energy(const ConstrainedMinimiser::Targets& aske
 
 std::optional<Eigen::MatrixXd> FeatureResponses::displacements(const Eigen::MatrixXd& rho) const
 {
-    if (responses_.size() == 0)
+    if (!responses_)
         return std::nullopt;
-    return responses_ * rho;
+    return Eigen::MatrixXd(responses_->times(rho));
 }
 
 }  // namespace sheetmorph

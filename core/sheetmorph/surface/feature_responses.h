@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/numerics/constrained_minimiser.h"
+#include "sheetmorph/numerics/response_fields.h"
 #include "sheetmorph/surface/joints.h"
 #include "sheetmorph/surface/rotation_field.h"
 
@@ -42,8 +43,11 @@ public:
     ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
                          const ConstrainedMinimiser::Solution& base) const;
 
-    //! (n, 3) change of the sheet for entries rho (c, 3); nothing where the responses would take
-    //! more memory than they are worth: solve again instead.
+    //! (n, c) to live accuracy; nothing where the responses
+    //! would take more memory than they are worth: solve again instead.
+    const ResponseFields* fields() const { return responses_ ? &*responses_ : nullptr; }
+
+    //! (n, 3) change of the sheet for entries rho (c, 3), where there are fields().
     std::optional<Eigen::MatrixXd> displacements(const Eigen::MatrixXd& rho) const;
 
 private:
@@ -62,9 +66,9 @@ private:
     std::vector<TurnerColumns> columns_;
     int count_ = 0;  // c
     SparseMatrix weights_;
-    SparseMatrix offsets_;       // (n, c) what the columns move directly
-    Eigen::MatrixXd responses_;  // (n, c) Phi
-    Eigen::MatrixXd stiffness_;  // (c, c)
+    SparseMatrix offsets_;                     // (n, c) what the columns move directly
+    std::optional<ResponseFields> responses_;  // (n, c) Phi
+    Eigen::MatrixXd stiffness_;                // (c, c)
 };
 
 }  // namespace sheetmorph

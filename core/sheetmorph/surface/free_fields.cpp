@@ -12,6 +12,9 @@ namespace sheetmorph
 namespace
 {
 
+// Radians: Newton's steps square what is left, so that less than 1e-9 is.
+constexpr double live_precision = 1e-5;
+
 std::size_t at(Eigen::Index index)
 {
     return static_cast<std::size_t>(index);
@@ -49,9 +52,7 @@ bool FreeFields::is_possible(const PlacementInput& part, const FeatureResponses*
                && part.roles.bodies[at(turner.body)].handle < 0;
     };
     const std::vector<Turner>& turners = responses->turners();
-    const auto count = 3 * static_cast<Eigen::Index>(turners.size());
-    return std::all_of(turners.begin(), turners.end(), is_plain)
-           && responses->displacements(Eigen::MatrixXd::Zero(count, 1)).has_value();
+    return std::all_of(turners.begin(), turners.end(), is_plain) && responses->fields() != nullptr;
 }
 
 bool FreeFields::turns(int body) const
@@ -74,16 +75,9 @@ void FreeFields::append(const ConstrainedMinimiser::Targets& asked,
     slopes_.rightCols(energy.slope.cols()) = energy.slope;
 }
 
-void FreeFields::fill(ResponseBasis& basis) const
+ResponseFields FreeFields::fields(Eigen::Index rows, Eigen::Index further) const
 {
-    constexpr Eigen::Index together = 12;
-    for (Eigen::Index first = 0; first < count(); first += together)
-    {
-        const Eigen::Index some = std::min(together, count() - first);
-        const Eigen::MatrixXd unit =
-            Eigen::MatrixXd::Identity(count(), count()).middleCols(first, some);
-        basis.set_columns(basis.columns() - count() + first, *responses_->displacements(unit));
-    }
+    return responses_ == nullptr ? ResponseFields(rows, further) : *responses_->fields();
 }
 
 // Exact where it matters: below the angle at which features begin to be held, a bound will do.
@@ -110,7 +104,7 @@ Eigen::MatrixXd FreeFields::turn(const Pose& pose, const Eigen::MatrixXd& fields
     ReducedEnergy energy{stiffness_, slopes_ * fields};
     Joints joints(pose.part, pose.targets, turners, bodies);
     hold_far_turned(*responses_, farthest(pose.logs), joints, energy);
-    minimise(joints, pose.part, *responses_, energy);
+    minimise(joints, {pose.part, *responses_, energy}, live_precision);
     states = joints.states();
     for (std::size_t k = 0; k < turners.size(); ++k)
     {

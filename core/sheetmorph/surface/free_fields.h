@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/numerics/response_basis.h"
 #include "sheetmorph/surface/feature_responses.h"
 
 namespace sheetmorph
@@ -33,8 +32,8 @@ public:
     void append(const ConstrainedMinimiser::Targets& asked,
                 const ConstrainedMinimiser::Solution& answer);
 
-    //! Puts their own columns behind those of the fields.
-    void fill(ResponseBasis& basis) const;
+    //! Fields that begin with their own columns; `further` will come.
+    ResponseFields fields(Eigen::Index rows, Eigen::Index further) const;
 
     //! A pose whose fields are known.
     struct Pose

@@ -127,7 +127,7 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
     Joints joints(placement, pose.targets, part.responses->turners(), pose.bodies);
     hold_far_turned(*part.responses, farthest_turns(*part.responses, pose.field.logs), joints,
                     energy);
-    minimise(joints, placement, *part.responses, energy);
+    minimise(joints, {placement, *part.responses, energy});
     for (std::size_t k = 0; k < joints.states().size(); ++k)
     {
         const int body = part.responses->turners()[k].body;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/reduced_minimum.h"
 
-#include <Eigen/Cholesky>
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/numerics/dense_cholesky.h"
+#include "sheetmorph/surface/reduced_expansion.h"
+
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
-#include <array>
 #include <limits>
+#include <optional>
 
 namespace sheetmorph
 {
@@ -18,171 +20,8 @@ constexpr int most_steps = 100;
 constexpr double smallest_step = 1e-14;  // radians, or of the size of the feature
 constexpr double rounding = 1e-9;        // steps below it that shrink no more are noise
 constexpr double unfelt = 1e-11;         // of the stiffest freedom: the energy does not feel it
-
-//! One freedom of the joints as it moves one turner.
-struct Mover
-{
-    int freedom;
-    std::size_t level;
-    bool is_turn;
-    Vector3 axis;
-    Vector3 point;
-};
-
-//! First or second derivative of a turner's motion.
-struct Change
-{
-    Matrix3 rotation = Matrix3::Zero();
-    Vector3 centre = Vector3::Zero();
-};
-
-Matrix3 crossing(const Vector3& axis)
-{
-    Matrix3 matrix;
-    matrix << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
-    return matrix;
-}
-
-std::vector<Mover> movers_of(const std::vector<JointLevel>& levels)
-{
-    std::vector<Mover> movers;
-    for (std::size_t level = 0; level < levels.size(); ++level)
-        for (std::size_t k = 0; k < levels[level].axes.size(); ++k)
-            movers.push_back({levels[level].first + static_cast<int>(k), level,
-                              levels[level].is_turn, levels[level].axes[k], levels[level].point});
-    return movers;
-}
-
-Change first_change(const Mover& mover, const BodyState& state)
-{
-    if (!mover.is_turn)
-        return {Matrix3::Zero(), mover.axis};
-    return {crossing(mover.axis) * state.rotation, mover.axis.cross(state.centre - mover.point)};
-}
-
-// A turn acts on what the factors inside it change; of one factor, on the mean of both orders.
-Change second_change(const Mover& outer, const Mover& inner, const BodyState& state)
-{
-    Change change;
-    if (!outer.is_turn)
-        return change;
-    const Change first = first_change(inner, state);
-    change.rotation = crossing(outer.axis) * first.rotation;
-    change.centre = outer.axis.cross(first.centre);
-    if (outer.level == inner.level)
-    {
-        const Change other = first_change(outer, state);
-        change.rotation = 0.5 * (change.rotation + crossing(inner.axis) * other.rotation);
-        change.centre = 0.5 * (change.centre + inner.axis.cross(other.centre));
-    }
-    return change;
-}
-
-//! The energy about one configuration.
-struct Expansion
-{
-    double value = 0.0;
-    Eigen::VectorXd gradient;
-    Eigen::MatrixXd hessian;
-};
-
-//! What a configuration is measured with.
-struct Measure
-{
-    const PlacementInput& part;
-    const FeatureResponses& responses;
-    const ReducedEnergy& energy;
-
-    double value(const Joints& joints) const
-    {
-        const Eigen::MatrixXd rho = entries_of(joints, part, responses);
-        return (rho.cwiseProduct(energy.stiffness * rho + 2.0 * energy.slope)).sum();
-    }
-};
-
-// Rows of F that a change of turner k meets: sum of F[turn + b, x] dR[x, b] + F[shift, x] dt[x].
-double dot(const TurnerColumns& columns, const Eigen::MatrixXd& forces, const Change& change)
-{
-    double sum = 0.0;
-    if (columns.turn != none)
-        sum += forces.block<3, 3>(columns.turn, 0).transpose().cwiseProduct(change.rotation).sum();
-    if (columns.shift != none)
-        sum += forces.row(columns.shift).dot(change.centre.transpose());
-    return sum;
-}
-
-using Jacobians = std::array<Eigen::SparseMatrix<double>, 3>;
-
-// d rho_x / dq for every coordinate x.
-Jacobians jacobians(const Joints& joints, const FeatureResponses& responses)
-{
-    std::array<std::vector<Eigen::Triplet<double>>, 3> entries;
-    for (std::size_t k = 0; k < joints.states().size(); ++k)
-    {
-        const TurnerColumns& columns = responses.columns()[k];
-        for (const Mover& mover : movers_of(joints.levels(k)))
-        {
-            const Change change = first_change(mover, joints.states()[k]);
-            for (int x = 0; x < 3; ++x)
-            {
-                auto& of_x = entries[static_cast<std::size_t>(x)];
-                for (int b = 0; b < 3 && columns.turn != none; ++b)
-                    of_x.emplace_back(columns.turn + b, mover.freedom, change.rotation(x, b));
-                if (columns.shift != none)
-                    of_x.emplace_back(columns.shift, mover.freedom, change.centre(x));
-            }
-        }
-    }
-    Jacobians matrices;
-    for (std::size_t x = 0; x < 3; ++x)
-    {
-        int rows = 0;
-        for (const TurnerColumns& columns : responses.columns())
-            rows += (columns.turn != none ? 3 : 0) + (columns.shift != none ? 1 : 0);
-        matrices[x].resize(rows, joints.freedoms());
-        matrices[x].setFromTriplets(entries[x].begin(), entries[x].end());
-    }
-    return matrices;
-}
-
-void add_curvature(Eigen::MatrixXd& hessian, const Joints& joints,
-                   const FeatureResponses& responses, const Eigen::MatrixXd& forces)
-{
-    for (std::size_t k = 0; k < joints.states().size(); ++k)
-    {
-        const std::vector<Mover> movers = movers_of(joints.levels(k));
-        for (std::size_t i = 0; i < movers.size(); ++i)
-            for (std::size_t j = i; j < movers.size(); ++j)
-            {
-                const double amount =
-                    2.0
-                    * dot(responses.columns()[k], forces,
-                          second_change(movers[i], movers[j], joints.states()[k]));
-                hessian(movers[i].freedom, movers[j].freedom) += amount;
-                if (i != j)
-                    hessian(movers[j].freedom, movers[i].freedom) += amount;
-            }
-    }
-}
-
-Expansion expand(const Joints& joints, const Measure& measure)
-{
-    const Eigen::MatrixXd rho = entries_of(joints, measure.part, measure.responses);
-    const Eigen::MatrixXd forces = measure.energy.stiffness * rho + measure.energy.slope;
-    Expansion at;
-    at.value = (rho.cwiseProduct(forces + measure.energy.slope)).sum();
-    at.gradient = Eigen::VectorXd::Zero(joints.freedoms());
-    at.hessian = Eigen::MatrixXd::Zero(joints.freedoms(), joints.freedoms());
-    const Jacobians change = jacobians(joints, measure.responses);
-    for (std::size_t x = 0; x < 3; ++x)
-    {
-        at.gradient += 2.0 * (change[x].transpose() * forces.col(static_cast<Eigen::Index>(x)));
-        const Eigen::MatrixXd half = measure.energy.stiffness * change[x];
-        at.hessian += 2.0 * (change[x].transpose() * half);
-    }
-    add_curvature(at.hessian, joints, measure.responses, forces);
-    return at;
-}
+constexpr double barely_convex = 1e-6;   // likewise: what this makes convex some do not feel
+constexpr double first_shift = 0.02;     // likewise, where the energy is not convex
 
 // Numbers that make every freedom about as stiff as any other; what nothing feels gets none.
 Eigen::VectorXd scales(const Expansion& at)
@@ -194,23 +33,49 @@ Eigen::VectorXd scales(const Expansion& at)
         { return value > 1e-18 * largest && value > 0.0 ? 1.0 / std::sqrt(value) : 0.0; });
 }
 
-// The Newton step; where the energy is not convex, along eigenvectors with |eigenvalue|.
-Eigen::VectorXd newton_step(const Expansion& at)
+// Factor of matrix + shift; nothing where a pivot is not positive, or as good as none.
+std::optional<DenseCholesky> factored(const Eigen::MatrixXd& matrix, double shift)
 {
-    const Eigen::VectorXd scale = scales(at);
-    Eigen::MatrixXd scaled = scale.asDiagonal() * at.hessian * scale.asDiagonal();
-    const Eigen::VectorXd right = -(scale.asDiagonal() * at.gradient);
-    const Eigen::LLT<Eigen::MatrixXd> factor(scaled);
-    if (factor.info() == Eigen::Success
-        && factor.matrixLLT().diagonal().cwiseAbs().minCoeff() > std::sqrt(unfelt))
-        return scale.asDiagonal() * factor.solve(right);
+    Weights shifted = matrix;
+    shifted.diagonal().array() += shift;
+    try
+    {
+        const DenseCholesky factor(std::move(shifted));
+        if (factor.smallest_pivot() > std::sqrt(unfelt))
+            return factor;
+    }
+    catch (const SolverError&)
+    {
+        // Not positive definite.
+    }
+    return std::nullopt;
+}
+
+// Of what some freedoms do not feel: along eigenvectors, with |eigenvalue|.
+Eigen::VectorXd eigen_step(const Eigen::MatrixXd& scaled, const Eigen::VectorXd& right)
+{
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
     const Eigen::VectorXd values = eigen.eigenvalues().cwiseAbs();
     const double largest = values.maxCoeff();
     const Eigen::VectorXd inverse = values.unaryExpr(
         [largest](double value) { return value > unfelt * largest ? 1.0 / value : 0.0; });
     const Eigen::VectorXd along = eigen.eigenvectors().transpose() * right;
-    return scale.asDiagonal() * Eigen::VectorXd(eigen.eigenvectors() * inverse.cwiseProduct(along));
+    return eigen.eigenvectors() * inverse.cwiseProduct(along);
+}
+
+// The Newton step; where the energy is not convex, with the least of some shifts that make it so.
+Eigen::VectorXd newton_step(const Expansion& at)
+{
+    const Eigen::VectorXd scale = scales(at);
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * at.hessian * scale.asDiagonal();
+    const Eigen::VectorXd right = -(scale.asDiagonal() * at.gradient);
+    std::optional<DenseCholesky> factor = factored(scaled, 0.0);
+    if (!factor && !factored(scaled, barely_convex))
+        for (double shift = first_shift; !factor && shift < 100.0; shift *= 4.0)
+            factor = factored(scaled, shift);
+    if (!factor)
+        return scale.asDiagonal() * eigen_step(scaled, right);
+    return scale.asDiagonal() * Eigen::VectorXd(factor->solve(right.replicate(1, 3)).col(0));
 }
 
 // No freedom turns or shifts by more than a quarter of a radian of its own scale at once.
@@ -218,9 +83,12 @@ double shortened(const Eigen::VectorXd& step, const Joints& joints)
 {
     double turn = 0.0;
     for (std::size_t k = 0; k < joints.states().size(); ++k)
-        for (const Mover& mover : movers_of(joints.levels(k)))
-            if (mover.is_turn)
-                turn = std::max(turn, std::abs(step(mover.freedom)));
+        for (const JointLevel& level : joints.levels(k))
+            if (level.is_turn)
+                turn = std::max(
+                    turn, step.segment(level.first, static_cast<Eigen::Index>(level.axes.size()))
+                              .cwiseAbs()
+                              .maxCoeff());
     return turn > 0.8 ? 0.8 / turn : 1.0;
 }
 
@@ -250,10 +118,8 @@ Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
     return entries;
 }
 
-void minimise(Joints& joints, const PlacementInput& part, const FeatureResponses& responses,
-              const ReducedEnergy& energy)
+void minimise(Joints& joints, const Measure& measure, double precision)
 {
-    const Measure measure{part, responses, energy};
     double last = std::numeric_limits<double>::infinity();
     for (int count = 0; count < most_steps && joints.freedoms() > 0; ++count)
     {
@@ -272,7 +138,8 @@ void minimise(Joints& joints, const PlacementInput& part, const FeatureResponses
         const double length = step.cwiseAbs().maxCoeff();
         if (!is_lower)
             joints.restore(start);
-        if (!is_lower || length <= smallest_step || (last < rounding && length > 0.5 * last))
+        if (!is_lower || length <= std::max(precision, smallest_step)
+            || (last < rounding && length > 0.5 * last))
             return;
         last = length;
     }

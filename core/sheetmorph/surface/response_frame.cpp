@@ -83,7 +83,7 @@ std::optional<SurfaceResponse::Frame> SurfaceResponse::frame(const SurfaceTarget
     const RotationSeries::Fit fit = series_.fit(frame.logs);
     if (!(fit.error <= largest_miss))
         return std::nullopt;
-    Eigen::MatrixXd fields(basis_.columns() - free_.count(), 3);
+    Eigen::MatrixXd fields(basis_.columns() - first_, 3);
     for (Eigen::Index k = 0; k < series_.count(); ++k)
         fields.middleRows(3 * k, 3) = fit.matrices[at(k)].transpose();
     Eigen::Index row = 3 * series_.count();
@@ -99,9 +99,9 @@ std::optional<SurfaceResponse::Frame> SurfaceResponse::frame(const SurfaceTarget
     turn_bodies(frame);
     const FreeFields::Pose pose{input_.part, targets, frame.logs};
     const Eigen::MatrixXd turns = free_.turn(pose, fields, frame.bodies, frame.free);
-    frame.coefficients.resize(basis_.columns(), 3);
-    frame.coefficients.topRows(fields.rows()) = fields.cast<float>();
-    frame.coefficients.bottomRows(turns.rows()) = turns.cast<float>();
+    frame.coefficients.setZero(basis_.columns(), 3);
+    frame.coefficients.topRows(turns.rows()) = turns;
+    frame.coefficients.bottomRows(fields.rows()) = fields;
     shift_bodies(frame);
     frame.features = feature_motions(input_.part, frame.bodies);
     return frame;

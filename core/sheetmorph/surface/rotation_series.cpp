@@ -93,6 +93,30 @@ Eigen::MatrixXd RotationSeries::values(const Eigen::MatrixXd& weights) const
     return raw_values(weights) * transform_;
 }
 
+Eigen::VectorXd RotationSeries::reach() const
+{
+    constexpr double least = 1e-3;
+    const Vector3 axes[] = {Vector3::UnitX(), Vector3::UnitY(), Vector3(1.0, 1.0, 1.0) / sqrt(3.0)};
+    Eigen::VectorXd largest = Eigen::VectorXd::Constant(count(), least);
+    const auto add = [&](const std::vector<Vector3>& logs)
+    {
+        const std::vector<Matrix3> matrices = fit(logs).matrices;
+        for (std::size_t k = 0; k < matrices.size(); ++k)
+            largest(static_cast<Eigen::Index>(k)) =
+                std::max(largest(static_cast<Eigen::Index>(k)), matrices[k].cwiseAbs().maxCoeff());
+    };
+    for (double angle = 0.5; angle < 3.1; angle += 0.5)
+        for (const Vector3& axis : axes)
+        {
+            if (lowest_.size() == 1)
+                add({angle * axis});
+            else
+                for (const double other : {-3.0, -1.5, 0.0, 1.5, 3.0})
+                    add({angle * Vector3::UnitZ(), other * axis});
+        }
+    return largest;
+}
+
 RotationSeries::Fit RotationSeries::fit(const std::vector<Vector3>& logs) const
 {
     Eigen::MatrixXd turned(samples_.rows(), 9);

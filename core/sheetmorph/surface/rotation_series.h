@@ -23,6 +23,10 @@ public:
     //! \returns (n, count) q_k at every row of `weights` (n, s)
     Eigen::MatrixXd values(const Eigen::MatrixXd& weights) const;
 
+    //! (count) about the largest entries that M_k takes on, whatever the turn up to a half one; at
+    //! least 1e-3.
+    Eigen::VectorXd reach() const;
+
     struct Fit
     {
         std::vector<Matrix3> matrices;  //!< M_k

@@ -14,6 +14,9 @@ namespace
 // Polynomials that are substituted together: three columns each.
 constexpr Eigen::Index together = 4;
 
+// By how much the basis may miss what a polynomial moves, of the part's size; or a shift by one.
+constexpr double miss_a_size = 2e-8;
+
 std::size_t at(Eigen::Index index)
 {
     return static_cast<std::size_t>(index);
@@ -44,6 +47,13 @@ Eigen::MatrixXd weights_of(const ResponseInput& input, const std::vector<int>& t
     return weights;
 }
 
+// Of the three columns of every polynomial: what counts little may be missed by more.
+Eigen::VectorXd tolerances(const RotationSeries& series, double size)
+{
+    const Eigen::MatrixXd inverse = series.reach().cwiseInverse().transpose().replicate(3, 1);
+    return miss_a_size * size * inverse.reshaped();
+}
+
 Vector3 centroid(const Points& points)
 {
     return points.rows() == 0 ? Vector3(Vector3::Zero())
@@ -66,10 +76,7 @@ SurfaceResponse::SurfaceResponse(const ResponseInput& input, ResponseOptions opt
       weights_(weights_of(input_, options_.turning)),
       series_(weights_, options_.degree),
       free_(input_.free_features, weights_),
-      basis_(input_.part.rest.vertex_count(),
-             3 * series_.count() + free_.count()
-                 + static_cast<Eigen::Index>(options_.turning.size() + options_.moving.size()
-                                             + input_.part.constraints.points.size()))
+      basis_(ResponseFields())
 {
     shifting_.insert(shifting_.end(), options_.moving.begin(), options_.moving.end());
     find_groups();
@@ -116,7 +123,7 @@ void SurfaceResponse::find_groups()
 // Arms of rigid vertices about their centre, and where each shift acts.
 SurfaceResponse::Rigid SurfaceResponse::rigid_fields() const
 {
-    const Eigen::Index n = basis_.rows();
+    const Eigen::Index n = input_.part.rest.vertex_count();
     Rigid fields{Eigen::MatrixXd::Zero(n, 3),
                  Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(shifting_.size()))};
     for (const Group& group : groups_)
@@ -163,6 +170,9 @@ void SurfaceResponse::respond(const Progress& progress)
     const Eigen::Index rows = operators.rest_rows.rows();
     const auto points = static_cast<Eigen::Index>(input_.part.constraints.points.size());
     const Rigid rigid = rigid_fields();
+    const Eigen::VectorXd allowed = tolerances(series_, input_.part.rest.size());
+    ResponseFields fields = free_.fields(input_.part.rest.vertex_count(), 3 * series_.count());
+    first_ = fields.columns();
     const Eigen::MatrixXd values = series_.values(weights_);
     for (Eigen::Index first = 0; first < series_.count(); first += together)
     {
@@ -170,7 +180,7 @@ void SurfaceResponse::respond(const Progress& progress)
         const Eigen::Index count = std::min<Eigen::Index>(together, series_.count() - first);
         ConstrainedMinimiser::Targets targets;
         targets.rows.resize(rows, 3 * count);
-        targets.offset.resize(basis_.rows(), 3 * count);
+        targets.offset.resize(rigid.arms.rows(), 3 * count);
         targets.constraints = Eigen::MatrixXd::Zero(points, 3 * count);
         for (Eigen::Index k = 0; k < count; ++k)
         {
@@ -181,24 +191,25 @@ void SurfaceResponse::respond(const Progress& progress)
             targets.offset.middleCols(3 * k, 3) = values.col(first + k).asDiagonal() * rigid.arms;
         }
         add_clamped(values.middleCols(first, count), targets.offset);
-        take(targets, 3 * first);
+        take(targets, allowed.segment(3 * first, 3 * count), fields);
     }
     const Eigen::Index shifts = rigid.shifts.cols();
     ConstrainedMinimiser::Targets targets;
     targets.rows = Eigen::MatrixXd::Zero(rows, shifts + points);
-    targets.offset = Eigen::MatrixXd::Zero(basis_.rows(), shifts + points);
+    targets.offset = Eigen::MatrixXd::Zero(rigid.arms.rows(), shifts + points);
     targets.offset.leftCols(shifts) = rigid.shifts;
     targets.constraints = Eigen::MatrixXd::Zero(points, shifts + points);
     targets.constraints.rightCols(points).setIdentity();
-    take(targets, 3 * series_.count());
-    free_.fill(basis_);
+    take(targets, Eigen::VectorXd::Constant(shifts + points, miss_a_size), fields);
+    basis_ = ResponseBasis(fields);
 }
 
-void SurfaceResponse::take(const ConstrainedMinimiser::Targets& asked, Eigen::Index first)
+void SurfaceResponse::take(const ConstrainedMinimiser::Targets& asked,
+                           const Eigen::VectorXd& tolerances, ResponseFields& fields)
 {
     const ConstrainedMinimiser::Solution answer =
         input_.minimiser.minimum(asked, free_.count() > 0 ? 1 : 0);
-    basis_.set_columns(first, answer.u);
+    fields.append(answer.u, tolerances);
     free_.append(asked, answer);
 }
 

@@ -33,14 +33,13 @@ struct ResponseOptions
     int degree = 8;            //!< of the polynomials of the rotation weights
 };
 
-//! How a part answers to one or two turning handles, as fields (speed.md): a frame is one pass over
-//! a small dense basis, without any substitution. Differs from the exact solve by less than 1e-6 of
-//! the part's size, or says that it does not cover the pose.
+//! How a part answers to one or two turning handles, as fields: a frame is one pass over a small
+//! basis, without substitution. Less than 1e-6 of the size from the exact solve, where it covers
+//! the pose.
 class SurfaceResponse
 {
 public:
-    //! Some substitutions a polynomial; `progress` may cancel between them.
-    //! \throws Cancelled
+    //! Some substitutions a polynomial. \throws Cancelled between them, as `progress` asks
     SurfaceResponse(const ResponseInput& input, ResponseOptions options,
                     const Progress& progress = {});
 
@@ -55,15 +54,15 @@ public:
         std::vector<BodyState> free;        // features that the energy turns
     };
 
-    //! Nothing if another handle moves or turns, if a turned feature, a turned point or another
-    //! part has a say, or if the turn is too far for the polynomials' degree.
+    //! Nothing if another handle, a turned feature or point has a say, or the turn is too far.
     std::optional<Frame> frame(const SurfaceTargets& targets) const;
 
     //! Fills positions and features; the rotations' logs only if somebody reads them.
     void place(const Frame& frame, bool with_logs, Deformation& result) const;
 
-    //! Whether a response can exist: no other part's shape drives the part, its features are free
-    //! or turn with the field, and are not bound to motions or links.
+    double bytes() const { return basis_.bytes(); }  //!< of the fields in memory
+
+    //! Whether no other part's shape drives the part, and no motion or link binds its features.
     static bool is_possible(const ResponseInput& input);
 
 private:
@@ -83,7 +82,7 @@ private:
     void add_clamped(const Eigen::MatrixXd& values, Eigen::MatrixXd& offset) const;
     void respond(const Progress& progress);
     bool covers(const SurfaceTargets& targets) const;
-    void take(const ConstrainedMinimiser::Targets& asked, Eigen::Index first);
+    void take(const ConstrainedMinimiser::Targets&, const Eigen::VectorXd&, ResponseFields&);
     void turn_bodies(Frame& frame) const;
     void shift_bodies(Frame& frame) const;
 
@@ -94,7 +93,8 @@ private:
     Eigen::MatrixXd weights_;    // (n, s) of the turning handles
     RotationSeries series_;
     FreeFields free_;
-    ResponseBasis basis_;  // q_k D p_hat, three a polynomial; shifts; points; free features
+    ResponseBasis basis_;  // free features; q_k D p_hat from first_ on; shifts; points
+    Eigen::Index first_ = 0;
 };
 
 }  // namespace sheetmorph

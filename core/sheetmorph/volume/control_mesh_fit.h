@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/types.h"
-#include "sheetmorph/volume/dense_cholesky.h"
+#include "sheetmorph/numerics/dense_cholesky.h"
 
 #include <Eigen/SparseCore>
 

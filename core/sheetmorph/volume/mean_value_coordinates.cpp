@@ -2,8 +2,8 @@
 #include "sheetmorph/volume/mean_value_coordinates.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/volume/grazed_triangle.h"
-#include "sheetmorph/volume/parallel.h"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/volume/dense_cholesky.h"
+#include "sheetmorph/numerics/dense_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
 
@@ -37,7 +37,7 @@ DenseCholesky::DenseCholesky(Weights matrix)
         const Eigen::Index wide = std::min(block, size - j), below = size - j - wide;
         const Eigen::LLT<Eigen::MatrixXd> factor(lower_.block(j, j, wide, wide));
         if (factor.info() != Eigen::Success)
-            throw SolverError("the matrix of a control mesh fit is not positive definite");
+            throw SolverError("a dense matrix is not positive definite");
         const Eigen::MatrixXd diagonal = factor.matrixL();
         lower_.block(j, j, wide, wide) = diagonal;
         inverse_blocks_.block(j, 0, wide, wide) =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/volume/parallel.h"
+#include "sheetmorph/base/parallel.h"
 
 #include <algorithm>
 #include <exception>

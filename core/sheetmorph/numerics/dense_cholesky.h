@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/volume/dense_products.h"
+#include "sheetmorph/numerics/dense_products.h"
 
 namespace sheetmorph
 {
@@ -13,6 +13,9 @@ public:
     //! \param matrix  (m, m), lower triangle used
     //! \throws SolverError if the matrix is not positive definite
     explicit DenseCholesky(Weights matrix);
+
+    //! Least entry of L's diagonal.
+    double smallest_pivot() const { return lower_.diagonal().minCoeff(); }
 
     //! N^-1 right, (m, 3).
     Points solve(const Points& right) const;

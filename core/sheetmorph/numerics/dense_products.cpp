@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/volume/dense_products.h"
+#include "sheetmorph/numerics/dense_products.h"
 
 #include "sheetmorph/base/vector_types.h"
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+namespace sheetmorph
+{
+
+//! Tall columns Phi (n, k), k growing, in little memory: neighbouring rows of smooth columns are
+//! nearly blends of a few fields, so every patch of rows keeps only those and how the columns blend
+//! them. Where neighbours are far apart in the numbering a patch needs as many fields as columns.
+class ResponseFields
+{
+public:
+    using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+    //! Rows of one patch: Phi = fields * shares.
+    struct Patch
+    {
+        Eigen::MatrixXf fields;  //!< (rows, f), nearly orthonormal columns
+        Eigen::MatrixXd shares;  //!< (f, k)
+    };
+
+    //! Without columns.
+    //! \param columns  about how many there will be: many are worth larger patches
+    explicit ResponseFields(Eigen::Index rows = 0, Eigen::Index columns = 0);
+
+    //! Further columns from (n, j). Rows of zeros stay zeros.
+    //! \param tolerances  (j) by how much an entry may miss; relative rounding of 1e-7 comes on top
+    void append(const Eigen::MatrixXd& columns, const Eigen::VectorXd& tolerances);
+
+    //! Phi c, (n, 3).
+    Points times(const Coefficients& coefficients) const;
+
+    Eigen::Index rows() const { return rows_; }
+    Eigen::Index columns() const { return tolerances_.size(); }
+    Eigen::Index rows_a_patch() const { return rows_a_patch_; }
+    const std::vector<Patch>& patches() const { return patches_; }
+    const Eigen::VectorXd& tolerances() const { return tolerances_; }
+
+    //! Of memory.
+    double bytes() const;
+
+private:
+    Eigen::Index rows_;
+    Eigen::Index rows_a_patch_;
+    Eigen::VectorXd tolerances_;
+    std::vector<Patch> patches_;
+};
+
+}  // namespace sheetmorph
