@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections import Counter
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -36,11 +38,7 @@ def find(
     core = load_kernel()
     begin = time.perf_counter()
     meshes = [core.TriangleMesh(part.mesh.points, part.mesh.triangles) for part in parts]
-    features = []
-    for number, (part, mesh) in enumerate(zip(parts, meshes)):
-        if progress is not None and progress(0.5 * number / len(parts), part.name) is False:
-            raise RuntimeError("cancelled by the user")
-        features.append(core.find_features(mesh, options.feature_tolerances(core)))
+    features = _features(core, meshes, options, progress)
     middle = time.perf_counter()
     contacts, gap = [], 0.0
     if with_contacts and len(parts) > 1:
@@ -55,6 +53,23 @@ def find(
         primary=_primary_candidates(parts, contacts),
         seconds={"features": middle - begin, "contacts": time.perf_counter() - middle},
     )
+
+
+def _features(
+    core: Any, meshes: list[Any], options: FindOptions, progress: Progress | None
+) -> list[Any]:
+    """The kernel's features of every part; several at a time, the kernel lets go of Python."""
+    tolerances = options.feature_tolerances(core)
+    features = []
+    with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        searches = [pool.submit(core.find_features, mesh, tolerances) for mesh in meshes]
+        for number, search in enumerate(searches):
+            share = 0.5 * number / len(meshes)
+            if progress is not None and progress(share, "looking for features") is False:
+                pool.shutdown(cancel_futures=True)
+                raise RuntimeError("cancelled by the user")
+            features.append(search.result())
+    return features
 
 
 def _contacts(core: Any, shapes: list[Any], options: FindOptions, more: tuple) -> tuple:

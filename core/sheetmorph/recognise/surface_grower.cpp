@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 namespace sheetmorph
@@ -20,17 +19,14 @@ constexpr std::size_t measured_patch_size = 40;
 constexpr std::size_t fewest_triangles = 6;
 constexpr FeatureKind curved[] = {FeatureKind::cylinder, FeatureKind::sphere, FeatureKind::cone};
 
-// Mean square of what normals differ from their mean, from which a patch turns; the share of what
-// scatter does to normals that is left in them.
+// Mean square difference of normals from which a patch turns; what calming leaves of scatter.
 constexpr double turning = 0.002;
 constexpr double left_over = 0.5;
 
-// Cosine of the largest angle between a triangle and the curved surface it lies
-// in (30 degrees: half the bend of a coarse one).
+// Cosine of the largest angle between a triangle and its curved surface (30 degrees).
 constexpr double along_surface = 0.866;
 
-// Of 36 directions around an axis, those that a curved region reaches at least
-// (a quarter bend with some rows of triangles reaches 3).
+// Of 36 directions around an axis, those that a curved region reaches (a quarter bend: 3).
 constexpr int directions = 36;
 constexpr int fewest_directions = 3;
 
@@ -53,6 +49,7 @@ SurfaceGrower::SurfaceGrower(const FacetGraph& graph, const FeatureTolerances& t
       tolerances_(tolerances),
       size_(graph.mesh().size()),
       is_taken_(static_cast<std::size_t>(graph.triangle_count()), 0),
+      is_tried_(is_taken_),
       stamp_(is_taken_.size(), none)
 {
 }
@@ -62,7 +59,7 @@ std::vector<SurfaceRegion> SurfaceGrower::found()
     const double smallest = tolerances_.smallest_area * graph_.total_area();
     for (const Seed& seed : seeds())
     {
-        if (!is_open(seed.triangle))
+        if (!is_open(seed.triangle) || is_tried_[seed.triangle])
             continue;
         SurfaceRegion plane = plane_at(seed.triangle);
         std::optional<SurfaceRegion> region;
@@ -73,6 +70,10 @@ std::vector<SurfaceRegion> SurfaceGrower::found()
             keep(std::move(*region));
         else if (plane.area >= smallest)
             keep(std::move(plane));
+        else if (seed.misfit < 0.0)
+            give_up(plane.triangles);
+        else
+            give_up(patch_around(seed.triangle));
     }
     return std::move(regions_);
 }
@@ -105,8 +106,7 @@ std::vector<SurfaceGrower::Seed> SurfaceGrower::seeds()
     return seeds;
 }
 
-// Within creases if that turns, as one row around a raised place does; else over the edges of a
-// coarse mesh.
+// Within creases if that turns, else over the edges of a coarse mesh.
 std::vector<int> SurfaceGrower::patch_around(int seed)
 {
     std::vector<int> patch = patch_around(seed, tolerances_.crease_angle);
@@ -208,6 +208,12 @@ bool SurfaceGrower::is_curved(const Surface& surface, const std::vector<int>& tr
     return static_cast<int>(seen.size()) >= fewest_directions;
 }
 
+void SurfaceGrower::give_up(const std::vector<int>& triangles)
+{
+    for (const int t : triangles)
+        is_tried_[t] = 1;
+}
+
 void SurfaceGrower::keep(SurfaceRegion region)
 {
     for (const int t : region.triangles)
@@ -227,7 +233,7 @@ std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed, const std::vecto
         if (surface->radius > 2.0 * size_ || !is_near(*surface, seed))
             return std::nullopt;
         region = grown(seed, *surface);
-        if (region.size() < fewest_triangles)
+        if (region.size() < fewest_triangles || !is_curved(*surface, region))
             return std::nullopt;
         surface = fit_surface(graph_, region, kind);
     }
@@ -254,8 +260,7 @@ std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed)
     return best;
 }
 
-// The larger of two regions; of two alike the one that follows its triangles inside, too, a simpler
-// one in doubt.
+// The larger of two; of two alike what follows its triangles inside, too, in doubt the simpler.
 void SurfaceGrower::better(std::optional<SurfaceRegion> region,
                            std::optional<SurfaceRegion>& best) const
 {

@@ -40,6 +40,7 @@ private:
     bool is_near(const Surface& surface, int triangle) const;
     bool is_curved(const Surface& surface, const std::vector<int>& triangles) const;
     void keep(SurfaceRegion region);
+    void give_up(const std::vector<int>& triangles);
     double area_of(const std::vector<int>& triangles) const;
     bool is_open(int triangle) const { return !is_taken_[triangle] && !graph_.is_thin(triangle); }
 
@@ -47,7 +48,8 @@ private:
     const FeatureTolerances& tolerances_;
     double size_;
     std::vector<char> is_taken_;
-    std::vector<int> stamp_;  // of a triangle: the last search that reached it
+    std::vector<char> is_tried_;  // lies where a seed has led to nothing
+    std::vector<int> stamp_;      // of a triangle: the last search that reached it
     int search_ = 0;
     std::vector<SurfaceRegion> regions_;
 };

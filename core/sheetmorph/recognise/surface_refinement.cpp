@@ -63,7 +63,7 @@ double squares_of(const Points& corners, const Surface& surface)
 // Corners of the triangles, of many triangles some.
 Points corners_of(const FacetGraph& graph, const std::vector<int>& triangles)
 {
-    constexpr std::size_t most = 2000;
+    constexpr std::size_t most = 250;
     const std::size_t stride = 1 + triangles.size() / most;
     Points corners(3 * ((triangles.size() + stride - 1) / stride), 3);
     Eigen::Index row = 0;
