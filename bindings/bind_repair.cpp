@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/repair/cures.h"
 #include "sheetmorph/repair/remeshing.h"
+#include "sheetmorph/repair/self_intersections.h"
 #include "arrays.h"
 #include "layers.h"
 #include "progress.h"
@@ -47,6 +48,27 @@ void bind_cured(py::module_& module)
         "doubled ones, cut edges at T-junctions, orient each piece. Raises InvalidInput.");
 }
 
+void bind_self_intersections(py::module_& module)
+{
+    module.def(
+        "self_intersections",
+        [](const TriangleMesh& mesh)
+        {
+            std::vector<std::pair<int, int>> found;
+            {
+                const py::gil_scoped_release released;
+                found = self_intersections(mesh);
+            }
+            VertexIds ids;
+            for (const auto& [one, other] : found)
+                ids.insert(ids.end(), {one, other});
+            return py::array(to_numpy(ids))
+                .reshape({static_cast<py::ssize_t>(found.size()), py::ssize_t{2}});
+        },
+        py::arg("mesh"),
+        "The pairs of triangles, (k, 2) int32, that meet anywhere but in what they share (CGAL).");
+}
+
 void bind_remeshed_type(py::module_& module)
 {
     py::class_<RemeshedMesh>(module, "RemeshedMesh", "A mesh made anew on the facets of another.")
@@ -85,6 +107,7 @@ void bind_remeshed_type(py::module_& module)
 void bind_repair(py::module_& module)
 {
     bind_cured(module);
+    bind_self_intersections(module);
     bind_remeshed_type(module);
     module.def(
         "remeshed",

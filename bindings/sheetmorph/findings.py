@@ -28,7 +28,7 @@ _Found = tuple[str, int, str, "str | None", "dict[str, Any] | None"]
 
 def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     counts = diagnosis["counts"]
-    weld = {"weld": diagnosis["tolerance"]}
+    weld = _in_mm(diagnosis, {"weld": diagnosis["tolerance"]})
     doubled = counts["duplicate_vertices"] + counts["near_duplicate_vertices"]
     if doubled:
         text = f"{doubled} vertices stand in nearly the place of another: the mesh is cut there"
@@ -48,9 +48,23 @@ def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         yield "non-manifold edges", number, text, None, None
 
 
+def _in_mm(diagnosis: dict[str, Any], recipe: dict[str, Any]) -> dict[str, Any]:
+    """Keys of a recipe with lengths in the unit of the file, as the recipe has them: in mm."""
+    scale = diagnosis["unit"]["scale"]
+    if scale == 1.0:
+        return recipe
+    found: dict[str, Any] = {"scale": scale}
+    if "weld" in recipe:
+        found["weld"] = scale * recipe["weld"]
+    if "remesh" in recipe:
+        edge = recipe["remesh"]["edge"]
+        found["remesh"] = {**recipe["remesh"], "edge": edge and float(f"{scale * edge:.6g}")}
+    return found
+
+
 def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     counts = diagnosis["counts"]
-    weld = {"weld": diagnosis["tolerance"]}
+    weld = _in_mm(diagnosis, {"weld": diagnosis["tolerance"]})
     for name, what in (
         ("duplicate_triangles", "triangles stand twice"),
         ("degenerate_triangles", "triangles have no height"),
@@ -72,7 +86,7 @@ def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
 
 def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     counts, edges, rims = (diagnosis[key] for key in ("counts", "edge_lengths", "round_rims"))
-    remesh = {"remesh": {"edge": diagnosis["suggested_edge"], "rims": "polygon"}}
+    remesh = _in_mm(diagnosis, {"remesh": {"edge": diagnosis["suggested_edge"], "rims": "polygon"}})
     if counts["slivers"]:
         share = 100.0 * counts["slivers"] / diagnosis["triangles"]
         text = f"{counts['slivers']} slivers ({share:.0f} % of the triangles): the mesh folds there"
@@ -87,7 +101,7 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         text = f"a sheet {diagnosis['thickness']:.4g} mm thick, with two skins"
         if len(diagnosis["components"]) > 1:
             text = f"{number} sheets with two skins, most {diagnosis['thickness']:.4g} mm thick"
-        yield "thin solid", number, text, "thin", None
+        yield "thin solid", number, text, "thin", {"thin": "auto"}
     if len(diagnosis["components"]) > 1:
         number = len(diagnosis["components"])
         text = f"{number} components that nothing connects"
@@ -95,4 +109,4 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     unit = diagnosis["unit"]
     if unit["scale"] != 1.0:
         text = f"the unit seems to be {unit['guess']}: {unit['reason']}"
-        yield "unit", 1, text, "scale", None
+        yield "unit", 1, text, "scale", {"scale": unit["scale"]}

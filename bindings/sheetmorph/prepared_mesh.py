@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
 
@@ -18,14 +18,18 @@ _ON_EDGE = 1e-9
 
 @dataclass(frozen=True)
 class Wanted:
-    """weld: tolerance in mm, None for none; edge: mm, None for no remesh; rims: see RIMS."""
+    """weld: tolerance in mm, None for none; edge: mm, None for no remesh; rims: see RIMS.
+
+    scale: mm in the unit of the coordinates given, 1000 for metres; it comes first.
+    """
 
     weld: float | None = None
     edge: float | None = None
     rims: str = "polygon"
+    scale: float = 1.0
 
     def __bool__(self) -> bool:
-        return self.weld is not None or self.edge is not None
+        return self.weld is not None or self.edge is not None or self.scale != 1.0
 
 
 RIMS = ("polygon", "circle")
@@ -40,7 +44,7 @@ class PreparedMesh(PartMesh):
     source the one in or nearest its place, -1 if there is none; done: for the report.
     """
 
-    source: PartMesh | None = None
+    source: PartMesh | None = None  # in mm
     support: np.ndarray | None = None
     vertex_of: np.ndarray | None = None
     done: dict[str, Any] | None = None
@@ -94,13 +98,16 @@ class PreparedMesh(PartMesh):
 
 
 def prepared_mesh(core: ModuleType, mesh: PartMesh, wanted: Wanted) -> tuple[PartMesh, np.ndarray]:
-    """The mesh after weld and remesh, and the triangle of the file (m,) each of its comes from.
+    """The mesh after scale, weld and remesh, and the triangle of the file (m,) of each of its own.
 
     Raises InvalidInput of the kernel (a ValueError).
     """
+    if wanted.scale != 1.0:
+        mesh = replace(mesh, points=wanted.scale * mesh.points)
     tolerance = 0.0 if wanted.weld is None else wanted.weld
     cure = core.cured(core.TriangleMesh(mesh.points, mesh.triangles), tolerance)
     done: dict[str, Any] = {
+        "scale": wanted.scale,
         "weld": wanted.weld,
         **{key: getattr(cure, key) for key in ("welded", "removed", "split", "turned")},
         "remesh": None,

@@ -12,13 +12,19 @@ if TYPE_CHECKING:
 
 
 def thin_report(result: Result, part: str) -> dict[str, Any] | None:
-    """The entry "thin" of a part: its thickness before and after; None if it is not thin."""
+    """The entry "thin" of a part: its thickness, and where it meets itself, before and after.
+
+    None if it is not thin.
+    """
     session = result.session
     solid = session.thin_solid(part)
     if solid is None:
         return None
-    mesh = session.core.TriangleMesh(session.meshes[part].points, session.meshes[part].triangles)
-    change = session.core.thickness_change(mesh, solid, np.array(result.positions[part]))
+    core, triangles = session.core, session.meshes[part].triangles
+    mesh = core.TriangleMesh(session.meshes[part].points, triangles)
+    positions = np.array(result.positions[part])
+    moved = core.TriangleMesh(positions, triangles)
+    change = core.thickness_change(mesh, solid, positions)
     lumps = [lump for lump in result.lumps if lump.part == part]
     return {
         "thickness": solid.thickness,
@@ -31,6 +37,10 @@ def thin_report(result: Result, part: str) -> dict[str, Any] | None:
         "deformed": {"least": change.least, "most": change.most},
         "largest_change": change.worst,
         "largest_change_at_walls": change.worst_at_walls,
+        "self_intersections": {
+            "rest": len(core.self_intersections(mesh)),
+            "deformed": len(core.self_intersections(moved)),
+        },
     }
 
 

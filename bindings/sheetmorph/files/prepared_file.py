@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A file whose mesh was welded or remeshed: what is written is the prepared mesh, as OBJ."""
+"""A file whose mesh was scaled, welded or remeshed: the prepared mesh is written, as OBJ."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .part_file import PartFile
 
 
 class PreparedFile(PartFile):
-    """Another file's part after weld and remesh; see PreparedMesh. Raises ValueError, KernelError.
+    """Another file's part after its cures; see PreparedMesh. Raises ValueError, KernelError.
 
     Properties and bodies of the other go with its triangles.
     """
@@ -56,4 +56,6 @@ def _notes(done: dict) -> list[str]:
             f"remeshed with edges of {fresh['edge']:.6g} mm, at most {fresh['deviation']:.2g} mm "
             f"from the facets of the file ({fresh['flat_deviation']:.2g} mm on flats)"
         )
+    if done["scale"] != 1.0:
+        notes.insert(0, f"coordinates times {done['scale']:.6g}: they are in mm now")
     return notes

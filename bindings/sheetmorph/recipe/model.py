@@ -40,7 +40,7 @@ class PartEntry:
     mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
     entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
     thin: "auto" if it is solved as a thin solid where it is one, "yes" if it must be one, "" if it
-    is solved as it is; thickness: mm, 0 if it is found out; wanted: weld and remesh.
+    is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh.
     """
 
     where: str
@@ -225,7 +225,12 @@ def _thin(entry: dict[str, Any]) -> tuple[str, float]:
 
 def _wanted(entry: dict[str, Any]) -> Wanted:
     remesh = entry.get("remesh") or {}
-    return Wanted(entry.get("weld"), remesh.get("edge"), remesh.get("rims", "polygon"))
+    return Wanted(
+        entry.get("weld"),
+        remesh.get("edge"),
+        remesh.get("rims", "polygon"),
+        entry.get("scale", 1.0),
+    )
 
 
 def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:

@@ -94,6 +94,17 @@ std::vector<char> thin_looks(const SolidFacets& graph, const std::vector<InwardP
     return found;
 }
 
+// A facet or two of a wall see each other across a narrow strut: no skin is that small.
+void drop_crumbs(const SkinCells& cells, std::vector<char>& is_skin)
+{
+    for (std::size_t t = 0; t < is_skin.size(); ++t)
+        if (const int cell = cells.cell[t]; cell >= 0)
+        {
+            const double thickness = cells.thickness[at(cells.component[at(cell)])];
+            is_skin[t] = cells.area[at(cell)] > thickness * thickness;
+        }
+}
+
 void number_cells(const SolidFacets& graph, const std::vector<char>& is_skin, SkinCells& cells)
 {
     DisjointSets sets(graph.facet_count());
@@ -101,6 +112,8 @@ void number_cells(const SolidFacets& graph, const std::vector<char>& is_skin, Sk
         if (joint.bend < crease && is_skin[at(joint.one)] && is_skin[at(joint.other)])
             sets.join(joint.one, joint.other);
     cells.cell.assign(is_skin.size(), -1);
+    cells.area.clear();
+    cells.component.clear();
     for (int t = 0; t < graph.facet_count(); ++t)
     {
         if (!is_skin[at(t)])
@@ -153,6 +166,8 @@ SkinCells skin_cells(const SolidFacets& graph, const std::vector<InwardProbe>& p
     std::vector<char> is_skin;
     for (const double area : balance)
         is_skin.push_back(area > 0.0);
+    number_cells(graph, is_skin, cells);
+    drop_crumbs(cells, is_skin);
     number_cells(graph, is_skin, cells);
     cells.opposed = opposed_cells(probes, is_thin_look, cells.cell);
     return cells;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/thin_solid.h"
 
+#include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/skin_walls.h"
 #include "sheetmorph/mesh/solid_pieces.h"
@@ -143,6 +144,60 @@ std::string why_not(const SolidFacets& graph, const SkinPairs& pairs)
            + std::to_string(std::lround(100.0 * share)) + " % of its surface); leave it as it is";
 }
 
+// What the facets of a mesh were found to be, before the solid is put together.
+struct Findings
+{
+    const TriangleMesh& mesh;
+    const SolidFacets& graph;
+    const std::vector<InwardProbe>& probes;
+    const SkinCells& cells;
+};
+
+ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
+{
+    const FacetSides sides = skin_walls(found.mesh, found.graph, found.cells, pairs);
+    ThinSolid solid;
+    solid.thickness = main_thickness(found.graph, found.cells, pairs);
+    solid.facets = facet_sides(found.graph, pairs, sides);
+    solid.component = found.graph.component;
+    solid.vertices = vertex_sides(found.mesh, solid.facets);
+    solid.thicknesses = thickness_map(found.mesh, solid, found.probes, found.cells.thickness);
+    solid.walls = wall_pieces(found.mesh, found.graph, solid.facets);
+    solid.holes = through_holes(found.mesh, found.graph, solid);
+    solid.lumps = lump_pieces(found.mesh, found.probes, sides.is_lump);
+    return solid;
+}
+
+// By component: whether its main skin is in several pieces that no lump holds together.
+std::vector<char> broken_components(const TriangleMesh& mesh, const ThinSolid& solid)
+{
+    DisjointSets sets(mesh.vertex_count());
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 1; k < 3 && solid.facets[at(t)] == SolidSide::main; ++k)
+            sets.join(mesh.triangles()(t, 0), mesh.triangles()(t, k));
+    for (const VertexIds& lump : solid.lumps)
+        for (const int vertex : lump)
+            sets.join(lump.front(), vertex);
+    std::vector<int> root;
+    std::vector<char> is_broken;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        const std::size_t component = at(solid.component[at(t)]);
+        if (component >= root.size())
+        {
+            root.resize(component + 1, -1);
+            is_broken.resize(component + 1, 0);
+        }
+        if (solid.facets[at(t)] != SolidSide::main)
+            continue;
+        const int own = sets.root(mesh.triangles()(t, 0));
+        is_broken[component] =
+            is_broken[component] || (root[component] >= 0 && root[component] != own);
+        root[component] = own;
+    }
+    return is_broken;
+}
+
 }  // namespace
 
 ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
@@ -154,20 +209,22 @@ ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
     const SolidFacets graph = solid_facets(mesh);
     const std::vector<InwardProbe> probes = inward_probes(mesh, graph);
     const SkinCells cells = skin_cells(graph, probes, thickness);
-    const SkinPairs pairs = skin_pairs(mesh, graph, cells);
-    if (std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 1) == pairs.is_thin.end())
+    SkinPairs pairs = skin_pairs(mesh, graph, cells);
+    const auto is_none = [&]
+    { return std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 1) == pairs.is_thin.end(); };
+    if (is_none())
         return {std::nullopt, why_not(graph, pairs)};
-    const FacetSides sides = skin_walls(mesh, graph, cells, pairs);
-    ThinSolid solid;
-    solid.thickness = main_thickness(graph, cells, pairs);
-    solid.facets = facet_sides(graph, pairs, sides);
-    solid.component = graph.component;
-    solid.vertices = vertex_sides(mesh, solid.facets);
-    solid.thicknesses = thickness_map(mesh, solid, probes, cells.thickness);
-    solid.walls = wall_pieces(mesh, graph, solid.facets);
-    solid.holes = through_holes(mesh, graph, solid);
-    solid.lumps = lump_pieces(mesh, probes, sides.is_lump);
-    return {std::move(solid), ""};
+    const Findings found{mesh, graph, probes, cells};
+    ThinSolid solid = solid_of(found, pairs);
+    const std::vector<char> is_broken = broken_components(mesh, solid);
+    if (std::find(is_broken.begin(), is_broken.end(), 1) == is_broken.end())
+        return {std::move(solid), ""};
+    for (std::size_t component = 0; component < is_broken.size(); ++component)
+        if (is_broken[component])
+            pairs.is_thin[component] = 0;
+    if (is_none())
+        return {std::nullopt, "its skin is in pieces that only walls connect; leave it as it is"};
+    return {solid_of(found, pairs), ""};
 }
 
 }  // namespace sheetmorph

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -38,50 +39,123 @@ public:
     }
 
 private:
-    // A frozen vertex is known by its place in the cut mesh; its copies are one again.
-    bool is_old(Vertex v) const { return work_.is_frozen[v] && work_.origin[v] < old_count_; }
+    // A vertex of the result. A frozen one is known by its place in the cut mesh; its copies are
+    // one again.
+    struct Placed
+    {
+        Vector3 point;
+        int origin;  // in the cut mesh; -1 if it is free
+        int patch;   // of a free one
+    };
+
+    bool is_old(const Placed& vertex) const
+    {
+        return vertex.origin >= 0 && vertex.origin < old_count_;
+    }
+
+    int patch_at(Vertex v) const
+    {
+        return work_.patch[work_.surface.face(work_.surface.halfedge(v))];
+    }
 
     void number_vertices()
     {
-        number_.assign(work_.surface.num_vertices(), -1);
-        std::map<int, int> of_cut;
-        const auto give = [&](Vertex v)
-        {
-            int next = static_cast<int>(representative_.size());
-            if (work_.is_frozen[v])
-                next = of_cut.emplace(work_.origin[v], next).first->second;
-            if (next == static_cast<int>(representative_.size()))
-                representative_.push_back(v);
-            number_[v] = next;
-        };
-        std::vector<std::pair<int, Vertex>> old;
+        std::vector<int> old;
+        std::vector<Vertex> others;
         for (const Vertex v : work_.surface.vertices())
-            if (is_old(v) && !work_.surface.is_isolated(v))
-                old.emplace_back(work_.origin[v], v);
+            if (work_.surface.is_isolated(v))
+                continue;
+            else if (work_.is_frozen[v] && work_.origin[v] < old_count_)
+                old.push_back(work_.origin[v]);
+            else
+                others.push_back(v);
+        for (const TwinFlats& pair : source_.twins)
+            for (const auto& [vertex, twin] : pair.vertex_of)
+                if (twin < old_count_)
+                    old.push_back(twin);
         std::sort(old.begin(), old.end());
-        for (const auto& entry : old)
-            give(entry.second);
-        for (const Vertex v : work_.surface.vertices())
-            if (!is_old(v) && !work_.surface.is_isolated(v))
-                give(v);
+        for (const int vertex : old)
+            number_of_cut(vertex);
+        for (const Vertex v : others)
+            number_of(v);
+    }
+
+    // Numbers are given when they are first asked for.
+    int number_of_cut(int vertex)
+    {
+        const auto [found, is_new] = of_cut_.emplace(vertex, static_cast<int>(vertices_.size()));
+        if (is_new)
+            vertices_.push_back({source_.cut.mesh.points().row(vertex).transpose(), vertex, -1});
+        return found->second;
+    }
+
+    int number_of(Vertex v)
+    {
+        if (work_.is_frozen[v])
+            return number_of_cut(work_.origin[v]);
+        const auto [found, is_new] = of_free_.emplace(v, static_cast<int>(vertices_.size()));
+        if (is_new)
+            vertices_.push_back({work_.point(v), -1, patch_at(v)});
+        return found->second;
+    }
+
+    // A vertex of a flat on its twin.
+    int number_on_twin(Vertex v, const TwinFlats& pair)
+    {
+        const auto on_outline = pair.vertex_of.find(work_.origin[v]);
+        if (work_.is_frozen[v] && on_outline != pair.vertex_of.end())
+            return number_of_cut(on_outline->second);
+        const auto [found, is_new] =
+            of_twin_.emplace(std::pair(v, pair.twin), static_cast<int>(vertices_.size()));
+        if (is_new)
+        {
+            const Hit hit = source_.trees.nearest(pair.twin, work_.point(v) + pair.way);
+            vertices_.push_back({hit.point, -1, pair.twin});
+        }
+        return found->second;
+    }
+
+    std::array<Vertex, 3> corners(Face face) const
+    {
+        const Halfedge h = work_.surface.halfedge(face);
+        return {work_.surface.source(h), work_.surface.target(h),
+                work_.surface.target(work_.surface.next(h))};
     }
 
     void collect_triangles()
     {
-        Points points(representative_.size(), 3);
-        for (std::size_t i = 0; i < representative_.size(); ++i)
-            points.row(i) = work_.point(representative_[i]).transpose();
-        Triangles triangles(work_.surface.number_of_faces(), 3);
-        int t = 0;
+        std::vector<std::array<int, 3>> triangles;
+        std::map<int, const TwinFlats*> pair_of;
+        for (const TwinFlats& pair : source_.twins)
+            pair_of[pair.flat] = &pair;
+        const auto add = [&](const std::array<int, 3>& triangle, int patch)
+        {
+            triangles.push_back(triangle);
+            found_.patch.push_back(patch);
+        };
         for (const Face face : work_.surface.faces())
         {
-            Halfedge h = work_.surface.halfedge(face);
-            for (int k = 0; k < 3; ++k, h = work_.surface.next(h))
-                triangles(t, k) = number_[work_.surface.source(h)];
-            found_.patch.push_back(work_.patch[face]);
-            ++t;
+            const auto [a, b, c] = corners(face);
+            add({number_of(a), number_of(b), number_of(c)}, work_.patch[face]);
         }
-        found_.mesh = TriangleMesh(std::move(points), std::move(triangles));
+        for (const Face face : work_.surface.faces())
+        {
+            const auto pair = pair_of.find(work_.patch[face]);
+            if (pair == pair_of.end())
+                continue;
+            const auto [a, b, c] = corners(face);
+            const TwinFlats& twins = *pair->second;
+            add({number_on_twin(c, twins), number_on_twin(b, twins), number_on_twin(a, twins)},
+                twins.twin);
+        }
+        Points points(vertices_.size(), 3);
+        for (std::size_t i = 0; i < vertices_.size(); ++i)
+            points.row(static_cast<Eigen::Index>(i)) = vertices_[i].point.transpose();
+        Triangles rows(triangles.size(), 3);
+        for (std::size_t t = 0; t < triangles.size(); ++t)
+            rows.row(static_cast<Eigen::Index>(t)) << triangles[t][0], triangles[t][1],
+                triangles[t][2];
+        found_.mesh = TriangleMesh(std::move(points), std::move(rows));
     }
 
     // A triangle given at every vertex given, and at every edge.
@@ -98,20 +172,19 @@ private:
                 const EdgeUse& use = *source_.table.uses(edge).begin();
                 triangle_along[std::minmax(use.from, use.to)] = use.triangle;
             }
-        found_.barycentric = Points::Zero(representative_.size(), 3);
-        for (std::size_t i = 0; i < representative_.size(); ++i)
+        found_.barycentric = Points::Zero(vertices_.size(), 3);
+        for (std::size_t i = 0; i < vertices_.size(); ++i)
         {
-            const Vertex v = representative_[i];
-            const int row = static_cast<int>(i), origin = work_.origin[v];
-            if (is_old(v))
+            const int row = static_cast<int>(i), origin = vertices_[i].origin;
+            if (is_old(vertices_[i]))
                 put(row, triangle_at[origin], {origin, origin, 0.0});
-            else if (work_.is_frozen[v])
+            else if (origin >= 0)
             {
                 const EdgePlace& place = source_.cut.places[origin - old_count_];
                 put(row, triangle_along.at(std::minmax(place.from, place.to)), place);
             }
             else
-                put_inside(row, v);
+                put_inside(row, vertices_[i]);
         }
     }
 
@@ -128,10 +201,9 @@ private:
         }
     }
 
-    void put_inside(int row, Vertex v)
+    void put_inside(int row, const Placed& vertex)
     {
-        const int patch = work_.patch[work_.surface.face(work_.surface.halfedge(v))];
-        const Hit hit = source_.trees.nearest(patch, work_.point(v));
+        const Hit hit = source_.trees.nearest(vertex.patch, vertex.point);
         found_.triangle.push_back(hit.triangle);
         found_.barycentric.row(row) = hit.barycentric.transpose();
     }
@@ -167,10 +239,10 @@ private:
     {
         found_.vertex_of.assign(static_cast<std::size_t>(old_count_), -1);
         found_.is_kept.assign(static_cast<std::size_t>(old_count_), 0);
-        for (std::size_t i = 0; i < representative_.size(); ++i)
-            if (is_old(representative_[i]))
+        for (std::size_t i = 0; i < vertices_.size(); ++i)
+            if (is_old(vertices_[i]))
             {
-                const int origin = work_.origin[representative_[i]];
+                const int origin = vertices_[i].origin;
                 found_.vertex_of[origin] = static_cast<int>(i);
                 found_.is_kept[origin] = 1;
             }
@@ -193,8 +265,10 @@ private:
     const WorkingMesh& work_;
     const RemeshSource& source_;
     int old_count_;
-    std::vector<int> number_;  // of every vertex of the working mesh
-    std::vector<Vertex> representative_;
+    std::vector<Placed> vertices_;
+    std::map<int, int> of_cut_;      // the number of a vertex of the cut mesh
+    std::map<Vertex, int> of_free_;  // of the working mesh
+    std::map<std::pair<Vertex, int>, int> of_twin_;
     RemeshedMesh found_;
 };
 

@@ -4,6 +4,7 @@
 #include "sheetmorph/repair/patch_trees.h"
 #include "sheetmorph/repair/remeshing.h"
 #include "sheetmorph/repair/ridge_cuts.h"
+#include "sheetmorph/repair/twin_flats.h"
 #include "sheetmorph/repair/working_mesh.h"
 
 namespace sheetmorph
@@ -17,6 +18,7 @@ struct RemeshSource
     const Patches& patches;
     const CutMesh& cut;
     const PatchTrees& trees;
+    const std::vector<TwinFlats>& twins;  //!< the twins are not in the working mesh
     int circles;
 };
 

@@ -4,6 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/repair/remesh_result.h"
 #include "sheetmorph/repair/round_rims.h"
+#include "sheetmorph/repair/twin_flats.h"
 #include "sheetmorph/repair/working_mesh.h"
 
 #include <Eigen/Geometry>
@@ -98,6 +99,28 @@ Patches on_table(const Patches& patches, const EdgeTable& before, const EdgeTabl
     return found;
 }
 
+// Triangles and the patch of each.
+struct PatchTriangles
+{
+    TriangleMesh mesh;
+    std::vector<int> patch;
+};
+
+// A mesh without the second flat of every pair.
+PatchTriangles without_twins(const PatchTriangles& given, const std::vector<TwinFlats>& twins)
+{
+    std::vector<int> kept;
+    for (int t = 0; t < given.mesh.triangle_count(); ++t)
+        if (std::none_of(twins.begin(), twins.end(),
+                         [&](const TwinFlats& pair)
+                         { return pair.twin == given.patch[static_cast<std::size_t>(t)]; }))
+            kept.push_back(t);
+    std::vector<int> patch;
+    for (const int t : kept)
+        patch.push_back(given.patch[static_cast<std::size_t>(t)]);
+    return {TriangleMesh(given.mesh.points(), given.mesh.triangles()(kept, Eigen::all)), patch};
+}
+
 void project(WorkingMesh& work, const PatchTrees& trees)
 {
     std::vector<WorkingMesh::Vertex> moving;
@@ -145,17 +168,26 @@ RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
     RoundRims rims;
     if (options.are_rims_on_circles)
         rims = RoundRims(mesh, table);
+    const Pairs ridges = pairs_where(table, [&](int edge) { return patches.is_ridge[edge] != 0; });
+    const double least_area = options.edge * options.edge;
+    const FoundTwins found =
+        find_twin_flats({flipped, patches.patch, ridges}, patches.is_flat, least_area);
+    const std::vector<double> sizes = wanted_sizes(flipped, flipped_table, on_flipped,
+                                                   {options.edge, rims.sizes(mesh.vertex_count())});
     CutMesh cut = cut_ridges(flipped, flipped_table, on_flipped,
-                             {options.edge, rims.sizes(mesh.vertex_count())});
+                             {{options.edge, evened(sizes, found.twins)}, found.stops});
     cut.mesh = rims.rounded(mesh.vertex_count(), cut);
     std::vector<int> patch;
     for (const int origin : cut.triangle_of)
         patch.push_back(patches.patch[origin]);
-    WorkingMesh work({cut.mesh, cut.ridges, patch, cut.sizes});
+    const std::vector<TwinFlats> twins =
+        twins_after_cuts(found.twins, {cut.mesh, patch, cut.ridges});
+    const PatchTriangles worked = without_twins({cut.mesh, patch}, twins);
+    WorkingMesh work({worked.mesh, cut.ridges, worked.patch, cut.sizes});
     const PatchTrees trees(mesh, patches.patch);
     improve(work, trees, progress.part(0.1, 0.8));
     progress.report(0.8, "measuring the deviation");
-    return result_of(work, {mesh, table, patches, cut, trees, rims.count()});
+    return result_of(work, {mesh, table, patches, cut, trees, twins, rims.count()});
 }
 
 }  // namespace sheetmorph

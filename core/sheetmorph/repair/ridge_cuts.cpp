@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace sheetmorph
 {
@@ -53,14 +54,16 @@ public:
     {
     }
 
-    void cut(const Patches& patches, const SizeLimits& limits)
+    void cut(const Patches& patches, const CutWish& wanted)
     {
-        found_.sizes = wanted_sizes(mesh_, table_, patches, limits);
+        found_.sizes = wanted.sizes.at_vertices;
+        for (const TwinStop& stop : wanted.stops)
+            stops_[{stop.from, stop.to}].emplace_back(stop.share, found_.sizes[stop.vertex]);
         for (int edge = 0; edge < table_.count(); ++edge)
         {
             first_[edge] = mesh_.vertex_count() + static_cast<int>(found_.places.size());
             if (patches.is_ridge[edge])
-                cut_edge(edge, limits.edge);
+                cut_edge(edge, wanted.sizes.edge);
         }
         for (int t = 0; t < mesh_.triangle_count(); ++t)
             cut_triangle(t);
@@ -103,12 +106,26 @@ private:
         const EdgeUse& use = *table_.uses(edge).begin();
         const int from = std::min(use.from, use.to), to = std::max(use.from, use.to);
         const double length = (mesh_.points().row(to) - mesh_.points().row(from)).norm();
-        const EdgeSizes sizes{length, found_.sizes[from], found_.sizes[to], largest};
-        for (const double share : even_cuts(sizes))
+        const auto put = [&](double share, double size)
         {
             found_.places.push_back({from, to, share});
-            found_.sizes.push_back(sizes.at(share));
+            found_.sizes.push_back(size);
             ++count_[edge];
+        };
+        Stops stops{{0.0, found_.sizes[from]}};
+        if (const auto own = stops_.find({from, to}); own != stops_.end())
+            stops.insert(stops.end(), own->second.begin(), own->second.end());
+        stops.emplace_back(1.0, found_.sizes[to]);
+        std::sort(stops.begin(), stops.end());
+        for (std::size_t k = 1; k < stops.size(); ++k)
+        {
+            const auto [start, size] = stops[k - 1];
+            const double step = stops[k].first - start;
+            const EdgeSizes sizes{step * length, size, stops[k].second, largest};
+            for (const double share : even_cuts(sizes))
+                put(start + share * step, sizes.at(share));
+            if (k + 1 < stops.size())
+                put(stops[k].first, stops[k].second);
         }
         const VertexIds ids = chain(edge);
         for (std::size_t k = 1; k < ids.size(); ++k)
@@ -165,16 +182,18 @@ private:
     std::vector<int> first_;  // of every edge: its first new vertex
     std::vector<int> count_;
     std::vector<Corners> pieces_;
+    using Stops = std::vector<std::pair<double, double>>;  // share of an edge and the size there
+    std::map<std::pair<int, int>, Stops> stops_;
     CutMesh found_;
 };
 
 }  // namespace
 
 CutMesh cut_ridges(const TriangleMesh& mesh, const EdgeTable& table, const Patches& patches,
-                   const SizeLimits& limits)
+                   const CutWish& wanted)
 {
     RidgeCutter cutter(mesh, table);
-    cutter.cut(patches, limits);
+    cutter.cut(patches, wanted);
     return cutter.result();
 }
 

@@ -25,8 +25,23 @@ struct CutMesh
     std::vector<std::pair<int, int>> ridges;  //!< (smaller, larger) vertex of every segment, sorted
 };
 
+//! Where an edge must be cut, because another one is that is meshed alike.
+struct TwinStop
+{
+    int from = -1, to = -1;  //!< the smaller and the larger vertex of the edge
+    double share = 0.0;      //!< at from + share * (to - from)
+    int vertex = -1;         //!< the vertex of the other that it stands for
+};
+
+struct CutWish
+{
+    SizeLimits sizes;
+    std::vector<TwinStop> stops;
+};
+
 //! Cuts every ridge into segments as long as wanted, the same way for all the triangles at it.
+//! \param wanted  the sizes at every vertex, see wanted_sizes(), and anywhere; places to stop at
 CutMesh cut_ridges(const TriangleMesh& mesh, const EdgeTable& table, const Patches& patches,
-                   const SizeLimits& limits);
+                   const CutWish& wanted);
 
 }  // namespace sheetmorph

@@ -26,6 +26,7 @@ using Face = WorkingMesh::Face;
 
 constexpr double too_long = 4.0 / 3.0;
 constexpr double too_short = 4.0 / 5.0;
+constexpr double least_height = 0.02;    // over the longest edge, of a triangle that is made
 constexpr double least_alignment = 0.8;  // cosine between a triangle before and after a step
 
 // Whether a triangle keeps its side, and keeps some height.
@@ -107,12 +108,11 @@ bool may_move(const WorkingMesh& work, Vertex v, Vertex gone, const Vector3& pla
             continue;
         const Vector3 p = work.point(a), q = work.point(b), now = work.point(v);
         // A triangle without height may become any that has one.
-        const bool had_height = height_ratio(p, now, q) > 1e-4;
-        if (had_height
-            && !is_sound(WorkingMesh::area_vector(p, now, q),
-                         WorkingMesh::area_vector(p, place, q)))
-            return false;
-        if (height_ratio(p, place, q) < 0.02 && had_height)
+        const double height = height_ratio(p, now, q);
+        if (height > 1e-4
+            && (height_ratio(p, place, q) < std::min(least_height, height)
+                || !is_sound(WorkingMesh::area_vector(p, now, q),
+                             WorkingMesh::area_vector(p, place, q))))
             return false;
     }
     return true;
@@ -137,17 +137,22 @@ void collapse_if_sound(WorkingMesh& work, Edge e)
         return;
     if (work.is_frozen[b])
         std::swap(a, b);
-    const Vector3 place =
-        work.is_frozen[a] ? work.point(a) : Vector3(0.5 * (work.point(a) + work.point(b)));
-    if (!may_move(work, b, a, place) || (!work.is_frozen[a] && !may_move(work, a, b, place))
-        || grows_too_long(work, b, a, place) || grows_too_long(work, a, b, place)
-        || !CGAL::Euler::does_satisfy_link_condition(e, surface))
+    const auto is_sound_at = [&](const Vector3& place)
+    {
+        return may_move(work, b, a, place) && (work.is_frozen[a] || may_move(work, a, b, place))
+               && !grows_too_long(work, b, a, place) && !grows_too_long(work, a, b, place);
+    };
+    std::vector<Vector3> places{work.point(a)};
+    if (!work.is_frozen[a])
+        places = {0.5 * (work.point(a) + work.point(b)), work.point(a), work.point(b)};
+    const auto place = std::find_if(places.begin(), places.end(), is_sound_at);
+    if (place == places.end() || !CGAL::Euler::does_satisfy_link_condition(e, surface))
         return;
     const int origin = work.origin[a];
     const bool is_frozen = work.is_frozen[a];
     const double size = is_frozen ? work.size[a] : 0.5 * (work.size[a] + work.size[b]);
     const Vertex kept = CGAL::Euler::collapse_edge(e, surface, work.is_ridge);
-    work.move(kept, place);
+    work.move(kept, *place);
     work.origin[kept] = origin;
     work.is_frozen[kept] = is_frozen;
     work.size[kept] = size;

@@ -2,8 +2,8 @@
 #include "sheetmorph/assembly/deformation_session.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/thickness_gauge.h"
+#include "sheetmorph/repair/self_intersections.h"
 #include "assembly/frames.h"
-#include "self_intersection.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -81,7 +81,7 @@ TEST_P(ThinSolids, KeepTheirThicknessAndNeverMeetThemselves)
     EXPECT_NEAR(change.rest_most, thickness, 1e-9);
     EXPECT_LT(change.worst, 0.005);
     EXPECT_LT(change.worst_at_walls, 0.02);
-    EXPECT_FALSE(shapes::intersects_itself(positions, mesh.triangles()));
+    EXPECT_TRUE(self_intersections(TriangleMesh(positions, mesh.triangles())).empty());
 }
 
 TEST_P(ThinSolids, BendAsTheOpenSheetInTheirMiddle)
@@ -227,7 +227,8 @@ TEST(ThinSolid, ManyPlatesWithBendsAndHolesKeepTheirThickness)
         const ThicknessChange change = thickness_change(mesh, *session.thin_solid(0), positions);
         EXPECT_LT(change.worst, 0.02) << "round " << round;
         EXPECT_LT(change.worst_at_walls, 0.02) << "round " << round;
-        EXPECT_FALSE(shapes::intersects_itself(positions, mesh.triangles())) << "round " << round;
+        EXPECT_TRUE(self_intersections(TriangleMesh(positions, mesh.triangles())).empty())
+            << "round " << round;
     }
 }
 

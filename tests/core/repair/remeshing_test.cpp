@@ -6,6 +6,7 @@
 #include "sheetmorph/mesh/circle.h"
 #include "sheetmorph/mesh/diagnosis.h"
 #include "sheetmorph/mesh/quality.h"
+#include "sheetmorph/repair/self_intersections.h"
 #include "shapes.h"
 
 #include <Eigen/Geometry>
@@ -99,6 +100,45 @@ TEST(Remeshing, KeepsSheetsTogetherThatMeetInAnEdge)
     EXPECT_EQ(diagnosis.duplicate_vertices, 0);
     EXPECT_GE(diagnosis.non_manifold_edges, 6);
     EXPECT_LT(found.deviation, 1e-12);
+}
+
+// How many vertices at one height have none above or below them at another.
+int without_twin(const TriangleMesh& mesh, double height, double other)
+{
+    int count = 0;
+    for (int i = 0; i < mesh.vertex_count(); ++i)
+    {
+        if (std::abs(mesh.points()(i, 2) - height) > 1e-9)
+            continue;
+        const Vector3 place = Vector3(mesh.points()(i, 0), mesh.points()(i, 1), other);
+        count += (mesh.points().rowwise() - place.transpose()).rowwise().norm().minCoeff() > 1e-9;
+    }
+    return count;
+}
+
+TEST(Remeshing, MeshesTheSkinsOfAPlateAlike)
+{
+    const RemeshedMesh found = remeshed(shapes::box(1, Vector3(60, 40, 3)), edges_of(3.0));
+    EXPECT_EQ(without_twin(found.mesh, 0.0, 3.0), 0);
+    EXPECT_EQ(without_twin(found.mesh, 3.0, 0.0), 0);
+    EXPECT_TRUE(self_intersections(found.mesh).empty());
+}
+
+TEST(Remeshing, MeshesSkinsAlikeThoughARimHasAVertexMoreOnOneSide)
+{
+    // Vertices 0 to 7 of a box, and one more in the middle of an edge of its upper face.
+    Points points(9, 3);
+    points << 0, 0, 0, 60, 0, 0, 60, 40, 0, 0, 40, 0, 0, 0, 3, 60, 0, 3, 60, 40, 3, 0, 40, 3,  //
+        31, 0.4, 3;
+    Triangles triangles(14, 3);
+    triangles << 0, 2, 1, 0, 3, 2, 4, 8, 7, 8, 6, 7, 8, 5, 6, 0, 1, 8, 0, 8, 4, 1, 5, 8,  //
+        1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7;
+    const RemeshedMesh found = remeshed(TriangleMesh(points, triangles), edges_of(3.0));
+    EXPECT_LT(found.deviation, 1e-9);
+    EXPECT_EQ(diagnose(found.mesh, 1e-6).open_edges, 0);
+    EXPECT_LT(without_twin(found.mesh, 3.0, 0.0), 25);  // along the edge that differs alone
+    EXPECT_GT(std::count_if(found.is_kept.begin(), found.is_kept.end(), [](char c) { return c; }),
+              8);
 }
 
 TEST(Remeshing, RefusesEdgesThatMakeNoSense)

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Set 05: plates, covers and tubes as CAD exports them, cured and bent, or refused with reasons."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bending import bent_and_twisted
+from sheetmorph import PartMesh, Session, _core, diagnose, read_part
+from sheetmorph.prepared_mesh import Wanted, prepared_mesh
+from test_real_files import real_file
+
+SUMMIT = "05-robotnik-summit-stl"
+ENDS = 0.03  # of the length: held, and moved
+
+
+def cured(name: str, edge: float) -> PartMesh:
+    """A file after the cures that the doctor offers for it, with an edge length of our own, mm."""
+    mesh = read_part(real_file(f"{SUMMIT}/{name}.stl")).mesh
+    keys: dict[str, Any] = {}
+    for finding in diagnose(mesh)["findings"]:
+        if finding["cure"] in ("scale", "weld"):
+            keys |= finding["recipe"]
+    made, _ = prepared_mesh(_core, mesh, Wanted(keys.get("weld", 0.0), edge, scale=keys["scale"]))
+    return made
+
+
+def bent(mesh: PartMesh, axis: int, features: list[np.ndarray], **part: Any) -> Session:
+    """A session: the low end along an axis is held, the high end is the handle."""
+    along = mesh.points[:, axis]
+    low, high = along.min(), along.max()
+    held = along < low + ENDS * (high - low)
+    moved = along > high - ENDS * (high - low)
+    inner = []
+    for vertices in features:  # those at the ends go with the ends
+        for end in (held, moved):
+            end[vertices] |= end[vertices].any()
+        if not (held[vertices].any() or moved[vertices].any()):
+            inner.append(vertices)
+    names = [f"hole{k}" for k in range(len(inner))]
+    recipe = {
+        "sheetmorph": 1,
+        "parts": [{"name": "part", **part}],
+        "fixed": [{"part": "part", "vertices": np.flatnonzero(held).tolist()}],
+        "handles": [{"name": "end", "part": "part", "vertices": np.flatnonzero(moved).tolist()}],
+        "features": [
+            {"name": name, "part": "part", "vertices": vertices.tolist()}
+            for name, vertices in zip(names, inner)
+        ],
+    }
+    return Session(recipe, {"part": PartMesh(mesh.points, mesh.triangles)})
+
+
+def largest_fold(points: np.ndarray, triangles: np.ndarray) -> float:
+    """Degrees by which neighbours in a mesh that was flat are bent out of one plane, at most."""
+    corners = points[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    edges = np.sort(np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    order = np.lexsort(edges.T)
+    owner = np.tile(np.arange(len(triangles)), 3)[order]
+    edges = edges[order]
+    pairs = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
+    cosines = np.einsum("ij,ij->i", normals[owner[pairs]], normals[owner[pairs + 1]])
+    return float(np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0))).max())
+
+
+def away_from_seam(mesh: PartMesh, pairs: np.ndarray) -> int:
+    """How many pairs are not at x = 0, where the walls of two plates coincide in the file."""
+    at_seam = (np.abs(mesh.points[:, 0]) < 1e-3)[mesh.triangles].any(axis=1)
+    return int((~at_seam[pairs].all(axis=1)).sum())
+
+
+def test_the_stainless_plate_bends_and_twists_and_stays_a_sheet():
+    mesh = cured("summit_xls_chapas_inox_tapas", 12.0)
+    solid, reason = _core.find_thin_solid(_core.TriangleMesh(mesh.points, mesh.triangles), 0.0)
+    assert reason == ""
+    holes = [np.asarray(hole.vertices) for hole in solid.holes]
+    session = bent(mesh, 1, holes, thin="auto")
+    length = (1.0 - 2.0 * ENDS) * np.ptp(mesh.points[:, 1])
+    result = session.deform({"end": bent_and_twisted(length, 30.0, 20.0)})
+    report = result.report()
+    assert report["certificate"]["passed"] and len(report["features"]) > 50
+    thin = report["parts"][0]["thin"]
+    assert thin["thickness"] == pytest.approx(1.5, rel=1e-6)
+    assert thin["largest_change"] < 0.005
+    assert thin["largest_change_at_walls"] < 0.02
+    assert report["parts"][0]["quality"]["flipped"] == 0
+    points = result.positions["part"]
+    pairs = _core.self_intersections(_core.TriangleMesh(points, mesh.triangles))
+    assert away_from_seam(mesh, pairs) == 0
+    for side in (0, 1):  # the main skin and the other
+        assert largest_fold(points, mesh.triangles[np.asarray(solid.facets) == side]) < 6.0
+
+
+def component(mesh: PartMesh, labels: np.ndarray, number: int) -> PartMesh:
+    """One connected piece of a mesh."""
+    own = np.flatnonzero(labels == number)
+    place = np.full(len(mesh.points), -1)
+    place[own] = np.arange(len(own))
+    return PartMesh(mesh.points[own], place[mesh.triangles[labels[mesh.triangles[:, 0]] == number]])
+
+
+@pytest.mark.parametrize(
+    ("name", "components", "sheets"),
+    [("summit_xl_covers", 10, 4), ("summit_xl_chassis", 1, 0), ("structure_chair", 28, 10)],
+)
+def test_what_else_comes_from_cad_bends_once_cured(name: str, components: int, sheets: int):
+    mesh = cured(name, 20.0)
+    labels = np.asarray(_core.components(_core.TriangleMesh(mesh.points, mesh.triangles)))
+    assert labels.max() + 1 == components
+    thin = []
+    for number in range(components):
+        piece = component(mesh, labels, number)
+        axis = int(np.ptp(piece.points, axis=0).argmax())
+        session = bent(piece, axis, [], thin="auto")
+        turn = {"axis": np.eye(3)[(axis + 1) % 3].tolist(), "degrees": 5}
+        (part,) = session.deform({"end": {"rotation": turn}}).report()["parts"]
+        rest = _core.TriangleMesh(piece.points, piece.triangles)
+        if len(_core.self_intersections(rest)) > 0:
+            continue  # it goes through itself as it was drawn
+        assert part["quality"]["flipped"] == 0
+        if part["thin"] is None:
+            assert any("recognised as none" in note for note in session_notes(session))
+        else:
+            thin.append(part["thin"]["largest_change"])
+            assert part["thin"]["self_intersections"]["deformed"] == 0
+    assert len(thin) == sheets
+
+
+def session_notes(session: Session) -> list[str]:
+    """What the report says besides."""
+    return session.deform({}).report()["notes"]
