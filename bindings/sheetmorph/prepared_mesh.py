@@ -14,6 +14,8 @@ from .part_mesh import PartMesh
 
 # Barycentric coordinates below it count as zero: the vertex lies on the edge or the corner.
 _ON_EDGE = 1e-9
+# The same where places are compared that rounding has moved.
+_BESIDE = 1e-4
 
 
 @dataclass(frozen=True)
@@ -129,6 +131,23 @@ def prepared_mesh(core: ModuleType, mesh: PartMesh, wanted: Wanted) -> tuple[Par
     return made, triangle_of
 
 
+def placed_on(core: ModuleType, made: PartMesh, before: PartMesh) -> PreparedMesh:
+    """A mesh that understands the ids of another one over the same facets, by their places."""
+    old = core.PickingTree(before.points, before.triangles)
+    new = core.PickingTree(made.points, made.triangles)
+    below = [old.nearest_point(point) for point in made.points]
+    corners = before.triangles[[hit.triangle for hit in below]]
+    weights = np.array([hit.barycentric for hit in below])
+    above = [new.nearest_point(point) for point in before.points]
+    near = made.triangles[[hit.triangle for hit in above]]
+    nearest = np.array([hit.barycentric for hit in above]).argmax(axis=1)
+    return PreparedMesh(
+        made.points, made.triangles, name=before.name, source=before,
+        support=_with_weight(corners, weights, _BESIDE),
+        vertex_of=near[np.arange(len(near)), nearest], done=made.preparation,
+    )  # fmt: skip
+
+
 def _is_round(wanted: Wanted) -> bool:
     return wanted.rims == "circle"
 
@@ -143,10 +162,13 @@ def _first_of(cure: Any) -> np.ndarray:
 
 def _corners_below(fresh: Any, triangles: np.ndarray) -> np.ndarray:
     """(n, 4) the nearest corner of the facet below each vertex, then the corners with a weight."""
-    corners = triangles[fresh.triangle]
-    weight = fresh.barycentric
-    most = corners[np.arange(len(corners)), weight.argmax(axis=1)]
-    return np.column_stack([most, np.where(weight > _ON_EDGE, corners, most[:, None])])
+    return _with_weight(triangles[fresh.triangle], fresh.barycentric, _ON_EDGE)
+
+
+def _with_weight(corners: np.ndarray, weights: np.ndarray, least: float) -> np.ndarray:
+    """(n, 4) the nearest corner, then the corners (n, 3) with more than a least weight."""
+    most = corners[np.arange(len(corners)), weights.argmax(axis=1)]
+    return np.column_stack([most, np.where(weights > least, corners, most[:, None])])
 
 
 def _told(fresh: Any, wanted: Wanted) -> dict[str, Any]:

@@ -146,6 +146,7 @@ def panel():
             "propagation",
             "feature",
             "thickness",
+            "prepare",
             "find",
             "guide",
             "pose",

@@ -71,7 +71,7 @@ TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const EdgeTable& table,
                                       != patches.plane[(uses.begin() + 1)->triangle];
                     });
     const std::vector<double> sizes(static_cast<std::size_t>(mesh.vertex_count()), 0.0);
-    WorkingMesh work({mesh, folds, patches.patch, sizes});
+    WorkingMesh work({mesh, folds, patches.patch, sizes, patches.is_flat});
     flip_to_delaunay(work);
     Triangles triangles(mesh.triangle_count(), 3);
     for (const WorkingMesh::Face face : work.surface.faces())
@@ -183,7 +183,8 @@ RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
     const std::vector<TwinFlats> twins =
         twins_after_cuts(found.twins, {cut.mesh, patch, cut.ridges});
     const PatchTriangles worked = without_twins({cut.mesh, patch}, twins);
-    WorkingMesh work({worked.mesh, cut.ridges, worked.patch, cut.sizes});
+    WorkingMesh work(
+        {worked.mesh, cut.ridges, worked.patch, cut.sizes, patches.is_flat, options.edge});
     const PatchTrees trees(mesh, patches.patch);
     improve(work, trees, progress.part(0.1, 0.8));
     progress.report(0.8, "measuring the deviation");

@@ -11,6 +11,7 @@ namespace sheetmorph
 {
 
 WorkingMesh::WorkingMesh(const WorkingInput& input)
+    : is_flat_(input.is_flat), largest_(input.largest)
 {
     origin = surface.add_property_map<Vertex, int>("v:origin", -1).first;
     is_frozen = surface.add_property_map<Vertex, bool>("v:is_frozen", false).first;
@@ -88,6 +89,14 @@ Vector3 WorkingMesh::area_vector(Face face) const
 double WorkingMesh::length(Edge e) const
 {
     return (point(surface.vertex(e, 0)) - point(surface.vertex(e, 1))).norm();
+}
+
+double WorkingMesh::largest_size(Edge e) const
+{
+    for (const Halfedge h : {surface.halfedge(e), surface.opposite(surface.halfedge(e))})
+        if (!surface.is_border(h) && !is_flat_[patch[surface.face(h)]])
+            return std::max(size[surface.vertex(e, 0)], size[surface.vertex(e, 1)]);
+    return largest_;
 }
 
 double WorkingMesh::wanted_length(Edge e) const

@@ -18,6 +18,8 @@ struct WorkingInput
     const std::vector<std::pair<int, int>>& ridges;  //!< (smaller, larger) vertex, sorted
     const std::vector<int>& patch;                   //!< (m)
     const std::vector<double>& sizes;                //!< (n) edge length wanted, mm
+    const std::vector<char>& is_flat;                //!< of every patch
+    double largest = 0.0;                            //!< edge length wanted far from all ridges, mm
 };
 
 //! A manifold copy of a mesh that can be flipped, split and collapsed (CGAL, Surface_mesh). Ridges
@@ -43,6 +45,9 @@ public:
     double length(Edge e) const;
     double wanted_length(Edge e) const;
 
+    //! The largest size in the middle of an edge: on a bend it is as curved as at the ends.
+    double largest_size(Edge e) const;
+
     SurfaceMesh surface;
     SurfaceMesh::Property_map<Vertex, int> origin;      //!< vertex of the input, -1 if it is new
     SurfaceMesh::Property_map<Vertex, bool> is_frozen;  //!< on a ridge
@@ -53,12 +58,18 @@ public:
 private:
     void mark_ridges(const std::vector<std::pair<int, int>>& ridges);
     void freeze_vertices(const std::vector<int>& original);
+
+    std::vector<char> is_flat_;
+    double largest_;
 };
 
 //! Turns the edges that are not ridges until every pair of triangles is Delaunay (the two angles
 //! opposite an edge sum up to pi at most), or for so many rounds. Pairs that are bent stay.
 //! \returns how many edges were turned
 int flip_to_delaunay(WorkingMesh& work, int most_rounds = 40);
+
+//! Makes sizes grow slowly along the edges there are now.
+void even_sizes(WorkingMesh& work);
 
 //! Splits edges longer than 4/3 of what is wanted, then collapses those shorter than 4/5.
 void split_long_edges(WorkingMesh& work);

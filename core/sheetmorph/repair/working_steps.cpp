@@ -78,9 +78,8 @@ void split(WorkingMesh& work, Edge e)
     const Vertex a = surface.source(h), b = surface.target(h);
     const Vector3 middle = 0.5 * (work.point(a) + work.point(b));
     const double half = 0.5 * work.length(e);
-    const double size =
-        std::min({work.size[a] + size_growth * half, work.size[b] + size_growth * half,
-                  std::max(work.size[a], work.size[b])});
+    const double size = std::min({work.size[a] + size_growth * half,
+                                  work.size[b] + size_growth * half, work.largest_size(e)});
     const Halfedge fresh = CGAL::Euler::split_edge(h, surface);
     const Vertex v = surface.target(fresh);
     work.move(v, middle);
@@ -197,11 +196,26 @@ int flip_to_delaunay(WorkingMesh& work, int most_rounds)
     return count;
 }
 
+void even_sizes(WorkingMesh& work)
+{
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round)
+        for (const Edge e : work.surface.edges())
+        {
+            double& a = work.size[work.surface.vertex(e, 0)];
+            double& b = work.size[work.surface.vertex(e, 1)];
+            const double growth = size_growth * work.length(e);
+            a = std::min(a, b + growth);
+            b = std::min(b, a + growth);
+        }
+}
+
 void split_long_edges(WorkingMesh& work)
 {
     constexpr int most_rounds = 20;
     for (int round = 0; round < most_rounds; ++round)
     {
+        even_sizes(work);
         std::vector<Edge> edges;
         for (const Edge e : work.surface.edges())
             if (!work.is_ridge[e] && work.length(e) > too_long * work.wanted_length(e))

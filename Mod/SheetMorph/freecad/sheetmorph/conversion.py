@@ -63,6 +63,17 @@ def frame_of(feature, origin: np.ndarray) -> Frame:
     return Frame(matrix[:3, :3], matrix[:3, 3], np.asarray(origin, dtype=float))
 
 
+def scaled_placement(frame: Frame, scale: float, origin: np.ndarray) -> FreeCAD.Placement:
+    """Return where a mesh is whose file coordinates are `scale` times those of another.
+
+    `frame`: of the other; `origin` (3,): the local origin of the mesh, in its file coordinates.
+    """
+    base = scale * frame.base + frame.rotation @ (origin - scale * frame.origin)
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = frame.rotation, base
+    return FreeCAD.Placement(FreeCAD.Matrix(*matrix.ravel().tolist()))
+
+
 def container_placement(obj) -> FreeCAD.Placement:
     """Return the global placement of the container that `obj` lives in."""
     return obj.getGlobalPlacement().multiply(obj.Placement.inverse())

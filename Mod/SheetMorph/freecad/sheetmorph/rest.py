@@ -54,28 +54,60 @@ def read_rest(part) -> RestPart:
         raise MorphError(
             f"Part '{part.Label}' has lost its source mesh: undo its deletion or delete the part."
         )
-    local, triangles = conversion.read_mesh(source.Mesh)
-    if len(triangles) == 0:
+    if source.Mesh.CountFacets == 0:
         raise MorphError(f"The mesh '{source.Label}' of part '{part.Label}' has no triangles.")
-    stored = read_rest_data(part)
-    is_from_file = stored is not None and is_same_mesh(stored, local, triangles)
-    if is_from_file:
-        points, ids, origin = stored["points"], stored["ids"], stored["origin"]
-    else:
-        points, ids, origin = local.astype(float), None, np.zeros(3)
-    frame = conversion.frame_of(source, origin)
-    return RestPart(part.Label, frame.to_global(points), triangles, ids, frame, is_from_file)
+    kept = read_kept(part)
+    is_from_file = kept.is_exact and part.Original is None
+    points = kept.frame.to_global(kept.points)
+    return RestPart(part.Label, points, kept.triangles, kept.ids, kept.frame, is_from_file)
 
 
-def read_rest_data(part) -> dict | None:
-    """Return what `write_rest_data` stored with an imported part; None for any other part."""
-    if not part.RestData:
+@dataclass(frozen=True, eq=False)
+class Kept:
+    """A mesh as a document keeps it, in file coordinates."""
+
+    points: np.ndarray  # (n, 3) float64
+    triangles: np.ndarray  # (m, 3) int32
+    ids: np.ndarray | None  # (n,) vertex ids of the file; None: the indices
+    frame: Frame
+    features: list[dict]  # what is known exactly; none for most parts
+    is_exact: bool  # in double; else what the mesh object has, in single precision
+
+
+def read_kept(part) -> Kept:
+    """Return the mesh that `part` rests on."""
+    return read_mesh_of(part.Source, part.RestData)
+
+
+def read_original(part) -> Kept:
+    """Return the mesh that was added or imported, which may have been prepared since."""
+    if part.Original is None:
+        return read_kept(part)
+    return read_mesh_of(part.Original, part.OriginalData)
+
+
+def read_mesh_of(source, path: str) -> Kept:
+    """Return the mesh of `source`, in double if `path`, from `write_rest_data`, still is of it."""
+    local, triangles = conversion.read_mesh(source.Mesh)
+    stored = read_rest_data(path)
+    if stored is None or not is_same_mesh(stored, local, triangles):
+        frame = conversion.frame_of(source, np.zeros(3))
+        return Kept(local.astype(float), triangles, None, frame, [], False)
+    frame = conversion.frame_of(source, stored["origin"])
+    ids, features = stored["ids"], stored["features"]
+    return Kept(stored["points"], triangles, ids, frame, features, True)
+
+
+def read_rest_data(path: str) -> dict | None:
+    """Return what `write_rest_data` stored; None without a path."""
+    if not path:
         return None
-    with np.load(part.RestData, allow_pickle=False) as data:
+    with np.load(path, allow_pickle=False) as data:
         stored = {name: data[name] for name in ("points", "triangles", "ids", "origin")}
+        features = json.loads(str(data["features"])) if "features" in data else []
     if len(stored["ids"]) == 0:
         stored["ids"] = None
-    return stored
+    return {**stored, "features": features}
 
 
 def write_rest_data(path: str, mesh, origin: np.ndarray, features: list[dict] = ()) -> None:
@@ -87,14 +119,6 @@ def write_rest_data(path: str, mesh, origin: np.ndarray, features: list[dict] = 
     known = json.dumps(list(features))
     arrays = {"points": mesh.points, "triangles": mesh.triangles, "ids": ids, "origin": origin}
     np.savez(path, features=np.array(known), **arrays)
-
-
-def read_features(part) -> list[dict]:
-    """Return what `write_rest_data` kept as features, in file coordinates; none for most parts."""
-    if not part.RestData:
-        return []
-    with np.load(part.RestData, allow_pickle=False) as data:
-        return json.loads(str(data["features"])) if "features" in data else []
 
 
 def is_same_mesh(stored: dict, local: np.ndarray, triangles: np.ndarray) -> bool:

@@ -78,6 +78,12 @@ from freecad.sheetmorph.api.poses import (
     poses,
     save_pose,
 )
+from freecad.sheetmorph.api.preparing import (
+    diagnose_original,
+    places_of,
+    preparation,
+    prepare,
+)
 from freecad.sheetmorph.api.propagations import (
     control_mesh,
     propagation,
@@ -117,6 +123,7 @@ __all__ = [
     "deform",
     "exact_features",
     "diagnose",
+    "diagnose_original",
     "export_recipe",
     "face",
     "find_contacts",
@@ -134,6 +141,9 @@ __all__ = [
     "piece",
     "pivot",
     "poses",
+    "places_of",
+    "preparation",
+    "prepare",
     "propagation",
     "propose_thin",
     "remove",

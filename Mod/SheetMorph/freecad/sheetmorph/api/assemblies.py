@@ -69,7 +69,7 @@ def check_source(assembly, source) -> None:
         raise ValueError(f"'{label}' is in another document; copy it into this one first.")
     if source.Mesh.CountFacets == 0:
         raise ValueError(f"The mesh '{label}' has no triangles; choose another one.")
-    if any(source in (part, part.Source) for part in parts(assembly)):
+    if any(source in (part, part.Source, part.Original) for part in parts(assembly)):
         raise ValueError(f"'{label}' already is in the morph '{assembly.Label}'.")
     if deformation_of(assembly) in source.OutListRecursive:
         raise ValueError(f"'{label}' depends on the morph '{assembly.Label}'; choose another mesh.")
@@ -162,7 +162,8 @@ def remove_dependents(obj) -> None:
 
 def leave_part(part) -> None:
     """Delete the regions and contacts of a part, show its source, let another be the primary."""
-    assembly, source = assembly_of(part), part.Source
+    assembly, source = assembly_of(part), part.Original or part.Source
+    prepared = part.Source if part.Original is not None else None
     if assembly is not None:
         for member in regions(assembly, part) + contacts(assembly, part):
             remove_dependents(member)
@@ -172,3 +173,5 @@ def leave_part(part) -> None:
             assembly.Primary = others[0] if others else None
     if source is not None and all(kind(u) != model.PART or u == part for u in source.InList):
         source.Visibility = True
+    if prepared is not None:
+        part.Document.removeObject(prepared.Name)

@@ -12,7 +12,7 @@ import numpy as np
 from freecad.sheetmorph import kernel
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.files import add_mesh
-from freecad.sheetmorph.rest import read_features, read_rest
+from freecad.sheetmorph.rest import read_kept
 
 
 def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> list:
@@ -81,10 +81,8 @@ def exact_features(part) -> list[dict]:
 
 def known_features(part) -> list[dict]:
     """Return the same with angles in radians, as the package has them."""
-    rest = read_rest(part)
-    if not rest.is_from_file:
-        return []
-    return [globally(feature, rest.frame) for feature in read_features(part)]
+    kept = read_kept(part)
+    return [globally(feature, kept.frame) for feature in kept.features]
 
 
 def globally(feature: dict, frame) -> dict:

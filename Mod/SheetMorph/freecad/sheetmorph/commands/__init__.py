@@ -13,6 +13,7 @@ _TOOLBARS = {
         create.CreateMorph,
         create.AddPart,
         create.ImportPart,
+        sheets.PrepareMesh,
         sheets.ThicknessMap,
     ),
     QT_TRANSLATE_NOOP("Workbench", "SheetMorph Regions"): (

@@ -65,6 +65,14 @@ def import_lines(owner: str, files: list[str], edge: float) -> list[str]:
     ]
 
 
+def look_at_new(before: set) -> None:
+    """Offers cures for the parts that are no objects of before, if one needs some."""
+    from freecad.sheetmorph.panels import prepare_panel
+
+    new = [o for o in App.ActiveDocument.Objects if o not in before]
+    prepare_panel.offer([o for o in new if context.kind(o) == context.PART])
+
+
 class CreateMorph(Command):
     """Creates a morph, with the selected meshes and shapes as its parts."""
 
@@ -91,6 +99,7 @@ class CreateMorph(Command):
             Gui.Selection.clearSelection()
             made = [o for o in App.ActiveDocument.Objects if o not in before]
             Gui.Selection.addSelection(next(o for o in made if context.kind(o) == context.ASSEMBLY))
+            look_at_new(before)
 
 
 class AddPart(Command):
@@ -111,8 +120,11 @@ class AddPart(Command):
     def execute(self) -> None:
         """Adds all of them in one undo step."""
         edge = ask_edge() if context.shapes() else 0.0
-        if edge is not None:
-            actions.attempt("Add Part", *source_lines(name(context.assembly()), edge))
+        before = set(App.ActiveDocument.Objects)
+        if edge is not None and actions.attempt(
+            "Add Part", *source_lines(name(context.assembly()), edge)
+        ):
+            look_at_new(before)
 
 
 class ImportPart(Command):
@@ -141,5 +153,7 @@ class ImportPart(Command):
         owner = context.assembly()
         lines = [] if owner else [f"morph = {NEW}"]
         lines += import_lines(name(owner) if owner else "morph", files, edge)
+        before = set(App.ActiveDocument.Objects)
         if actions.attempt("Import Part", *lines):
             Gui.SendMsgToActiveView("ViewFit")
+            look_at_new(before)

@@ -27,3 +27,24 @@ class ThicknessMap(Command):
         from freecad.sheetmorph.panels import thickness_panel
 
         thickness_panel.open_panel(context.part())
+
+
+class PrepareMesh(Command):
+    """Opens the panel that cures a mesh and meshes it anew."""
+
+    name = "SheetMorph_PrepareMesh"
+    text = QT_TRANSLATE_NOOP("SheetMorph_PrepareMesh", "Prepare Mesh…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_PrepareMesh",
+        "Tells what is wrong with the mesh of the selected part, cures it and meshes it anew",
+    )
+
+    def possible(self) -> bool:
+        """With a part."""
+        return context.part() is not None
+
+    def execute(self) -> None:
+        """Opens the panel; the document changes when the user says OK."""
+        from freecad.sheetmorph.panels import prepare_panel
+
+        prepare_panel.open_panel(context.part())

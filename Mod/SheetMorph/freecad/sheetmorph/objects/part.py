@@ -39,6 +39,9 @@ class PartProxy(ObjectProxy):
         Property("Link", "Deformation", "Part", "What the mesh depends on", mode=HIDDEN),
         Property("String", "FileName", "Part", "File the part was read from", "", READ_ONLY),
         Property("FileIncluded", "RestData", "Part", "Rest positions in double", mode=HIDDEN),
+        Property("LinkGlobal", "Original", "Part", "The mesh before it was prepared", mode=HIDDEN),
+        Property("FileIncluded", "OriginalData", "Part", "Its positions in double", mode=HIDDEN),
+        Property("String", "Preparation", "Part", "What was done to the mesh", "", HIDDEN),
         Property("FileIncluded", "FileData", "Part", "The file as it was read", mode=HIDDEN),
     )
 

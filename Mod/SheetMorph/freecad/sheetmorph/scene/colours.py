@@ -41,6 +41,7 @@ SHEET = (0.80, 0.84, 0.88)
 WIRES = (0.36, 0.20, 0.58)
 GHOST = (0.95, 0.96, 1.0)
 MARKS = (1.0, 0.97, 0.82)
+EDGES = (0.25, 0.32, 0.40)
 
 
 def css(colour: Colour) -> str:

@@ -18,6 +18,7 @@ MODULES = tuple(
         "propagation",
         "welded",
         "thin",
+        "preparing",
         "files",
         "cad",
         "recipes",

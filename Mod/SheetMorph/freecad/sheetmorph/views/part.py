@@ -26,9 +26,9 @@ class PartView(OwnerView):
         return super().getIcon()
 
     def claimChildren(self) -> list:
-        """The source mesh lies beneath the part."""
-        source = getattr(self.object, "Source", None)
-        return [source] if source is not None else []
+        """The source mesh lies beneath the part, and what it was prepared from."""
+        meshes = (getattr(self.object, name, None) for name in ("Source", "Original"))
+        return [mesh for mesh in meshes if mesh is not None]
 
     def setupContextMenu(self, _view_object, menu) -> bool:
         """Primary and regions of this part."""

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Preparing what CAD exports: cured and meshed anew; what was picked before stays picked."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from typing import Any
+
+import numpy as np
+
+from freecad.sheetmorph import conversion, kernel
+from freecad.sheetmorph.api.checks import number, require_kind
+from freecad.sheetmorph.objects import assembly_of, model
+from freecad.sheetmorph.objects.assembly import follow_group
+from freecad.sheetmorph.rest import Kept, read_kept, read_original, write_rest_data
+
+
+def prepare(part, **cures) -> dict:
+    """Cure the mesh of a part and mesh it anew, and return what was done.
+
+    Cures, all by name: `weld`: vertices nearer than this are one, mm; `edge`: length of the new
+    edges on flats, mm, shorter at rims and bends; `rims`: round rims stay a "polygon" or go to
+    their "circle"; `scale`: mm in the unit of the mesh, first of all. It begins with the mesh that
+    was added or imported, which stays as it is, whatever was prepared before. Regions, contacts
+    and features move to the new vertices in their places. Returns scale, weld, welded, removed,
+    split, turned, and in `remesh` edge, rims, rims_on_circles, flats, deviation and
+    flat_deviation (mm, from the old facets). Raises ValueError; then nothing has changed.
+    """
+    original = read_original(checked(part))
+    made = preparation(part, **cures)
+    scale = made.preparation["scale"]
+    before = read_kept(part)
+    old_scale = scale_of(part)
+    if part.Original is not None:
+        core = kernel.core()
+        old = package_mesh(before.points * (scale / old_scale), before.triangles)
+        placed = prepared_module().placed_on(core, made, old)
+    else:
+        placed = made
+    moved = moved_vertices(part, placed)
+    features = moved_features(before.features, placed, scale / old_scale)
+    extras = moved_extras(part, placed)
+    exchange(part, original, made, (scale, features))
+    for owner, name, vertices in moved:
+        setattr(owner, name, model.to_numbers(vertices))
+    if extras is not None:
+        assembly_of(part).Extras = extras
+    return made.preparation
+
+
+def preparation(part, **cures):
+    """Return the mesh, a sheetmorph.PreparedMesh, that `prepare` would give a part.
+
+    Its points are file coordinates times the scale; nothing in the document changes.
+    """
+    original = read_original(checked(part))
+    wanted = wanted_of(cures)
+    mesh = kernel.load().PartMesh(original.points, original.triangles, name=part.Label)
+    return prepared_module().prepared_mesh(kernel.core(), mesh, wanted)[0]
+
+
+def wanted_of(cures: dict):
+    """Return the cures as a sheetmorph.prepared_mesh.Wanted, or raise ValueError."""
+    module = prepared_module()
+    unknown = sorted(set(cures) - {"weld", "edge", "rims", "scale"})
+    if unknown:
+        raise ValueError(f"There is no cure '{unknown[0]}'; there are weld, edge, rims and scale.")
+    rims = cures.get("rims", "polygon")
+    if rims not in module.RIMS:
+        raise ValueError(f"Rims are kept as a polygon or put on a circle, not on a '{rims}'.")
+    weld, edge = cures.get("weld"), cures.get("edge")
+    return module.Wanted(
+        None if weld is None else positive(weld, "weld tolerance", least=0.0),
+        None if edge is None else positive(edge, "edge length"),
+        rims,
+        positive(cures.get("scale", 1.0), "scale"),
+    )
+
+
+def diagnose_original(part, scale: float = 1.0) -> dict:
+    """Return the diagnosis of the mesh that `prepare` begins with, times a scale."""
+    original = read_original(checked(part))
+    return kernel.load().diagnose(package_mesh(scale * original.points, original.triangles))
+
+
+def places_of(part, made) -> np.ndarray:
+    """Return where the vertices of what `preparation` returned are: (n, 3), global, mm."""
+    scale = made.preparation["scale"]
+    return scale * read_original(part).frame.to_global(made.points / scale)
+
+
+def checked(part):
+    """Return a part that has a mesh, or raise ValueError."""
+    require_kind(part, model.PART, "part")
+    if assembly_of(part) is None:
+        raise ValueError(f"'{part.Label}' is in no morph: drag it back into its group.")
+    return part
+
+
+def positive(value, word: str, least: float | None = None) -> float:
+    """Return a number above 0, or from `least`, or raise ValueError."""
+    found = number(value, word)
+    if found < 0.0 or (found == 0.0 and least is None):
+        raise ValueError(f"The {word} is {found}; pass one above 0.")
+    return found
+
+
+def prepared_module():
+    """Return the module of the package that prepares."""
+    kernel.load()
+    from sheetmorph import prepared_mesh
+
+    return prepared_mesh
+
+
+def package_mesh(points: np.ndarray, triangles: np.ndarray):
+    """Return a sheetmorph.PartMesh whose vertices are called by their indices."""
+    return kernel.load().PartMesh(points, triangles)
+
+
+def scale_of(part) -> float:
+    """Return the scale a part was prepared with, 1 if it was not."""
+    return json.loads(part.Preparation)["scale"] if part.Preparation else 1.0
+
+
+def moved_vertices(part, placed) -> list[tuple[Any, str, np.ndarray]]:
+    """Return what is picked on a part on its new mesh: object, property, vertices.
+
+    Raises ValueError if something would have none left.
+    """
+    assembly = assembly_of(part)
+    found = [(region, "Vertices") for region in model.regions(assembly, part)]
+    for contact in model.contacts(assembly, part):
+        sides = (("VerticesA", contact.PartA), ("VerticesB", contact.PartB))
+        found += [(contact, name) for name, owner in sides if owner == part]
+    moved = []
+    for owner, name in found:
+        vertices, _ = placed.find(model.to_ids(getattr(owner, name)))
+        if len(vertices) == 0:
+            raise ValueError(f"'{owner.Label}' has no place on the new mesh; delete it first.")
+        moved.append((owner, name, vertices))
+    return moved
+
+
+def moved_features(features: list[dict], placed, scale: float) -> list[dict]:
+    """Return what is known exactly about a part, on its new mesh."""
+    lengths = ("radius", "length", "residual")
+    return [
+        {
+            **feature,
+            "vertices": placed.find(feature["vertices"])[0].tolist(),
+            "center": (scale * np.array(feature["center"])).tolist(),
+            **{key: scale * feature[key] for key in lengths if feature.get(key) is not None},
+        }
+        for feature in features
+    ]
+
+
+def moved_extras(part, placed) -> str | None:
+    """Return the extras of the assembly with points on triangles of the new mesh, if it has any."""
+    assembly = assembly_of(part)
+    if not assembly.Extras:
+        return None
+    extras = json.loads(assembly.Extras)
+    for entries in extras.get("recipe", {}).values():
+        for entry in entries:
+            if entry.get("part") == part.Name and "triangle" in entry:
+                place = placed.place_on(kernel.core(), entry["triangle"], entry["barycentric"])
+                entry["triangle"] = int(place[0])
+                entry["barycentric"] = [float(weight) for weight in place[1]]
+    return json.dumps(extras)
+
+
+def exchange(part, original: Kept, made, known: tuple[float, list[dict]]) -> None:
+    """Let a part rest on a new mesh; `known`: its scale, and its features."""
+    scale, features = known
+    document, before = part.Document, part.Source
+    first = part.Original is None
+    origin = conversion.near_origin(made.points)
+    source = document.addObject("Mesh::Feature", "Prepared")
+    placement = conversion.scaled_placement(original.frame, scale, origin)
+    source.Mesh = conversion.MeshWriter(made.triangles).mesh(made.points - origin, placement)
+    source.Visibility = False
+    with conversion.temporary_folder() as folder:
+        if first and part.RestData:
+            kept = os.path.join(folder, "original.npz")
+            shutil.copyfile(part.RestData, kept)
+            part.OriginalData = kept
+        stored = os.path.join(folder, "rest.npz")
+        write_rest_data(stored, package_mesh(made.points, made.triangles), origin, features)
+        part.RestData = stored
+    if first:
+        part.Original = before
+    part.Source = source
+    part.Preparation = json.dumps(made.preparation)
+    if not first:
+        document.removeObject(before.Name)
+    source.Label = f"{part.Label} prepared"
+    part.Mesh = conversion.copy_at(source.Mesh, conversion.result_placement(part))
+    follow_group(assembly_of(part))

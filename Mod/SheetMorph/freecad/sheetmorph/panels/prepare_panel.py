@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that prepares a mesh: what is wrong with it, the cures, and a preview of them."""
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph import actions, api
+from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.scene.mesh_preview import MeshPreview
+from freecad.sheetmorph.tools import cures
+
+
+def open_panel(part):
+    """Opens the panel for a part; returns the panel."""
+    with actions.waiting():
+        panel = PreparePanel(part)
+    panel.present()
+    return panel
+
+
+def offer(parts: list) -> None:
+    """Opens the panel for the first of some new parts that needs a cure.
+
+    Nothing changes unless the user says OK.
+    """
+    if Gui.Control.activeDialog():
+        return
+    with actions.waiting():
+        looked = (part for part in parts if cures.is_needed(api.diagnose_original(part)))
+        needy = next(looked, None)
+    if needy is not None:
+        open_panel(needy)
+
+
+class PreparePanel(Panel):
+    """OK is one undo step; Cancel leaves everything as it was."""
+
+    width = 420
+
+    def __init__(self, part):
+        super().__init__("prepare", "PrepareMesh", "Prepare Mesh")
+        self._part = part
+        self._preview = None
+        self._prepare_widgets()
+        self._diagnose(api.diagnose_original(part))
+
+    def accept(self) -> bool:
+        """OK: cures the part."""
+        lines = self._lines()
+        if not lines:
+            say(self.form.message, "Nothing is chosen; choose a cure, or cancel.", True)
+            return False
+        self._end_preview()
+        try:
+            actions.run("Prepare Mesh", *lines, document=self._part.Document)
+        except actions.FAULTS as error:
+            say(self.form.message, str(error), True)
+            return False
+        return self.reject()
+
+    def reject(self) -> bool:
+        """Cancel: nothing has changed."""
+        self._end_preview()
+        return self.finish()
+
+    # -- the diagnosis
+
+    def _diagnose(self, found: dict) -> None:
+        """Shows a diagnosis and offers its cures."""
+        form, wish = self.form, cures.offered(found)
+        form.findings.setText(cures.as_text(found))
+        form.scale.setChecked(form.scale.isChecked() or wish.scale != 1.0)
+        form.weld.setChecked(wish.weld is not None)
+        form.tolerance.setProperty("rawValue", wish.weld or cures.tolerance_of(found))
+        form.remesh.setChecked(wish.edge is not None)
+        form.edge.setProperty("rawValue", wish.edge or cures.edge_of(found))
+        form.thin.setChecked(self._part.Thin != "no" or wish.is_thin)
+        self._refresh()
+
+    def _rescale(self, *_) -> None:
+        """The same in another unit."""
+        scale = self._wish().scale
+        with actions.waiting():
+            found = api.diagnose_original(self._part, scale)
+        self.form.findings.setText(cures.as_text(found))
+        self.form.tolerance.setProperty("rawValue", cures.tolerance_of(found))
+        self.form.edge.setProperty("rawValue", cures.edge_of(found))
+        self._refresh()
+
+    # -- what is asked for
+
+    def _wish(self) -> cures.Wish:
+        form = self.form
+        return cures.Wish(
+            form.tolerance.property("rawValue") if form.weld.isChecked() else None,
+            form.edge.property("rawValue") if form.remesh.isChecked() else None,
+            ("polygon", "circle")[form.rims.currentIndex()],
+            1000.0 if form.scale.isChecked() else 1.0,
+            form.thin.isChecked(),
+        )
+
+    def _lines(self) -> list[str]:
+        """The API calls that do what is asked for."""
+        wish, part = self._wish(), name(self._part)
+        lines = []
+        if wish.changes_mesh():
+            arguments = {key: repr(value) for key, value in wish.arguments().items()}
+            lines.append(call("prepare", part, **arguments))
+        if wish.is_thin != (self._part.Thin != "no"):
+            lines.append(call("set_thin", part, repr("auto" if wish.is_thin else False)))
+        return lines
+
+    # -- the preview
+
+    def _show_preview(self) -> None:
+        """Computes the new mesh and draws it in place of the part."""
+        self._end_preview()
+        wish = self._wish()
+        if not wish.changes_mesh():
+            say(self.form.message, "Choose a cure first.", True)
+            return
+        try:
+            with actions.waiting():
+                made = api.preparation(self._part, **wish.arguments())
+                places = api.places_of(self._part, made)
+        except actions.FAULTS as error:
+            say(self.form.message, str(error), True)
+            return
+        view = Gui.ActiveDocument.ActiveView
+        self._preview = MeshPreview(view, self._part.ViewObject, places, made.triangles)
+        say(self.form.message, cures.summary(made))
+        if wish.scale != 1.0:
+            Gui.SendMsgToActiveView("ViewFit")
+
+    def _end_preview(self, *_) -> None:
+        if self._preview is not None:
+            self._preview.end()
+        self._preview = None
+
+    # -- the widgets
+
+    def _prepare_widgets(self) -> None:
+        form = self.form
+        say(form.message, "")
+        form.scale.clicked.connect(self._rescale)
+        for box in (form.weld, form.remesh):
+            box.toggled.connect(self._refresh)
+        form.preview.clicked.connect(self._show_preview)
+
+    def _refresh(self, *_) -> None:
+        """Fields that mean nothing now are grey; a preview of something else goes."""
+        form = self.form
+        form.tolerance.setEnabled(form.weld.isChecked())
+        for widget in (form.edge, form.rims):
+            widget.setEnabled(form.remesh.isChecked())
+        say(form.message, "")
+        self._end_preview()

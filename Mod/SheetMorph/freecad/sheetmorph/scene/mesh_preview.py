@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Another mesh drawn in place of a part, facets and edges; the document knows nothing of it."""
+
+import numpy as np
+from pivy import coin
+
+from freecad.sheetmorph.scene import colours
+
+NAME = "SheetMorphMeshPreview"
+
+
+class MeshPreview:
+    """In a view until ``end`` is called; meanwhile the part is not drawn."""
+
+    def __init__(self, view, view_object, points: np.ndarray, triangles: np.ndarray):
+        """``points`` (n, 3) global mm, ``triangles`` (m, 3); ``view_object``: of the part."""
+        self._view = view
+        self._switch = view_object.SwitchNode
+        self._mode = self._switch.whichChild.getValue()
+        self._root = _drawn(points, triangles)
+        self._switch.whichChild = coin.SO_SWITCH_NONE
+        view.getSceneGraph().addChild(self._root)
+
+    def end(self) -> None:
+        """Shows the part again; the view may be closed already."""
+        try:
+            self._view.getSceneGraph().removeChild(self._root)
+            self._switch.whichChild = self._mode
+        except RuntimeError:
+            return
+
+
+def _drawn(points: np.ndarray, triangles: np.ndarray):
+    """Facets in the colour of a sheet, and their edges as thin dark lines."""
+    root = coin.SoSeparator()
+    root.setName(NAME)
+    style = coin.SoPickStyle()
+    style.style = coin.SoPickStyle.UNPICKABLE
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, len(points), points.astype(np.float32))
+    root.addChild(style)
+    root.addChild(coordinates)
+    for node in (_faces(triangles), _edges(triangles)):
+        root.addChild(node)
+    return root
+
+
+def _faces(triangles: np.ndarray):
+    group = coin.SoSeparator()
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.creaseAngle = 0.5
+    material = coin.SoMaterial()
+    material.diffuseColor = colours.SHEET[:3]
+    offset = coin.SoPolygonOffset()
+    index = np.full((len(triangles), 4), -1, np.int32)
+    index[:, :3] = triangles
+    faces = coin.SoIndexedFaceSet()
+    faces.coordIndex.setValues(0, index.size, index.ravel().tolist())
+    for node in (hints, material, offset, faces):
+        group.addChild(node)
+    return group
+
+
+def _edges(triangles: np.ndarray):
+    group = coin.SoSeparator()
+    flat = coin.SoLightModel()
+    flat.model = coin.SoLightModel.BASE_COLOR
+    colour = coin.SoBaseColor()
+    colour.rgb = colours.EDGES
+    edges = np.sort(np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    edges = np.unique(edges, axis=0)
+    index = np.full((len(edges), 3), -1, np.int32)
+    index[:, :2] = edges
+    lines = coin.SoIndexedLineSet()
+    lines.coordIndex.setValues(0, index.size, index.ravel().tolist())
+    for node in (flat, colour, lines):
+        group.addChild(node)
+    return group

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cures for a mesh: which a diagnosis offers, and what they were worth."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from html import escape
+
+NEEDED = ("weld", "orient", "remesh", "scale")
+"""Cures without which a part is not fit to bend."""
+
+
+FEW = 0.01
+"""Slivers of this share of all triangles or fewer do no harm."""
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What is asked for: lengths in mm, None for no weld and no remesh."""
+
+    weld: float | None = None
+    edge: float | None = None
+    rims: str = "polygon"
+    scale: float = 1.0
+    is_thin: bool = False
+
+    def changes_mesh(self) -> bool:
+        """Whether the mesh is to be another one."""
+        return self.weld is not None or self.edge is not None or self.scale != 1.0
+
+    def arguments(self) -> dict:
+        """The arguments of `api.prepare` that differ from its defaults."""
+        default = asdict(Wish())
+        given = {key: value for key, value in asdict(self).items() if value != default[key]}
+        given.pop("is_thin", None)
+        return given
+
+
+def is_needed(diagnosis: dict) -> bool:
+    """Whether a part is not fit to bend as it is."""
+    few = FEW * diagnosis["triangles"]
+    return any(
+        finding["cure"] in NEEDED and (finding["cure"] != "remesh" or finding["count"] > few)
+        for finding in diagnosis["findings"]
+        if finding["finding"] != "long edges"  # where coarse is fine enough, only the eye knows
+    )
+
+
+def offered(diagnosis: dict) -> Wish:
+    """The cures that a diagnosis offers."""
+    keys: dict = {}
+    for finding in diagnosis["findings"]:
+        if finding["cure"] != "split":
+            keys.update(finding["recipe"] or {})
+    edge = (keys.get("remesh") or {}).get("edge")
+    is_thin = keys.get("thin") == "auto"
+    return Wish(keys.get("weld"), edge, scale=keys.get("scale", 1.0), is_thin=is_thin)
+
+
+def tolerance_of(diagnosis: dict) -> float:
+    """The tolerance to weld with, mm."""
+    return diagnosis["tolerance"] * diagnosis["unit"]["scale"]
+
+
+def edge_of(diagnosis: dict) -> float:
+    """The edge length to mesh with, mm."""
+    return (diagnosis["suggested_edge"] or 1.0) * diagnosis["unit"]["scale"]
+
+
+def as_text(diagnosis: dict) -> str:
+    """A diagnosis as rich text: what the mesh is, and what is the matter."""
+    kinds = {"open shell": "an open sheet", "thin solid": "a thin solid", "mixed": "of many kinds"}
+    kind = kinds.get(diagnosis["kind"], f"a {diagnosis['kind']}")
+    lines = [f"<b>{diagnosis['triangles']:,} triangles, {kind}.</b>"]
+    lines += [f"&bull; {escape(finding['text'])}" for finding in diagnosis["findings"]]
+    if not is_needed(diagnosis):
+        lines.append("It is fit to bend as it is.")
+    return "<br>".join(lines)
+
+
+def summary(made) -> str:
+    """What a preparation (sheetmorph.PreparedMesh) did, as rich text."""
+    done, fresh = made.preparation, made.preparation["remesh"]
+    lines = [f"<b>{len(made.triangles):,} triangles</b>, {len(made.points):,} vertices"]
+    lines.append(
+        f"{done['welded']} vertices welded, {done['removed']} triangles removed, "
+        f"{done['split']} cut, {done['turned']} turned"
+    )
+    if fresh:
+        lines.append(
+            f"At most {fresh['deviation']:.2g} mm from the facets as they were, "
+            f"{fresh['flat_deviation']:.1g} mm on flats"
+        )
+        if fresh["rims"] == "circle":
+            lines.append(f"{fresh['rims_on_circles']} rims put on their circles")
+    return "<br>".join(lines)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mesh as CAD exports it is looked at when it is added, and cured when the user says so."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Mesh
+from desk import activate, child, choose_below, enter, picture, press, press_tool, tick, until
+from freecad.sheetmorph import api
+from freecad.sheetmorph.scene import mesh_preview
+from pivy import coin
+from scenes import assembly, look, part
+
+__all__ = [
+    "test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes",
+    "test_cancel_leaves_a_mesh_as_it_came",
+]
+
+
+def coarse_plate():
+    """A plate of 160 x 80 x 2 mm with two holes as CAD exports it, made a morph."""
+    import MeshPart
+    import Part
+
+    yield from activate()
+    document = App.newDocument("Coarse")
+    shape = Part.makeBox(160, 80, 2)
+    for x in (35, 125):
+        shape = shape.cut(Part.makeCylinder(10, 2, App.Vector(x, 40, 0)))
+    source = document.addObject("Mesh::Feature", "Plate")
+    source.Mesh = Mesh.Mesh(MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.05))
+    document.recompute()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(source)
+    yield 200
+    look()
+    yield from press_tool("Create Morph")
+    yield 300
+
+
+def is_previewed() -> bool:
+    """Whether another mesh is drawn in place of the part."""
+    return coin.SoNode.getByName(mesh_preview.NAME) is not None
+
+
+def test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes():
+    yield from coarse_plate()
+    found = child("findings").text()
+    assert "slivers" in found and "2 mm thick" in found, found
+    assert child("remesh").isChecked() and child("thin").isChecked()
+    facets = part().Source.Mesh.CountFacets
+    source = part().Source
+    holes = api.add_through_holes(assembly(), part())
+    App.ActiveDocument.recompute()
+    App.ActiveDocument.clearUndos()
+    yield from enter(child("edge"), "4 mm")
+    yield from choose_below(child("rims"), 1)
+    yield from press("Preview")
+    yield from until(is_previewed, "the preview", 60.0)
+    assert "rims put on their circles" in child("message").text()
+    assert part().Source.Mesh.CountFacets == facets
+    picture("prepare")
+    yield from press("OK")
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel closed", 60.0)
+    assert not is_previewed()
+    assert part().Original == source and source.Mesh.CountFacets == facets
+    assert part().Source.Mesh.CountFacets > 2 * facets
+    found, _ = api.thin_solid(part())
+    picked = sorted(api.vertices(hole) for hole in holes)
+    assert picked == sorted(hole.vertices.tolist() for hole in found.holes)
+    assert App.ActiveDocument.UndoCount == 1
+    App.ActiveDocument.undo()
+    assert part().Source == source and part().Original is None
+
+
+def test_cancel_leaves_a_mesh_as_it_came():
+    yield from coarse_plate()
+    before = [obj.Name for obj in App.ActiveDocument.Objects]
+    undos = App.ActiveDocument.UndoCount
+    yield from press("Preview")
+    yield from until(is_previewed, "the preview", 60.0)
+    yield from tick(child("thin"))
+    yield from press("Cancel")
+    assert not is_previewed()
+    assert [obj.Name for obj in App.ActiveDocument.Objects] == before
+    assert App.ActiveDocument.UndoCount == undos
+    yield from press_tool("Prepare Mesh…")
+    assert child("remesh").isChecked()
+    yield from press("Cancel")
