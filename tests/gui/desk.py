@@ -23,6 +23,14 @@ def xdotool(*words):
     yield 80
 
 
+NOTES = []
+
+
+def note(text: str) -> None:
+    """A line for the report of the run, beside the verdict of the test."""
+    NOTES.append(text)
+
+
 def picture(name: str) -> str:
     """Takes a picture of the screen; returns its file."""
     path = os.path.join(WORK, f"{name}.png")

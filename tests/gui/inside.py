@@ -58,6 +58,8 @@ class Runner:
         """Notes the result, closes what the test left open."""
         seconds = time.monotonic() - self._start
         self._results.write(f"{verdict} {self._name} ({seconds:.1f} s){text}\n")
+        while desk.NOTES:
+            self._results.write(f"NOTE {desk.NOTES.pop(0)}\n")
         self._results.flush()
         if verdict == "FAIL":
             self._failed = True

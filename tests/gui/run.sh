@@ -65,7 +65,7 @@ run_freecad() {
             echo "PASS $name (at the second try)" >>"$work/all"
         fi
     done < <(sed -n 's/^FAIL \(test_[^ ]*\).*/\1/p' "$work/first")
-    grep -E '^(PASS|SKIP)|^FAIL with' "$work/first" >>"$work/all"
+    grep -E '^(PASS|SKIP|NOTE)|^FAIL with' "$work/first" >>"$work/all"
     if [ -n "${SHEETMORPH_GUI_OUT:-}" ]; then
         mkdir -p "$SHEETMORPH_GUI_OUT"
         cp "$work"/*.png "$work"/*.out "$SHEETMORPH_GUI_OUT/" 2>/dev/null
