@@ -71,12 +71,17 @@ double peak_memory_mib()
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-void panel_sizes(benchmark::internal::Benchmark* family)
+void small_panel_sizes(benchmark::internal::Benchmark* family)
 {
     family->Arg(1000)->Arg(10000)->Arg(100000);
+    family->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+}
+
+void panel_sizes(benchmark::internal::Benchmark* family)
+{
+    small_panel_sizes(family);
     if (std::getenv("SHEETMORPH_BENCH_LARGE") != nullptr)
         family->Arg(1000000);
-    family->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 }
 
 }  // namespace sheetmorph::benchmarks

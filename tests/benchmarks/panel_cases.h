@@ -29,4 +29,7 @@ double peak_memory_mib();
 //! of all threads, which other work on the machine changes less.
 void panel_sizes(benchmark::internal::Benchmark* family);
 
+//! The same up to 1e5.
+void small_panel_sizes(benchmark::internal::Benchmark* family);
+
 }  // namespace sheetmorph::benchmarks

@@ -9,15 +9,18 @@ import json
 import os
 import platform
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+from goals import goal_table, write_page
 from plots import draw
 from tables import Measured, measured, memory_table, other_table, panel_table
 
 SIZES = (1000, 10000, 100000)
 LARGE = 1000000
+DOCS = Path(__file__).resolve().parents[2] / "resources" / "docs"
 
 
 def machine() -> str:
@@ -51,9 +54,12 @@ def peaks(program: Path, folder: Path, is_large: bool) -> dict[int, dict[str, fl
     return found
 
 
-def tables(found: dict[str, dict[int, Measured]], memory: str, head: str) -> str:
-    """All tables as one Markdown text."""
-    parts = [head, panel_table(found), memory, other_table(found)]
+def tables(
+    found: dict[str, dict[int, Measured]], peak: dict[int, dict[str, float]], head: str
+) -> str:
+    """All tables as one Markdown text; memory and goals only of a whole run."""
+    memory, aims = (memory_table(peak), goal_table(found, peak)) if peak else ("", "")
+    parts = [head, panel_table(found), aims, memory, other_table(found)]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -67,6 +73,11 @@ def main(arguments: list[str]) -> int:
         action="store_true",
         help="tables of processor time, which other work on the machine changes less",
     )
+    parser.add_argument(
+        "--write-page",
+        action="store_true",
+        help="put tables and plot into resources/docs/benchmarks.md",
+    )
     options, passed_on = parser.parse_known_args(arguments)
     folder = options.build / "bench"
     folder.mkdir(parents=True, exist_ok=True)
@@ -75,10 +86,13 @@ def main(arguments: list[str]) -> int:
     report = run(program, passed_on, folder / "benchmarks.json", options.large)
     found = measured(report, "cpu_time" if options.processor_time else "real_time")
     is_whole = not any(word.startswith("--benchmark_filter") for word in passed_on)
-    memory = memory_table(peaks(program, folder, options.large)) if is_whole else ""
-    text = tables(found, memory, head)
+    peak = peaks(program, folder, options.large) if is_whole else {}
+    text = tables(found, peak, head)
     (folder / "tables.md").write_text(text, encoding="utf-8")
     draw(found, folder / "benchmarks.png")
+    if options.write_page:
+        write_page(DOCS / "benchmarks.md", text)
+        shutil.copy(folder / "benchmarks.png", DOCS / "pictures" / "benchmarks.png")
     print(f"\n{text}\nwritten: {folder}/benchmarks.json, tables.md, benchmarks.png")
     return 0
 

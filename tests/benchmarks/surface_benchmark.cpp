@@ -95,6 +95,33 @@ void live_frame_50_free_features(benchmark::State& state)
     run_live(state, panel, deformer);
 }
 
+// The same panel with its handle cut into three that turn about different axes.
+void three_handles_frame(benchmark::State& state)
+{
+    const Panel& panel = panel_of(static_cast<int>(state.range(0)));
+    SurfaceConstraints constraints = panel.constraints;
+    const VertexIds whole = constraints.handles[0].vertices;
+    constraints.handles.clear();
+    SurfaceTargets pose = drag(panel, 0);
+    pose.handles.clear();
+    const auto third = static_cast<std::ptrdiff_t>(whole.size() / 3);
+    for (int k = 0; k < 3; ++k)
+    {
+        const auto first = whole.begin() + k * third;
+        constraints.handles.push_back({"handle " + std::to_string(k), {first, first + third}});
+        RigidMotion motion = drag_motion(panel, 2);
+        motion.rotation_log = 0.1 * Vector3::Unit(k);
+        pose.handles.push_back(motion);
+    }
+    const SurfaceDeformer deformer(panel.mesh, constraints);
+    for (auto pass : state)
+    {
+        (void)pass;
+        benchmark::DoNotOptimize(deformer.deform(pose, Exactness::live));
+    }
+    state.counters["vertices"] = panel.mesh.vertex_count();
+}
+
 void response_set_up(benchmark::State& state)
 {
     const SurfaceDeformer& deformer = deformer_of(static_cast<int>(state.range(0)));
@@ -118,7 +145,8 @@ void exact_frame(benchmark::State& state)
 
 BENCHMARK(set_up)->Apply(panel_sizes);
 BENCHMARK(live_frame)->Apply(panel_sizes);
-BENCHMARK(live_frame_50_free_features)->Apply(panel_sizes);
+BENCHMARK(live_frame_50_free_features)->Apply(small_panel_sizes);
+BENCHMARK(three_handles_frame)->Apply(small_panel_sizes);
 BENCHMARK(response_set_up)->Apply(panel_sizes);
 BENCHMARK(substituted_frame)->Apply(panel_sizes);
 BENCHMARK(exact_frame)->Apply(panel_sizes);

@@ -14,6 +14,7 @@ PANEL_ROWS = {
     "response_set_up": "response fields, in the background of a drag",
     "live_frame": "live frame, one handle turning and moving",
     "live_frame_50_free_features": "the same with 50 free features, at their minimum",
+    "three_handles_frame": "frame of three handles turning at once",
     "cgal_sre_arap_iteration": "CGAL SRE_ARAP, one iteration",
     "cgal_arap_iteration": "CGAL ORIGINAL_ARAP, one iteration",
     "substituted_frame": "frame by substitution, any pose",

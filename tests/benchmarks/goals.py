@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sets what a run measured beside the goals, and writes both into the benchmark page."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+from tables import Measured, markdown, ratio, time_text
+
+BEGIN, END = "<!-- measured by ./sheetmorph bench -->", "<!-- end of what is measured -->"
+
+Found = dict[str, dict[int, Measured]]
+
+
+@dataclass
+class Goal:
+    """One goal: what is measured, and the bound it has to keep."""
+
+    words: str
+    value: float | None  # None: not measured in this run
+    bound: float
+    is_least: bool = False
+    unit: str = "ms"
+
+    def row(self) -> list[str]:
+        """A row of the table."""
+        if self.value is None:
+            return [self.words, self.text(self.bound), "not measured", "-"]
+        is_met = self.value >= self.bound if self.is_least else self.value <= self.bound
+        return [
+            self.words,
+            self.text(self.bound),
+            "reached" if is_met else "missed",
+            self.text(self.value),
+        ]
+
+    def text(self, value: float) -> str:
+        """The number with its unit."""
+        return time_text(value) if self.unit == "ms" else f"{value:.3g} {self.unit}".strip()
+
+
+def median(found: Found, name: str, size: int) -> float | None:
+    """Milliseconds of a benchmark at a size, if it ran."""
+    entry = found.get(name, {}).get(size)
+    return entry.median if entry else None
+
+
+def counter(found: Found, name: str, size: int, key: str) -> float | None:
+    """A counter of a benchmark at a size, if it ran."""
+    entry = found.get(name, {}).get(size)
+    return entry.counters.get(key) if entry else None
+
+
+def exponent(low: tuple[float, float] | None, high: tuple[float, float] | None) -> float | None:
+    """Of a power of the number of vertices through two (vertices, value)."""
+    if low is None or high is None:
+        return None
+    return math.log(high[1] / low[1]) / math.log(high[0] / low[0])
+
+
+def grown(found: Found, size: int) -> tuple[float, float] | None:
+    """Vertices and set-up time."""
+    time = median(found, "set_up", size)
+    return (found["set_up"][size].counters["vertices"], time) if time else None
+
+
+def held(peaks: dict[int, dict[str, float]], size: int) -> tuple[float, float] | None:
+    """Vertices and peak memory of a set-up."""
+    return (peaks[size]["vertices"], peaks[size]["peak_memory_mib"]) if size in peaks else None
+
+
+def goals(found: Found, peaks: dict[int, dict[str, float]]) -> list[Goal]:
+    """All goals that one run of the benchmarks can tell."""
+    sre, live = "cgal_sre_arap_iteration", "live_frame"
+    large = held(peaks, 1000000)
+    pairs = counter(found, "mean_value_coordinates", 4000, "million_pairs_a_second")
+    small_up = ratio(found, "set_up", "cgal_sre_arap_set_up", 100000) or None
+    large_up = ratio(found, "set_up", "cgal_sre_arap_set_up", 1000000) or None
+    frames = "frame, one handle turning and moving"
+    return [
+        Goal(f"100,000 vertices, {frames}", median(found, live, 100000), 0.3),
+        Goal(
+            "the same, times faster than CGAL",
+            ratio(found, sre, live, 100000) or None,
+            300,
+            True,
+            "",
+        ),
+        Goal(f"1,000,000 vertices, {frames}", median(found, live, 1000000), 5.0),
+        Goal(
+            "the same, times faster than CGAL",
+            ratio(found, sre, live, 1000000) or None,
+            350,
+            True,
+            "",
+        ),
+        Goal("set-up of 100,000 against CGAL's", small_up, 1.0, unit="of it"),
+        Goal("set-up of 1,000,000 against CGAL's", large_up, 0.25, unit="of it"),
+        Goal("peak memory at 1,000,000", large[1] / 1024.0 if large else None, 3.5, unit="GiB"),
+        Goal(
+            "50 free features, frame at their minimum",
+            median(found, "live_frame_50_free_features", 100000),
+            3.0,
+        ),
+        Goal(
+            "three handles turning at once, frame",
+            median(found, "three_handles_frame", 100000),
+            20.0,
+        ),
+        Goal("exact solve on release, 100,000", median(found, "exact_frame", 100000), 60.0),
+        Goal(
+            "20 parts of 50,000, 30 rigid welds, frame",
+            median(found, "assembly_frame_rigid_welds", 50000),
+            15.0,
+        ),
+        Goal(
+            "the same with control meshes",
+            median(found, "assembly_frame_control_meshes", 50000),
+            15.0,
+        ),
+        Goal("mean value coordinates, million pairs a second and core", pairs, 200, True, ""),
+        Goal(
+            "exponent of set-up time, 1e4 to 1e6",
+            exponent(grown(found, 10000), grown(found, 1000000)),
+            1.25,
+            unit="",
+        ),
+        Goal("exponent of memory, 1e4 to 1e6", exponent(held(peaks, 10000), large), 1.2, unit=""),
+    ]
+
+
+def goal_table(found: Found, peaks: dict[int, dict[str, float]]) -> str:
+    """The goals as Markdown."""
+    return markdown(
+        ["goal (two cores)", "bound", "", "measured"], [g.row() for g in goals(found, peaks)]
+    )
+
+
+def write_page(page: Path, text: str) -> None:
+    """Replaces what an earlier run measured; the words around it stay."""
+    before, _, rest = page.read_text(encoding="utf-8").partition(BEGIN)
+    _, _, after = rest.partition(END)
+    page.write_text(f"{before}{BEGIN}\n\n{text.strip()}\n\n{END}{after}", encoding="utf-8")
