@@ -103,6 +103,11 @@ def test_the_tutorial_as_a_new_user_does_it():
     moved = stored()
     assert largest(moved - before) > 20.0
     yield from undo_and_redo(before, moved)
+    yield from export()
+
+
+def export():
+    """Export Parts… writes the part and a report."""
     folder = os.path.join(WORK, "taken")
     os.makedirs(folder, exist_ok=True)
     yield from menu("SheetMorph", "Export Parts…")
