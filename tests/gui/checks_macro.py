@@ -38,6 +38,9 @@ CALLS = ["create_assembly", "propose_thin", "add_fixed", "add_handle", "add_feat
 
 def start_recording(name: str):
     """Macro > Macro recording…, a name, Record: as a user does it."""
+    earlier = os.path.join(WORK, f"{name}.FCMacro")
+    if os.path.exists(earlier):  # of a first try; FreeCAD would ask
+        os.remove(earlier)
     App.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", WORK)
     QtCore.QTimer.singleShot(0, lambda: Gui.runCommand("Std_DlgMacroRecord"))
     yield from until(QtGui.QApplication.activeModalWidget, "the dialog")

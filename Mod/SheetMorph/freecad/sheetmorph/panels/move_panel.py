@@ -234,8 +234,10 @@ class MovePanel(Panel):
         form.results.currentIndexChanged.connect(self._choose_update)
         form.reset.clicked.connect(self._reset)
         self._fields.changed.connect(self._on_change)
-        for label in (form.axis_message, form.message, form.status):
+        for label in (form.axis_message, form.message):
             say(label, "")
+        # A line from the start: a panel that grows while one clicks takes the click elsewhere.
+        say(form.status, "Nothing has moved yet.")
         self._fill()
 
     def _fill(self) -> None:
