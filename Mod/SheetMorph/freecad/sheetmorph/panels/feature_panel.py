@@ -127,6 +127,7 @@ class FeaturePanel(Panel):
                     getattr(api, function)(*arguments, **keywords)
                 live = live_session.live(self._assembly)
                 frame = live.answer(live.ask(exact=True))
+                live.keep(frame)  # OK recomputes in this very pose
                 self._end_drawing()
                 self._shown = LiveScene(self._assembly, live, None)
                 self._shown.show(frame, None, None)
