@@ -10,8 +10,8 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from .advice import findings_of
 from .files import read_part
-from .findings import findings_of
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 

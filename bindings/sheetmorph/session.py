@@ -13,7 +13,7 @@ from .kernel import load_kernel
 from .live import Drag
 from .part_mesh import PartMesh
 from .recipe import check_pose, check_with_meshes
-from .recipe.auto import Found
+from .recipe.found import Found
 from .recipe.model import Model
 from .report import make_report
 from .translation import Translator, kernel_faults

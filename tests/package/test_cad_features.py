@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from cad_samples import make_cad_samples
-from sheetmorph import PartMesh, _core, read_part
+from sheetmorph import PartMesh, _core, read_part, run
 from sheetmorph.cli import main
 from sheetmorph.files.cad_file import exact_features
-from sheetmorph.finding import FindOptions, FindPart, find, find_schema
+from sheetmorph.finding import FindOptions, FindPart, find, find_schema, parts_of_files
 from test_real_files import real_file
 
 
@@ -138,3 +138,22 @@ def _rotated(point: np.ndarray, axis: np.ndarray, angle: float) -> np.ndarray:
         + np.sin(angle) * np.cross(axis, point)
         + (1 - np.cos(angle)) * (axis @ point) * axis
     )
+
+
+def test_a_recipe_finds_what_the_surfaces_say(samples: Path, tmp_path: Path):
+    recipe = {
+        "sheetmorph": 1,
+        "parts": [{"file": str(samples / "fixture.step"), "split": "components"}],
+        "primary": "fixture/plate",
+        "features": "auto",
+    }
+    points = parts_of_files([samples / "fixture.step"]).meshes["fixture/plate"].points
+    for section, of_end in (("fixed", points[:, 0] < 1), ("handles", points[:, 0] > 59)):
+        end = {"part": "fixture/plate", "vertices": np.flatnonzero(of_end).tolist()}
+        recipe[section] = [{"name": section, **end}]
+    path = tmp_path / "recipe.json"
+    path.write_text(json.dumps(recipe))
+    found = run(path, tmp_path / "out")["found"]
+    assert len(found["features"]) == 2
+    assert sorted(hole["radius"] for hole in found["features"]) == pytest.approx([3, 5], abs=1e-13)
+    assert "contacts" not in found

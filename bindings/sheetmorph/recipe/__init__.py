@@ -9,9 +9,12 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import Fault, RecipeError
+from ..finding.findings import FindPart
+from ..finding.reading import connections_of, find_parts
 from ..part_mesh import PartMesh
-from .auto import Found, asked_sections, filled, search, without_auto
+from .auto import asked_sections, filled, search, without_auto
 from .checks import Known, mesh_faults, meaning_faults, pose_meaning_faults
+from .found import Found
 from .model import Model, Motion, model_of, motions_of
 from .parts import Parts, parts_of_meshes, read_parts
 from .reading import read_json
@@ -43,16 +46,8 @@ def prepare(recipe: Any, base: str | Path) -> Parts:
     if faults:
         raise RecipeError(faults)
     if asked_sections(recipe):
-        parts.found = search(recipe, parts.meshes, _told_by_files(parts))
+        parts.found = search(recipe, find_parts(parts), connections_of(parts))
     return parts
-
-
-def _told_by_files(parts: Parts) -> dict[str, Any]:
-    # Imported here: the search reads parts as a recipe names them.
-    from ..finding.deck import deck_connections, part_thickness
-
-    between = [c for source in parts.sources for c in deck_connections(source, parts.meshes)]
-    return {"thickness": part_thickness(parts.sources), "connections": between}
 
 
 def check_with_meshes(
@@ -77,7 +72,7 @@ def check_with_meshes(
     asked = asked_sections(recipe)
     if not asked:
         return model
-    found = found or search(recipe, {part.name: meshes[part.name] for part in model.parts})
+    found = found or search(recipe, [FindPart(p.name, meshes[p.name]) for p in model.parts])
     whole = check_with_meshes(filled(recipe, found), meshes)
     return replace(whole, found=found.for_report(asked))
 

@@ -5,36 +5,15 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..part_mesh import PartMesh
-
-if TYPE_CHECKING:
-    from ..finding import Findings
+from ..finding.findings import FindPart, Findings
+from ..finding.options import USUAL_FEATURES, FindOptions
+from ..finding.search import Connection, find
+from .found import Found
 
 SECTIONS = ("features", "contacts")
 _REGIONS = ("fixed", "handles", "regions")
-
-
-@dataclass
-class Found:
-    """What a search put into a recipe: the entries; gap: the one used, mm; left_out: sentences on
-    features that were found and not taken."""
-
-    features: list[dict[str, Any]] = field(default_factory=list)
-    contacts: list[dict[str, Any]] = field(default_factory=list)
-    gap: float = 0.0
-    left_out: list[str] = field(default_factory=list)
-
-    def for_report(self, asked: Sequence[str]) -> dict[str, Any]:
-        """The sections that were asked for, as the report tells them."""
-        told: dict[str, Any] = {"left_out": self.left_out}
-        if "features" in asked:
-            told["features"] = self.features
-        if "contacts" in asked:
-            told |= {"contacts": self.contacts, "gap": self.gap}
-        return told
 
 
 def asked_sections(recipe: Any) -> dict[str, dict[str, Any]]:
@@ -56,23 +35,15 @@ def without_auto(recipe: Any) -> Any:
 
 
 def search(
-    recipe: dict[str, Any], meshes: Mapping[str, PartMesh], told: Mapping[str, Any] | None = None
+    recipe: dict[str, Any], parts: Sequence[FindPart], connections: Sequence[Connection] = ()
 ) -> Found:
-    """What is found in the meshes for a recipe of sound form.
+    """What is found in the parts for a recipe of sound form.
 
-    told: what decks say, "thickness" by part and "connections" between parts by name.
+    connections: elements that hold two parts together, as find() takes them.
     Raises RuntimeError if the kernel is missing.
     """
-    from ..finding import FindPart, find
-
-    told = told or {}
-    thickness = told.get("thickness", {})
-    names = list(meshes)
-    index = {name: k for k, name in enumerate(names)}
-    parts = [FindPart(name, meshes[name], thickness.get(name, 0.0)) for name in names]
-    elements = [(index[a], i, index[b], j) for a, i, b, j in told.get("connections", ())]
     asked = asked_sections(recipe)
-    found = find(parts, _options(asked), elements)
+    found = find(parts, _options(asked), connections, with_contacts="contacts" in asked)
     return _taken(recipe, asked, found)
 
 
@@ -82,9 +53,7 @@ def filled(recipe: dict[str, Any], found: Found) -> dict[str, Any]:
     return {**recipe, **lists}
 
 
-def _options(asked: Mapping[str, Mapping[str, Any]]) -> Any:
-    from ..finding import FindOptions
-
+def _options(asked: Mapping[str, Mapping[str, Any]]) -> FindOptions:
     features = dict(asked.get("features", {}))
     contacts = dict(asked.get("contacts", {}))
     for key in ("kinds", "parts"):
@@ -99,8 +68,6 @@ def _options(asked: Mapping[str, Mapping[str, Any]]) -> Any:
 def _taken(
     recipe: Mapping[str, Any], asked: Mapping[str, Mapping[str, Any]], found: Findings
 ) -> Found:
-    from ..finding.options import USUAL_FEATURES
-
     result = Found(gap=found.gap)
     if "features" in asked:
         options = asked["features"]

@@ -12,7 +12,7 @@ from ..errors import Fault, FileError
 from ..files import PartFile, is_cad, output_name, read_part
 from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
-from .auto import Found
+from .found import Found
 from .model import PartEntry
 from .splitting import SplitError, part_of, split_triangles
 

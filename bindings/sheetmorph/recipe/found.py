@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a search has put in place of the word `auto` in a recipe."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+
+@dataclass
+class Found:
+    """What a search put into a recipe: the entries; gap: the one used, mm; left_out: sentences on
+    features that were found and not taken."""
+
+    features: list[dict[str, Any]] = field(default_factory=list)
+    contacts: list[dict[str, Any]] = field(default_factory=list)
+    gap: float = 0.0
+    left_out: list[str] = field(default_factory=list)
+
+    def for_report(self, asked: Sequence[str]) -> dict[str, Any]:
+        """The sections that were asked for, as the report tells them."""
+        told: dict[str, Any] = {"left_out": self.left_out}
+        if "features" in asked:
+            told["features"] = self.features
+        if "contacts" in asked:
+            told |= {"contacts": self.contacts, "gap": self.gap}
+        return told
