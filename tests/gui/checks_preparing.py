@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A mesh as CAD exports it is looked at when it is added, and cured when the user says so."""
 
+import os
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
-from desk import activate, child, choose_below, enter, picture, press, press_tool, tick, until
+import numpy as np
+from checks_tutorial import answer, menu
+from desk import WORK, activate, child, choose_below, enter, picture, press, press_tool, tick, until
 from freecad.sheetmorph import api
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import mesh_preview
 from pivy import coin
 from scenes import assembly, look, part
@@ -13,7 +18,20 @@ from scenes import assembly, look, part
 __all__ = [
     "test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes",
     "test_cancel_leaves_a_mesh_as_it_came",
+    "test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled",
 ]
+
+
+def write_in_metres(mesh, path: str) -> None:
+    """Facets of a mesh in metres as ASCII STL, every second one 1e-7 beside its neighbours."""
+    lines = []
+    for k, facet in enumerate(mesh.Facets):
+        corners = np.array(facet.Points) / 1000.0 + (0.0, 0.0, (k % 2) * 1e-7)
+        lines += ["facet normal 0 0 0", "outer loop"]
+        lines += [f"vertex {x:.9f} {y:.9f} {z:.9f}" for x, y, z in corners]
+        lines += ["endloop", "endfacet"]
+    with open(path, "w") as file:
+        file.write("\n".join(["solid plate", *lines, "endsolid plate", ""]))
 
 
 def coarse_plate():
@@ -86,3 +104,25 @@ def test_cancel_leaves_a_mesh_as_it_came():
     yield from press_tool("Prepare Mesh…")
     assert child("remesh").isChecked()
     yield from press("Cancel")
+
+
+def test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled():
+    yield from coarse_plate()
+    yield from press("Cancel")
+    path = os.path.join(WORK, "metres.stl")
+    write_in_metres(part().Source.Mesh, path)
+    yield from menu("SheetMorph", "Import Part…")
+    yield from answer(path)
+    yield 300
+    assert child("scale").isChecked() and child("weld").isChecked()
+    found = child("findings").text()
+    assert "unit seems to be m" in found and "nearly the place" in found, found
+    assert 1e-5 < child("tolerance").property("rawValue") < 1e-3
+    assert "2 mm thick" in found and child("edge").text().endswith("mm"), found
+    picture("prepare-metres")
+    yield from press("OK")
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel closed", 60.0)
+    points, triangles = api.rest_mesh(model.parts(assembly())[1])
+    assert abs(np.ptp(points, axis=0) - (160, 80, 2)).max() < 1e-3
+    edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all()

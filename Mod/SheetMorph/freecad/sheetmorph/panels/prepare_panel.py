@@ -41,8 +41,9 @@ class PreparePanel(Panel):
         super().__init__("prepare", "PrepareMesh", "Prepare Mesh")
         self._part = part
         self._preview = None
+        self._found = api.diagnose_original(part)
         self._prepare_widgets()
-        self._diagnose(api.diagnose_original(part))
+        self._offer()
 
     def accept(self) -> bool:
         """OK: cures the part."""
@@ -65,26 +66,24 @@ class PreparePanel(Panel):
 
     # -- the diagnosis
 
-    def _diagnose(self, found: dict) -> None:
-        """Shows a diagnosis and offers its cures."""
-        form, wish = self.form, cures.offered(found)
-        form.findings.setText(cures.as_text(found))
-        form.scale.setChecked(form.scale.isChecked() or wish.scale != 1.0)
+    def _offer(self) -> None:
+        """Ticks the cures that the diagnosis offers."""
+        form, wish = self.form, cures.offered(self._found)
+        form.scale.setChecked(wish.scale != 1.0)
         form.weld.setChecked(wish.weld is not None)
-        form.tolerance.setProperty("rawValue", wish.weld or cures.tolerance_of(found))
         form.remesh.setChecked(wish.edge is not None)
-        form.edge.setProperty("rawValue", wish.edge or cures.edge_of(found))
         form.thin.setChecked(self._part.Thin != "no" or wish.is_thin)
-        self._refresh()
+        self._tell()
 
-    def _rescale(self, *_) -> None:
-        """The same in another unit."""
-        scale = self._wish().scale
-        with actions.waiting():
-            found = api.diagnose_original(self._part, scale)
-        self.form.findings.setText(cures.as_text(found))
-        self.form.tolerance.setProperty("rawValue", cures.tolerance_of(found))
-        self.form.edge.setProperty("rawValue", cures.edge_of(found))
+    def _tell(self, *_) -> None:
+        """Shows the diagnosis, and proposes lengths, in the unit that is chosen."""
+        form, found, scale = self.form, self._found, self._wish().scale
+        if scale != 1.0:
+            with actions.waiting():
+                found = cures.with_unit_of(api.diagnose_original(self._part, scale), found)
+        form.findings.setText(cures.as_text(found))
+        form.tolerance.setProperty("rawValue", cures.tolerance_of(found))
+        form.edge.setProperty("rawValue", found["suggested_edge"] or 1.0)
         self._refresh()
 
     # -- what is asked for
@@ -142,7 +141,9 @@ class PreparePanel(Panel):
     def _prepare_widgets(self) -> None:
         form = self.form
         say(form.message, "")
-        form.scale.clicked.connect(self._rescale)
+        for field in (form.tolerance, form.edge):
+            field.setProperty("unit", "mm")
+        form.scale.clicked.connect(self._tell)
         for box in (form.weld, form.remesh):
             box.toggled.connect(self._refresh)
         form.preview.clicked.connect(self._show_preview)

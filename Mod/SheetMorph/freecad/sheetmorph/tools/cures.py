@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass
 from html import escape
 
@@ -58,13 +59,18 @@ def offered(diagnosis: dict) -> Wish:
 
 
 def tolerance_of(diagnosis: dict) -> float:
-    """The tolerance to weld with, mm."""
-    return diagnosis["tolerance"] * diagnosis["unit"]["scale"]
+    """The tolerance to weld with, mm: that of the diagnosis, up to the next full digit."""
+    tolerance = diagnosis["tolerance"]
+    if not tolerance > 0.0:
+        return 0.0
+    digit = 10.0 ** math.floor(math.log10(tolerance))
+    return float(f"{math.ceil(tolerance / digit - 1e-9) * digit:.0e}")
 
 
-def edge_of(diagnosis: dict) -> float:
-    """The edge length to mesh with, mm."""
-    return (diagnosis["suggested_edge"] or 1.0) * diagnosis["unit"]["scale"]
+def with_unit_of(diagnosis: dict, first: dict) -> dict:
+    """A diagnosis in another unit, with what the first one says about the unit."""
+    unit = [finding for finding in first["findings"] if finding["finding"] == "unit"]
+    return {**diagnosis, "findings": unit + diagnosis["findings"]}
 
 
 def as_text(diagnosis: dict) -> str:
