@@ -74,16 +74,28 @@ def calls_in(name: str) -> list[str]:
 
 def replay(name: str):
     """Runs a macro without a window; the positions of all parts are those of this document."""
-    replayed = os.path.join(WORK, f"{name}.npy")
-    process = subprocess.Popen(
-        ["freecadcmd", os.path.join(HERE, "replay.py")],
-        env={**os.environ, "SHEETMORPH_MACRO": macro_path(name), "SHEETMORPH_REPLAYED": replayed},
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-    )
-    yield from until(lambda: process.poll() is not None, "the replay", 30)
-    assert process.returncode == 0
-    assert np.array_equal(np.load(replayed), stored_of_all())
+    yield from Replay(name).finish()
+
+
+class Replay:
+    """Runs a macro without a window, beside what else happens; expects what is stored now."""
+
+    def __init__(self, name: str):
+        self._replayed = os.path.join(WORK, f"{name}.npy")
+        wanted = {"SHEETMORPH_MACRO": macro_path(name), "SHEETMORPH_REPLAYED": self._replayed}
+        self._expected = stored_of_all()
+        self._process = subprocess.Popen(
+            ["freecadcmd", os.path.join(HERE, "replay.py")],
+            env={**os.environ, **wanted},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+        )
+
+    def finish(self):
+        """Waits for the end; the positions of all parts are the same to the bit."""
+        yield from until(lambda: self._process.poll() is not None, "the replay", 30)
+        assert self._process.returncode == 0
+        assert np.array_equal(np.load(self._replayed), self._expected)
 
 
 def do_a_morph():

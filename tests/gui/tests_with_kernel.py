@@ -6,6 +6,7 @@ from checks_dragging import *  # noqa: F401,F403
 from checks_drawing import *  # noqa: F401,F403
 from checks_features import *  # noqa: F401,F403
 from checks_finding import *  # noqa: F401,F403
+from checks_flow import *  # noqa: F401,F403
 from checks_guide import *  # noqa: F401,F403
 from checks_macro import *  # noqa: F401,F403
 from checks_moving import *  # noqa: F401,F403

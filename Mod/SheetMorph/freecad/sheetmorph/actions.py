@@ -29,10 +29,10 @@ def call(function: str, *arguments: str, **keywords: str) -> str:
 def record(*lines: str) -> None:
     """Runs lines and writes them to the macro being recorded, without a transaction.
 
-    The import is written every time: FreeCAD's addModule does so once a session, too early for
+    The imports are written every time: FreeCAD's addModule does so once a session, too early for
     a macro whose recording starts later.
     """
-    for line in (f"import {API}", *lines):
+    for line in ("import FreeCAD as App", f"import {API}", *lines):
         Gui.doCommand(line)
 
 

@@ -23,7 +23,7 @@ NEW = call("create_assembly", "App.ActiveDocument")
 def ensure_document() -> None:
     """Makes a document if there is none."""
     if App.ActiveDocument is None:
-        Gui.doCommand("App.newDocument()")
+        actions.record("App.newDocument()")
 
 
 def added(function: str, *arguments: str) -> str:

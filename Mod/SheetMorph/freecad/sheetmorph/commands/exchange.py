@@ -19,7 +19,7 @@ RECIPES = "Recipes (*.json)"
 def open_recipe(path: str, document_name: str = "") -> bool:
     """Opens a recipe in a new document, or in the active one; False if it could not be read."""
     if document_name or App.ActiveDocument is None:
-        Gui.doCommand(f"App.newDocument({document_name!r})")
+        actions.record(f"App.newDocument({document_name!r})")
     done = actions.attempt("Import Recipe", call("import_recipe", "App.ActiveDocument", repr(path)))
     if done:
         Gui.activeDocument().activeView().viewIsometric()

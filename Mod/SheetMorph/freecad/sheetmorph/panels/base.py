@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the task panels share."""
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
@@ -23,6 +24,7 @@ class Panel:
     """A task panel with OK and Cancel; subclasses give ``close`` and ``accept``."""
 
     width = WIDTH
+    _aside: tuple | list = ()
 
     def __init__(self, widgets: str, icon: str, title: str):
         self.form = Gui.PySideUic.loadUi(paths.panel(widgets))
@@ -34,7 +36,13 @@ class Panel:
                 widget.setStatusTip(widget.statusTip() or widget.toolTip())
 
     def present(self) -> None:
-        """Shows the panel, in a task view wide enough to read it."""
+        """Shows the panel, in a task view wide enough to read it.
+
+        Where the selection plays no role its colour would hide the others: it is put aside.
+        """
+        if not self.isAllowedAlterSelection():
+            self._aside = [(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection()]
+            Gui.Selection.clearSelection()
         Gui.Control.showDialog(self)
         QtCore.QTimer.singleShot(0, self._widen)
 
@@ -68,6 +76,9 @@ class Panel:
         """Closes the task view and lets go of its widgets, which FreeCAD deletes."""
         form, self.form = self.form, None
         forget(form, Gui.Control.closeDialog)
+        for document, name in self._aside:
+            if document in App.listDocuments() and App.getDocument(document).getObject(name):
+                Gui.Selection.addSelection(document, name)
         return True
 
 

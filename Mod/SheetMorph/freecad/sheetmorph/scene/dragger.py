@@ -28,6 +28,10 @@ class Dragger:
         made = coin.SoType.fromName("SoFCCSysDragger").createInstance()
         self._dragger = coin.cast(made, "SoDragger")
         self._root = coin.SoAnnotation()
+        # Drawn over the parts, and so grabbed before them too.
+        first = coin.SoPickStyle()
+        first.style = coin.SoPickStyle.SHAPE_ON_TOP
+        self._root.addChild(first)
         self._root.addChild(self._pivot)
         self._root.addChild(self._dragger)
         self._view.getSceneGraph().addChild(self._root)
