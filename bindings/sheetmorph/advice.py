@@ -44,8 +44,13 @@ def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         yield "open edges", counts["open_edges_welded"], text, None, None
     if counts["non_manifold_edges_welded"]:
         number = counts["non_manifold_edges_welded"]
-        text = f"{number} edges with three triangles or more: sheets meet there and stay together"
-        yield "non-manifold edges", number, text, None, None
+        text = f"{number} edges with three triangles or more: "
+        if counts["open_edges_welded"]:
+            text += "sheets meet there and stay together"
+            yield "non-manifold edges", number, text, None, None
+        else:
+            text += "solids touch there; welded, those that share a flat wall become one"
+            yield "non-manifold edges", number, text, "weld", weld
 
 
 def _in_mm(diagnosis: dict[str, Any], recipe: dict[str, Any]) -> dict[str, Any]:

@@ -71,6 +71,7 @@ def test_the_plate_of_the_summit_is_found_as_its_readme_says():
     assert counts["t_junctions"] == 4
     assert counts["slivers"] == 1181
     assert (counts["open_edges_welded"], counts["non_manifold_edges_welded"]) == (0, 10)
+    assert findings(found)["non-manifold edges"]["cure"] == "weld"  # two plates share a wall
     # It says 2 mm; every skin of the file has its other side 1.5 mm away.
     assert found["kind"] == "thin solid"
     assert found["thickness"] == pytest.approx(0.0015, rel=1e-6)

@@ -23,20 +23,11 @@ MARGIN = 1.15
 
 def pictures(job: dict):
     """The pictures of one job; yields how many ms FreeCAD's event loop shall run."""
-    document = App.newDocument("Pictures")
-    assembly = api.import_recipe(document, job["recipe"])
-    parts = objects.parts(assembly)
-    for number, part in enumerate(parts):
-        dress(part, number, job)
-    shown = [part for part in parts if part.Label in job.get("only", [p.Label for p in parts])]
-    for part in set(parts) - set(shown):
-        part.ViewObject.Visibility = False
-    hide_regions(assembly, shown)
-    document.recompute()
+    document, assembly, shown = opened(job["recipe"], job)
     yield 400
     print(job["recipe"], assembly.Status, "unreached:", list(assembly.Unreached), flush=True)
     moved = api.deform(assembly)
-    both = [points for p in shown for points in (api.rest_mesh(p)[0], moved[p.Name])]
+    both = [points for p in shown for points in seen(api.rest_mesh(p)[0], moved[p.Name], job)]
     meshes = control_meshes(assembly, job)
     if job.get("control_meshes") == "single":
         both += [points for points, _ in meshes]
@@ -46,8 +37,15 @@ def pictures(job: dict):
     save(f"{job['out']}_after.png", job.get("size", SIZE))
     for node in drawn:
         scene().removeChild(node)
-    show_first(assembly, job)
-    document.recompute()
+    if "first_recipe" in job:
+        camera = view().getCamera()
+        App.closeDocument(document.Name)
+        document, assembly, _ = opened(job["first_recipe"], job)
+        yield 400
+        view().setCamera(camera)
+    else:
+        show_first(assembly, job)
+        document.recompute()
     for mesh in control_meshes(assembly, job):
         draw_wires(*mesh)
     yield 300
@@ -55,8 +53,32 @@ def pictures(job: dict):
     App.closeDocument(document.Name)
 
 
+def opened(recipe: str, job: dict) -> tuple:
+    """A new document with a recipe: the document, the morph and the parts that are shown."""
+    document = App.newDocument("Pictures")
+    assembly = api.import_recipe(document, recipe)
+    parts = objects.parts(assembly)
+    for number, part in enumerate(parts):
+        dress(part, number, job)
+    shown = [part for part in parts if part.Label in job.get("only", [p.Label for p in parts])]
+    for part in set(parts) - set(shown):
+        part.ViewObject.Visibility = False
+    hide_regions(assembly, shown if job.get("regions", True) else [])
+    document.recompute()
+    return document, assembly, shown
+
+
+def seen(rest: np.ndarray, moved: np.ndarray, job: dict) -> tuple:
+    """What must be in the picture: all points (n, 3) at rest and moved, or those close at rest."""
+    if "close" not in job:
+        return rest, moved
+    low, high = np.array(job["close"]).T
+    return (moved[((rest[:, : len(low)] > low) & (rest[:, : len(low)] < high)).all(axis=1)],)
+
+
 def show_first(assembly, job: dict) -> None:
-    """What the left view shows: the parts at rest, or their form features with a rotation."""
+    """What the left view shows: the parts at rest, or their form features with a rotation; with
+    a `first_recipe` that one, deformed, instead."""
     for region in objects.regions(assembly):
         if "first" in job and region.Role == "form feature":
             api.set_rotation(region, job["first"])

@@ -19,6 +19,7 @@ from pathlib import Path
 import classics
 import rear_wing
 import riveted_support
+import stainless_plate
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 ABSENT = "the public meshes are not at hand; set SHEETMORPH_SHARED to the folder above data/"
@@ -29,6 +30,8 @@ MAKERS: dict[str, Callable[[Path], dict]] = {
     "bracket": riveted_support.bracket_alone,
     "wing": rear_wing.wing,
     "end plate": rear_wing.end_plate_alone,
+    "plate": stainless_plate.stainless_plate,
+    "plate as it comes": partial(stainless_plate.stainless_plate, keys=stainless_plate.METRES),
     "bar": partial(classics.classic, name="bar"),
     "cylinder": partial(classics.classic, name="cylinder"),
     "bumpy_plane": partial(classics.classic, name="bumpy_plane"),

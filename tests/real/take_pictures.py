@@ -48,6 +48,14 @@ JOBS = {
     },
     "wing": {"real": "wing", "crease": 45.0},
     "wing-end-plate": {"real": "end plate", "crease": 45.0, "only": ["f1_rw_end_plates/1"]},
+    "thin-plate": {
+        "real": "plate", "first_real": "plate as it comes", "direction": [-0.4, 1.2, -0.9],
+        "crease": 1.0, "regions": False,
+    },
+    "thin-plate-holes": {
+        "real": "plate", "first_real": "plate as it comes", "direction": [-0.1, 0.5, -1.0],
+        "crease": 1.0, "regions": False, "close": [[-330.0, 30.0], [-110.0, 160.0]],
+    },
     "bar": {"real": "bar", "direction": STEEP},
     "cylinder": {"real": "cylinder", "direction": STEEP},
     "bumpy-plane": {"real": "bumpy_plane", "direction": STEEP},
@@ -83,6 +91,10 @@ def job_of(name: str, place: Path) -> dict | None:
         print(f"{name}: {recipes.ABSENT}")
         return None
     Path(job["recipe"]).write_text(json.dumps(recipes.make(job["real"])), encoding="utf-8")
+    if "first_real" in job:
+        job["first_recipe"] = str(place / f"{name}-first.json")
+        first = json.dumps(recipes.make(job["first_real"]))
+        Path(job["first_recipe"]).write_text(first, encoding="utf-8")
     return job
 
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/t_junctions.h"
 
-#include "sheetmorph/mesh/boundary.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -106,7 +104,12 @@ bool is_inside(const Vector3& vertex, const Vector3& from, const Vector3& to, do
 
 std::vector<TJunction> t_junctions(const TriangleMesh& mesh, double tolerance)
 {
-    const std::vector<BoundaryEdge> edges = boundary_edges(mesh);
+    return junctions_on(mesh, boundary_edges(mesh), tolerance);
+}
+
+std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
+                                    const std::vector<BoundaryEdge>& edges, double tolerance)
+{
     if (edges.empty() || mesh.size() == 0.0)
         return {};
     const VertexGrid grid(mesh, edges);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/mesh/boundary.h"
 
 namespace sheetmorph
 {
@@ -16,5 +16,9 @@ struct TJunction
 //! The T-junctions of a mesh, one for every open edge and vertex.
 //! \param tolerance  mm, >= 0
 std::vector<TJunction> t_junctions(const TriangleMesh& mesh, double tolerance);
+
+//! The same for edges of any kind.
+std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
+                                    const std::vector<BoundaryEdge>& edges, double tolerance);
 
 }  // namespace sheetmorph

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/near_vertices.h"
-#include "sheetmorph/mesh/t_junctions.h"
+#include "sheetmorph/repair/inner_walls.h"
 #include "sheetmorph/repair/soup.h"
 
 #include <Eigen/Geometry>
@@ -86,12 +86,14 @@ Facets fan(const Points& points, const Facet& facet, int side, VertexIds cuts)
     return pieces;
 }
 
-// Cuts each facet at the vertices inside one of its open edges; returns how many were cut.
+// Cuts each facet at the vertices inside one of its edges; returns how many were cut.
 int cut_junctions(const Points& points, Facets& facets, double tolerance)
 {
+    const TriangleMesh mesh = mesh_of(points, facets);
     std::map<std::pair<int, int>, VertexIds> cuts;
-    for (const TJunction& junction : t_junctions(mesh_of(points, facets), tolerance))
-        cuts[{junction.from, junction.to}].push_back(junction.vertex);
+    for (const auto junctions : {t_junctions, seam_junctions})
+        for (const TJunction& junction : junctions(mesh, tolerance))
+            cuts[{junction.from, junction.to}].push_back(junction.vertex);
     int count = 0;
     Facets whole;
     for (const Facet& facet : facets)
@@ -139,6 +141,31 @@ void number_vertices(const Points& points, const Facets& facets, const std::vect
     found.mesh = TriangleMesh(std::move(kept), std::move(triangles));
 }
 
+// The mesh of the facets, each piece facing one way.
+void put_together(const Points& points, const Facets& facets, const std::vector<int>& first,
+                  CuredMesh& found)
+{
+    found.triangle_of.clear();
+    found.vertex_of.clear();
+    number_vertices(points, facets, first, found);
+    OrientedSoup soup = oriented(found.mesh);
+    found.turned = soup.turned;
+    found.mesh = TriangleMesh(found.mesh.points(), std::move(soup.triangles));
+}
+
+// Leaves out the walls that two pieces have in common; returns how many facets.
+int open_inner_walls(const TriangleMesh& mesh, Facets& facets)
+{
+    const std::vector<char> is_inner = inner_walls(mesh);
+    Facets outer;
+    for (std::size_t t = 0; t < facets.size(); ++t)
+        if (!is_inner[t])
+            outer.push_back(facets[t]);
+    const std::size_t count = facets.size() - outer.size();
+    facets = std::move(outer);
+    return static_cast<int>(count);
+}
+
 }  // namespace
 
 CuredMesh cured(const TriangleMesh& mesh, double tolerance)
@@ -155,10 +182,12 @@ CuredMesh cured(const TriangleMesh& mesh, double tolerance)
     found.removed = mesh.triangle_count() - static_cast<int>(facets.size());
     for (int round = 0, cut = 1; round < most_rounds && cut > 0; ++round)
         found.split += cut = cut_junctions(mesh.points(), facets, tolerance);
-    number_vertices(mesh.points(), facets, places.first, found);
-    OrientedSoup soup = oriented(found.mesh);
-    found.turned = soup.turned;
-    found.mesh = TriangleMesh(found.mesh.points(), std::move(soup.triangles));
+    put_together(mesh.points(), facets, places.first, found);
+    if (const int inner = open_inner_walls(found.mesh, facets); inner > 0)
+    {
+        found.removed += inner;
+        put_together(mesh.points(), facets, places.first, found);
+    }
     return found;
 }
 

@@ -13,8 +13,8 @@ struct CuredMesh
     std::vector<int> vertex_of;    //!< (n) of every vertex given: its place in `mesh`, -1 if gone
     std::vector<int> triangle_of;  //!< (m) of every triangle of `mesh`: the one given it is part of
     int welded = 0;                //!< vertices that became one with an earlier one
-    int removed = 0;               //!< triangles that stood twice or had no height
-    int split = 0;                 //!< triangles cut at vertices inside their open edges
+    int removed = 0;               //!< triangles that stood twice or had no height, inner walls
+    int split = 0;                 //!< triangles cut at vertices inside their edges
     int turned = 0;                //!< triangles turned to face as their neighbours do
 };
 
@@ -22,6 +22,8 @@ struct CuredMesh
 //! only touch, without open edges, stay apart), removes triangles
 //! without height (lower than a thousandth of it) and doubled ones, cuts open edges at the vertices
 //! inside them (T-junctions), and makes each piece face one way (CGAL, Polygon Mesh Processing).
+//! Solids that have vertices in common and lie against each other in flat walls become one: their
+//! edges are cut alike along the seam, and the walls between them go.
 //! Edges with three triangles or more stay as they are; vertices in no triangle go. \param
 //! tolerance  mm, >= 0 \throws InvalidInput if it is negative or not finite, or no triangle would
 //! be left

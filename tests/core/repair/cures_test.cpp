@@ -79,6 +79,30 @@ TEST(Cures, KeepEdgesOfThreeTriangles)
     EXPECT_EQ(diagnose(found.mesh, 0.0).non_manifold_edges, 1);
 }
 
+TEST(Cures, MakeOneSolidOfTwoThatShareAWall)
+{
+    const TriangleMesh left = shapes::box(6, Vector3(30, 20, 2));
+    const TriangleMesh right = shapes::mapped(shapes::box(4, Vector3(30, 20, 2)), [](Vector3 p)
+                                              { return Vector3(p.x() + 30.0, p.y(), p.z()); });
+    const TriangleMesh both = shapes::welded({left, right});
+    const CuredMesh found = cured(both, 1e-6);
+    const Diagnosis diagnosis = diagnose(found.mesh, 1e-6);
+    EXPECT_EQ(diagnosis.non_manifold_edges + diagnosis.open_edges + diagnosis.unused_vertices, 0);
+    ASSERT_EQ(diagnosis.pieces.size(), 1u);
+    EXPECT_NEAR(diagnosis.pieces[0].area, 2.0 * (60.0 * 20.0 + 60.0 * 2.0 + 20.0 * 2.0), 1e-6);
+    EXPECT_NEAR(diagnosis.pieces[0].volume, 60.0 * 20.0 * 2.0, 1e-6);
+}
+
+TEST(Cures, LeaveSolidsThatShareAnEdgeAlone)
+{
+    const TriangleMesh box = shapes::box(2, Vector3(4, 4, 4));
+    const TriangleMesh both = shapes::welded(
+        {box, shapes::mapped(box, [](Vector3 p) { return Vector3(p + Vector3(4, 4, 0)); })});
+    const CuredMesh found = cured(both, 1e-6);
+    EXPECT_EQ(found.mesh.triangle_count(), both.triangle_count());
+    EXPECT_EQ(found.split + found.removed, 0);
+}
+
 TEST(Cures, RefuseATolerancesThatLeavesNothing)
 {
     EXPECT_THROW(cured(shapes::box(1, Vector3(1, 1, 1)), 10.0), InvalidInput);
