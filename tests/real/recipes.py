@@ -17,6 +17,7 @@ from functools import partial
 from pathlib import Path
 
 import classics
+import laser_cut_box
 import rear_wing
 import riveted_support
 import stainless_plate
@@ -32,6 +33,7 @@ MAKERS: dict[str, Callable[[Path], dict]] = {
     "end plate": rear_wing.end_plate_alone,
     "plate": stainless_plate.stainless_plate,
     "plate as it comes": partial(stainless_plate.stainless_plate, keys=stainless_plate.METRES),
+    "box": laser_cut_box.box,
     "bar": partial(classics.classic, name="bar"),
     "cylinder": partial(classics.classic, name="cylinder"),
     "bumpy_plane": partial(classics.classic, name="bumpy_plane"),

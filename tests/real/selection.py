@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import itertools
+import json
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -20,8 +22,14 @@ Meshes = dict[str, PartMesh]
 
 
 def read_meshes(entries: list[dict], base: str | Path) -> Meshes:
-    """The meshes of the entries of `parts` of a recipe, by part name."""
-    return read_parts(model_of({"parts": entries}).parts, base).meshes
+    """The meshes of the entries of `parts` of a recipe, by part name; they are read once."""
+    return dict(read_once(json.dumps(entries), base))
+
+
+@lru_cache(maxsize=4)
+def read_once(entries: str, base: str | Path) -> Meshes:
+    """The same for entries as JSON."""
+    return read_parts(model_of({"parts": json.loads(entries)}).parts, base).meshes
 
 
 def region(meshes: Meshes, part: str, chosen: np.ndarray, **more: object) -> dict:

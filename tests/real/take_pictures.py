@@ -56,6 +56,7 @@ JOBS = {
         "real": "plate", "first_real": "plate as it comes", "direction": [-0.1, 0.5, -1.0],
         "crease": 1.0, "regions": False, "close": [[-330.0, 30.0], [-110.0, 160.0]],
     },
+    "box": {"real": "box"},
     "bar": {"real": "bar", "direction": STEEP},
     "cylinder": {"real": "cylinder", "direction": STEEP},
     "bumpy-plane": {"real": "bumpy_plane", "direction": STEEP},

@@ -22,7 +22,15 @@ from .structure import pose_faults, schema, structural_faults
 from .unavailable import take_out
 from .values import depth_faults
 
-__all__ = ["check_pose", "check_with_meshes", "prepare", "read_json", "schema", "validate"]
+__all__ = [
+    "check_pose",
+    "check_with_meshes",
+    "filled",
+    "prepare",
+    "read_json",
+    "schema",
+    "validate",
+]
 
 
 def validate(recipe: dict[str, Any], base: str | Path = ".") -> None:

@@ -12,6 +12,7 @@ struct LinkTarget
 {
     int part = 0;
     VertexIds vertices;
+    std::vector<double> weights = {};  //!< beside other links that want them; empty: 1 each
 };
 
 //! Source vertices that decide target vertices through a control mesh or a tie.

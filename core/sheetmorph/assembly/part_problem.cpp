@@ -83,11 +83,12 @@ std::vector<Claim> claims_on(const Assembly& assembly, int part,
     {
         Eigen::Index row = 0;
         for (const LinkTarget& target : links[k].targets)
-            for (const int vertex : target.vertices)
+            for (std::size_t v = 0; v < target.vertices.size(); ++v, ++row)
             {
+                const double weight = target.weights.empty() ? 1.0 : target.weights[v];
                 if (target.part == part)
-                    claim(claims, vertex, {static_cast<int>(k), row}, links[k].type);
-                ++row;
+                    claim(claims, target.vertices[v], {static_cast<int>(k), row, weight},
+                          links[k].type);
             }
     }
     return claims;
@@ -118,17 +119,26 @@ void add_propagated(PartProblem& problem, const std::vector<Claim>& claims,
 Eigen::RowVector3d mean_row(const std::vector<LinkRow>& rows, const EarlierParts& earlier,
                             Points LinkedTargets::*values)
 {
+    const auto value = [&](const LinkRow& row)
+    { return (earlier.links[at(row.link)].*values).row(row.row); };
+    if (rows.size() == 1)
+        return value(rows.front());
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    double weights = 0.0;
     for (const LinkRow& row : rows)
-        sum += (earlier.links[at(row.link)].*values).row(row.row);
-    return rows.size() == 1 ? sum : Eigen::RowVector3d(sum / static_cast<double>(rows.size()));
+    {
+        sum += row.weight * value(row);
+        weights += row.weight;
+    }
+    return sum / weights;
 }
 
 Matrix3 mean_rotation(const std::vector<LinkRow>& rows, const EarlierParts& earlier)
 {
     Matrix3 sum = Matrix3::Zero();
     for (const LinkRow& row : rows)
-        sum += earlier.links[at(row.link)].rotations[static_cast<std::size_t>(row.row)];
+        sum +=
+            row.weight * earlier.links[at(row.link)].rotations[static_cast<std::size_t>(row.row)];
     return rows.size() == 1 ? sum : nearest_rotation(sum);
 }
 

@@ -15,6 +15,7 @@ struct LinkRow
 {
     int link = 0;
     Eigen::Index row = 0;
+    double weight = 1.0;
 };
 
 //! Everything that decides one part: its own regions, features and points, the rigid welds it
@@ -25,8 +26,8 @@ struct PartProblem
     std::vector<int> carried;   //!< welds that move this part: handles after the own ones
     std::vector<int> carriers;  //!< welds this part moves others by: features after the own ones
 
-    //! By propagated region and vertex: the rows whose mean is its target. On one vertex tied comes
-    //! before control mesh; of equal rank all count.
+    //! By propagated region and vertex: the rows whose weighted mean is its target. On one vertex
+    //! tied comes before control mesh; of equal rank all count.
     std::vector<std::vector<std::vector<LinkRow>>> propagated;
 
     bool is_driven() const { return own.is_driven(); }

@@ -3,9 +3,11 @@
 
 #include "sheetmorph/assembly/assembly_checks.h"
 #include "sheetmorph/assembly/control_box.h"
+#include "sheetmorph/assembly/link_blending.h"
 #include "sheetmorph/assembly/reuse.h"
 #include "sheetmorph/assembly/task_pool.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/growing.h"
 
 #include <algorithm>
 #include <chrono>
@@ -98,6 +100,16 @@ void reduce(PreparedAssembly& prepared, const PreparedAssembly* previous)
     prepared.assembly = reduced_to_skins(*prepared.with_thin_parts, prepared.thin);
 }
 
+// What touches by its wall is a row of vertices in the middle of the sheet. A tie holds on to
+// triangles: those around, for that row has none.
+void widen_thin_sources(PreparedAssembly& prepared)
+{
+    for (PlannedLink& link : prepared.planned)
+        if (link.type == ContactType::tied && prepared.thin[at(link.source_part)])
+            link.source =
+                grow_rings(prepared.assembly.parts[at(link.source_part)].mesh, link.source, 1);
+}
+
 //! Collects what has to be built, and times it.
 class Preparation
 {
@@ -175,6 +187,8 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     prepared.plan = plan_propagation(given);
     const ControlBoxes boxes(given);
     prepared.planned = plan_links(given, prepared.plan, boxes);
+    widen_thin_sources(prepared);
+    blend_neighbours(given, prepared.planned);
     prepared.welds = plan_welds(given, prepared.plan);
     prepared.pairs = plan_pairs(given, prepared.plan);
     for (const DirectedContact& contact : prepared.plan.measured)

@@ -234,7 +234,8 @@ private:
         found_.flat_deviation = flat;
     }
 
-    // Old vertices off the ridges are gone: the nearest new one stands for each.
+    // Old vertices off the ridges are gone: the nearest new one of their patch stands for each,
+    // however near other sheets are.
     void follow_old_vertices()
     {
         found_.vertex_of.assign(static_cast<std::size_t>(old_count_), -1);
@@ -246,20 +247,34 @@ private:
                 found_.vertex_of[origin] = static_cast<int>(i);
                 found_.is_kept[origin] = 1;
             }
-        std::vector<char> is_used(static_cast<std::size_t>(old_count_), 0);
-        for (Eigen::Index k = 0; k < source_.mesh.triangles().size(); ++k)
-            is_used[source_.mesh.triangles().data()[k]] = 1;
-        const PickingTree tree(found_.mesh);
+        const PatchTrees trees(found_.mesh, found_.patch);
+        const std::vector<int> patches = patches_of_gone_vertices();
+        double most = 0.0;
+#pragma omp parallel for reduction(max : most) schedule(dynamic, 256)
         for (int i = 0; i < old_count_; ++i)
-        {
-            if (found_.is_kept[i] || !is_used[i])
-                continue;
-            const Hit hit = *tree.nearest_point(source_.mesh.points().row(i).transpose());
-            int nearest = 0;
-            hit.barycentric.maxCoeff(&nearest);
-            found_.vertex_of[i] = found_.mesh.triangles()(hit.triangle, nearest);
-            found_.deviation = std::max(found_.deviation, hit.distance);
-        }
+            if (patches[i] >= 0)
+            {
+                const Hit hit = trees.nearest(patches[i], source_.mesh.points().row(i).transpose());
+                int nearest = 0;
+                hit.barycentric.maxCoeff(&nearest);
+                found_.vertex_of[i] = found_.mesh.triangles()(hit.triangle, nearest);
+                most = std::max(most, hit.distance);
+            }
+        found_.deviation = std::max(found_.deviation, most);
+    }
+
+    // By vertex given: a patch around it that is still there, -1 if it is kept or unused.
+    std::vector<int> patches_of_gone_vertices() const
+    {
+        std::vector<char> is_there(source_.patches.is_flat.size(), 0);
+        for (const int patch : found_.patch)
+            is_there[patch] = 1;
+        std::vector<int> patches(static_cast<std::size_t>(old_count_), -1);
+        const Triangles& triangles = source_.mesh.triangles();
+        for (Eigen::Index k = 0; k < triangles.size(); ++k)
+            if (!found_.is_kept[triangles.data()[k]] && is_there[source_.patches.patch[k / 3]])
+                patches[triangles.data()[k]] = source_.patches.patch[k / 3];
+        return patches;
     }
 
     const WorkingMesh& work_;

@@ -145,6 +145,29 @@ TEST(ThinSolid, RegionsOnTheOppositeSkinAloneHoldAndMoveThePart)
     }
 }
 
+// A strip on edge stands along the wall of the plate that bends, and at a corner of its skin.
+TEST(ThinSolid, WhatIsTiedToAWallStaysThere)
+{
+    Assembly assembly =
+        plate_assembly(shapes::two_skinned(shapes::plate_with_holes().mesh, thickness), Thin::yes);
+    const auto on_edge = [](const Vector3& p) { return Vector3(p.x(), -0.1, p.y() - 10.0); };
+    Part strip;
+    strip.name = "strip";
+    strip.mesh = shapes::mapped(shapes::grid(60, 10, length, 20.0), on_edge);
+    assembly.parts.push_back(strip);
+    Contact contact;
+    contact.name = "edge";
+    contact.type = ContactType::tied;
+    contact.a = frames::side("a", assembly, 0,
+                             [](const Vector3& p)
+                             { return p.y() < 1e-6 || (p.x() > 150 && p.y() < 15.0); });
+    contact.b =
+        frames::side("b", assembly, 1, [](const Vector3& p) { return std::abs(p.z()) < 3; });
+    assembly.contacts = {contact};
+    const Deformed shape = DeformationSession(assembly).deform(pose_of(bent(30.0)));
+    EXPECT_LT(shape.contacts.front().gap_change, 0.05);
+}
+
 TEST(ThinSolid, AHoleIsOneFeatureThroughBothSkins)
 {
     const shapes::PlateWithHoles plate = shapes::plate_with_holes();

@@ -102,6 +102,19 @@ TEST(Remeshing, KeepsSheetsTogetherThatMeetInAnEdge)
     EXPECT_LT(found.deviation, 1e-12);
 }
 
+TEST(Remeshing, AVertexThatIsGoneIsFollowedOnItsOwnSheetHoweverNearAnotherIs)
+{
+    const TriangleMesh sheet = shapes::grid(50, 30, 50.0, 30.0);
+    const int count = sheet.vertex_count();
+    Points points(2 * count, 3);
+    points << sheet.points(), sheet.points().rowwise() + Eigen::RowVector3d(0.7, 0.7, 0.01);
+    Triangles triangles(2 * sheet.triangle_count(), 3);
+    triangles << sheet.triangles(), sheet.triangles().array() + count;
+    const RemeshedMesh found = remeshed(TriangleMesh(points, triangles), edges_of(8.0));
+    for (int i = 0; i < 2 * count; ++i)
+        EXPECT_NEAR(found.mesh.points()(found.vertex_of[i], 2), points(i, 2), 1e-9);
+}
+
 // How many vertices at one height have none above or below them at another.
 int without_twin(const TriangleMesh& mesh, double height, double other)
 {

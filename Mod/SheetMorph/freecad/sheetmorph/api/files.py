@@ -105,13 +105,16 @@ def export_recipe(assembly, path: str | os.PathLike) -> Path:
 def import_recipe(document, path: str | os.PathLike):
     """Build the assembly that a recipe file describes and return it.
 
-    Raises ValueError (sheetmorph.RecipeError) with every fault of the recipe, OSError if it
-    cannot be read; then the document is as before.
+    What the recipe leaves to a search (`"auto"`) is found now. Raises ValueError
+    (sheetmorph.RecipeError) with every fault of the recipe, OSError if it cannot be read; then the
+    document is as before.
     """
     path = Path(path)
     package = kernel.load()
     recipe = read_recipe(path)
     read = package.recipe.prepare(recipe, path.parent)
+    if read.found is not None:
+        recipe = package.recipe.filled(recipe, read.found)
     recipe = with_names(recipe)
     assembly = create_assembly(document)
     found = {}

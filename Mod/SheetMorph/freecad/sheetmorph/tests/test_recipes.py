@@ -147,6 +147,13 @@ class TestImport(RecipeTest):
         self.assertEqual((handle.Label, handle.TranslationZ.Value), ("tip", 20.0))
         self.assertEqual(tuple(api.pivot(handle)), (300.0, 0.0, 0.0))
 
+    def test_what_a_recipe_leaves_to_a_search_is_found(self):
+        kinds = ["hole", "round hole", "slotted hole", "rectangular hole"]
+        path = self.write_recipe(features={"auto": {"kinds": kinds}}, contacts="auto")
+        assembly = api.import_recipe(self.document, path)
+        features = [r for r in objects.regions(assembly) if r.Role == "form feature"]
+        self.assertEqual(len(features), len(support.HOLES))
+
     def test_points_on_triangles_are_kept_and_act(self):
         point = {
             "name": "pin",
