@@ -96,11 +96,15 @@ def set_up_goals(found: Found, peaks: dict[int, dict[str, float]]) -> list[Goal]
     pairs = counter(found, "mean_value_coordinates", 4000, "million_pairs_a_second")
     small_up = ratio(found, "set_up", "cgal_sre_arap_set_up", 100000) or None
     large_up = ratio(found, "set_up", "cgal_sre_arap_set_up", 1000000) or None
+    feature = ratio(found, "one_more_feature", "set_up", 100000) or None
+    strip = ratio(found, "one_more_fixed_region", "set_up", 100000) or None
     time = exponent(grown(found, 10000), grown(found, 1000000))
     memory = exponent(held(peaks, 10000), large)
     return [
         Goal("set-up of 100,000 against CGAL's", small_up, 1.0, unit="of it"),
         Goal("set-up of 1,000,000 against CGAL's", large_up, 0.25, unit="of it"),
+        Goal("one more feature at 100,000 against set-up", feature, 1 / 3, unit="of it"),
+        Goal("one more fixed strip at 100,000 against set-up", strip, 1 / 3, unit="of it"),
         Goal("peak memory at 1,000,000", large[1] / 1024.0 if large else None, 3.5, unit="GiB"),
         Goal("mean value coordinates, million pairs a second and core", pairs, 200, True, ""),
         Goal("exponent of set-up time, 1e4 to 1e6", time, 1.25, unit=""),

@@ -25,6 +25,42 @@ void set_up(benchmark::State& state)
     state.counters["peak_memory_mib"] = peak_memory_mib();
 }
 
+void edit(benchmark::State& state, const Panel& panel, const SurfaceConstraints& before,
+          const SurfaceConstraints& after)
+{
+    const SurfaceDeformer earlier(panel.mesh, before);
+    for (auto step : state)
+    {
+        (void)step;
+        const SurfaceDeformer edited(panel.mesh, after, {}, &earlier);
+        benchmark::DoNotOptimize(edited.factor_entries());
+    }
+    state.counters["vertices"] = panel.mesh.vertex_count();
+}
+
+// The user marks one more hole as a feature: the part as it was before is at hand.
+void one_more_feature(benchmark::State& state)
+{
+    const Panel& panel = panel_of(static_cast<int>(state.range(0)));
+    SurfaceConstraints before = panel.constraints;
+    before.features.pop_back();
+    edit(state, panel, before, panel.constraints);
+}
+
+// A strip across the panel is fixed as well.
+void one_more_fixed_region(benchmark::State& state)
+{
+    const Panel& panel = panel_of(static_cast<int>(state.range(0)));
+    SurfaceConstraints more = panel.constraints;
+    const Points& points = panel.mesh.points();
+    const double width = points.col(0).maxCoeff();
+    more.fixed.push_back({"second strip", {}});
+    for (int vertex = 0; vertex < panel.mesh.vertex_count(); ++vertex)
+        if (points(vertex, 0) > 0.02 * width && points(vertex, 0) < 0.03 * width)
+            more.fixed.back().vertices.push_back(vertex);
+    edit(state, panel, panel.constraints, more);
+}
+
 void frame(benchmark::State& state, Exactness exactness)
 {
     const auto size = static_cast<int>(state.range(0));
@@ -144,6 +180,8 @@ void exact_frame(benchmark::State& state)
 }
 
 BENCHMARK(set_up)->Apply(panel_sizes);
+BENCHMARK(one_more_feature)->Apply(panel_sizes);
+BENCHMARK(one_more_fixed_region)->Apply(panel_sizes);
 BENCHMARK(live_frame)->Apply(panel_sizes);
 BENCHMARK(live_frame_50_free_features)->Apply(small_panel_sizes);
 BENCHMARK(three_handles_frame)->Apply(small_panel_sizes);

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 # What stands in a row of the table of panels: benchmark -> words.
 PANEL_ROWS = {
     "set_up": "set-up",
+    "one_more_feature": "one more feature, the part being at hand",
+    "one_more_fixed_region": "one more fixed strip, the part being at hand",
     "cgal_sre_arap_set_up": "CGAL SRE_ARAP preprocess()",
     "cgal_arap_set_up": "CGAL ORIGINAL_ARAP preprocess()",
     "response_set_up": "response fields, in the background of a drag",

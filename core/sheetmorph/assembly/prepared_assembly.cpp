@@ -61,13 +61,22 @@ std::shared_ptr<const MotionLink> built_link(const TriangleMesh& source_mesh,
     return control_mesh_link(input, link.options);
 }
 
-std::shared_ptr<const SurfaceDeformer> built_deformer(const Part& part,
-                                                      const SurfaceConstraints& constraints,
+//! A part's deformer, and that of an earlier session if there is one.
+struct DeformerInput
+{
+    const Part& part;
+    const SurfaceConstraints& constraints;
+    std::shared_ptr<const SurfaceDeformer> earlier;
+};
+
+std::shared_ptr<const SurfaceDeformer> built_deformer(const DeformerInput& input,
                                                       const Progress& progress)
 {
+    const Part& part = input.part;
     try
     {
-        return std::make_shared<const SurfaceDeformer>(part.mesh, constraints, progress);
+        return std::make_shared<const SurfaceDeformer>(part.mesh, input.constraints, progress,
+                                                       input.earlier.get());
     }
     catch (const InvalidInput& fault)
     {
@@ -130,10 +139,12 @@ public:
                 ThinSolverInput{thin, prepared_.whole(), part.problem, prepared_.welds, index});
         if (!part.problem.is_driven())
             return;
-        part.deformer = reusable_deformer(previous_, of, part.problem.own.surface);
-        if (!part.deformer)
-            add("part " + of.name, [&part, &of](const Progress& progress)
-                { part.deformer = built_deformer(of, part.problem.own.surface, progress); });
+        const DeformerInput input{of, part.problem.own.surface, earlier_deformer(previous_, of)};
+        if (input.earlier && is_deformer_of(*input.earlier, of.mesh, input.constraints))
+            part.deformer = input.earlier;
+        else
+            add("part " + of.name, [&part, input](const Progress& progress)
+                { part.deformer = built_deformer(input, progress); });
     }
 
     void add_link(std::size_t index)

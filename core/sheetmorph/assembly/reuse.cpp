@@ -13,11 +13,6 @@ bool same(const Matrix& a, const Matrix& b)
     return a.rows() == b.rows() && a == b;
 }
 
-bool same_mesh(const TriangleMesh& a, const TriangleMesh& b)
-{
-    return same(a.points(), b.points()) && same(a.triangles(), b.triangles());
-}
-
 template <typename Region>
 bool same_regions(const std::vector<Region>& a, const std::vector<Region>& b)
 {
@@ -80,21 +75,19 @@ bool same_box(const OrientedBox& a, const OrientedBox& b)
 
 }  // namespace
 
-std::shared_ptr<const SurfaceDeformer> reusable_deformer(const PreparedAssembly* previous,
-                                                         const Part& part,
-                                                         const SurfaceConstraints& constraints)
+std::shared_ptr<const SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
+                                                        const Part& part)
 {
-    if (previous == nullptr)
-        return nullptr;
-    for (std::size_t k = 0; k < previous->parts.size(); ++k)
-    {
-        const PreparedPart& old = previous->parts[k];
-        if (previous->assembly.parts[k].name == part.name && old.deformer
-            && same_mesh(old.deformer->rest(), part.mesh)
-            && same_constraints(old.deformer->constraints(), constraints))
-            return old.deformer;
-    }
+    for (std::size_t k = 0; previous != nullptr && k < previous->parts.size(); ++k)
+        if (previous->assembly.parts[k].name == part.name)
+            return previous->parts[k].deformer;
     return nullptr;
+}
+
+bool is_deformer_of(const SurfaceDeformer& deformer, const TriangleMesh& mesh,
+                    const SurfaceConstraints& constraints)
+{
+    return deformer.rest() == mesh && same_constraints(deformer.constraints(), constraints);
 }
 
 std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous,
@@ -111,7 +104,7 @@ std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous
             && same(old.targets, wanted.targets) && same_box(old.options.box, wanted.options.box)
             && old.options.levels == wanted.options.levels
             && old.options.smoothness == wanted.options.smoothness
-            && same_mesh(old_source.mesh, source.mesh))
+            && old_source.mesh == source.mesh)
             return old.link;
     }
     return nullptr;

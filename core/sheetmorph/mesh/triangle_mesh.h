@@ -25,6 +25,14 @@ public:
     //! Diagonal of the bounding box, mm.
     double size() const;
 
+    //! Whether all points and triangles are the same.
+    bool operator==(const TriangleMesh& other) const
+    {
+        return points_.rows() == other.points_.rows()
+               && triangles_.rows() == other.triangles_.rows() && points_ == other.points_
+               && triangles_ == other.triangles_;
+    }
+
 private:
     Points points_;
     Triangles triangles_;

@@ -26,28 +26,38 @@ SparseMatrix supporting_rows(const SparseMatrix& constraints, const std::vector<
     return pick * constraints;
 }
 
-// H = S^T B^T W B S.
-SparseMatrix reduced_hessian(const QuadraticProblem& problem)
-{
-    const SparseMatrix scaled =
-        rows_scaled(problem.rows * problem.basis, problem.weights.cwiseSqrt());
-    return SparseMatrix(scaled.transpose()) * scaled;
-}
-
 // A constraint that carries a part's position enters the factor with a weight as large as the
 // energy's own stiffness; the minimum under the exact constraint does not depend on it.
-double support_weight(const SparseMatrix& hessian, const SparseMatrix& rows)
+double support_weight(const QuadraticProblem& problem)
 {
-    if (rows.rows() == 0 || hessian.rows() == 0)
+    if (problem.supporting.empty() || problem.basis.cols() == 0)
         return 0.0;
-    return hessian.diagonal().maxCoeff();
+    return problem.stiffness->diagonal().maxCoeff();
 }
 
-SparseMatrix supported(const SparseMatrix& hessian, const SparseMatrix& rows, double weight)
+MergedMatrix reduced_hessian(const QuadraticProblem& problem, double support)
 {
-    if (weight == 0.0)
-        return hessian;
-    return hessian + weight * SparseMatrix(SparseMatrix(rows.transpose()) * rows);
+    MergedMatrix hessian{problem.stiffness,
+                         std::vector<int>(static_cast<std::size_t>(problem.basis.rows()), -1),
+                         static_cast<int>(problem.basis.cols())};
+    for (Eigen::Index column = 0; column < problem.basis.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(problem.basis, column); entry; ++entry)
+            hessian.unknown_of[static_cast<std::size_t>(entry.row())] = static_cast<int>(column);
+    if (support != 0.0)
+    {
+        const SparseMatrix rows = supporting_rows(problem.constraints, problem.supporting);
+        hessian.whole = std::make_shared<const SparseMatrix>(
+            *problem.stiffness + support * SparseMatrix(SparseMatrix(rows.transpose()) * rows));
+    }
+    return hessian;
+}
+
+QuadraticProblem with_stiffness(QuadraticProblem problem)
+{
+    if (!problem.stiffness)
+        problem.stiffness =
+            std::make_shared<const SparseMatrix>(own_product(problem.rows, problem.weights));
+    return problem;
 }
 
 }  // namespace
@@ -58,17 +68,13 @@ struct ConstrainedMinimiser::Step
     Eigen::MatrixXd multipliers;
 };
 
-ConstrainedMinimiser::ConstrainedMinimiser(QuadraticProblem problem)
-    : problem_(std::move(problem)),
+ConstrainedMinimiser::ConstrainedMinimiser(QuadraticProblem problem,
+                                           const ConstrainedMinimiser* earlier)
+    : problem_(with_stiffness(std::move(problem))),
       reduced_constraints_(problem_.constraints * problem_.basis),
-      factor_(
-          [this]
-          {
-              const SparseMatrix hessian = reduced_hessian(problem_);
-              const SparseMatrix rows = supporting_rows(reduced_constraints_, problem_.supporting);
-              support_ = support_weight(hessian, rows);
-              return SparseCholesky(supported(hessian, rows, support_), problem_.places);
-          }())
+      support_(support_weight(problem_)),
+      factor_(reduced_hessian(problem_, support_), problem_.tree,
+              earlier != nullptr ? &earlier->factor_ : nullptr)
 {
     factor_schur_complement();
 }

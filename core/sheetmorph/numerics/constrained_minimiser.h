@@ -19,8 +19,11 @@ struct QuadraticProblem
     //! Constraints, by row, without which the energy alone would not be positive definite.
     std::vector<int> supporting;
 
-    //! (y, 3) where the unknowns lie, if on a surface: for the order of elimination. May be empty.
-    Points places;
+    //! B^T diag(w) B (n, n); computed if it is not there.
+    std::shared_ptr<const SparseMatrix> stiffness;
+
+    //! Of the stiffness, for the order of elimination; may be none.
+    std::shared_ptr<const SeparatorTree> tree;
 };
 
 //! Minimises sum_r w_r |(B u - f)_r|^2 over u = S y + offset subject to C u = c.
@@ -28,8 +31,11 @@ struct QuadraticProblem
 class ConstrainedMinimiser
 {
 public:
+    //! \param earlier  of the same stiffness and tree, with another basis: what does not change is
+    //!                 taken over
     //! \throws SolverError if the energy has no unique minimum
-    explicit ConstrainedMinimiser(QuadraticProblem problem);
+    explicit ConstrainedMinimiser(QuadraticProblem problem,
+                                  const ConstrainedMinimiser* earlier = nullptr);
 
     struct Targets
     {

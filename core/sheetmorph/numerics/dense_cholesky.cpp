@@ -2,9 +2,11 @@
 #include "sheetmorph/numerics/dense_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sheetmorph
@@ -26,26 +28,75 @@ void finish_columns(const Weights& inverse_blocks, Eigen::Index first, WeightsTa
                 rows.middleCols(first, wide));
 }
 
+// Work in multiplications from which on a second thread is worth its start.
+constexpr double work_for_two_threads = 2e6;
+
+int threads_for(double work, int threads)
+{
+    return work < work_for_two_threads ? 1 : threads;
+}
+
+// Cholesky factor of one diagonal block, and its inverse.
+void factorise_block(WeightsTarget diagonal, WeightsTarget inverse)
+{
+    const Eigen::LLT<Eigen::MatrixXd> factor(diagonal);
+    if (factor.info() != Eigen::Success)
+        throw SolverError("a dense matrix is not positive definite");
+    const Eigen::MatrixXd lower = factor.matrixL();
+    diagonal = lower;
+    inverse = lower.triangularView<Eigen::Lower>().solve(
+        Eigen::MatrixXd::Identity(lower.rows(), lower.rows()));
+}
+
 }  // namespace
 
-DenseCholesky::DenseCholesky(Weights matrix)
-    : lower_(std::move(matrix)), inverse_blocks_(Weights::Zero(lower_.rows(), block))
+void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads)
 {
-    const Eigen::Index size = lower_.rows();
-    for (Eigen::Index j = 0; j < size; j += block)
+    const Eigen::Index columns = panel.cols();
+    inverse_blocks.setZero(columns, std::min(block, columns));
+    for (Eigen::Index j = 0; j < columns; j += block)
     {
-        const Eigen::Index wide = std::min(block, size - j), below = size - j - wide;
-        const Eigen::LLT<Eigen::MatrixXd> factor(lower_.block(j, j, wide, wide));
-        if (factor.info() != Eigen::Success)
-            throw SolverError("a dense matrix is not positive definite");
-        const Eigen::MatrixXd diagonal = factor.matrixL();
-        lower_.block(j, j, wide, wide) = diagonal;
-        inverse_blocks_.block(j, 0, wide, wide) =
-            diagonal.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(wide, wide));
-        finish_columns(inverse_blocks_, j, lower_.bottomRows(below));
-        const auto column = lower_.block(j + wide, j, below, wide);
-        add_lower_product(column, column, -1.0, lower_.bottomRightCorner(below, below));
+        const Eigen::Index wide = std::min(block, columns - j), below = panel.rows() - j - wide;
+        const double work = static_cast<double>(below) * static_cast<double>((j + wide) * wide);
+        const auto before = [&](Eigen::Index first, Eigen::Index count)
+        {
+            add_product(panel.block(first, 0, count, j), panel.block(j, 0, wide, j), -1.0,
+                        panel.block(first, j, count, wide));
+        };
+        before(j, wide);
+        factorise_block(panel.block(j, j, wide, wide), inverse_blocks.block(j, 0, wide, wide));
+        parallel_ranges(below, threads_for(work, threads),
+                        [&](Eigen::Index begin, Eigen::Index end)
+                        {
+                            const Eigen::Index first = j + wide + begin;
+                            before(first, end - begin);
+                            finish_columns(inverse_blocks, j, panel.middleRows(first, end - begin));
+                        });
     }
+}
+
+void subtract_own_product(const WeightsView& rows, WeightsTarget result, int threads)
+{
+    // Ranges of rows with as much of the triangle each.
+    constexpr Eigen::Index shares = 1024;
+    const auto count = static_cast<double>(rows.rows());
+    const auto row_at = [count](Eigen::Index share)
+    { return static_cast<Eigen::Index>(count * std::sqrt(1.0 * share / shares)); };
+    const double work = 0.5 * count * count * static_cast<double>(rows.cols());
+    parallel_ranges(shares, threads_for(work, threads),
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        const Eigen::Index first = row_at(begin), high = row_at(end) - first;
+                        const auto own = rows.middleRows(first, high);
+                        add_product(own, rows.topRows(first), -1.0,
+                                    result.block(first, 0, high, first));
+                        add_lower_product(own, own, -1.0, result.block(first, first, high, high));
+                    });
+}
+
+DenseCholesky::DenseCholesky(Weights matrix) : lower_(std::move(matrix))
+{
+    factorise_columns(lower_, inverse_blocks_, 1);
 }
 
 Points DenseCholesky::solve(const Points& right) const

@@ -6,6 +6,18 @@
 namespace sheetmorph
 {
 
+//! The first k columns of a symmetric positive definite matrix of r rows become those of its
+//! Cholesky factor.
+//! \param panel           (r, k), lower triangle used; above it the result is undefined
+//! \param inverse_blocks  of the factor's diagonal blocks, one below the other
+//! \throws SolverError if the matrix is not positive definite
+void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads);
+
+//! result -= rows rows^T, in its lower triangle; above it the result is undefined.
+//! \param rows    (r, k)
+//! \param result  (r, r)
+void subtract_own_product(const WeightsView& rows, WeightsTarget result, int threads);
+
 //! Cholesky factor N = L L^T of a dense symmetric positive definite matrix of a few hundred rows.
 class DenseCholesky
 {

@@ -34,6 +34,9 @@ struct Tile
     const double* left[tile_rows];
     const double* panel;  // (depth, 2 * width)
     Eigen::Index depth;
+    double factor;
+    double* result[tile_rows];  // whole tiles are added here, others left in `sums`
+    bool is_whole;
     double sums[tile_rows][largest_panel];
 };
 
@@ -63,7 +66,13 @@ struct Kernel
             }
         }
         for (int r = 0; r < tile_rows; ++r)
-            std::memcpy(tile.sums[r], sums[r], sizeof sums[r]);
+            for (int half = 0; half < 2; ++half)
+            {
+                double* const to = (tile.is_whole ? tile.result[r] : tile.sums[r]) + half * width;
+                const Lanes product = tile.factor * sums[r][half];
+                const Lanes sum = tile.is_whole ? load(to) + product : product;
+                std::memcpy(to, &sum, sizeof sum);
+            }
     }
 
     static SHEETMORPH_INLINE double total(const Lanes& value)
@@ -146,9 +155,9 @@ TileKernel tile_kernel()
 }
 
 // Rows first .. of `right` side by side, zeros where there are none.
-void pack(const WeightsView& right, Eigen::Index first, int columns, std::vector<double>& panel)
+void pack(const WeightsView& right, Eigen::Index first, int columns, double* panel)
 {
-    std::fill(panel.begin(), panel.end(), 0.0);
+    std::fill(panel, panel + columns * right.cols(), 0.0);
     const Eigen::Index count = std::min<Eigen::Index>(columns, right.rows() - first);
     for (Eigen::Index c = 0; c < count; ++c)
         for (Eigen::Index k = 0; k < right.cols(); ++k)
@@ -162,21 +171,27 @@ void add_product(const WeightsView& left, const WeightsView& right, double facto
 {
     const TileKernel kernel = tile_kernel();
     const Eigen::Index depth = left.cols(), rows = left.rows(), columns = right.rows();
-    std::vector<double> panel(kernel.columns * depth);
-    Tile tile{{}, panel.data(), depth, {}};
+    thread_local std::vector<double> panel;
+    panel.resize(std::max(panel.size(), static_cast<std::size_t>(kernel.columns * depth)));
+    Tile tile{{}, panel.data(), depth, factor, {}, false, {}};
     for (Eigen::Index j = 0; j < columns; j += kernel.columns)
     {
-        pack(right, j, kernel.columns, panel);
+        pack(right, j, kernel.columns, panel.data());
         const Eigen::Index wide = std::min<Eigen::Index>(kernel.columns, columns - j);
         for (Eigen::Index i = 0; i < rows; i += tile_rows)
         {
             const Eigen::Index high = std::min<Eigen::Index>(tile_rows, rows - i);
+            tile.is_whole = high == tile_rows && wide == kernel.columns;
             for (Eigen::Index r = 0; r < tile_rows; ++r)
-                tile.left[r] = left.data() + std::min(i + r, rows - 1) * left.outerStride();
+            {
+                const Eigen::Index row = std::min(i + r, rows - 1);
+                tile.left[r] = left.data() + row * left.outerStride();
+                tile.result[r] = result.data() + row * result.outerStride() + j;
+            }
             kernel.multiply(tile);
-            for (Eigen::Index r = 0; r < high; ++r)
+            for (Eigen::Index r = 0; r < high && !tile.is_whole; ++r)
                 for (Eigen::Index c = 0; c < wide; ++c)
-                    result(i + r, j + c) += factor * tile.sums[r][c];
+                    result(i + r, j + c) += tile.sums[r][c];
         }
     }
 }

@@ -2,8 +2,8 @@
 #include "sheetmorph/numerics/sparse_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/numerics/nested_dissection.h"
-#include "sheetmorph/numerics/supernodal_solver.h"
+#include "sheetmorph/numerics/front_solver.h"
+#include "sheetmorph/numerics/frontal_cholesky.h"
 
 #include <algorithm>
 #include <cholmod.h>
@@ -16,10 +16,21 @@ namespace sheetmorph
 namespace
 {
 
-// Below these sizes a minimum-degree ordering fills no more than nested dissection does, by places
-// or by METIS (which takes longer than the factorisation).
-constexpr Eigen::Index places_from = 70000;
+// Below this size a minimum-degree ordering fills no more than METIS does, which takes longer than
+// the factorisation.
 constexpr Eigen::Index metis_from = 100000;
+
+std::size_t at(Eigen::Index index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+[[noreturn]] void refuse()
+{
+    throw SolverError(
+        "the energy's matrix is not positive definite; "
+        "the part has no unique shape under these constraints");
+}
 
 // One CHOLMOD workspace; its own object a call, so that const solves run in parallel.
 class Workspace
@@ -70,26 +81,39 @@ cholmod_sparse view_of(const SparseMatrix& matrix)
     return view;
 }
 
-SupernodalFactor view_of(const cholmod_factor& lower)
+// The factor's supernodes as fronts; slots are its columns.
+FrontList fronts_of(const cholmod_factor& lower)
 {
-    return {static_cast<int>(lower.n),          static_cast<int>(lower.nsuper),
-            static_cast<int*>(lower.super),     static_cast<int*>(lower.pi),
-            static_cast<int*>(lower.px),        static_cast<int*>(lower.s),
-            static_cast<const double*>(lower.x)};
+    const auto* first = static_cast<const int*>(lower.super);
+    const auto* row_start = static_cast<const int*>(lower.pi);
+    const auto* entry_start = static_cast<const int*>(lower.px);
+    const auto* rows = static_cast<const int*>(lower.s);
+    FrontList list{static_cast<int>(lower.n), {}, {}};
+    std::vector<int> front_of_column(lower.n);
+    for (std::size_t s = 0; s < lower.nsuper; ++s)
+    {
+        auto front = std::make_shared<Front>();
+        front->columns = first[s + 1] - first[s];
+        front->rows.assign(rows + row_start[s], rows + row_start[s + 1]);
+        front->entries.reset(new double[front->rows.size() * at(front->columns)]);
+        front->panel() = Eigen::Map<const Eigen::MatrixXd>(
+            static_cast<const double*>(lower.x) + entry_start[s], front->height(), front->columns);
+        std::fill(front_of_column.begin() + first[s], front_of_column.begin() + first[s + 1],
+                  static_cast<int>(s));
+        list.fronts.push_back(std::move(front));
+    }
+    for (const auto& front : list.fronts)
+        list.parent.push_back(
+            front->below() > 0 ? front_of_column[at(front->rows[at(front->columns)])] : -1);
+    return list;
 }
 
-cholmod_factor* analysed(const SparseMatrix& matrix, const Points& places, cholmod_common& common)
+cholmod_factor* analysed(const SparseMatrix& matrix, cholmod_common& common)
 {
     cholmod_sparse view = view_of(matrix);
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.nmethods = 1;
     common.postorder = 1;
-    if (matrix.rows() >= places_from && places.rows() == matrix.rows())
-    {
-        std::vector<int> order = nested_dissection(matrix, places);
-        common.method[0].ordering = CHOLMOD_GIVEN;
-        return cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
-    }
     common.method[0].ordering = matrix.rows() < metis_from ? CHOLMOD_AMD : CHOLMOD_METIS;
     return cholmod_analyze(&view, &common);
 }
@@ -98,43 +122,64 @@ cholmod_factor* analysed(const SparseMatrix& matrix, const Points& places, cholm
 
 struct SparseCholesky::Factor
 {
-    Factor() = default;
-    ~Factor()
-    {
-        if (lower != nullptr)
-            cholmod_free_factor(&lower, &workspace.common);
-    }
-    Factor(const Factor&) = delete;
-    Factor& operator=(const Factor&) = delete;
-
-    Workspace workspace;
-    cholmod_factor* lower = nullptr;
-    std::optional<SupernodalSolver> solver;
-    Eigen::Index size = 0;
-    double entries = 0.0;
+    std::vector<int> slot_of;                // of every unknown
+    std::optional<Elimination> elimination;  // along a tree
+    FrontSolver solver;
 };
 
-SparseCholesky::SparseCholesky(const SparseMatrix& matrix, const Points& places)
-    : factor_(std::make_unique<Factor>())
+SparseCholesky::SparseCholesky(const SparseMatrix& matrix)
 {
-    factor_->size = matrix.rows();
     if (matrix.rows() == 0)
+    {
+        factor_.reset(new Factor{{}, {}, FrontSolver({})});
         return;
+    }
     SparseMatrix packed = matrix;
     packed.makeCompressed();
     cholmod_sparse view = view_of(packed);
-    cholmod_common& common = factor_->workspace.common;
+    Workspace workspace;
+    cholmod_common& common = workspace.common;
     const SingleOpenMpLevel single_level;
-    factor_->lower = analysed(packed, places, common);
-    if (factor_->lower == nullptr)
+    const auto release = [&](cholmod_factor* lower) { cholmod_free_factor(&lower, &common); };
+    const std::unique_ptr<cholmod_factor, decltype(release)> lower(analysed(packed, common),
+                                                                   release);
+    if (lower == nullptr)
         throw SolverError("the sparse matrix could not be analysed (out of memory?)");
-    factor_->entries = common.lnz;
-    cholmod_factorize(&view, factor_->lower, &common);
-    if (common.status != CHOLMOD_OK || factor_->lower->minor < factor_->lower->n)
-        throw SolverError(
-            "the energy's matrix is not positive definite; "
-            "the part has no unique shape under these constraints");
-    factor_->solver.emplace(view_of(*factor_->lower));
+    cholmod_factorize(&view, lower.get(), &common);
+    if (common.status != CHOLMOD_OK || lower->minor < lower->n)
+        refuse();
+    const auto* order = static_cast<const int*>(lower->Perm);
+    std::vector<int> slot_of(lower->n);
+    for (std::size_t slot = 0; slot < lower->n; ++slot)
+        slot_of[at(order[slot])] = static_cast<int>(slot);
+    factor_.reset(new Factor{std::move(slot_of), {}, FrontSolver(fronts_of(*lower))});
+}
+
+SparseCholesky::SparseCholesky(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree,
+                               const SparseCholesky* earlier)
+{
+    if (!tree)
+    {
+        *this = SparseCholesky(matrix.merged());
+        return;
+    }
+    Elimination elimination(std::move(matrix), std::move(tree));
+    std::vector<int> slot_of;
+    for (int unknown = 0; unknown < elimination.matrix().count; ++unknown)
+        slot_of.push_back(elimination.slot_of(unknown));
+    std::optional<EarlierFactor> before;
+    if (earlier != nullptr && earlier->factor_->elimination)
+        before.emplace(
+            EarlierFactor{*earlier->factor_->elimination, earlier->factor_->solver.factor()});
+    try
+    {
+        FrontSolver solver(frontal_cholesky(elimination, before ? &*before : nullptr));
+        factor_.reset(new Factor{std::move(slot_of), std::move(elimination), std::move(solver)});
+    }
+    catch (const SolverError&)
+    {
+        refuse();
+    }
 }
 
 SparseCholesky::~SparseCholesky() = default;
@@ -143,35 +188,33 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right_sides) const
 {
-    if (factor_->size == 0 || right_sides.cols() == 0)
-        return Eigen::MatrixXd::Zero(factor_->size, right_sides.cols());
-    const int* order = static_cast<const int*>(factor_->lower->Perm);
+    const std::vector<int>& slot_of = factor_->slot_of;
     Eigen::MatrixXd result(right_sides.rows(), right_sides.cols());
-    SupernodalSolver::RightSides some =
-        SupernodalSolver::RightSides::Zero(right_sides.rows(), right_sides_at_once);
+    FrontSolver::RightSides some =
+        FrontSolver::RightSides::Zero(factor_->solver.factor().slots, right_sides_at_once);
     for (Eigen::Index first = 0; first < right_sides.cols(); first += right_sides_at_once)
     {
         const Eigen::Index count =
             std::min<Eigen::Index>(right_sides_at_once, right_sides.cols() - first);
         for (Eigen::Index column = 0; column < count; ++column)
             for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
-                some(row, column) = right_sides(order[row], first + column);
-        factor_->solver->solve(some);
+                some(slot_of[at(row)], column) = right_sides(row, first + column);
+        factor_->solver.solve(some);
         for (Eigen::Index column = 0; column < count; ++column)
             for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
-                result(order[row], first + column) = some(row, column);
+                result(row, first + column) = some(slot_of[at(row)], column);
     }
     return result;
 }
 
 Eigen::Index SparseCholesky::size() const
 {
-    return factor_->size;
+    return static_cast<Eigen::Index>(factor_->slot_of.size());
 }
 
 double SparseCholesky::factor_entries() const
 {
-    return factor_->entries;
+    return factor_->solver.factor().count();
 }
 
 SparseMatrix rows_scaled(const SparseMatrix& matrix, const Eigen::VectorXd& factors)
@@ -181,6 +224,12 @@ SparseMatrix rows_scaled(const SparseMatrix& matrix, const Eigen::VectorXd& fact
         for (SparseMatrix::InnerIterator entry(scaled, column); entry; ++entry)
             entry.valueRef() *= factors(entry.row());
     return scaled;
+}
+
+SparseMatrix own_product(const SparseMatrix& rows, const Eigen::VectorXd& weights)
+{
+    const SparseMatrix scaled = rows_scaled(rows, weights.cwiseSqrt());
+    return SparseMatrix(scaled.transpose()) * scaled;
 }
 
 std::string linear_algebra_versions()

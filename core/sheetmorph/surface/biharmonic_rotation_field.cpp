@@ -15,7 +15,7 @@ namespace
 class BiharmonicRotationField : public RotationField
 {
 public:
-    explicit BiharmonicRotationField(const RotationFieldInput& input)
+    BiharmonicRotationField(const RotationFieldInput& input, const BiharmonicRotationField* earlier)
     {
         for (std::size_t k = 0; k < input.constraints.points.size(); ++k)
             if (input.constraints.points[k].is_turned)
@@ -33,7 +33,10 @@ public:
         problem.constraints = point_rows(input.mesh, input.constraints.points, turned_);
         for (std::size_t row = 0; row < turned_.size(); ++row)
             problem.supporting.push_back(static_cast<int>(row));
-        minimiser_.emplace(std::move(problem));
+        problem.stiffness = input.operators.stiffness;
+        problem.tree = input.operators.tree;
+        minimiser_.emplace(std::move(problem),
+                           earlier != nullptr ? &*earlier->minimiser_ : nullptr);
     }
 
     Points logs(const KnownRotations& known) const override
@@ -128,9 +131,11 @@ bool is_rotation_known(const VertexRoles& roles, int vertex)
     return false;
 }
 
-std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input)
+std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input,
+                                                         const RotationField* earlier)
 {
-    return std::make_unique<BiharmonicRotationField>(input);
+    return std::make_unique<BiharmonicRotationField>(
+        input, dynamic_cast<const BiharmonicRotationField*>(earlier));
 }
 
 }  // namespace sheetmorph

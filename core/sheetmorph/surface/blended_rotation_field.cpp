@@ -3,7 +3,6 @@
 #include "sheetmorph/surface/unknowns.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace sheetmorph
 {
@@ -195,15 +194,15 @@ void smooth_and_renormalise(Eigen::MatrixXd& weights)
 class BlendedRotationField : public RotationField
 {
 public:
-    explicit BlendedRotationField(const RotationFieldInput& input)
-        : sources_(number_sources(input)), unknowns_(unknowns_of(sources_, input.roles))
+    BlendedRotationField(const RotationFieldInput& input, const BlendedRotationField* earlier)
+        : sources_(number_sources(input)),
+          unknowns_(unknowns_of(sources_, input.roles)),
+          harmonic_(input.operators.harmonic),
+          factor_(unknowns_.merged(harmonic_), input.operators.tree,
+                  earlier != nullptr ? &earlier->factor_ : nullptr),
+          used_(used_sources(sources_)),
+          weights_(spread(indicator(sources_, used_)))
     {
-        const SparseMatrix basis = unknowns_.basis();
-        const SparseMatrix transposed = basis.transpose();
-        coupling_ = transposed * input.operators.harmonic;
-        factor_.emplace(coupling_ * basis, unknowns_.places(input.mesh.points()));
-        used_ = used_sources(sources_);
-        weights_ = -factor_->solve(coupling_ * indicator(sources_, used_));
         smooth_and_renormalise(weights_);
     }
 
@@ -242,32 +241,40 @@ private:
         return logs;
     }
 
+    // Harmonic values of the unknowns for given ones (n, k) of the known vertices.
+    Eigen::MatrixXd spread(const Eigen::MatrixXd& given) const
+    {
+        return -factor_.solve(unknowns_.sums(*harmonic_ * given));
+    }
+
     // Rotations differ from vertex to vertex inside a propagated region; what exceeds the
     // region's mean fades out harmonically.
     void add_harmonic_excess(Points& logs, const Points& excess) const
     {
-        const Eigen::MatrixXd spread = -factor_->solve(Eigen::MatrixXd(coupling_ * excess));
+        const Eigen::MatrixXd of_unknown = spread(excess);
         for (Eigen::Index i = 0; i < logs.rows(); ++i)
         {
             const int unknown = unknowns_.of_vertex[static_cast<std::size_t>(i)];
             logs.row(i) += unknown == Unknowns::known ? Eigen::RowVector3d(excess.row(i))
-                                                      : Eigen::RowVector3d(spread.row(unknown));
+                                                      : Eigen::RowVector3d(of_unknown.row(unknown));
         }
     }
 
     Sources sources_;
     Unknowns unknowns_;
-    SparseMatrix coupling_;  // S^T K (unknowns, n)
-    std::optional<SparseCholesky> factor_;
+    std::shared_ptr<const SparseMatrix> harmonic_;  // K (n, n)
+    SparseCholesky factor_;
     std::vector<int> used_;    // sources that have a vertex
     Eigen::MatrixXd weights_;  // (unknowns, used sources)
 };
 
 }  // namespace
 
-std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input)
+std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input,
+                                                      const RotationField* earlier)
 {
-    return std::make_unique<BlendedRotationField>(input);
+    return std::make_unique<BlendedRotationField>(
+        input, dynamic_cast<const BlendedRotationField*>(earlier));
 }
 
 }  // namespace sheetmorph

@@ -67,17 +67,19 @@ QuadraticProblem position_problem(const RotationFieldInput& input, const Unknown
     problem.rows = input.operators.rows;
     problem.weights = input.operators.weights;
     problem.basis = unknowns.basis();
-    problem.places = unknowns.places(input.mesh.points());
+    problem.stiffness = input.operators.stiffness;
+    problem.tree = input.operators.tree;
     const std::vector<PointConstraint>& points = input.constraints.points;
     problem.constraints = point_rows(input.mesh, points, all_of(points.size()));
     problem.supporting = supporting_points(input.mesh, input.roles, input.constraints);
     return problem;
 }
 
-std::unique_ptr<RotationField> rotation_field(const RotationFieldInput& input)
+std::unique_ptr<RotationField> rotation_field(const RotationFieldInput& input,
+                                              const RotationField* earlier)
 {
-    return input.constraints.energy == Energy::paper ? biharmonic_rotation_field(input)
-                                                     : blended_rotation_field(input);
+    return input.constraints.energy == Energy::paper ? biharmonic_rotation_field(input, earlier)
+                                                     : blended_rotation_field(input, earlier);
 }
 
 VertexRoles reported_roles(const TriangleMesh& rest, const SurfaceConstraints& constraints,
@@ -88,28 +90,45 @@ VertexRoles reported_roles(const TriangleMesh& rest, const SurfaceConstraints& c
 }
 
 // The operators know the edges of the sheet, and so what known vertices clamp.
-SurfaceOperators reported_operators(const TriangleMesh& rest, const SurfaceConstraints& constraints,
-                                    VertexRoles& roles, const Progress& progress)
+std::shared_ptr<const SurfaceOperators> reported_operators(const TriangleMesh& rest,
+                                                           const SurfaceConstraints& constraints,
+                                                           VertexRoles& roles,
+                                                           const Progress& progress)
 {
     progress.report(0.1, "operators");
-    SurfaceOperators operators = surface_operators(rest, constraints, roles);
+    auto operators =
+        std::make_shared<const SurfaceOperators>(surface_operators(rest, constraints, roles));
     if (constraints.energy == Energy::natural)
-        clamp_neighbours(rest, constraints, operators.harmonic, roles);
+        clamp_neighbours(rest, constraints, *operators->harmonic, roles);
     return operators;
 }
 
+// An earlier state of the part whose operators are still right: those of `natural` depend on what
+// is held.
+const PreparedSurface* with_same_operators(const PreparedSurface* earlier, const TriangleMesh& rest,
+                                           const SurfaceConstraints& constraints)
+{
+    const bool is_same = earlier != nullptr && constraints.energy != Energy::natural
+                         && earlier->constraints.energy == constraints.energy
+                         && earlier->constraints.laplacian == constraints.laplacian
+                         && earlier->rest == rest;
+    return is_same ? earlier : nullptr;
+}
+
 std::unique_ptr<RotationField> reported_field(const RotationFieldInput& input,
+                                              const PreparedSurface* earlier,
                                               const Progress& progress)
 {
     progress.report(0.2, "rotation field");
-    return rotation_field(input);
+    return rotation_field(input, earlier != nullptr ? earlier->field.get() : nullptr);
 }
 
 ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input, const Unknowns& unknowns,
-                                        const Progress& progress)
+                                        const PreparedSurface* earlier, const Progress& progress)
 {
     progress.report(0.4, "factorisation");
-    return ConstrainedMinimiser(position_problem(input, unknowns));
+    return ConstrainedMinimiser(position_problem(input, unknowns),
+                                earlier != nullptr ? &earlier->minimiser : nullptr);
 }
 
 std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& input,
@@ -133,15 +152,26 @@ std::unique_ptr<Refinement> refinement_of(const RotationFieldInput& input, const
 }  // namespace
 
 PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
-                                 const Progress& progress)
+                                 const Progress& progress, const PreparedSurface* earlier)
+    : PreparedSurface(rest_mesh, given, progress,
+                      Reuse{with_same_operators(earlier, rest_mesh, given)})
+{
+}
+
+PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
+                                 const Progress& progress, Reuse reuse)
     : rest(rest_mesh),
       constraints(given),
       roles(reported_roles(rest, constraints, progress)),
       shapes(resizable_shapes(rest, constraints)),
-      operators(reported_operators(rest, constraints, roles, progress)),
+      shared_operators(reuse.earlier != nullptr
+                           ? reuse.earlier->shared_operators
+                           : reported_operators(rest, constraints, roles, progress)),
+      operators(*shared_operators),
       unknowns(position_unknowns(roles)),
-      field(reported_field({rest, constraints, roles, operators}, progress)),
-      minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, progress)),
+      field(reported_field({rest, constraints, roles, operators}, reuse.earlier, progress)),
+      minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, reuse.earlier,
+                                   progress)),
       responses(reported_responses({rest, constraints, roles, operators}, minimiser, progress)),
       refinement(refinement_of({rest, constraints, roles, operators}, unknowns)),
       growth({rest, constraints, roles, operators}, shapes),

@@ -15,8 +15,10 @@ namespace sheetmorph
 //! where it is made.
 struct PreparedSurface
 {
+    //! \param earlier  an earlier state of a part: if the mesh is the same, what the constraints do
+    //!                 not change is taken over
     PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
-                    const Progress& progress);
+                    const Progress& progress, const PreparedSurface* earlier);
     PreparedSurface(const PreparedSurface&) = delete;
     PreparedSurface& operator=(const PreparedSurface&) = delete;
 
@@ -26,7 +28,8 @@ struct PreparedSurface
     SurfaceConstraints constraints;
     VertexRoles roles;
     FeatureShapes shapes;
-    SurfaceOperators operators;
+    std::shared_ptr<const SurfaceOperators> shared_operators;  //!< with other states of the part
+    const SurfaceOperators& operators;
     Unknowns unknowns;
     std::unique_ptr<RotationField> field;
     ConstrainedMinimiser minimiser;
@@ -34,6 +37,14 @@ struct PreparedSurface
     std::unique_ptr<Refinement> refinement;       //!< none unless it is asked for
     SheetGrowth growth;
     Followers followers;
+
+private:
+    struct Reuse
+    {
+        const PreparedSurface* earlier;  // with the same operators
+    };
+    PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
+                    const Progress& progress, Reuse reuse);
 };
 
 }  // namespace sheetmorph

@@ -33,7 +33,7 @@ Refinement::Refinement(const RotationFieldInput& input, const QuadraticProblem& 
 {
     const double size = input.mesh.size();
     const double strength = stretch_against_bending / (size * size) * per_area(input);
-    const SparseMatrix& stiffness = input.operators.harmonic;
+    const SparseMatrix& stiffness = *input.operators.harmonic;
     for (Eigen::Index column = 0; column < stiffness.outerSize(); ++column)
         for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
             if (entry.row() < column && entry.value() < 0.0)
@@ -45,6 +45,7 @@ Refinement::Refinement(const RotationFieldInput& input, const QuadraticProblem& 
         for (SparseMatrix::InnerIterator entry(problem.rows, column); entry; ++entry)
             entries.emplace_back(entry.row(), entry.col(), entry.value());
     QuadraticProblem stretched = problem;
+    stretched.stiffness = nullptr;
     stretched.weights.conservativeResize(rows + static_cast<Eigen::Index>(edges_.size()));
     for (std::size_t k = 0; k < edges_.size(); ++k)
     {

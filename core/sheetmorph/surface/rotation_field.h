@@ -40,11 +40,17 @@ struct RotationFieldInput
 };
 
 //! `paper`: (2.9) as printed: unweighted, all rows, biharmonic, one unknown a feature.
-std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input);
+//! \param earlier  of the same operators under other constraints: what does not change is taken
+//! over
+std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input,
+                                                         const RotationField* earlier = nullptr);
 
 //! `neumann`: harmonic weights of what is known, passed through 3 w^2 - 2 w^3 and renormalised:
 //! between the known rotations everywhere, flat where they are given, no overshoot.
-std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input);
+//! \param earlier  of the same operators under other constraints: what does not change is taken
+//! over
+std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input,
+                                                      const RotationField* earlier = nullptr);
 
 //! Whether a vertex's rotation comes with the pose: fixed, handle, propagated, or on a body whose
 //! rotation does.

@@ -42,7 +42,7 @@ std::vector<char> held_vertices(const RotationFieldInput& input)
 // takes room evenly up to the border, where plain harmonic functions would crowd it at the rim.
 SparseMatrix even_stiffness(const RotationFieldInput& input, const FeatureShapes& shapes)
 {
-    SparseMatrix stiffness = input.operators.harmonic;
+    SparseMatrix stiffness = *input.operators.harmonic;
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(stiffness.cols());
     for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
         for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
@@ -112,8 +112,7 @@ void SheetGrowth::factorise()
         chosen.insert(unknowns_[at(k)], k) = 1.0;
     coupling_ = SparseMatrix(chosen.transpose() * coupling_);
     if (count > 0)
-        factor_ = std::make_unique<const SparseCholesky>(SparseMatrix(coupling_ * chosen),
-                                                         mesh_.points()(unknowns_, Eigen::all));
+        factor_ = std::make_unique<const SparseCholesky>(SparseMatrix(coupling_ * chosen));
 }
 
 Points SheetGrowth::field(const SizeChanges& sizes) const

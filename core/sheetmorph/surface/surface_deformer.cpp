@@ -24,8 +24,9 @@ ResponseInput response_input(const PreparedSurface& part)
 }  // namespace
 
 SurfaceDeformer::SurfaceDeformer(const TriangleMesh& rest, const SurfaceConstraints& constraints,
-                                 const Progress& progress)
-    : data_(std::make_unique<const Precomputed>(rest, constraints, progress))
+                                 const Progress& progress, const SurfaceDeformer* earlier)
+    : data_(std::make_unique<const Precomputed>(
+        rest, constraints, progress, earlier != nullptr ? earlier->data_.get() : nullptr))
 {
 }
 

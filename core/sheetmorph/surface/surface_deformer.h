@@ -36,10 +36,11 @@ struct ResponseOptions;
 class SurfaceDeformer
 {
 public:
+    //! \param earlier  the same part under other constraints: what does not change is taken over
     //! \throws InvalidInput naming ids: a component that nothing holds, constraints that contradict
     //! \throws Cancelled    if the progress callback asks for it
     SurfaceDeformer(const TriangleMesh& rest, const SurfaceConstraints& constraints,
-                    const Progress& progress = {});
+                    const Progress& progress = {}, const SurfaceDeformer* earlier = nullptr);
     ~SurfaceDeformer();
     SurfaceDeformer(SurfaceDeformer&&) noexcept;
     SurfaceDeformer& operator=(SurfaceDeformer&&) noexcept;

@@ -65,7 +65,8 @@ SurfaceOperators measured(const LaidFaces& faces, int vertex_count)
 // L of (2.1) and its rest rows; `faces` has the triangles that the operators were measured on.
 void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energy energy)
 {
-    operators.harmonic = non_negative_stiffness(faces, operators.half_cotangents);
+    operators.harmonic = std::make_shared<const SparseMatrix>(
+        non_negative_stiffness(faces, operators.half_cotangents));
     const Eigen::VectorXd per_area = (2.0 * operators.vertex_areas).cwiseInverse();
     operators.rows = rows_scaled(cotangent_stiffness(faces, operators.half_cotangents), per_area);
     operators.rest_rows =
@@ -157,9 +158,15 @@ void append_rows(BendingRows& bending, const SurfaceOperators& laplacian, const 
             laplacian.weights(bending.row_vertices[static_cast<std::size_t>(row)]);
 }
 
-}  // namespace
+void add_stiffness(SurfaceOperators& operators, const Points& points)
+{
+    operators.stiffness =
+        std::make_shared<const SparseMatrix>(own_product(operators.rows, operators.weights));
+    operators.tree =
+        std::make_shared<const SeparatorTree>(nested_dissection(*operators.stiffness, points));
+}
 
-SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                                    const VertexRoles& roles)
 {
     if (constraints.energy != Energy::natural && constraints.laplacian == Laplacian::cotangent)
@@ -181,6 +188,16 @@ SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstr
     operators.rows = std::move(bending.rows);
     operators.weights = std::move(bending.weights);
     operators.row_vertices = std::move(bending.row_vertices);
+    return operators;
+}
+
+}  // namespace
+
+SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                                   const VertexRoles& roles)
+{
+    SurfaceOperators operators = bending_operators(mesh, constraints, roles);
+    add_stiffness(operators, mesh.points());
     return operators;
 }
 

@@ -15,9 +15,16 @@ struct SurfaceOperators
     Eigen::VectorXd weights;       //!< w (r): A_i mm^2, or 1 for `paper`
     Points rest_rows;              //!< D p_hat (r, 3): delta of (2.1), 1/mm
     VertexIds row_vertices;        //!< (r) the vertex whose rotation turns the rest row
-    SparseMatrix harmonic;         //!< (n, n) stiffness of the rotation field: edge weights >= 0
     Points half_cotangents;        //!< (m, 3)
     Eigen::VectorXd vertex_areas;  //!< A (n) mm^2
+
+    //! (n, n) stiffness of the rotation field: edge weights >= 0
+    std::shared_ptr<const SparseMatrix> harmonic;
+
+    std::shared_ptr<const SparseMatrix> stiffness;  //!< D^T diag(w) D (n, n)
+
+    //! In which order the vertices are eliminated, whatever is known of them.
+    std::shared_ptr<const SeparatorTree> tree;
 };
 
 //! \param roles  a component that only points hold can tilt under `natural`; unless three or more

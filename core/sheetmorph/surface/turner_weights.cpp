@@ -96,10 +96,9 @@ SparseMatrix turner_weights(const RotationFieldInput& input, const std::vector<T
     const Unknowns unknowns = open_vertices(input, owner);
     if (turners.empty() || unknowns.count == 0)
         return weights.sparseView();
-    const SparseMatrix basis = unknowns.basis();
-    const SparseMatrix coupling = SparseMatrix(basis.transpose()) * input.operators.harmonic;
-    const SparseCholesky factor(coupling * basis);
-    weights += basis * factor.solve(Eigen::MatrixXd(-(coupling * weights)));
+    const SurfaceOperators& operators = input.operators;
+    const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.tree);
+    weights -= unknowns.basis() * factor.solve(unknowns.sums(*operators.harmonic * weights));
     smooth_and_renormalise(weights);
     return weights.sparseView();
 }

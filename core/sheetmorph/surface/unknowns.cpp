@@ -15,17 +15,14 @@ SparseMatrix Unknowns::basis() const
     return matrix;
 }
 
-Points Unknowns::places(const Points& vertices) const
+Eigen::MatrixXd Unknowns::sums(const Eigen::MatrixXd& rows) const
 {
-    Points sums = Points::Zero(count, 3);
-    Eigen::VectorXd counts = Eigen::VectorXd::Zero(count);
-    for (std::size_t i = 0; i < of_vertex.size(); ++i)
-        if (of_vertex[i] != known)
-        {
-            sums.row(of_vertex[i]) += vertices.row(static_cast<Eigen::Index>(i));
-            counts(of_vertex[i]) += 1.0;
-        }
-    return counts.cwiseMax(1.0).cwiseInverse().asDiagonal() * sums;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(count, rows.cols());
+    for (Eigen::Index column = 0; column < rows.cols(); ++column)
+        for (Eigen::Index row = 0; row < rows.rows(); ++row)
+            if (const int unknown = of_vertex[static_cast<std::size_t>(row)]; unknown != known)
+                sums(unknown, column) += rows(row, column);
+    return sums;
 }
 
 }  // namespace sheetmorph

@@ -19,9 +19,17 @@ struct Unknowns
     //! S (n, count) of u = S y + offset.
     SparseMatrix basis() const;
 
-    //! (count, 3) mean of each unknown's vertices.
-    //! \param vertices  (n, 3)
-    Points places(const Points& vertices) const;
+    //! S^T rows: those of one unknown added up.
+    //! \param rows  (n, k)
+    //! \returns     (count, k)
+    Eigen::MatrixXd sums(const Eigen::MatrixXd& rows) const;
+
+    //! S^T M S.
+    //! \param whole  M (n, n), both triangles
+    MergedMatrix merged(std::shared_ptr<const SparseMatrix> whole) const
+    {
+        return {std::move(whole), of_vertex, count};
+    }
 };
 
 }  // namespace sheetmorph

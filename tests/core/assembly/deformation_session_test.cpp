@@ -164,6 +164,20 @@ TEST(DeformationSession, ChangingOneContactRebuildsOnlyWhatDependsOnIt)
     EXPECT_EQ(DeformationSession(frame.assembly, {}, &after).timings().size(), 1U);
 }
 
+TEST(DeformationSession, EditedConstraintsGiveTheSameShapesAsAFreshStart)
+{
+    Frame frame = frames::open_chain(ContactType::control_mesh);
+    const DeformationSession before(frame.assembly);
+    frame.assembly.fixed.front().vertices.pop_back();
+    frame.assembly.features.pop_back();
+    const DeformationSession after(frame.assembly, {}, &before);
+    const Deformed found = after.deform(frame.pose);
+    const Deformed expected = DeformationSession(frame.assembly).deform(frame.pose);
+    for (std::size_t k = 0; k < expected.parts.size(); ++k)
+        EXPECT_LT((found.parts[k].positions - expected.parts[k].positions).cwiseAbs().maxCoeff(),
+                  1e-9 * frame.assembly.parts[k].mesh.size());
+}
+
 TEST(DeformationSession, ShowsTheControlMeshOfAContactAsItMoves)
 {
     const Frame frame = frames::open_chain(ContactType::control_mesh);

@@ -34,7 +34,7 @@ struct Small
 
     QuadraticProblem problem() const
     {
-        return {sparse(rows), weights, sparse(basis), sparse(constraints), {}};
+        return {sparse(rows), weights, sparse(basis), sparse(constraints), {}, nullptr, nullptr};
     }
 
     // The same minimum from the dense KKT system.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace sheetmorph
 {
@@ -42,7 +43,7 @@ Grid grid(int columns, int rows)
 TEST(NestedDissection, OrdersEveryUnknownOnce)
 {
     const Grid sheet = grid(40, 25);
-    std::vector<int> order = nested_dissection(sheet.matrix, sheet.places);
+    std::vector<int> order = nested_dissection(sheet.matrix, sheet.places).order;
     std::sort(order.begin(), order.end());
     for (int k = 0; k < 1000; ++k)
         ASSERT_EQ(order[static_cast<std::size_t>(k)], k);
@@ -52,14 +53,39 @@ TEST(NestedDissection, TakesUnknownsThatAllLieInOnePlace)
 {
     Grid sheet = grid(20, 20);
     sheet.places.setZero();
-    EXPECT_EQ(nested_dissection(sheet.matrix, sheet.places).size(), 400U);
-    EXPECT_TRUE(nested_dissection(SparseMatrix(0, 0), Points(0, 3)).empty());
+    EXPECT_EQ(nested_dissection(sheet.matrix, sheet.places).order.size(), 400U);
+    EXPECT_EQ(nested_dissection(SparseMatrix(0, 0), Points(0, 3)).size(), 0);
+}
+
+TEST(NestedDissection, CouplesNodesOnlyWithThoseAboveThem)
+{
+    const Grid sheet = grid(200, 140);
+    const SeparatorTree tree = nested_dissection(sheet.matrix, sheet.places);
+    std::vector<int> node_of(28000);
+    for (int node = 0; node < tree.size(); ++node)
+    {
+        EXPECT_TRUE(tree.parent[static_cast<std::size_t>(node)] > node || node == tree.size() - 1);
+        for (int k = tree.first[static_cast<std::size_t>(node)];
+             k < tree.first[static_cast<std::size_t>(node) + 1]; ++k)
+            node_of[static_cast<std::size_t>(tree.order[static_cast<std::size_t>(k)])] = node;
+    }
+    for (int column = 0; column < 28000; ++column)
+        for (SparseMatrix::InnerIterator entry(sheet.matrix, column); entry; ++entry)
+        {
+            const int a = node_of[static_cast<std::size_t>(column)];
+            const int b = node_of[static_cast<std::size_t>(entry.row())];
+            ASSERT_TRUE(tree.is_below(a, b) || tree.is_below(b, a));
+        }
 }
 
 TEST(NestedDissection, FillsALargeSheetHardlyMoreThanMinimumDegreeDoes)
 {
     const Grid sheet = grid(300, 240);
-    const SparseCholesky by_places(sheet.matrix, sheet.places);
+    std::vector<int> unknown_of(72000);
+    std::iota(unknown_of.begin(), unknown_of.end(), 0);
+    const SparseCholesky by_places(
+        {std::make_shared<const SparseMatrix>(sheet.matrix), unknown_of, 72000},
+        std::make_shared<const SeparatorTree>(nested_dissection(sheet.matrix, sheet.places)));
     const SparseCholesky by_degree(sheet.matrix);
     EXPECT_NE(by_places.factor_entries(), by_degree.factor_entries());
     EXPECT_LT(by_places.factor_entries(), 1.1 * by_degree.factor_entries());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/numerics/supernodal_kernel.h"
+#include "sheetmorph/numerics/front_kernel.h"
 
 #include <Eigen/Core>
 #include <vector>
@@ -9,33 +9,23 @@
 namespace sheetmorph
 {
 
-//! A supernodal factor L L^T as CHOLMOD lays it out; all of it outlives the solver.
-struct SupernodalFactor
-{
-    int size;                //!< n
-    int supernodes;          //!< s
-    const int* first;        //!< (s + 1) first column of each supernode
-    const int* row_start;    //!< (s + 1) where its row indices begin in `rows`
-    const int* entry_start;  //!< (s + 1) where its entries begin in `entries`
-    const int* rows;
-    const double* entries;
-};
-
 //! Triangular solves that read the factor once each way, at the speed of the memory; large factors
 //! on two threads, each with its own subtrees of the elimination tree.
-class SupernodalSolver
+class FrontSolver
 {
 public:
     using RightSides = Eigen::Matrix<double, Eigen::Dynamic, right_sides_at_once, Eigen::RowMajor>;
 
-    explicit SupernodalSolver(const SupernodalFactor& factor);
+    explicit FrontSolver(FrontList factor);
 
-    //! \param x  (n, 4) in the factor's order: right sides in, solutions out
+    const FrontList& factor() const { return factor_; }
+
+    //! \param x  (slots, 4) right sides in, solutions out
     void solve(RightSides& x) const;
 
 private:
     using Nodes = std::vector<int>;
-    Supernode node(int index) const;
+    const Front& front(int index) const { return *factor_.fronts[static_cast<std::size_t>(index)]; }
     struct Buffers
     {
         RightSides& x;
@@ -44,15 +34,14 @@ private:
     };
     void forward(const Nodes& nodes, Buffers buffers) const;
     void backward(const Nodes& nodes, Buffers buffers) const;
-    std::vector<int> parents() const;
     void share_subtrees();
 
-    SupernodalFactor factor_;
-    Nodes mine_;                // supernodes of one thread, ascending
+    FrontList factor_;
+    Nodes mine_;                // fronts of one thread, ascending
     Nodes theirs_;              // of the other; empty where one thread does
     Nodes top_;                 // above both
-    std::vector<char> is_top_;  // (n) by column
-    int widest_ = 0;            // most rows of a supernode
+    std::vector<char> is_top_;  // (slots)
+    int widest_ = 0;            // most rows of a front
 };
 
 }  // namespace sheetmorph

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/numerics/dense_products.h"
+
+#include <memory>
+#include <vector>
+
+namespace sheetmorph
+{
+
+//! Some columns of a sparse Cholesky factor that share their rows, the first of which are their
+//! own.
+struct Front
+{
+    int columns = 0;
+    std::vector<int> rows;              //!< slots, in the order of elimination
+    std::unique_ptr<double[]> entries;  //!< (rows, columns), rows contiguous; above the diagonal
+                                        //!< undefined
+
+    int height() const { return static_cast<int>(rows.size()); }
+    int below() const { return height() - columns; }
+    double count() const { return static_cast<double>(height()) * columns; }
+
+    Eigen::Map<Weights> panel() const { return {entries.get(), height(), columns}; }
+};
+
+//! A factor L L^T in fronts, every one before that which it updates.
+struct FrontList
+{
+    int slots = 0;                                     //!< rows of right sides
+    std::vector<std::shared_ptr<const Front>> fronts;  //!< (f)
+    std::vector<int> parent;                           //!< (f) front above, -1: none
+
+    //! Entries of the factor.
+    double count() const
+    {
+        double sum = 0.0;
+        for (const auto& front : fronts)
+            sum += front->count();
+        return sum;
+    }
+};
+
+}  // namespace sheetmorph
