@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bending import bent_and_twisted
+from bending import Ends, bent, bent_and_twisted, thin_holes
 from sheetmorph import PartMesh, Session, _core, diagnose, read_part
 from sheetmorph.prepared_mesh import Wanted, prepared_mesh
 from test_real_files import real_file
 
 SUMMIT = "05-robotnik-summit-stl"
-ENDS = 0.03  # of the length: held, and moved
 
 
 def cured(name: str, edge: float) -> PartMesh:
@@ -26,32 +25,6 @@ def cured(name: str, edge: float) -> PartMesh:
             keys |= finding["recipe"]
     made, _ = prepared_mesh(_core, mesh, Wanted(keys.get("weld", 0.0), edge, scale=keys["scale"]))
     return made
-
-
-def bent(mesh: PartMesh, axis: int, features: list[np.ndarray], **part: Any) -> Session:
-    """A session: the low end along an axis is held, the high end is the handle."""
-    along = mesh.points[:, axis]
-    low, high = along.min(), along.max()
-    held = along < low + ENDS * (high - low)
-    moved = along > high - ENDS * (high - low)
-    inner = []
-    for vertices in features:  # those at the ends go with the ends
-        for end in (held, moved):
-            end[vertices] |= end[vertices].any()
-        if not (held[vertices].any() or moved[vertices].any()):
-            inner.append(vertices)
-    names = [f"hole{k}" for k in range(len(inner))]
-    recipe = {
-        "sheetmorph": 1,
-        "parts": [{"name": "part", **part}],
-        "fixed": [{"part": "part", "vertices": np.flatnonzero(held).tolist()}],
-        "handles": [{"name": "end", "part": "part", "vertices": np.flatnonzero(moved).tolist()}],
-        "features": [
-            {"name": name, "part": "part", "vertices": vertices.tolist()}
-            for name, vertices in zip(names, inner)
-        ],
-    }
-    return Session(recipe, {"part": PartMesh(mesh.points, mesh.triangles)})
 
 
 def largest_fold(points: np.ndarray, triangles: np.ndarray) -> float:
@@ -83,12 +56,11 @@ def clearance(hole: Any, points: np.ndarray, tree: Any) -> float:
 
 def test_the_stainless_plate_bends_and_twists_and_stays_a_sheet():
     mesh = cured("summit_xls_chapas_inox_tapas", 8.0)
-    solid, reason = _core.find_thin_solid(_core.TriangleMesh(mesh.points, mesh.triangles), 0.0)
-    assert reason == ""
-    holes = [np.asarray(hole.vertices) for hole in solid.holes]
+    solid, holes = thin_holes(mesh)
     assert len(holes) == 71  # the file has two plates side by side, four holes between them
-    session = bent(mesh, 1, holes, thin="auto")
-    length = (1.0 - 2.0 * ENDS) * np.ptp(mesh.points[:, 1])
+    ends = Ends()
+    session = bent(mesh, holes, ends, part={"thin": "auto"})
+    length = (1.0 - 2.0 * ends.share) * np.ptp(mesh.points[:, 1])
     result = session.deform({"end": bent_and_twisted(length, 30.0, 20.0)})
     report = result.report()
     assert report["certificate"]["passed"] and len(report["features"]) > 50
@@ -137,7 +109,7 @@ def test_what_else_comes_from_cad_bends_once_cured(name: str, components: int, s
     for number in range(components):
         piece = component(mesh, labels, number)
         axis = int(np.ptp(piece.points, axis=0).argmax())
-        session = bent(piece, axis, [], thin="auto")
+        session = bent(piece, [], Ends(axis), part={"thin": "auto"})
         turn = {"axis": np.eye(3)[(axis + 1) % 3].tolist(), "degrees": 5}
         (part,) = session.deform({"end": {"rotation": turn}}).report()["parts"]
         rest = _core.TriangleMesh(piece.points, piece.triangles)

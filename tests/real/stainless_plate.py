@@ -3,8 +3,9 @@
 
     /usr/bin/python3 tests/real/stainless_plate.py
 
-Prints what the report says of the plate as it comes and as the doctor would have it; needs the
-staged package on PYTHONPATH. take_pictures.py takes the picture of both.
+Prints what the report says of the plate as it comes and as the doctor would have it, and how much
+halving its edges changes it; needs the staged package on PYTHONPATH. take_pictures.py takes the
+picture of both.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "package"))
 
-from bending import bent_and_twisted  # noqa: E402
+from bending import Bend, bent_and_twisted, halving_changes  # noqa: E402
 from selection import Meshes, read_meshes, region  # noqa: E402
 
 FILE = "05-robotnik-summit-stl/summit_xls_chapas_inox_tapas.stl"
@@ -86,6 +87,22 @@ def main() -> None:
         crossing = len(_core.self_intersections(moved))
         print(f"{title}: {len(recipe['features'])} holes, {crossing} pairs of triangles cross")
         print(f"  thin: {part['thin']}\n  quality: {part['quality']}")
+
+    print_convergence(data)
+
+
+def print_convergence(data: Path) -> None:
+    """How far finer meshes, and the open sheet in its middle, are apart; percent of the largest
+    displacement."""
+    meshes = {}
+    for edge in (16.0, 8.0, 4.0):
+        part = {"name": NAME, "file": str(data / FILE), **CURES, "remesh": {"edge": edge}}
+        meshes[edge] = read_meshes([part], data)[NAME]
+    for bend in (Bend(BEND), Bend(BEND, TWIST), Bend(BEND, TWIST, "natural")):
+        for edge in (16.0, 8.0):
+            changes = halving_changes(meshes[edge], meshes[edge / 2.0], bend)
+            told = ", ".join(f"{name} {100.0 * share:.2g} %" for name, share in changes.items())
+            print(f"{bend}: {edge:g} mm to {edge / 2.0:g} mm: {told}")
 
 
 if __name__ == "__main__":
