@@ -17,6 +17,7 @@ from scenes import assembly, contacts, drawn, largest, look, new_assembly, part,
 __all__ = [
     "test_holes_found_become_form_features_in_one_step",
     "test_proposals_are_filtered_by_kind_and_size",
+    "test_bends_are_offered_and_not_checked",
     "test_contacts_found_light_up_and_become_contacts",
     "test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle",
 ]
@@ -112,6 +113,22 @@ def test_proposals_are_filtered_by_kind_and_size():
     picture("find-filtered")
     yield from press("Cancel")
     assert App.ActiveDocument.UndoNames == []
+
+
+def test_bends_are_offered_and_not_checked():
+    yield from activate()
+    assert exchange.open_recipe(exchange.example_recipes()["Door Mirror"], "Mirror")
+    look()
+    yield from press_tool("Find Features…")
+    table = child("table")
+    (row,) = (r for r in range(table.rowCount()) if "bend" in table.item(r, 0).text())
+    assert table.item(row, 0).checkState() == QtCore.Qt.Unchecked
+    assert table.item(row, 1).text().startswith("R ")
+    table.scrollToItem(table.item(row, 0))
+    yield from xdotool("mousemove", *cell_place(row))
+    yield 300
+    picture("find-bend")
+    yield from press("Cancel")
 
 
 def test_contacts_found_light_up_and_become_contacts():

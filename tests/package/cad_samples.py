@@ -12,7 +12,8 @@ import pytest
 
 # A plate of 60 x 40 x 2 mm with holes of radius 3 mm at (15, 20) and 5 mm at (40, 20), and two
 # pins of radius 3 mm, 8 mm long, the first in the smaller hole; and a turned plate of 120 x 60 x
-# 3 mm with a slot of 32 x 8 mm and rectangles of 30 x 20 mm, corners of 4 mm, and of 16 x 10 mm.
+# 3 mm with a slot of 32 x 8 mm and rectangles of 30 x 20 mm, corners of 4 mm, and of 16 x 10 mm;
+# and a sheet of 2 mm, 50 mm wide, bent by 90 degrees with an inner radius of 3 mm, turned.
 _SCRIPT = """
 import os
 import FreeCAD
@@ -55,6 +56,18 @@ for tool in (
     turned = turned.cut(tool)
 turned.rotate(Vector(0, 0, 0), Vector(1, 2, 3), 25)
 turned.exportStep(os.path.join(folder, "openings.step"))
+s = 0.5 ** 0.5
+ends = [Vector(0, 0, 2), Vector(30, 0, 2), Vector(33, 0, 5), Vector(33, 0, 35)]
+ends += [Vector(35, 0, 35), Vector(35, 0, 5), Vector(30, 0, 0), Vector(0, 0, 0)]
+sides = [Part.LineSegment(ends[k], ends[k + 1]) for k in (0, 2, 3, 4, 6)]
+sides.append(Part.LineSegment(ends[7], ends[0]))
+for radius, k in ((3, 1), (5, 5)):
+    middle = Vector(30 + radius * s, 0, 5 - radius * s)
+    sides.append(Part.Arc(ends[k], middle, ends[k + 1]))
+edges = Part.__sortEdges__([side.toShape() for side in sides])
+bent = Part.Face(Part.Wire(edges)).extrude(Vector(0, 50, 0))
+bent.rotate(Vector(0, 0, 0), Vector(1, 2, 3), 25)
+bent.exportStep(os.path.join(folder, "bend.step"))
 open(os.path.join(folder, "done"), "w").close()
 os._exit(0)
 """
@@ -62,7 +75,7 @@ os._exit(0)
 
 def make_cad_samples(folder: Path) -> Path:
     """fixture.step (plate, the same pin twice), plate.igs, plate.brep,
-    openings.step; skips without FreeCAD."""
+    openings.step, bend.step; skips without FreeCAD."""
     program = shutil.which("freecadcmd")
     if program is None:
         pytest.skip("freecadcmd, which makes the CAD files, is not installed")

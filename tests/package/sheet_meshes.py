@@ -128,13 +128,13 @@ def revolved(profile: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
     return grid(np.array(rows), wraps=True)
 
 
-def folded(runs: Sequence[tuple[float, float]], width: float, step: float):
-    """A strip folded along y: runs of (length, turn in degrees); returns points, triangles and
-    (n,) the run of every vertex (the later one where two meet)."""
-    places, runs_of = [np.zeros(2)], [0]
+def profile(runs: Sequence[tuple[float, float]], step: float, facets: int = 4):
+    """Of runs of (length, turn in degrees): (n, 2) places, (n,) directions in radians and the run
+    of each (the later one where two meet); turns have a number of facets."""
+    places, angles, runs_of = [np.zeros(2)], [0.0], [0]
     angle, place = 0.0, np.zeros(2)
     for number, (length, turn) in enumerate(runs):
-        count = 4 if turn else max(2, round(length / step))
+        count = facets if turn else max(2, round(length / step))
         for _ in range(count):
             half = np.radians(turn) / count / 2
             chord = length / count * (np.sin(half) / half if turn else 1.0)
@@ -142,8 +142,33 @@ def folded(runs: Sequence[tuple[float, float]], width: float, step: float):
             place = place + chord * np.array([np.cos(angle), np.sin(angle)])
             angle += half
             places.append(place)
+            angles.append(angle)
             runs_of.append(number)
+    return np.array(places), np.array(angles), runs_of
+
+
+def folded(runs: Sequence[tuple[float, float]], width: float, step: float):
+    """A strip folded along y: runs of (length, turn in degrees); returns points, triangles and
+    (n,) the run of every vertex (the later one where two meet)."""
+    places, _, runs_of = profile(runs, step)
     across = np.linspace(0.0, width, max(2, round(width / step)) + 1)
     rows = np.array([[[p[0], y, p[1]] for y in across] for p in places])
     points, triangles = grid(rows)
     return points, triangles, np.repeat(runs_of, len(across))
+
+
+def folded_solid(runs: Sequence[tuple[float, float]], width: float, step: float, depth: float):
+    """The same as a closed solid, `depth` thick towards its left; (n, 3) points, triangles."""
+    places, angles, _ = profile(runs, step, facets=8)
+    left = np.column_stack([-np.sin(angles), np.cos(angles)])
+    around = np.vstack([places, (places + depth * left)[::-1]])
+    across = np.linspace(0.0, width, max(2, round(width / step)) + 1)
+    rows = np.array([[[p[0], y, p[1]] for p in around] for y in across])
+    points, triangles = grid(rows, wraps=True)
+    size, count = len(around), len(places)
+    caps = []
+    for first in (0, len(points) - size):
+        for k in range(count - 1):
+            a, b, c, d = first + np.array([k, k + 1, size - 2 - k, size - 1 - k])
+            caps += [(a, b, c), (a, c, d)] if first else [(a, c, b), (a, d, c)]
+    return points, np.vstack([triangles, caps])[:, ::-1]

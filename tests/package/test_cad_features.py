@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import jsonschema
 import numpy as np
@@ -61,6 +62,21 @@ def test_a_real_enclosure_is_38_closed_parts_with_all_its_holes():
     # The edges of the file are within its own uncertainty, 0.01 mm, of the surfaces.
     assert max(hole["residual"] for hole in holes) < 1e-3
     assert np.median([hole["residual"] for hole in holes]) < 1e-9
+    bends = {"CornerBracket": 1, "LaserChamberv3 v16.ChamberTop": 2}
+    for body in (part for part in model.parts if part.name in bends):
+        assert_bends_as_drawn(body, bends[body.name])
+
+
+def assert_bends_as_drawn(body: Any, count: int) -> None:
+    """Bends of 90 degrees of a sheet of 1 mm, with an inner radius of 1 mm."""
+    mesh = PartMesh(body.points, body.triangles)
+    found = find([FindPart(body.name, mesh, exact=exact_features(body))]).features
+    bends = [entry for entry in found if entry["kind"] == "bend"]
+    assert len(bends) == count
+    for bend in bends:
+        assert bend["radius"] == pytest.approx(1.0, abs=1e-9)
+        assert bend["depth"] == pytest.approx(1.0, abs=1e-9)
+        assert np.degrees(bend["angle"]) == pytest.approx(90.0, abs=1e-6)
 
 
 def test_find_gives_what_the_surfaces_say(samples: Path, capsys: pytest.CaptureFixture):

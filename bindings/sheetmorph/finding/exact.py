@@ -53,6 +53,8 @@ def with_exact(entries: list[Entry], exact: list[Entry], walls: list[Entry]) -> 
                 break
         if entry["kind"] in OUTLINES:
             entry = exact_outline(entry, walls)
+        if entry["kind"] == "bend":
+            entry = _exact_bend(entry, walls)
         result.append(entry)
     return result + [known for known, found in zip(exact, is_found) if not found]
 
@@ -64,6 +66,18 @@ def _is_same(entry: Entry, known: Entry, vertices: frozenset[int]) -> bool:
     if entry["kind"] != known["kind"] and not is_wall:
         return False
     return len(vertices.intersection(entry["vertices"])) >= nearly_all * len(entry["vertices"])
+
+
+def _exact_bend(entry: Entry, walls: list[Entry]) -> Entry:
+    """A bend with the numbers of the cylinders it consists of: one, or those of both skins."""
+    bend = frozenset(entry["vertices"])
+    cylinders = [wall for wall in walls if wall["kind"] == "cylinder" and wall["vertices"]]
+    skins = [wall for wall in cylinders if bend.issuperset(wall["vertices"])]
+    skins.sort(key=lambda skin: skin["radius"])
+    if not skins:
+        return entry
+    depth = {"depth": skins[-1]["radius"] - skins[0]["radius"]} if "depth" in entry else {}
+    return {**_snapped(entry, skins[0]), **depth}
 
 
 def _snapped(entry: Entry, known: Entry) -> Entry:

@@ -22,8 +22,9 @@ _LENGTHS = {
     "flange": ("length", "width"),
     "bead": ("length", "width"),
     "emboss": ("length", "width"),
+    "bend": ("length",),
 }
-_WITH_RADIUS = ("round hole", "slotted hole", "rectangular hole", "round edge")
+_WITH_RADIUS = ("round hole", "slotted hole", "rectangular hole", "round edge", "bend")
 _CURVED = ("cylinder", "cone", "sphere")
 
 
@@ -68,9 +69,9 @@ def feature_entry(part: FindPart, found: Any) -> dict[str, Any]:
     if found.kind in (*_WITH_RADIUS, *_CURVED):
         entry["radius"] = found.radius
     entry |= {key: getattr(found, key) for key in _LENGTHS.get(found.kind, ())}
-    if found.kind in (*HOLES, "bead", "emboss") and found.depth > 0.0:
+    if found.kind in (*HOLES, "bead", "emboss", "bend") and found.depth > 0.0:
         entry["depth"] = found.depth
-    if found.kind == "cone":
+    if found.kind in ("cone", "bend"):
         entry["angle"] = found.angle
     if found.kind in _CURVED:
         entry["hollow"] = found.is_hollow

@@ -10,7 +10,7 @@ from typing import Any
 
 HOLES = ("round hole", "slotted hole", "rectangular hole", "hole")
 SURFACES = ("plane", "cylinder", "cone", "sphere")
-KINDS = (*HOLES, "round edge", *SURFACES, "flange", "bead", "emboss")
+KINDS = (*HOLES, "round edge", *SURFACES, "flange", "bead", "emboss", "bend")
 # What keeps its form on a real part without being asked: free outlines are often borders.
 USUAL_FEATURES = ("round hole", "slotted hole", "rectangular hole")
 

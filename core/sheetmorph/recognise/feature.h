@@ -24,6 +24,7 @@ enum class FeatureKind
     flange,  //!< a strip between a fold and a free edge
     bead,    //!< a raised strip inside a sheet
     emboss,  //!< any other raised place
+    bend,    //!< a cylindrical strip between two flats, both skins of a solid
 };
 
 //! "round hole", "slotted hole", ...: what files and people call a kind.
@@ -41,8 +42,9 @@ struct Feature
     double length = 0.0;          //!< the longer extent across the axis; along it for
                                   //!< cylinder and cone
     double width = 0.0;           //!< the shorter one
-    double depth = 0.0;           //!< between both rims of a hole; height of a bead or emboss
-    double angle = 0.0;           //!< of a cone, between axis and surface
+    double depth = 0.0;           //!< between both rims of a hole or skins of a bend; height of a
+                                  //!< bead or emboss
+    double angle = 0.0;           //!< of a cone, between axis and surface; of a bend, its turn
     double residual = 0.0;        //!< largest distance of one of its vertices from the fitted form
     double scatter = 0.0;         //!< of the vertices of its mesh as measured, see tolerances.h
     double area = 0.0;            //!< of a surface, mm^2

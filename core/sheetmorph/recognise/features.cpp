@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features.h"
 
+#include "sheetmorph/recognise/bends.h"
 #include "sheetmorph/recognise/facet_graph.h"
 #include "sheetmorph/recognise/holes.h"
 #include "sheetmorph/recognise/strips.h"
@@ -60,6 +61,8 @@ void add_surfaces(const FacetGraph& graph, const FeatureTolerances& tolerances,
         features.push_back(feature_of(graph, region));
     for (const Feature& flange : find_flanges(graph, surfaces, tolerances))
         features.push_back(flange);
+    for (const Feature& bend : find_bends(graph, surfaces, tolerances))
+        features.push_back(bend);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
@@ -24,10 +25,10 @@ Vector = tuple[float, float, float]
 class FoundFeature:
     """A feature on a part at rest; global, mm.
 
-    radius: of a circle or curved surface, half the width of a slot, else 0; size: the diameter, or
-    the longer extent; residual: largest distance of a vertex from the fitted form; vertices: of its
-    rims and walls; washer: rings of vertices around, the inner first; is_marked: it is a form
-    feature of the document already.
+    radius: of a circle or curved surface, the inner one of a bend, half the width of a slot, else
+    0; size: the diameter, or the longer extent; residual: largest distance of a vertex from the
+    fitted form; vertices: of its rims and walls; washer: rings of vertices around, the inner first;
+    is_marked: it is a form feature of the document already; angle: how far a bend turns, degrees.
     """
 
     part: Any
@@ -41,6 +42,7 @@ class FoundFeature:
     vertices: list[int]
     washer: list[list[int]]
     is_marked: bool
+    angle: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -72,8 +74,8 @@ def find_features(
 
     `parts`: only on these; `kinds`: only of these kinds ("round hole", "slotted hole",
     "rectangular hole", "hole", "round edge", "plane", "cylinder", "cone", "sphere", "flange",
-    "bead", "emboss"), None for all. `options`: rings, smallest_radius, largest_radius, roundness,
-    crease_angle (degrees) and others, see `finding.md`. Raises ValueError.
+    "bead", "emboss", "bend"), None for all. `options`: rings, smallest_radius, largest_radius,
+    roundness, crease_angle (degrees) and others, see `finding.md`. Raises ValueError.
     """
     chosen = _parts(assembly, parts)
     found = _find(chosen, {"kinds": kinds, **options}, contacts=False)
@@ -192,6 +194,7 @@ def _feature(part, entry: dict, marked: dict[str, set[int]]) -> FoundFeature:
         vertices=entry["vertices"],
         washer=entry.get("washer", []),
         is_marked=bool(marked[part.Name] & set(entry["vertices"])),
+        angle=math.degrees(entry["angle"]) if entry["kind"] == "bend" else 0.0,
     )
 
 

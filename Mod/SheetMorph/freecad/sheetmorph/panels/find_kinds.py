@@ -34,7 +34,7 @@ class Features:
             "roundness": widget(form, "roundness").value() / 100.0,
             "crease_angle": widget(form, "crease").value(),
             "rings": max(1, widget(form, "rings").value()),
-            "kinds": None if widget(form, "surfaces").isChecked() else _HOLES,
+            "kinds": None if widget(form, "surfaces").isChecked() else _OFFERED,
         }
 
     def find(self, api, assembly, options) -> list:
@@ -48,7 +48,10 @@ class Features:
     def row(self, one) -> tuple:
         """What the list shows of a proposal."""
         quality = one.residual / (0.5 * one.size) if one.size else 0.0
-        texts = (one.name, f"{one.size:.4g} mm", f"{100 * quality:.2g} %")
+        size = f"{one.size:.4g} mm"
+        if one.kind == "bend":
+            size = f"R {one.radius:.4g} mm, {one.angle:.3g}°"
+        texts = (one.name, size, f"{100 * quality:.2g} %")
         is_checked = not one.is_marked and one.kind in _HOLES
         tip = MARKED if one.is_marked else f"{one.kind}, {len(one.vertices)} vertices"
         return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
@@ -132,5 +135,7 @@ class Contacts:
         return call("add_contact", assembly, *sides, **keywords)
 
 
+# What is checked as it is found, and what is only offered besides.
 _HOLES = ("round hole", "slotted hole", "rectangular hole")
+_OFFERED = (*_HOLES, "bend")
 FEATURES, CONTACTS = Features(), Contacts()
