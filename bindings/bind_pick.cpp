@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/mesh/triangle_queries.h"
 #include "sheetmorph/pick/neighbourhood.h"
 #include "sheetmorph/pick/sight.h"
 #include "arrays.h"
@@ -17,6 +18,21 @@ namespace
 
 using RowMatrix4 = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 using Released = py::call_guard<py::gil_scoped_release>;
+
+void bind_first_hit(py::module_& module)
+{
+    module.def(
+        "first_hit",
+        [](const Eigen::Ref<const Points>& points, const Eigen::Ref<const Triangles>& triangles,
+           const py::object& origin, const py::object& direction)
+        {
+            return first_hit(points, triangles, vector_from(origin, "origin"),
+                             vector_from(direction, "direction"));
+        },
+        py::arg("points"), py::arg("triangles"), py::arg("origin"), py::arg("direction"),
+        "What PickingTree.nearest_hit answers, without a tree: for (n, 3) float64 mm and (m, 3) "
+        "int32 that are asked once.");
+}
 
 void bind_sight(py::module_& module)
 {
@@ -110,6 +126,7 @@ void bind_neighbourhood(py::module_& module)
 void bind_pick(py::module_& module)
 {
     bind_sight(module);
+    bind_first_hit(module);
     bind_neighbourhood(module);
 }
 

@@ -5,7 +5,7 @@
 #include <Inventor/nodes/SoIndexedFaceSet.h>
 #include <Inventor/nodes/SoNormal.h>
 
-#include <Eigen/Geometry>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -48,6 +48,47 @@ private:
     float* rows_ = nullptr;
     Eigen::Index count_ = 0;
 };
+
+//! Sums twice the areas of triangles as vectors, each at the normals of its corners.
+//! Differences in double: far from the origin float edges would be noise.
+void add_areas(const double* points, const Triangles& triangles, const Triangles& of_corner,
+               float* sums)
+{
+    const int* const vertices = triangles.data();
+    const int* const normals = of_corner.data();
+    for (Eigen::Index corner = 0; corner < triangles.size(); corner += 3)
+    {
+        const double* const a = points + 3 * vertices[corner];
+        const double* const b = points + 3 * vertices[corner + 1];
+        const double* const c = points + 3 * vertices[corner + 2];
+        const double u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        const double v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+        const auto x = static_cast<float>(u[1] * v[2] - u[2] * v[1]);
+        const auto y = static_cast<float>(u[2] * v[0] - u[0] * v[2]);
+        const auto z = static_cast<float>(u[0] * v[1] - u[1] * v[0]);
+        for (Eigen::Index k = corner; k < corner + 3; ++k)
+        {
+            float* const sum = sums + 3 * normals[k];
+            sum[0] += x;
+            sum[1] += y;
+            sum[2] += z;
+        }
+    }
+}
+
+//! Gives (count, 3) vectors length 1; what is zero stays zero.
+void normalize(float* vectors, Eigen::Index count)
+{
+    for (Eigen::Index k = 0; k < 3 * count; k += 3)
+    {
+        float* const v = vectors + k;
+        const float square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        const float scale = square > 0.0F ? 1.0F / std::sqrt(square) : 0.0F;
+        v[0] *= scale;
+        v[1] *= scale;
+        v[2] *= scale;
+    }
+}
 
 }  // namespace
 
@@ -95,27 +136,27 @@ void MeshNodes::set_faces() const
     faces_->normalIndex.finishEditing();
 }
 
-void MeshNodes::show(const Points& points) const
+void MeshNodes::show(const Eigen::Ref<const Points>& points) const
 {
     if (points.rows() != vertex_count_)
         throw std::invalid_argument("expected positions of " + std::to_string(vertex_count_)
                                     + " vertices, got " + std::to_string(points.rows()));
-    // Differences in double: far from the origin float edges would be noise.
-    Points sums = Points::Zero(shading_.count, 3);
-    for (Eigen::Index t = 0; t < triangles_.rows(); ++t)
-    {
-        const Vector3 a = points.row(triangles_(t, 0));
-        const Vector3 b = points.row(triangles_(t, 1));
-        const Vector3 c = points.row(triangles_(t, 2));
-        const Vector3 area = (b - a).cross(c - a);
-        for (Eigen::Index k = 0; k < 3; ++k)
-            sums.row(shading_.of_corner(t, k)) += area.transpose();
-    }
-    const FieldRows normals(normals_->vector, shading_.count);
-    for (Eigen::Index k = 0; k < shading_.count; ++k)  // a zero sum stays zero
-        normals.rows().row(k) = sums.row(k).normalized().cast<float>();
     const FieldRows coordinates(coordinates_->point, vertex_count_);
     coordinates.rows() = points.cast<float>();
+    const FieldRows normals(normals_->vector, shading_.count);
+    normals.rows().setZero();
+    add_areas(points.data(), triangles_, shading_.of_corner, normals.rows().data());
+    normalize(normals.rows().data(), shading_.count);
+}
+
+void MeshNodes::show(const Eigen::Ref<const Points>& points, const Placing& placing)
+{
+    if (placing.rotation.isIdentity(0.0) && placing.base.isZero(0.0))
+        return show(points);
+    local_.resize(points.rows(), 3);
+    for (Eigen::Index k = 0; k < points.rows(); ++k)
+        local_.row(k) = (points.row(k) - placing.base.transpose()) * placing.rotation;
+    show(local_);
 }
 
 }  // namespace sheetmorph::coin

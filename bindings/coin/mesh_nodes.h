@@ -20,6 +20,13 @@ struct NodeAddresses
     std::uintptr_t faces = 0;        //!< SoIndexedFaceSet
 };
 
+//! Where a mesh lies: the local position of a global one p is rotation^T (p - base).
+struct Placing
+{
+    Matrix3 rotation = Matrix3::Identity();
+    Vector3 base = Vector3::Zero();  //!< mm
+};
+
 //! Draws one mesh through three Coin nodes, which it keeps alive; a frame costs about as much as a
 //! redraw.
 class MeshNodes
@@ -33,9 +40,10 @@ public:
     MeshNodes(const MeshNodes&) = delete;
     MeshNodes& operator=(const MeshNodes&) = delete;
 
-    //! Shows other positions, (n, 3) mm, with their own normals.
+    //! Shows other positions, (n, 3) mm, with their own normals; as they are, or made local.
     //! \throws std::invalid_argument if the number of rows is not the mesh's
-    void show(const Points& points) const;
+    void show(const Eigen::Ref<const Points>& points) const;
+    void show(const Eigen::Ref<const Points>& points, const Placing& placing);
 
 private:
     void set_faces() const;
@@ -43,6 +51,7 @@ private:
     Triangles triangles_;
     CornerNormals shading_;
     Eigen::Index vertex_count_;
+    Points local_;  // of the last call, kept for its memory
     SoCoordinate3* coordinates_;
     SoNormal* normals_;
     SoIndexedFaceSet* faces_;

@@ -61,6 +61,14 @@ PYBIND11_MODULE(_coin, module)
             [](const MeshNodes& self, const Eigen::Ref<const Points>& points)
             { self.show(points); },
             py::arg("points"),
-            "Shows other positions, (n, 3) mm, with their own normals. ValueError for another n.");
+            "Shows other positions, (n, 3) mm, with their own normals. ValueError for another n.")
+        .def(
+            "show",
+            [](MeshNodes& self, const Eigen::Ref<const Points>& points,
+               const sheetmorph::Matrix3& rotation, const sheetmorph::Vector3& base) {
+                self.show(points, {rotation, base});
+            },
+            py::arg("points"), py::arg("rotation"), py::arg("base"),
+            "The same of global positions: shown is (points - base) @ rotation, (3, 3) and (3,).");
     bind_colours(module);
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 #include "sheetmorph/base/disjoint_sets.h"
@@ -19,22 +21,32 @@ struct HalfEdge
 {
     std::array<int, 2> ends;  // smaller vertex first
     int triangle;
-    int side;  // from corner `side` to the next
 };
 
-std::vector<HalfEdge> sorted_half_edges(const Triangles& triangles)
+// By smaller vertex, then by larger one: counted into place, then sorted among the few of a vertex.
+std::vector<HalfEdge> sorted_half_edges(const Triangles& triangles, Eigen::Index vertex_count)
 {
-    std::vector<HalfEdge> edges;
-    edges.reserve(static_cast<std::size_t>(3 * triangles.rows()));
+    std::vector<HalfEdge> edges(static_cast<std::size_t>(3 * triangles.rows()));
+    std::vector<std::size_t> ends(static_cast<std::size_t>(vertex_count) + 1, 0);
+    const auto smaller = [&](int t, int side)
+    { return std::min(triangles(t, side), triangles(t, (side + 1) % 3)); };
+    for (int t = 0; t < triangles.rows(); ++t)
+        for (int side = 0; side < 3; ++side)
+            ++ends[static_cast<std::size_t>(smaller(t, side)) + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<std::size_t> next(ends);
     for (int t = 0; t < triangles.rows(); ++t)
         for (int side = 0; side < 3; ++side)
         {
-            const int a = triangles(t, side);
-            const int b = triangles(t, (side + 1) % 3);
-            edges.push_back({{std::min(a, b), std::max(a, b)}, t, side});
+            const int first = smaller(t, side);
+            const int last = std::max(triangles(t, side), triangles(t, (side + 1) % 3));
+            edges[next[static_cast<std::size_t>(first)]++] = {{first, last}, t};
         }
-    std::sort(edges.begin(), edges.end(),
-              [](const HalfEdge& a, const HalfEdge& b) { return a.ends < b.ends; });
+    for (std::size_t v = 0; v + 1 < ends.size(); ++v)
+        std::sort(edges.begin() + static_cast<std::ptrdiff_t>(ends[v]),
+                  edges.begin() + static_cast<std::ptrdiff_t>(ends[v + 1]),
+                  [](const HalfEdge& a, const HalfEdge& b)
+                  { return std::tie(a.ends[1], a.triangle) < std::tie(b.ends[1], b.triangle); });
     return edges;
 }
 
@@ -63,7 +75,7 @@ int corner_at(const Triangles& triangles, int triangle, int vertex)
 
 CornerNormals corner_normals(const Points& points, const Triangles& triangles, double crease)
 {
-    const std::vector<HalfEdge> edges = sorted_half_edges(triangles);
+    const std::vector<HalfEdge> edges = sorted_half_edges(triangles, points.rows());
     const Points normals = face_normals(points, triangles);
     const double smooth = std::cos(crease);
     DisjointSets corners(static_cast<int>(3 * triangles.rows()));

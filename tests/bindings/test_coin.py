@@ -67,6 +67,15 @@ def test_other_positions_come_with_their_own_normals():
     assert np.allclose(corner[:2], np.array([0, 0, 1]) @ turn)
 
 
+def test_global_positions_are_shown_where_the_part_has_them():
+    nodes, mesh = shown(30)
+    rotation, base = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), np.array([10.0, 20, 30])
+    mesh.show(POINTS @ rotation.T + base, rotation, base)
+    assert np.allclose(nodes.positions(), POINTS)
+    corner = nodes.normals()[nodes.indices("normalIndex")]
+    assert np.allclose(corner[:2], (0, 0, 1))
+
+
 def test_the_nodes_live_as_long_as_the_mesh():
     nodes, mesh = shown(30)
     assert [node.getRefCount() for node in nodes.nodes] == [2, 2, 2]

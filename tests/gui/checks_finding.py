@@ -6,7 +6,7 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, choose_below, enter, picture, press, press_tool, tick
-from desk import until, within_reach, xdotool
+from desk import within_reach, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
@@ -50,10 +50,17 @@ def cell_place(row: int, offset: int = 60) -> tuple[int, int]:
 
 
 def press_ok():
-    """OK, and the recompute after it, which lets events through."""
-    yield from press("OK")
-    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close", 60.0)
-    yield 300
+    """OK, and the recompute after it, which lets events through.
+
+    FreeCAD's progress bar eats clicks during a recompute; then one clicks again.
+    """
+    for _ in range(10):
+        yield from press("OK")
+        for _ in range(15):
+            yield 200
+            if not Gui.Control.activeDialog():
+                return
+    raise AssertionError("the panel does not close")
 
 
 def lit(which) -> int:

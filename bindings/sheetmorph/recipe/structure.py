@@ -40,6 +40,11 @@ def _validator() -> Any:
     return quick(schema())
 
 
+@cache
+def _pose_validator() -> Any:
+    return _validator().evolve(schema={**schema(), "$ref": "#/$defs/pose", **_ONLY_REF})
+
+
 def structural_faults(recipe: Any) -> tuple[list[Fault], Any]:
     """Faults of form, and a copy of the recipe without the entries that have one."""
     bad = list(bad_values(recipe, recipe, []))
@@ -54,8 +59,7 @@ def structural_faults(recipe: Any) -> tuple[list[Fault], Any]:
 def pose_faults(pose: Any) -> list[Fault]:
     """Faults of form of a pose that stands alone."""
     bad = list(bad_values({"pose": pose}, pose, ["pose"]))
-    validator = _validator().evolve(schema={**schema(), "$ref": "#/$defs/pose", **_ONLY_REF})
-    errors = _errors(validator, pose, [path[1:] for path, _ in bad])
+    errors = _errors(_pose_validator(), pose, [path[1:] for path, _ in bad])
     faults = [_fault({"pose": pose}, error, ["pose"]) for error in errors]
     return faults + [fault for _, fault in bad]
 

@@ -231,13 +231,12 @@ void PickingTree::visit(Query& query) const
 
 std::optional<Hit> PickingTree::nearest_hit(const Vector3& origin, const Vector3& direction) const
 {
-    if (!origin.allFinite() || !direction.allFinite() || direction.stableNorm() < 1e-300)
-        throw InvalidInput("a ray needs a finite origin and a direction that is not zero");
+    const double reach = leaf_count_ == 0 ? 0.0
+                                          : std::max(boxes_[1].low.cwiseAbs().maxCoeff(),
+                                                     boxes_[1].high.cwiseAbs().maxCoeff());
+    RayQuery query{checked_ray(origin, direction, reach), nothing_yet()};
     if (leaf_count_ == 0)
         return std::nullopt;
-    const double reach =
-        std::max(boxes_[1].low.cwiseAbs().maxCoeff(), boxes_[1].high.cwiseAbs().maxCoeff());
-    RayQuery query{TriangleRay(origin, direction.stableNormalized(), reach), nothing_yet()};
     visit(query);
     return query.best.distance < far_away ? std::optional<Hit>(query.best) : std::nullopt;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/triangle_queries.h"
 
+#include "sheetmorph/base/errors.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -97,6 +99,35 @@ bool TriangleRay::meets(const TriangleCorners& corners, Hit& hit) const
     hit.distance = hit.barycentric.dot(Vector3(z[0], z[1], z[2]));
     hit.point = point_at(corners, hit.barycentric);
     return hit.distance >= 0.0;
+}
+
+TriangleRay checked_ray(const Vector3& origin, const Vector3& direction, double reach)
+{
+    if (!origin.allFinite() || !direction.allFinite() || direction.stableNorm() < 1e-300)
+        throw InvalidInput("a ray needs a finite origin and a direction that is not zero");
+    return TriangleRay(origin, direction.stableNormalized(), reach);
+}
+
+std::optional<Hit> first_hit(const Eigen::Ref<const Points>& points,
+                             const Eigen::Ref<const Triangles>& triangles, const Vector3& origin,
+                             const Vector3& direction)
+{
+    if (triangles.size() > 0 && (triangles.minCoeff() < 0 || triangles.maxCoeff() >= points.rows()))
+        throw InvalidInput("a triangle names a vertex that the mesh does not have");
+    const double reach = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0.0;
+    const TriangleRay ray = checked_ray(origin, direction, reach);
+    std::optional<Hit> best;
+    Hit hit;
+    for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    {
+        const TriangleCorners corners{points.row(triangles(t, 0)), points.row(triangles(t, 1)),
+                                      points.row(triangles(t, 2))};
+        if (!ray.meets(corners, hit) || (best && hit.distance >= best->distance))
+            continue;
+        hit.triangle = static_cast<int>(t);
+        best = hit;
+    }
+    return best;
 }
 
 Hit nearest_on_triangle(const Vector3& point, const TriangleCorners& corners)

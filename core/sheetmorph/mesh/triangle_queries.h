@@ -36,6 +36,17 @@ private:
     int x_, y_, z_;
 };
 
+//! A ray with a direction of any length.
+//! \throws InvalidInput for a direction of length zero or anything not finite
+TriangleRay checked_ray(const Vector3& origin, const Vector3& direction, double reach);
+
+//! What PickingTree::nearest_hit answers, without a tree: for a shape that is asked only once.
+//! \param points  (n, 3) mm, finite; \param triangles (m, 3)
+//! \throws InvalidInput for a ray of length zero or not finite, and a triangle without its vertices
+std::optional<Hit> first_hit(const Eigen::Ref<const Points>& points,
+                             const Eigen::Ref<const Triangles>& triangles, const Vector3& origin,
+                             const Vector3& direction);
+
 //! The place on a triangle nearest to a point: barycentric, distance and point are set. Degenerate
 //! triangles are the line or the point they are.
 Hit nearest_on_triangle(const Vector3& point, const TriangleCorners& corners);

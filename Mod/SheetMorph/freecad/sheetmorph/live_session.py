@@ -38,14 +38,13 @@ class Question:
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """All parts in one pose, by document object name: (n, 3) mm, local and global.
+    """All parts in one pose, by document object name: (n, 3) mm, global.
 
-    `result`: the sheetmorph.Result, None at rest. The global positions of a frame that is not
-    exact are overwritten by the next answer, the local ones stay.
+    `result`: the sheetmorph.Result, None at rest. The positions of a frame that is not exact are
+    overwritten by the next answer.
     """
 
     question: Question
-    local: dict[str, np.ndarray]
     positions: dict[str, np.ndarray]
     result: Any = None
 
@@ -92,8 +91,7 @@ class LiveSession:
             except FAILURES as error:
                 raise MorphError(one_sentence(error)) from error
             positions = {name: found.positions[self.names[name]] for name in rests}
-        local = {name: rest.frame.to_local(positions[name]) for name, rest in rests.items()}
-        self._shown = Frame(question, local, positions, found)
+        self._shown = Frame(question, positions, found)
         return self._shown
 
     def keep(self, frame: Frame) -> None:
@@ -109,7 +107,8 @@ class LiveSession:
         """
         asked = self.ask(overrides or (), exact)
         changed = {self.names[name]: entry for name, entry in (overrides or {}).items()}
-        return self.answer(Question({**asked.pose, **changed}, asked.moved, exact)).local
+        frame = self.answer(Question({**asked.pose, **changed}, asked.moved, exact))
+        return {n: rest.frame.to_local(frame.positions[n]) for n, rest in self.parts.items()}
 
     def control_mesh(self, contact=None) -> ControlMesh | None:
         """Return the control mesh of a contact object in the pose of the last answer, global.

@@ -42,9 +42,10 @@ def set_motion(
         handle.Axis = line
     if turn is not None:
         handle.Angle = turn
-    if pivot is not None:
-        handle.PivotAtCentroid = point is None
-        handle.Pivot = rest_centroid(handle) if point is None else point
+    if point is not None:
+        handle.PivotAtCentroid, handle.Pivot = False, point
+    elif pivot is not None and not handle.PivotAtCentroid:  # where it is costs reading the mesh
+        handle.PivotAtCentroid, handle.Pivot = True, rest_centroid(handle)
 
 
 def reset_motion(handle) -> None:

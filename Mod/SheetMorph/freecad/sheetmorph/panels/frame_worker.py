@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Computes in a thread of its own, so that a slow frame never blocks the window."""
 
-from concurrent.futures import ThreadPoolExecutor
+from concurrent import futures
 
 from freecad.sheetmorph import actions
 from freecad.sheetmorph.qt import QtCore
@@ -21,7 +21,8 @@ class FrameWorker(QtCore.QObject):
         super().__init__()
         self._compute, self._listener = compute, listener
         self._latest = Latest()
-        self._thread = ThreadPoolExecutor(max_workers=1)
+        self._thread = futures.ThreadPoolExecutor(max_workers=1)
+        self._running = None
         self._computed.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     @property
@@ -38,6 +39,11 @@ class FrameWorker(QtCore.QObject):
         """Begins, or lets the question wait in place of another one."""
         self._begin(self._latest.ask(question))
 
+    def wait(self) -> None:
+        """Returns when nothing is computed any more; what was is delivered later."""
+        if self._running is not None:
+            futures.wait([self._running])
+
     def stop(self) -> None:
         """Returns when the thread has ended; nothing is delivered any more."""
         self._latest.drop()
@@ -46,7 +52,7 @@ class FrameWorker(QtCore.QObject):
 
     def _begin(self, question) -> None:
         if question is not None:
-            self._thread.submit(self._run, question)
+            self._running = self._thread.submit(self._run, question)
 
     def _run(self, question) -> None:
         try:

@@ -27,7 +27,7 @@ class LiveScene:
         if not self._previews:
             self._begin()
         for name, shown in self._previews.items():
-            shown.show(frame.local[name])
+            shown.show(frame.positions[name], self._live.parts[name].frame)
             if values is None:
                 shown.plain()
             else:

@@ -44,12 +44,12 @@ class LiveUpdate(QtCore.QObject):
 
     def grab(self, ray):
         """The grabbing.Grabbed vertex that a ray meets first on the parts as they are seen."""
-        meshes = {}
-        for name, rest in self._live.parts.items():
-            local = rest.frame.to_local(rest.points)
-            if self._frame is not None:
-                local = self._frame.local[name]
-            meshes[name] = (local @ rest.frame.rotation.T + rest.frame.base, rest.triangles)
+        self._worker.wait()  # a frame under way is written where the last one is
+        parts = self._live.parts
+        seen = {name: rest.points for name, rest in parts.items()}
+        if self._frame is not None:
+            seen = self._frame.positions
+        meshes = {name: (seen[name], rest.triangles) for name, rest in parts.items()}
         return grabbing.grab(kernel.core(), meshes, ray)
 
     def refresh(self) -> None:

@@ -6,7 +6,7 @@ from dataclasses import asdict
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, api, preferences
+from freecad.sheetmorph import actions, preferences
 from freecad.sheetmorph.api.poses import motion_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
@@ -109,7 +109,7 @@ class MovePanel(Panel):
 
     def pivot(self) -> tuple:
         """Where the pivot of the chosen handle is at rest, (3,) mm."""
-        return tuple(api.pivot(self._handle))
+        return self._handles.pivot(self._handle)
 
     def put(self, motion: Motion) -> None:
         """The mouse changed the motion."""

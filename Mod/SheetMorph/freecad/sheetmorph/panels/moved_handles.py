@@ -13,13 +13,21 @@ class MovedHandles:
     def __init__(self, assembly):
         self.assembly = assembly
         self.all = [r for r in model.regions(assembly) if r.Role == "handle"]
-        self._moved, self._made = [], []
+        self._moved, self._made, self._centres = [], [], {}
 
     def move(self, handle, motion: dict) -> None:
         """Sets the motion of a handle, the arguments of ``api.set_motion``."""
         api.set_motion(handle, **motion)
         if handle not in self._moved:
             self._moved.append(handle)
+
+    def pivot(self, handle) -> tuple:
+        """Where a handle turns about at rest, (3,) mm; no mesh changes meanwhile."""
+        if not handle.PivotAtCentroid:
+            return tuple(handle.Pivot)
+        if handle.Name not in self._centres:
+            self._centres[handle.Name] = tuple(api.pivot(handle))
+        return self._centres[handle.Name]
 
     def at(self, grabbed):
         """The handle that has a grabbed vertex, None if none."""

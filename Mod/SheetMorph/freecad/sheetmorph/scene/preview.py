@@ -30,9 +30,9 @@ class Preview:
         self._switch.whichChild = coin.SO_SWITCH_NONE
         view_object.RootNode.addChild(self._surface.node)
 
-    def show(self, points: np.ndarray) -> None:
-        """Moves the drawing to (n, 3) local positions, mm, with normals of their own."""
-        self._surface.show(points)
+    def show(self, points: np.ndarray, frame) -> None:
+        """Moves the drawing to (n, 3) global positions, mm, of a part with a conversion.Frame."""
+        self._surface.show(points, frame)
 
     def colour(self, values: np.ndarray, span) -> None:
         """Shows the values (n,) of the vertices as colours in a span (low, high)."""

@@ -32,9 +32,9 @@ class Surface:
         ramp = colour_scale.ramp(SHADES)
         self._colours = module.ValueColours(int(self._material.this), ramp, colour_scale.MISSING)
 
-    def show(self, points: np.ndarray) -> None:
-        """Moves it to other positions (n, 3), mm, with normals of their own."""
-        self._mesh.show(np.ascontiguousarray(points, dtype=float))
+    def show(self, points: np.ndarray, frame) -> None:
+        """Moves it to other positions (n, 3), mm, global, with normals of their own."""
+        self._mesh.show(points, frame.rotation, frame.base)
 
     def paint(self, colour, transparency: float = 0.0) -> None:
         """All of it in one colour."""

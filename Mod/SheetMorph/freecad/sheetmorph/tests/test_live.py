@@ -55,7 +55,7 @@ class TestLive(support.DocumentTest):
         self.live.keep(quick)
         self.assertIs(cache.result(session.read_morph(self.assembly)), frame.result)
         np.testing.assert_allclose(
-            quick.local[self.part.Name], frame.local[self.part.Name], atol=1e-3
+            quick.positions[self.part.Name], frame.positions[self.part.Name], atol=1e-3
         )
 
     def test_the_rest_is_known_in_global_coordinates(self):

@@ -25,10 +25,9 @@ def grab(core, meshes: dict, ray) -> Grabbed | None:
     """
     nearest, reach = None, np.inf
     for name, (points, triangles) in meshes.items():
-        seen = np.ascontiguousarray(points, float)
-        hit = core.PickingTree(seen, triangles).nearest_hit(ray.origin, ray.direction)
+        hit = core.first_hit(points, triangles, ray.origin, ray.direction)
         if hit is not None and hit.distance < reach:
             reach = hit.distance
             vertex = int(triangles[hit.triangle][int(np.argmax(hit.barycentric))])
-            nearest = Grabbed(name, vertex, seen[vertex])
+            nearest = Grabbed(name, vertex, np.array(points[vertex], float))
     return nearest
