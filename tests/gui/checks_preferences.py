@@ -76,18 +76,18 @@ def test_panels_are_readable_in_a_dark_theme_and_in_german():
     QtGui.QApplication.instance().setStyleSheet(sheet)
     yield 500
     try:
-        for tool, title in (
-            ("Wegweiser", "guide"),
-            ("Griff bewegen…", "move"),
-            ("Formelemente markieren…", "region"),
-            ("Ausbreitung…", "propagation"),
+        for tool, title, close in (
+            ("Wegweiser", "guide", "Schließen"),
+            ("Griff bewegen…", "move", "Abbrechen"),
+            ("Formelemente markieren…", "region", "Abbrechen"),
+            ("Ausbreitung…", "propagation", "Schließen"),
         ):
             yield from press_tool(tool)
             yield 300
             picture(f"dark-{title}")
             assert Gui.Control.activeDialog()
-            Gui.Control.closeDialog()
-            yield 300
+            yield from press(close)
+            assert not Gui.Control.activeDialog()
     finally:
         Gui.setLocale("English")
         QtGui.QApplication.instance().setStyleSheet(before)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is shown while a handle is dragged: ghost, features, colours with their scale, gaps."""
 
+import FreeCADGui as Gui
 import numpy as np
 from checks_dragging import drag_up, grab_up_arrow
 from checks_moving import lifted, open_panel
-from desk import child, choose_below, enter, picture, press, tick, until, view, xdotool
+from desk import child, choose_below, colour_at, enter, picture, press, tick, until, view, xdotool
 from pivy import coin
+from PySide import QtGui
 from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, part, stored
 
 __all__ = [
@@ -38,6 +40,13 @@ def vertex_colours() -> np.ndarray:
     fields = [m.diffuseColor for m in materials if m.diffuseColor.getNum() == len(drawn())]
     assert len(fields) == 1, len(fields)
     return np.array([c.getValue() for c in fields[0].getValues()])
+
+
+def legend_in_the_view() -> str:
+    """What the legend over the 3D view says, empty without one."""
+    frames = Gui.getMainWindow().findChildren(QtGui.QFrame, "SheetMorphLegend")
+    labels = [w for frame in frames for w in frame.findChildren(QtGui.QLabel)]
+    return " ".join(label.text() for label in labels if label.isVisible())
 
 
 def test_the_original_stays_as_a_ghost_while_the_part_moves():
@@ -84,10 +93,14 @@ def test_displacement_has_colours_with_a_scale():
     moved, fixed = seen[handle_vertices()], seen[np.flatnonzero(stored()[:, 0] == 0.0)]
     assert np.ptp(moved, axis=0).max() < 0.01 and moved[0, 0] > 0.7  # yellow
     assert np.ptp(fixed, axis=0).max() < 0.01 and fixed[0, 2] > fixed[0, 1]  # blue
+    assert "farthest 18 mm" in legend_in_the_view()
+    red, green, _ = colour_at((120.0, 8.0, 33.0))
+    assert green > 0.75 * red, "the handle's colour hides the values"
     picture("displacement")
     yield from choose_below(child("colours"), -1)
-    assert not child("scale").isVisible()
+    assert not child("scale").isVisible() and "mm" not in legend_in_the_view()
     yield from press("Cancel")
+    assert legend_in_the_view() == ""
 
 
 def test_quality_and_gaps_have_colours_too():

@@ -77,6 +77,11 @@ def click_point(point, key: str = ""):
 
 def within_reach(widget):
     """Scrolls a panel to where the mouse can reach a widget of it."""
+    for button in Gui.getMainWindow().findChildren(QtGui.QToolButton):
+        if button.objectName().startswith("fold_") and button.isVisible():
+            group = panel().findChild(QtGui.QGroupBox, button.objectName()[5:])
+            if group.isAncestorOf(widget) and not (widget is button or button.isChecked()):
+                yield from click_widget(button)
     # Not by widget.parent(): PySide takes the children of a parent asked for so for deleted.
     for area in Gui.getMainWindow().findChildren(QtGui.QScrollArea):
         if area.isVisible() and area.isAncestorOf(widget):
@@ -90,16 +95,16 @@ def within_reach(widget):
 def click_widget(widget):
     """Clicks the middle of a widget as soon as it can be pressed."""
     name = widget.objectName() or type(widget).__name__
-    yield from until(lambda: widget.isVisible() and widget.isEnabled(), f"{name} to be enabled")
     yield from within_reach(widget)
+    yield from until(lambda: widget.isVisible() and widget.isEnabled(), f"{name} to be enabled")
     middle = widget.mapToGlobal(widget.rect().center())
     yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
 
 
 def tick(box):
     """Clicks a check box where its text is; beside it a click does nothing."""
-    assert box.isVisible() and box.isEnabled(), box.objectName()
     yield from within_reach(box)
+    assert box.isVisible() and box.isEnabled(), box.objectName()
     place = box.mapToGlobal(QtCore.QPoint(20, box.height() // 2))
     yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
 

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Runs the GUI tests on a staged add-on, in a FreeCAD and on a screen of their own.
-# Usage: tests/gui/run.sh <staged add-on folder> [name of one test]
+# Usage: tests/gui/run.sh <staged add-on folder> [name of one test, or "large" for what takes long]
 # The pictures taken on the way stay in $SHEETMORPH_GUI_OUT if that is set.
 set -u
 staged=$(realpath "${1:?usage: run.sh <staged add-on folder> [test]}")
@@ -82,10 +82,15 @@ make_broken() {
 
 start_screen
 make_home home "$staged"
-run_freecad home with_kernel
-make_broken
-make_home home2 "$work/broken"
-run_freecad home2 without_kernel
+if [ "$only" = large ]; then
+    only=""
+    run_freecad home large
+else
+    run_freecad home with_kernel
+    make_broken
+    make_home home2 "$work/broken"
+    run_freecad home2 without_kernel
+fi
 
 cat "$work/all"
 passed=$(grep -c '^PASS' "$work/all")

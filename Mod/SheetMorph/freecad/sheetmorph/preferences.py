@@ -20,6 +20,9 @@ DEFAULTS: dict[str, bool | int | float] = {
     "ShowFeatures": False,
     "ShowControlMeshes": False,
     "ShowColours": 0,
+    "OpenPivot": False,
+    "OpenMouse": True,
+    "OpenShow": False,
 }
 """Entries and what they are until the user says otherwise: mm, degrees."""
 

@@ -17,7 +17,7 @@ LEGEND = {
 }
 WIDTH = 340  # px at which a panel is readable
 FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"  # any theme
-MARGINS = 80  # px of the task view around a panel, with its scroll bar
+MARGINS = 110  # px of the task view around a panel, with its scroll bar
 
 
 class Panel:

@@ -21,11 +21,13 @@ class LiveScene:
         self._assembly, self._live, self._view = assembly, live, view
         self._previews, self._ghosts = {}, []
         self._wires = self._marks = None
+        self._are_filled = True
 
     def show(self, frame, values, span) -> None:
         """Shows a live_session.Frame; ``values`` (n,) by part, or None, are colours in a span."""
         if not self._previews:
             self._begin()
+        self._fill_regions(values is None)
         for name, shown in self._previews.items():
             shown.show(frame.positions[name], self._live.parts[name].frame)
             if values is None:
@@ -73,6 +75,7 @@ class LiveScene:
         self.use_original(False)
         self.use_wires(False)
         self.use_marks(False)
+        self._fill_regions(True)
         for shown in self._previews.values():
             shown.end()
         self._previews = {}
@@ -81,6 +84,13 @@ class LiveScene:
         if drawing is not None:
             drawing.remove()
         return kind(self._view) if is_on else None
+
+    def _fill_regions(self, is_on: bool) -> None:
+        """Regions in their colours, or as outlines that leave the colours of values alone."""
+        if is_on != self._are_filled:
+            self._are_filled = is_on
+            for region in model.regions(self._assembly):
+                region.ViewObject.Proxy.fill(is_on)
 
     def _begin(self) -> None:
         drawn = zip(model.parts(self._assembly), self._at_rest())

@@ -10,7 +10,8 @@ from freecad.sheetmorph import actions, preferences
 from freecad.sheetmorph.api.poses import motion_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, legend, say
+from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.panels.handle_drag import HandleDrag
 from freecad.sheetmorph.panels.live_update import LiveUpdate
 from freecad.sheetmorph.panels.mouse_fields import MouseFields
@@ -18,6 +19,7 @@ from freecad.sheetmorph.panels.motion_fields import MotionFields
 from freecad.sheetmorph.panels.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
@@ -34,6 +36,8 @@ def open_panel(handle):
 class MovePanel(Panel):
     """Moves the handles of one morph in one open transaction."""
 
+    width = 400  # for three buttons, in any language
+
     def __init__(self, handle):
         super().__init__("move", "MoveHandle", "Move Handle")
         self._document = handle.Document
@@ -42,7 +46,13 @@ class MovePanel(Panel):
         self._updating = Updating(preferences.get("UpdateResults"))
         self._live = None
         self._fields = MotionFields(self.form)
-        self._shown = ShowFields(self.form)
+        self._legend = ViewLegend(self._view())
+        self._legend.show_roles(legend(""))
+        self._shown = ShowFields(self.form, self._legend)
+        form = self.form
+        self._folds = Folds(
+            {form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"}
+        )
         self._frame = self._timer(0, self._show)
         self._pause = self._timer(round(1000 * PAUSE), self.settle)
         App.setActiveDocument(self._document.Name)
@@ -84,6 +94,8 @@ class MovePanel(Panel):
         self._fields.release()
         self._mouse.release()
         self._shown.release()
+        self._folds.release()
+        self._legend.remove()
         return super().finish()
 
     def _is_in_order(self) -> bool:

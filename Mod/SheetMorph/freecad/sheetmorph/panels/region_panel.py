@@ -12,6 +12,7 @@ from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
+from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.scene.pick_view import PickView
 from freecad.sheetmorph.tools import picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -53,6 +54,8 @@ class RegionPanel(Panel):
             self._meshes = seen.visible_meshes(model.assembly_of(part), part)
         self._picker = self._view = None
         self._light = PartLight()
+        self._legend = ViewLegend(Gui.activeDocument().activeView())
+        self._legend.show_roles(legend(role))
         self._mouse = PickMouse(Gui.activeDocument().activeView(), self)
         self._tools = PickTools(self.form, None, self.picked)
         self._tools.choose(picking.RIM if role == "form feature" else picking.FACE)
@@ -157,6 +160,7 @@ class RegionPanel(Panel):
         self._mouse.release()
         self._tools.release()
         self._light.show()
+        self._legend.remove()
         self._view.remove()
 
     # -- the widgets

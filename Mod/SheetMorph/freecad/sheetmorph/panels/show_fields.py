@@ -8,8 +8,9 @@ from freecad.sheetmorph.panels.scale import gradient
 class ShowFields:
     """Connects the widgets with a LiveUpdate until ``release``; choices are remembered."""
 
-    def __init__(self, form):
-        self._form, self._live = form, None
+    def __init__(self, form, view_legend):
+        """``view_legend``: the scene.legend.ViewLegend of the 3D view."""
+        self._form, self._live, self._view_legend = form, None, view_legend
         self._boxes = {
             "ShowOriginal": form.original,
             "ShowFeatures": form.feature_motions,
@@ -34,7 +35,7 @@ class ShowFields:
 
     def release(self) -> None:
         """Lets go of the widgets."""
-        self._form = self._live = self._boxes = None
+        self._form = self._live = self._boxes = self._view_legend = None
 
     def tell(self) -> None:
         """Shows the legend of the last frame."""
@@ -45,6 +46,9 @@ class ShowFields:
             low, high = legend.span
             ends = f"{low:g} to {high:g}"
             self._form.scale_text.setText(f"{ends}; {self._live.worst}")
+            self._view_legend.show_values(gradient(), f"{ends}\n{self._live.worst}")
+        else:
+            self._view_legend.show_values()
 
     def _toggle(self, entry: str, is_on: bool) -> None:
         preferences.put(entry, is_on)

@@ -30,13 +30,20 @@ class Patch:
             separator.addChild(node)
         flat = coin.SoLightModel()
         flat.model = coin.SoLightModel.BASE_COLOR
-        for node in (coordinates, self._faces, flat):
+        self._filling = coin.SoSwitch()
+        self._filling.addChild(self._faces)
+        self.fill(True)
+        for node in (coordinates, self._filling, flat):
             separator.addChild(node)
         outline = coin.SoAnnotation() if on_top else coin.SoGroup()
         for node in (self._lines, self._points):
             outline.addChild(node)
         separator.addChild(outline)
         self.node.addChild(separator)
+
+    def fill(self, is_on: bool) -> None:
+        """Facets too, or only what outlines them."""
+        self._filling.whichChild = coin.SO_SWITCH_ALL if is_on else coin.SO_SWITCH_NONE
 
     def show(self, triangles: np.ndarray, vertices) -> None:
         """Shows ``vertices`` (ids) of the mesh with ``triangles`` (m, 3); none hides the patch.

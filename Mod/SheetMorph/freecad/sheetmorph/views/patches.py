@@ -21,6 +21,8 @@ class PatchView(OwnerView):
         """Prepares an empty drawing; what is in it follows when all objects are there."""
         super().attach(view_object)
         self._root = group()
+        self._drawn = []
+        self._is_filled = True
         self._is_due = False
         view_object.addDisplayMode(self._root, "Region")
 
@@ -54,14 +56,22 @@ class PatchView(OwnerView):
         except (ReferenceError, RuntimeError):
             return
         self._root.removeAllChildren()
-        for part, vertices, colour in wanted:
-            if part is not None and part.Source is not None:
-                self._root.addChild(drawn_patch(part, vertices, colour))
+        places = [place for place in wanted if place[0] is not None and place[0].Source is not None]
+        self._drawn = [drawn_patch(*place) for place in places]
+        for patch in self._drawn:
+            self._root.addChild(patch.node)
+        self.fill(self._is_filled)
+
+    def fill(self, is_on: bool) -> None:
+        """Facets in their colour, or only their outline, so that other colours are seen."""
+        self._is_filled = is_on
+        for patch in self._drawn:
+            patch.fill(is_on)
 
 
-def drawn_patch(part, vertices, colour):
-    """The node that colours vertices of a part; it follows the part."""
+def drawn_patch(part, vertices, colour) -> Patch:
+    """The coloured vertices of a part; they follow it."""
     view = part.ViewObject
     patch = Patch(nodes.coordinates(view), colour, transform=nodes.transform(view))
     patch.show(conversion.read_mesh(part.Source.Mesh)[1], vertices.tolist())
-    return patch.node
+    return patch

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The legend in the corner of the 3D view: the colours of the roles, and the scale of values."""
+
+from freecad.sheetmorph.qt import QtCore, QtWidgets
+
+CORNER = 10  # px from the upper left
+LOOK = (
+    "QFrame#SheetMorphLegend { background: rgba(22, 26, 34, 190); border-radius: 5px; }"
+    "QFrame#SheetMorphLegend QLabel { color: #f2f4f7; background: transparent; border: none; }"
+)
+
+
+class ViewLegend:
+    """Lies over a 3D view and lets the mouse through, until ``remove`` is called."""
+
+    def __init__(self, view):
+        self._frame = QtWidgets.QFrame(view.graphicsView().viewport())
+        self._frame.setObjectName("SheetMorphLegend")
+        self._frame.setStyleSheet(LOOK)
+        self._frame.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
+        self._roles, self._scale, self._values = (QtWidgets.QLabel(self._frame) for _ in range(3))
+        column = QtWidgets.QVBoxLayout(self._frame)
+        column.setContentsMargins(8, 5, 8, 6)
+        for label in (self._roles, self._scale, self._values):
+            column.addWidget(label)
+        self._frame.move(CORNER, CORNER)
+        self.show_values()
+
+    def show_roles(self, text: str) -> None:
+        """Shows the colours of the roles, rich text."""
+        self._roles.setText(text)
+        self._fit()
+
+    def show_values(self, pixmap=None, text: str = "") -> None:
+        """Shows a scale and what it says; None shows none."""
+        if pixmap is not None:
+            self._scale.setPixmap(pixmap)
+        self._scale.setVisible(pixmap is not None)
+        self._values.setVisible(pixmap is not None)
+        self._values.setText(text)
+        self._fit()
+
+    def remove(self) -> None:
+        """Takes it away; the view may be closed already."""
+        try:
+            self._frame.hide()
+            self._frame.setParent(None)
+            self._frame.deleteLater()
+        except RuntimeError:
+            return
+
+    def _fit(self) -> None:
+        self._frame.adjustSize()
+        self._frame.setVisible(bool(self._roles.text()) or bool(self._values.text()))
+        self._frame.raise_()

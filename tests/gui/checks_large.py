@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long picking takes on 20 parts of together a million facets. It is reported."""
+
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from checks_finding import press_ok
+from desk import activate, child, click_point, click_widget, draw_along, note, on_screen, picture
+from desk import press_tool, view, xdotool
+from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph.panels.pick_mouse import PickMouse
+from shapes import grid_triangles
+
+__all__ = ["test_picking_on_20_parts_of_50000_facets_is_measured"]
+
+
+class Stopwatch:
+    """How long the picking tools take for what the mouse does, ms by name of the method."""
+
+    def __init__(self):
+        self.taken = {name: [] for name in ("on_move", "on_click", "on_drag", "on_release")}
+
+    def __enter__(self):
+        self._before = {name: getattr(PickMouse, name) for name in self.taken}
+        for name, method in self._before.items():
+            setattr(PickMouse, name, self._timed(name, method))
+        return self
+
+    def __exit__(self, *_):
+        for name, method in self._before.items():
+            setattr(PickMouse, name, method)
+
+    def _timed(self, name, method):
+        def timed(*arguments):
+            begin = time.perf_counter()
+            method(*arguments)
+            self.taken[name].append(1000.0 * (time.perf_counter() - begin))
+
+        return timed
+
+    def told(self, name: str, what: str) -> str:
+        """Median and worst of what was done since the last time, in words."""
+        taken, self.taken[name] = self.taken[name], []
+        return f"{what} {np.median(taken):.1f} (worst {max(taken):.0f})"
+
+
+def twenty_sheets():
+    """A morph of 20 curved parts of 50,562 facets each, five in a row."""
+    yield from activate()
+    document = App.newDocument("Twenty")
+    side = 160
+    x, y = np.meshgrid(np.linspace(0, 95, side), np.linspace(0, 95, side), indexing="ij")
+    flat = np.stack([x.ravel(), y.ravel(), 4.0 * np.sin(x.ravel() / 15.0)], axis=1)
+    writer = conversion.MeshWriter(grid_triangles(side, side).astype(np.int32))
+    morph = api.create_assembly(document)
+    for k in range(20):
+        source = document.addObject("Mesh::Feature", f"Sheet{k}")
+        source.Mesh = writer.mesh(flat + (100.0 * (k % 5), 100.0 * (k // 5), 0.0))
+        api.add_part(morph, source)
+    document.recompute()
+    view().viewTop()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 500
+
+
+def test_picking_on_20_parts_of_50000_facets_is_measured():
+    yield from twenty_sheets()
+    with Stopwatch() as watch:
+        begin = time.monotonic()
+        yield from press_tool("Mark Fixed Region…")
+        told = [f"open {1000.0 * (time.monotonic() - begin):.0f}"]
+        places = [on_screen((4.0 * k + 5.0, 45.0, 0.0)) for k in range(20)]
+        for tool in ("face", "rim", "facet"):
+            yield from click_widget(child(tool))
+            watch.taken["on_move"].clear()
+            yield from xdotool(*[word for place in places for word in ("mousemove", *place)])
+            yield from xdotool(*[w for p in places for w in ("mousemove", *p, "sleep", 0.03)])
+            told.append(watch.told("on_move", f"hover {tool}"))
+        yield from click_point((45.0, 45.0, 0.0))
+        told.append(watch.told("on_click", "click"))
+        for tool in ("brush", "lasso", "rectangle"):
+            yield from click_widget(child(tool))
+            corners = [(10, 10), (80, 15), (85, 80), (12, 82)]
+            path = [(x, y, 0.0) for x, y in corners[:: 2 if tool == "rectangle" else 1]]
+            yield from draw_along(path)
+            told += [watch.told("on_drag", f"draw {tool}"), watch.told("on_release", "take")]
+        picture("picking-20-parts")
+        yield from press_ok()
+    note("picking on 20 parts of 50,562 facets, ms: " + "; ".join(told))
