@@ -60,7 +60,7 @@ class Places
 {
 public:
     Places(const TriangleMesh& mesh, const std::vector<int>& facets)
-        : part_(submesh(mesh, facets)), tree_(part_.mesh)
+        : part_(submesh(mesh, facets)), tree_(part_.mesh), size_(part_.mesh.size())
     {
     }
 
@@ -68,7 +68,7 @@ public:
     std::vector<PatchAnchor> nearest(const Vector3& point) const
     {
         const double distance = tree_.nearest_point(point)->distance;
-        const double rounding = equally_near * (distance + part_.mesh.size() * 1e-3);
+        const double rounding = equally_near * (distance + size_ * 1e-3);
         std::vector<PatchAnchor> anchors;
         std::vector<Vector3> seen;
         for (const Hit& hit : tree_.places_within(point, distance + rounding))
@@ -91,6 +91,7 @@ public:
 private:
     Submesh part_;
     PickingTree tree_;
+    double size_;
 };
 
 Vector3 doubled_area(const TriangleMesh& mesh, int triangle)

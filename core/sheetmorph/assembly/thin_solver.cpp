@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/control_box.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/parallel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -139,7 +140,7 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
         level == Exactness::exact ? exactness(part_->mesh().points(), size) : 1e-6 * size;
     for (int round = 0; round < most_rounds && has_points(); ++round)
     {
-        const Deformation whole = expand(middle, targets.handles);
+        const Deformation whole = expand(middle, targets.handles, Exactness::live);
         double worst = 0.0;
         for (const PlacedPoint& point : points_)
         {
@@ -156,9 +157,13 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
 }
 
 LocalRotations ThinSolver::rotations(const Deformation& middle,
-                                     const std::vector<RigidMotion>& handles) const
+                                     const std::vector<RigidMotion>& handles, Exactness level) const
 {
-    LocalRotations turned = meter_.measure(middle.positions, middle.rotation_logs);
+    LocalRotations turned;
+    if (level == Exactness::exact)
+        turned = meter_.measure(middle.positions, middle.rotation_logs);
+    else
+        turned.matrices = meter_.matrices(middle.positions, middle.rotation_logs);
     std::vector<Matrix3> of_features, of_handles;
     for (const RigidMotion& motion : middle.features)
         of_features.push_back(motion.rotation());
@@ -175,6 +180,8 @@ LocalRotations ThinSolver::rotations(const Deformation& middle,
         else
             turned.matrices[s] = mover.kind == Mover::Kind::handle ? of_handles[at(mover.index)]
                                                                    : of_features[at(mover.index)];
+        if (turned.logs.rows() == 0)
+            continue;
         if (mover.kind == Mover::Kind::handle)
             turned.logs.row(row) = handles[at(mover.index)].rotation_log.transpose();
         else
@@ -203,7 +210,10 @@ ThinSolver::Hung ThinSolver::hung(int vertex, const PatchAnchor& anchor, const S
     }
     const Matrix3 mean = change.isZero(0.0) ? first : polar_rotation(first + change);
     const Vector3 arm = part_->mesh().points().row(vertex).transpose() - foot;
-    return {shift + (mean * arm - arm) + bulge, log_near(mean, anchor.on(sheet.turned.logs))};
+    const bool is_logged = sheet.turned.logs.rows() > 0;
+    const Vector3 log =
+        is_logged ? log_near(mean, anchor.on(sheet.turned.logs)) : Vector3(Vector3::Zero());
+    return {shift + (mean * arm - arm) + bulge, log};
 }
 
 void ThinSolver::hang(int vertex, const Sheet& sheet, Deformation& whole) const
@@ -217,7 +227,23 @@ void ThinSolver::hang(int vertex, const Sheet& sheet, Deformation& whole) const
         log += one.log / static_cast<double>(anchors.size());
     }
     whole.positions.row(vertex) = part_->mesh().points().row(vertex) + shift.transpose();
-    whole.rotation_logs.row(vertex) = log.transpose();
+    if (whole.rotation_logs.rows() > 0)
+        whole.rotation_logs.row(vertex) = log.transpose();
+}
+
+void ThinSolver::place(int vertex, const Sheet& sheet, Deformation& whole) const
+{
+    const Mover& mover = movers_[at(vertex)];
+    if (mover.kind == Mover::Kind::sheet)
+        hang(vertex, sheet, whole);
+    if (mover.kind != Mover::Kind::handle && mover.kind != Mover::Kind::feature)
+        return;
+    const RigidMotion& motion = mover.kind == Mover::Kind::handle ? sheet.handles[at(mover.index)]
+                                                                  : whole.features[at(mover.index)];
+    whole.positions.row(vertex) =
+        motion.apply(Vector3(part_->mesh().points().row(vertex).transpose())).transpose();
+    if (whole.rotation_logs.rows() > 0)
+        whole.rotation_logs.row(vertex) = motion.rotation_log.transpose();
 }
 
 // Handles that the energy turns move as the middle shows.
@@ -235,29 +261,24 @@ std::vector<RigidMotion> ThinSolver::known_handles(const Deformation& middle,
     return handles;
 }
 
-Deformation ThinSolver::expand(const Deformation& middle,
-                               const std::vector<RigidMotion>& given) const
+Deformation ThinSolver::expand(const Deformation& middle, const std::vector<RigidMotion>& given,
+                               Exactness level) const
 {
     const TriangleMesh& mesh = part_->mesh();
     const std::vector<RigidMotion> handles = known_handles(middle, given);
-    const LocalRotations turned = rotations(middle, handles);
-    Deformation whole{mesh.points(), Points::Zero(mesh.vertex_count(), 3), {}};
+    const LocalRotations turned = rotations(middle, handles, level);
+    Deformation whole{mesh.points(), {}, {}};
+    if (level == Exactness::exact)
+        whole.rotation_logs = Points::Zero(mesh.vertex_count(), 3);
     for (std::size_t k = 0; k < middle.features.size(); ++k)
         whole.features.push_back(about(middle.features[k], centres_[k]));
-    for (int vertex = 0; vertex < mesh.vertex_count(); ++vertex)
-    {
-        const Mover& mover = movers_[at(vertex)];
-        if (mover.kind == Mover::Kind::sheet)
-            hang(vertex, {middle, turned}, whole);
-        if (mover.kind != Mover::Kind::handle && mover.kind != Mover::Kind::feature)
-            continue;
-        const RigidMotion& motion = mover.kind == Mover::Kind::handle
-                                        ? handles[at(mover.index)]
-                                        : whole.features[at(mover.index)];
-        whole.positions.row(vertex) =
-            motion.apply(Vector3(mesh.points().row(vertex).transpose())).transpose();
-        whole.rotation_logs.row(vertex) = motion.rotation_log.transpose();
-    }
+    const Sheet sheet{middle, turned, handles};
+    parallel_ranges(mesh.vertex_count(), threads_for(mesh.vertex_count()),
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (Eigen::Index vertex = begin; vertex < end; ++vertex)
+                            place(static_cast<int>(vertex), sheet, whole);
+                    });
     return whole;
 }
 

@@ -38,8 +38,10 @@ public:
     //! Whether points hold or move the part, so that one solve is not enough.
     bool has_points() const { return !points_.empty(); }
 
-    //! All vertices for a middle. \param handles  motions, in the order of the reduced problem
-    Deformation expand(const Deformation& middle, const std::vector<RigidMotion>& handles) const;
+    //! All vertices for a middle, with rotation logs if the level is exact.
+    //! \param handles  motions, in the order of the reduced problem
+    Deformation expand(const Deformation& middle, const std::vector<RigidMotion>& handles,
+                       Exactness level) const;
 
 private:
     //! What moves a vertex: the sheet it hangs on, the ground, a handle or a feature.
@@ -68,12 +70,13 @@ private:
     static void set_movers(Movers& movers, const Regions& regions, Mover::Kind kind);
     std::vector<RigidMotion> known_handles(const Deformation& middle,
                                            std::vector<RigidMotion> handles) const;
-    LocalRotations rotations(const Deformation& middle,
-                             const std::vector<RigidMotion>& handles) const;
+    LocalRotations rotations(const Deformation& middle, const std::vector<RigidMotion>& handles,
+                             Exactness level) const;
     struct Sheet
     {
         const Deformation& middle;
-        const LocalRotations& turned;
+        const LocalRotations& turned;  // without logs unless exact
+        const std::vector<RigidMotion>& handles;
     };
     struct Hung
     {
@@ -82,6 +85,7 @@ private:
     };
     Hung hung(int vertex, const PatchAnchor& anchor, const Sheet& sheet) const;
     void hang(int vertex, const Sheet& sheet, Deformation& whole) const;
+    void place(int vertex, const Sheet& sheet, Deformation& whole) const;
 
     std::shared_ptr<const ThinPart> part_;
     Movers movers_;                        // by vertex of the whole part

@@ -92,7 +92,7 @@ Deformation& Wave::solved(int part) const
 void Wave::expand(int part, const std::vector<RigidMotion>& handles) const
 {
     if (const auto& thin = prepared_.parts[at(part)].thin)
-        result_->parts[at(part)] = thin->expand(result_->middles[at(part)], handles);
+        result_->parts[at(part)] = thin->expand(result_->middles[at(part)], handles, exactness_);
 }
 
 // Left alone if an earlier frame has put it there.

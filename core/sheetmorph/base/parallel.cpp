@@ -15,6 +15,8 @@ namespace
 // Below this many items a range, starting a thread costs more than it saves.
 constexpr Eigen::Index smallest_range = 4;
 
+constexpr Eigen::Index short_items_for_two_threads = 2000;
+
 Eigen::Index thread_count(Eigen::Index count, int threads)
 {
     const Eigen::Index wanted =
@@ -23,6 +25,11 @@ Eigen::Index thread_count(Eigen::Index count, int threads)
 }
 
 }  // namespace
+
+int threads_for(Eigen::Index count)
+{
+    return count < short_items_for_two_threads ? 1 : 0;
+}
 
 void parallel_ranges(Eigen::Index count, int threads,
                      const std::function<void(Eigen::Index begin, Eigen::Index end)>& work)

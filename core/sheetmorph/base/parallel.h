@@ -13,4 +13,7 @@ namespace sheetmorph
 void parallel_ranges(Eigen::Index count, int threads,
                      const std::function<void(Eigen::Index begin, Eigen::Index end)>& work);
 
+//! Threads for items of a microsecond or so: one where starting another would cost more.
+int threads_for(Eigen::Index count);
+
 }  // namespace sheetmorph

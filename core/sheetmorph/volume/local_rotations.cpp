@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
 
 #include <Eigen/Dense>
@@ -96,22 +97,39 @@ LocalRotationMeter::Ring LocalRotationMeter::rest_ring(int vertex,
 
 LocalRotations LocalRotationMeter::measure(const Points& deformed, const Points& references) const
 {
-    if (deformed.rows() != rest_.rows()
-        || references.rows() != static_cast<Eigen::Index>(rings_.size()))
+    LocalRotations result{matrices(deformed, references), references};
+    const auto count = static_cast<Eigen::Index>(rings_.size());
+    parallel_ranges(count, threads_for(count),
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (Eigen::Index k = begin; k < end; ++k)
+                        {
+                            const Vector3 log = references.row(k).transpose();
+                            if (result.matrices[k] != rotation_from_log(log))
+                                result.logs.row(k) = log_near(result.matrices[k], log).transpose();
+                        }
+                    });
+    return result;
+}
+
+std::vector<Matrix3> LocalRotationMeter::matrices(const Points& deformed,
+                                                  const Points& references) const
+{
+    const auto count = static_cast<Eigen::Index>(rings_.size());
+    if (deformed.rows() != rest_.rows() || references.rows() != count)
         throw InvalidInput(
             "measuring rotations needs a position for every vertex of the mesh and a "
             "reference for every measured vertex");
-    LocalRotations result{{}, references};
-    result.matrices.reserve(rings_.size());
-    for (std::size_t k = 0; k < rings_.size(); ++k)
-    {
-        const Vector3 log = references.row(k).transpose();
-        const Matrix3 reference = rotation_from_log(log);
-        result.matrices.push_back(ring_rotation(rings_[k], deformed, reference));
-        if (result.matrices[k] != reference)
-            result.logs.row(k) = log_near(result.matrices[k], log).transpose();
-    }
-    return result;
+    std::vector<Matrix3> found(rings_.size());
+    parallel_ranges(count, threads_for(count),
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (Eigen::Index k = begin; k < end; ++k)
+                            found[k] = ring_rotation(
+                                rings_[k], deformed,
+                                rotation_from_log(Vector3(references.row(k).transpose())));
+                    });
+    return found;
 }
 
 // The map is reference + (what the reference leaves unexplained), so that nothing left gives the

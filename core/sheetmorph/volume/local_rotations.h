@@ -30,6 +30,9 @@ public:
     //! \param references  (k, 3) logs, such as the interpolated rotation field at the vertices
     LocalRotations measure(const Points& deformed, const Points& references) const;
 
+    //! The same without logs, which cost a third of it.
+    std::vector<Matrix3> matrices(const Points& deformed, const Points& references) const;
+
 private:
     struct Ring
     {

@@ -2,7 +2,7 @@
 #include "sheetmorph/assembly/live_drag.h"
 
 #include "sheetmorph/base/errors.h"
-#include "assembly/frames.h"
+#include "assembly/all_frames.h"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +63,26 @@ TEST_P(LiveDragContacts, FramesDoNotDependOnThoseBefore)
 INSTANTIATE_TEST_SUITE_P(All, LiveDragContacts,
                          testing::Values(ContactType::rigid, ContactType::tied,
                                          ContactType::control_mesh));
+
+// A chain: its first plate is dragged, the others follow through contacts.
+TEST_P(LiveDragContacts, ThinSolidsAnswerWithBothSkins)
+{
+    const Frame frame = frames::thin_solids(frames::open_chain(GetParam()));
+    const DeformationSession session(frame.assembly);
+    const Deformed exact = session.deform(frame.pose);
+    const auto drag = session.begin_drag({"tip"});
+    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
+    drag->wait();
+    const Deformed live = drag->frame(frame.pose);
+    EXPECT_LT(worst_share(frame, live, exact), 1e-6);
+    for (std::size_t part = 0; part < live.parts.size(); ++part)
+    {
+        ASSERT_NE(session.thin_solid(static_cast<int>(part)), nullptr);
+        EXPECT_GT((live.parts[part].positions - frame.assembly.parts[part].mesh.points()).norm(),
+                  1e-3);
+    }
+    EXPECT_TRUE(drag->answered()[0]);
+}
 
 TEST(LiveDrag, RigidlyWeldedPartsAnswerToo)
 {
