@@ -11,7 +11,7 @@ import jsonschema
 import numpy as np
 import pytest
 
-from sheetmorph import PartMesh, RecipeError, Session, run
+from sheetmorph import PartMesh, RecipeError, Session, _core, run
 from sheetmorph.cli import main
 from sheetmorph.report import report_schema
 from thin_plates import ThinPlate, thin_plate
@@ -123,3 +123,51 @@ def test_a_recipe_file_runs_on_the_command_line(tmp_path: Path):
     told = json.loads(report.read_text("utf-8"))["parts"][0]["thin"]
     assert told["holes"] == 3
     assert run(tmp_path / "recipe.json", tmp_path / "again")["parts"][0]["thin"] == told
+
+
+def sized_recipe(size: float | None, pose: dict[str, Any] | None) -> dict[str, Any]:
+    """The plate, the hole in its middle 8 mm at rest with a size."""
+    recipe = recipe_of(PLATE, "auto")
+    recipe["features"][1]["name"] = "middle"
+    if size is not None:
+        recipe["features"][1]["size"] = size
+    return recipe if pose is None else {**recipe, "pose": pose}
+
+
+@pytest.mark.parametrize("pose", [{}, None], ids=["flat", "bent"])
+def test_a_hole_takes_a_size_through_both_skins_and_the_wall(pose: dict[str, Any] | None):
+    result = Session(sized_recipe(12.0, pose), mesh_of(PLATE)).deform()
+    points = result.positions["plate"]
+    report = result.report()
+    assert report["certificate"]["passed"]
+    thin = report["parts"][0]["thin"]
+    assert thin["largest_change"] < 0.01 and thin["largest_change_at_walls"] < 0.02
+    assert thin["self_intersections"] == {"rest": 0, "deformed": 0}
+    rim = np.array(PLATE.rims[1])
+    circles = [_core.fit_circle(points[ids]) for ids in (rim, rim + PLATE.count)]
+    for circle, ids in zip(circles, (rim, rim + PLATE.count)):
+        away = np.linalg.norm(points[ids] - circle.centre, axis=1)
+        assert np.abs(away - 6.0).max() < 1e-9
+    axis = np.asarray(circles[0].axis)
+    between = np.asarray(circles[0].centre) - np.asarray(circles[1].centre)
+    assert np.linalg.norm(np.cross(axis, between)) < 1e-9  # the wall stands straight
+    assert np.linalg.norm(between) == pytest.approx(1.0, abs=1e-9)
+    for rims in (PLATE.rims[0], PLATE.rims[2]):  # the others stay as they are
+        away = _core.fit_circle(points[rims])
+        assert away.radius == pytest.approx(4.0, abs=1e-9)
+
+
+def test_a_size_in_the_pose_of_a_thin_part_is_that_of_the_recipe():
+    as_given = Session(sized_recipe(12.0, None), mesh_of(PLATE)).deform()
+    session = Session(sized_recipe(8.0, None), mesh_of(PLATE))
+    pose = {**recipe_of(PLATE, "auto")["pose"], "middle": {"size": 12.0}}
+    in_pose = session.deform(pose)
+    assert np.allclose(in_pose.positions["plate"], as_given.positions["plate"], atol=1e-9)
+    drag = session.begin_drag(["tip"], pose)
+    drag.wait()
+    assert np.allclose(drag.deform(pose).positions["plate"], in_pose.positions["plate"], atol=1e-4)
+
+
+def test_a_size_that_a_thin_sheet_has_no_room_for_is_refused():
+    with pytest.raises(RecipeError, match="possible|largest|room"):
+        Session(sized_recipe(40.0, {}), mesh_of(PLATE)).deform()

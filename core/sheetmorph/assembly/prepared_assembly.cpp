@@ -193,7 +193,7 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     }
     prepared.assembly = std::move(assembly);
     reduce(prepared, previous);
-    prepared.shapes = shapes_of_sized(prepared.assembly);
+    prepared.shapes = shapes_of_sized(prepared.whole());
     const Assembly& given = prepared.assembly;
     prepared.plan = plan_propagation(given);
     const ControlBoxes boxes(given);

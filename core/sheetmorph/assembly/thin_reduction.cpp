@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/thin_reduction.h"
 
-#include "sheetmorph/assembly/feature_sizes.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/picking.h"
 
@@ -204,14 +203,7 @@ Assembly with_lumps(Assembly assembly, const ThinParts& thin)
 {
     for (PartFeature& feature : assembly.features)
         if (const auto& part = thin[at(feature.part)])
-        {
-            if (is_sized(feature))
-                throw InvalidInput("part '" + assembly.parts[at(feature.part)].name + "': feature '"
-                                   + feature.name
-                                   + "' has a size, which a thin solid cannot follow; leave the "
-                                     "size out, or solve the part as it is");
             feature.vertices = part->with_walls(feature.vertices);
-        }
     for (std::size_t part = 0; part < thin.size(); ++part)
         for (std::size_t k = 0; thin[part] && k < thin[part]->solid().lumps.size(); ++k)
         {

@@ -105,6 +105,8 @@ void ThinSolver::find_movers(const ThinSolverInput& input)
             fixed.push_back(region.vertices);
     for (const VertexIds& feature : features)
         centres_.push_back(centre_of(part_->mesh(), feature));
+    for (const int feature : own.features)
+        sizes_.add(part_->mesh(), input.whole.features[at(feature)]);
 
     movers_.resize(at(part_->mesh().vertex_count()));
     set_movers(movers_, pointers(features), Mover::Kind::feature);
@@ -140,7 +142,7 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
         level == Exactness::exact ? exactness(part_->mesh().points(), size) : 1e-6 * size;
     for (int round = 0; round < most_rounds && has_points(); ++round)
     {
-        const Deformation whole = expand(middle, targets.handles, Exactness::live);
+        const Deformation whole = expand(middle, targets, Exactness::live);
         double worst = 0.0;
         for (const PlacedPoint& point : points_)
         {
@@ -241,7 +243,7 @@ void ThinSolver::place(int vertex, const Sheet& sheet, Deformation& whole) const
     const RigidMotion& motion = mover.kind == Mover::Kind::handle ? sheet.handles[at(mover.index)]
                                                                   : whole.features[at(mover.index)];
     whole.positions.row(vertex) =
-        motion.apply(Vector3(part_->mesh().points().row(vertex).transpose())).transpose();
+        motion.apply(Vector3(sheet.rest.row(vertex).transpose())).transpose();
     if (whole.rotation_logs.rows() > 0)
         whole.rotation_logs.row(vertex) = motion.rotation_log.transpose();
 }
@@ -261,18 +263,19 @@ std::vector<RigidMotion> ThinSolver::known_handles(const Deformation& middle,
     return handles;
 }
 
-Deformation ThinSolver::expand(const Deformation& middle, const std::vector<RigidMotion>& given,
+Deformation ThinSolver::expand(const Deformation& middle, const SurfaceTargets& targets,
                                Exactness level) const
 {
     const TriangleMesh& mesh = part_->mesh();
-    const std::vector<RigidMotion> handles = known_handles(middle, given);
+    const std::vector<RigidMotion> handles = known_handles(middle, targets.handles);
+    const Points rest = sizes_.laid(mesh.points(), targets.sizes);
     const LocalRotations turned = rotations(middle, handles, level);
     Deformation whole{mesh.points(), {}, {}};
     if (level == Exactness::exact)
         whole.rotation_logs = Points::Zero(mesh.vertex_count(), 3);
     for (std::size_t k = 0; k < middle.features.size(); ++k)
         whole.features.push_back(about(middle.features[k], centres_[k]));
-    const Sheet sheet{middle, turned, handles};
+    const Sheet sheet{middle, turned, handles, rest};
     parallel_ranges(mesh.vertex_count(), threads_for(mesh.vertex_count()),
                     [&](Eigen::Index begin, Eigen::Index end)
                     {

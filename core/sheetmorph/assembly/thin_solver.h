@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/part_problem.h"
 #include "sheetmorph/assembly/thin_reduction.h"
+#include "sheetmorph/assembly/thin_sizes.h"
 #include "sheetmorph/volume/local_rotations.h"
 
 namespace sheetmorph
@@ -38,9 +39,8 @@ public:
     //! Whether points hold or move the part, so that one solve is not enough.
     bool has_points() const { return !points_.empty(); }
 
-    //! All vertices for a middle, with rotation logs if the level is exact.
-    //! \param handles  motions, in the order of the reduced problem
-    Deformation expand(const Deformation& middle, const std::vector<RigidMotion>& handles,
+    //! All vertices for a middle, with rotation logs if exact. \param targets  handles and sizes
+    Deformation expand(const Deformation& middle, const SurfaceTargets& targets,
                        Exactness level) const;
 
 private:
@@ -77,6 +77,7 @@ private:
         const Deformation& middle;
         const LocalRotations& turned;  // without logs unless exact
         const std::vector<RigidMotion>& handles;
+        const Points& rest;  // of the whole part, sized features with their sizes
     };
     struct Hung
     {
@@ -88,10 +89,10 @@ private:
     void place(int vertex, const Sheet& sheet, Deformation& whole) const;
 
     std::shared_ptr<const ThinPart> part_;
-    Movers movers_;                        // by vertex of the whole part
-    Movers middle_movers_;                 // by vertex of the middle
+    Movers movers_, middle_movers_;        // by vertex of the whole part, of the middle
     std::vector<VertexIds> free_handles_;  // by handle: its middle vertices if the energy turns it
     std::vector<Vector3> centres_;         // of the features
+    ThinSizes sizes_;
     std::vector<PlacedPoint> points_;
     LocalRotationMeter meter_;  // of every vertex of the middle
 };

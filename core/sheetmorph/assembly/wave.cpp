@@ -89,10 +89,10 @@ Deformation& Wave::solved(int part) const
 }
 
 // The whole of a thin solid follows its middle.
-void Wave::expand(int part, const std::vector<RigidMotion>& handles) const
+void Wave::expand(int part, const SurfaceTargets& targets) const
 {
     if (const auto& thin = prepared_.parts[at(part)].thin)
-        result_->parts[at(part)] = thin->expand(result_->middles[at(part)], handles, exactness_);
+        result_->parts[at(part)] = thin->expand(result_->middles[at(part)], targets, exactness_);
 }
 
 // Left alone if an earlier frame has put it there.
@@ -109,8 +109,9 @@ void Wave::set_at_rest(int part) const
         none.pivot = rows_of(mesh.points(), feature.vertices).colwise().mean().transpose();
         shape.features.push_back(none);
     }
-    expand(part,
-           std::vector<RigidMotion>(prepared_.parts[at(part)].problem.own.surface.handles.size()));
+    SurfaceTargets none;
+    none.handles.resize(prepared_.parts[at(part)].problem.own.surface.handles.size());
+    expand(part, none);
 }
 
 SurfaceTargets Wave::targets_of(int part) const
@@ -132,7 +133,7 @@ void Wave::substitute(int index)
         const SurfaceTargets targets = targets_of(index);
         solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_)
                                   : part.deformer->deform(targets, exactness_);
-        expand(index, targets.handles);
+        expand(index, targets);
     }
     catch (const InvalidInput& fault)
     {
@@ -161,7 +162,7 @@ bool Wave::respond(int part, const std::shared_ptr<const SurfaceResponse>& respo
     if (is_read)
     {
         response->place(*frame, true, shape);
-        expand(part, targets.handles);
+        expand(part, targets);
     }
     else
         answers_.push_back({part, response, std::move(*frame)});
@@ -209,20 +210,21 @@ Points Wave::sized_rest(int index) const
     for (const int feature : prepared_.parts[at(index)].problem.own.features)
         if (const std::optional<SizedForm> form = sized_form(feature))
             for (Eigen::Index k = 0; k < form->rest.rows(); ++k)
-                rest.row(prepared_.assembly.features[at(feature)]
-                             .vertices[static_cast<std::size_t>(k)]) = form->rest.row(k);
+                rest.row(
+                    prepared_.whole().features[at(feature)].vertices[static_cast<std::size_t>(k)]) =
+                    form->rest.row(k);
     return rest;
 }
 
 std::optional<SizedForm> Wave::sized_form(int index) const
 {
-    const PartFeature& feature = prepared_.assembly.features[at(index)];
+    const PartFeature& feature = prepared_.whole().features[at(index)];
     const std::optional<FeatureShape>& shape = prepared_.shapes[at(index)];
     const std::optional<double> size = size_in_pose(feature, pose_);
     if (!shape || !size)
         return std::nullopt;
     const Points rest =
-        rows_of(prepared_.assembly.parts[at(feature.part)].mesh.points(), feature.vertices);
+        rows_of(prepared_.whole().parts[at(feature.part)].mesh.points(), feature.vertices);
     return SizedForm{*shape, *size, shape->resized(rest, *size)};
 }
 

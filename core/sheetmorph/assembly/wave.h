@@ -35,7 +35,7 @@ private:
     void start(Deformed& result);
     Deformation& solved(int part) const;
     void set_at_rest(int part) const;
-    void expand(int part, const std::vector<RigidMotion>& handles) const;
+    void expand(int part, const SurfaceTargets& targets) const;
     SurfaceTargets targets_of(int part) const;
     void substitute(int part);
     bool respond(int part, const std::shared_ptr<const SurfaceResponse>& response);
