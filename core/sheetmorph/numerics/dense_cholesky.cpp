@@ -15,13 +15,17 @@ namespace sheetmorph
 namespace
 {
 
-// Rows of a block: the triangular work inside blocks is slow, the products between them are fast.
-constexpr Eigen::Index block = 48;
+// Rows of a block: the triangular work inside blocks is slow, the products between them are fast,
+// but read all columns before them once a block.
+Eigen::Index block_rows(Eigen::Index columns)
+{
+    return std::min<Eigen::Index>(columns, columns <= 96 ? 16 : 48);
+}
 
 // columns first .. of `rows`, once the columns before them are subtracted, times (L_jj)^-T.
 void finish_columns(const Weights& inverse_blocks, Eigen::Index first, WeightsTarget rows)
 {
-    const Eigen::Index wide = std::min(block, inverse_blocks.rows() - first);
+    const Eigen::Index wide = std::min(inverse_blocks.cols(), inverse_blocks.rows() - first);
     const Weights right = rows.middleCols(first, wide);
     rows.middleCols(first, wide).setZero();
     add_product(right, inverse_blocks.block(first, 0, wide, wide), 1.0,
@@ -52,8 +56,8 @@ void factorise_block(WeightsTarget diagonal, WeightsTarget inverse)
 
 void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads)
 {
-    const Eigen::Index columns = panel.cols();
-    inverse_blocks.setZero(columns, std::min(block, columns));
+    const Eigen::Index columns = panel.cols(), block = block_rows(columns);
+    inverse_blocks.setZero(columns, block);
     for (Eigen::Index j = 0; j < columns; j += block)
     {
         const Eigen::Index wide = std::min(block, columns - j), below = panel.rows() - j - wide;
@@ -111,6 +115,7 @@ Points DenseCholesky::solve_upper(const Points& right) const
 
 Weights DenseCholesky::half_solve_rows(Weights rows) const
 {
+    const Eigen::Index block = inverse_blocks_.cols();
     for (Eigen::Index j = 0; j < lower_.rows(); j += block)
     {
         const Eigen::Index wide = std::min(block, lower_.rows() - j);

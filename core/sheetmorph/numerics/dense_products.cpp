@@ -18,7 +18,8 @@ namespace sheetmorph
 namespace
 {
 
-constexpr int tile_rows = 4;
+// Twelve sums of two registers are under way at once, as many as 16 registers have room for.
+constexpr int tile_rows = 6;
 constexpr int largest_panel = 16;
 
 // Rows of doubles `stride` apart.

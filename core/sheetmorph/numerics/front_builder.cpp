@@ -18,6 +18,14 @@ std::size_t at(int index)
     return static_cast<std::size_t>(index);
 }
 
+// Memory of so many updates is kept for the next ones.
+constexpr std::size_t most_spare = 6;
+
+Eigen::Map<Weights> square(Update& update, int rows)
+{
+    return {update.data(), rows, rows};
+}
+
 }  // namespace
 
 FrontBuilder::FrontBuilder(FrontWork& work, int threads)
@@ -35,13 +43,14 @@ void FrontBuilder::build(int node)
     front->columns = static_cast<int>(elimination_.own_end(node) - elimination_.own_begin(node));
     collect_rows(node, *front);
     front->entries.reset(new double[front->rows.size() * at(front->columns)]());
-    auto update = std::make_unique<Weights>(Weights::Zero(front->below(), front->below()));
+    Update update = zero_update(*front);
     add_entries(node, *front);
     for (const int child : children(node))
-        add_update(child, *front, *update);
+        add_update(child, *front, update);
     forget_rows(*front);
     factorise_columns(front->panel(), inverse_blocks_, threads_);
-    subtract_own_product(front->panel().bottomRows(front->below()), *update, threads_);
+    subtract_own_product(front->panel().bottomRows(front->below()), square(update, front->below()),
+                         threads_);
     work_.updates[at(node)] = std::move(update);
     work_.factor.fronts[at(node)] = std::move(front);
 }
@@ -49,7 +58,8 @@ void FrontBuilder::build(int node)
 void FrontBuilder::gather(int node)
 {
     const Front& top = work_.front(node);
-    auto update = std::make_unique<Weights>(Weights::Zero(top.below(), top.below()));
+    Update update = zero_update(top);
+    auto sum = square(update, top.below());
     number_rows(top, top.columns);
     const int beyond = elimination_.rank_after(node);
     for (int below = tree_.lowest[at(node)]; below <= node; ++below)
@@ -65,7 +75,7 @@ void FrontBuilder::gather(int node)
         subtract_own_product(front.panel().bottomRows(count), product, 1);
         for (Eigen::Index i = 0; i < count; ++i)
             for (Eigen::Index j = 0; j <= i; ++j)
-                (*update)(local_[at(first[i])], local_[at(first[j])]) += product(i, j);
+                sum(local_[at(first[i])], local_[at(first[j])]) += product(i, j);
     }
     forget_rows(top);
     work_.updates[at(node)] = std::move(update);
@@ -147,9 +157,9 @@ void FrontBuilder::add_entries(int node, Front& front)
                 });
 }
 
-void FrontBuilder::add_update(int child, const Front& front, Weights& update)
+void FrontBuilder::add_update(int child, const Front& front, Update& update)
 {
-    const Update taken = std::move(work_.updates[at(child)]);
+    Update taken = std::move(work_.updates[at(child)]);
     const Front& from = work_.front(child);
     const int count = from.below();
     targets_.resize(at(count));
@@ -159,7 +169,7 @@ void FrontBuilder::add_update(int child, const Front& front, Weights& update)
         std::lower_bound(targets_.begin(), targets_.end(), front.columns) - targets_.begin());
     for (int i = 0; i < count; ++i)
     {
-        const double* source = taken->data() + static_cast<Eigen::Index>(i) * count;
+        const double* source = taken.data() + static_cast<Eigen::Index>(i) * count;
         double* const left =
             front.entries.get() + static_cast<std::ptrdiff_t>(targets_[at(i)]) * front.columns;
         for (int j = 0; j < std::min(own, i + 1); ++j)
@@ -173,6 +183,26 @@ void FrontBuilder::add_update(int child, const Front& front, Weights& update)
         for (int j = own; j <= i; ++j)
             right[targets_[at(j)]] += source[j];
     }
+    if (spare_.size() < most_spare)
+        spare_.push_back(std::move(taken));
+}
+
+// The smallest spare memory that has room for it, or fresh one.
+Update FrontBuilder::zero_update(const Front& front)
+{
+    const std::size_t size = at(front.below()) * at(front.below());
+    auto best = spare_.end();
+    for (auto one = spare_.begin(); one != spare_.end(); ++one)
+        if (one->capacity() >= size && (best == spare_.end() || one->capacity() < best->capacity()))
+            best = one;
+    Update update;
+    if (best != spare_.end())
+    {
+        update.swap(*best);
+        spare_.erase(best);
+    }
+    update.assign(size, 0.0);
+    return update;
 }
 
 }  // namespace sheetmorph

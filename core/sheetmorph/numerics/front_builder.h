@@ -7,8 +7,8 @@
 namespace sheetmorph
 {
 
-//! What a subtree takes off the rows above it: (below, below), lower triangle.
-using Update = std::unique_ptr<Weights>;
+//! What a subtree takes off the rows above it: (below, below) contiguous, lower triangle.
+using Update = std::vector<double>;
 
 //! A factor on its way, which all builders share.
 struct FrontWork
@@ -41,7 +41,8 @@ private:
     void collect_rows(int node, Front& front);
     void add_rank(int rank, int after);
     void add_entries(int node, Front& front);
-    void add_update(int child, const Front& front, Weights& update);
+    void add_update(int child, const Front& front, Update& update);
+    Update zero_update(const Front& front);
 
     template <typename Use>
     void for_entries(int node, const Use& use) const;
@@ -53,6 +54,7 @@ private:
     std::vector<int> local_;  // by slot: row of the front in hand
     std::vector<int> ranks_, targets_;
     Weights inverse_blocks_;
+    std::vector<Update> spare_;  // memory of updates that were taken in
 };
 
 }  // namespace sheetmorph

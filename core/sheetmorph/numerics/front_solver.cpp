@@ -15,7 +15,7 @@ namespace
 constexpr double entries_for_two_threads = 2e6;
 
 // A subtree is split until it is at most this share of all entries.
-constexpr double smallest_share = 0.05;
+constexpr double smallest_share = 0.26;
 
 std::size_t at(int index)
 {

@@ -15,8 +15,9 @@ namespace
 
 constexpr int most_threads = 2;
 
-// A subtree of at most this share of all rows is one task.
-constexpr double task_share = 1.0 / 24.0;
+// A subtree of at most this share of all rows is one task: what each takes off the rows above it is
+// kept until all are done.
+constexpr double task_share = 1.0 / 7.0;
 
 // From so many rows on a second thread is worth its start.
 constexpr int rows_for_two_threads = 5000;

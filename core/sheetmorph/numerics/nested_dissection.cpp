@@ -12,7 +12,7 @@ namespace
 {
 
 // Sets this small are eliminated as they come: their fill is one dense block.
-constexpr std::ptrdiff_t smallest_set = 24;
+constexpr std::ptrdiff_t smallest_set = 12;
 
 // From so many rows on a second thread takes one half.
 constexpr std::ptrdiff_t set_for_two_threads = 20000;

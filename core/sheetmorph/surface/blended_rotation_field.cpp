@@ -198,7 +198,7 @@ public:
         : sources_(number_sources(input)),
           unknowns_(unknowns_of(sources_, input.roles)),
           harmonic_(input.operators.harmonic),
-          factor_(unknowns_.merged(harmonic_), input.operators.tree,
+          factor_(unknowns_.merged(harmonic_), input.operators.harmonic_tree,
                   earlier != nullptr ? &earlier->factor_ : nullptr),
           used_(used_sources(sources_)),
           weights_(spread(indicator(sources_, used_)))

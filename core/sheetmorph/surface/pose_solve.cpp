@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/constraint_checks.h"
 #include "sheetmorph/surface/placement.h"
@@ -22,6 +23,9 @@ namespace
 
 // Clean meshes settle after one or two; a few needles in the mesh need more.
 constexpr int most_refinements = 8;
+
+// From so many on a second thread is worth its start.
+constexpr int vertices_for_two_threads = 20000;
 
 std::size_t at(Eigen::Index index)
 {
@@ -72,22 +76,31 @@ Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
     const Weights weights =
         part.responses ? Weights(part.responses->weights()) : Weights(part.rest.vertex_count(), 0);
     std::vector<Matrix3> turn(at(part.rest.vertex_count()));
-    for (Eigen::Index i = 0; i < part.rest.vertex_count(); ++i)
+    const int threads = part.rest.vertex_count() < vertices_for_two_threads ? 1 : 2;
+    const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
     {
-        Matrix3& change = turn[at(i)];
-        change = tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
-        double left = 1.0;
-        for (Weights::InnerIterator entry(weights, i); entry; ++entry)
-            left -= entry.value();
-        change *= left;
-        for (Weights::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
-            change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
-    }
+        for (Eigen::Index i = begin; i < end; ++i)
+        {
+            Matrix3& change = turn[at(i)];
+            change = tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
+            double left = 1.0;
+            for (Weights::InnerIterator entry(weights, i); entry; ++entry)
+                left -= entry.value();
+            change *= left;
+            for (Weights::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
+                change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
+        }
+    };
+    parallel_ranges(part.rest.vertex_count(), threads, turn_vertices);
     Eigen::MatrixXd rows(operators.rest_rows.rows(), 3);
-    for (Eigen::Index row = 0; row < rows.rows(); ++row)
-        rows.row(row) =
-            (turn[at(operators.row_vertices[at(row)])] * operators.rest_rows.row(row).transpose())
-                .transpose();
+    const auto turn_rows = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (Eigen::Index row = begin; row < end; ++row)
+            rows.row(row) = (turn[at(operators.row_vertices[at(row)])]
+                             * operators.rest_rows.row(row).transpose())
+                                .transpose();
+    };
+    parallel_ranges(rows.rows(), threads, turn_rows);
     return rows;
 }
 

@@ -162,8 +162,10 @@ void add_stiffness(SurfaceOperators& operators, const Points& points)
 {
     operators.stiffness =
         std::make_shared<const SparseMatrix>(own_product(operators.rows, operators.weights));
-    operators.tree =
-        std::make_shared<const SeparatorTree>(nested_dissection(*operators.stiffness, points));
+    const auto tree_of = [&](const SparseMatrix& matrix)
+    { return std::make_shared<const SeparatorTree>(nested_dissection(matrix, points)); };
+    operators.tree = tree_of(*operators.stiffness);
+    operators.harmonic_tree = tree_of(*operators.harmonic);
 }
 
 SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,

@@ -23,8 +23,9 @@ struct SurfaceOperators
 
     std::shared_ptr<const SparseMatrix> stiffness;  //!< D^T diag(w) D (n, n)
 
-    //! In which order the vertices are eliminated, whatever is known of them.
-    std::shared_ptr<const SeparatorTree> tree;
+    //! In which order the vertices are eliminated, whatever is known of them: of the stiffness, and
+    //! of the harmonic one, whose separators are half as wide.
+    std::shared_ptr<const SeparatorTree> tree, harmonic_tree;
 };
 
 //! \param roles  a component that only points hold can tilt under `natural`; unless three or more

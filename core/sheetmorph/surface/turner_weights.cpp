@@ -97,7 +97,7 @@ SparseMatrix turner_weights(const RotationFieldInput& input, const std::vector<T
     if (turners.empty() || unknowns.count == 0)
         return weights.sparseView();
     const SurfaceOperators& operators = input.operators;
-    const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.tree);
+    const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.harmonic_tree);
     weights -= unknowns.basis() * factor.solve(unknowns.sums(*operators.harmonic * weights));
     smooth_and_renormalise(weights);
     return weights.sparseView();
