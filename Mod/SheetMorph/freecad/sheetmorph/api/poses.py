@@ -10,26 +10,27 @@ import numpy as np
 
 from freecad.sheetmorph import conversion, session
 from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
+from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.api.motions import rest_centroid, set_motion, set_rotation
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.pose import PoseProxy, keep_motions, kept_motions
+from freecad.sheetmorph.objects.pose import PoseProxy, keep_motions, kept_motions, kept_sizes
 from freecad.sheetmorph.objects.region import FORM_FEATURE, HANDLE, PRESCRIBED
 from freecad.sheetmorph.tools import poses as tools
 from freecad.sheetmorph.tools.motion import CENTROID, Motion
 
 
 def save_pose(assembly, label: str = "Pose"):
-    """Keep the present motions of all handles, and prescribed rotations, and return the pose."""
+    """Keep the present motions, prescribed rotations and sizes, and return the pose."""
     require_assembly(assembly)
-    return add_pose(assembly, label, present(assembly))
+    return add_pose(assembly, label, present(assembly), sizes_of(assembly))
 
 
-def add_pose(assembly, label: str, motions: tools.Pose):
-    """Add a pose of motions by `region.Name` and return it."""
+def add_pose(assembly, label: str, motions: tools.Pose, sizes: dict[str, float]):
+    """Add a pose of motions and sizes by `region.Name` and return it."""
     pose = assembly.Document.addObject("App::FeaturePython", "Pose")
     PoseProxy(pose)
     pose.Label = label
-    keep_motions(pose, motions)
+    keep_motions(pose, motions, sizes)
     assembly.addObject(pose)
     return pose
 
@@ -48,14 +49,18 @@ def apply_pose(pose) -> None:
 def blend_poses(first, second, weight: float) -> None:
     """Move all handles between two poses of one assembly: the first at 0, the second at 1.
 
-    One of them may be None: at rest. Translations and pivots go straight, rotations by angle. A
-    weight outside 0 .. 1 goes beyond. Raises ValueError.
+    One of them may be None: at rest, sizes as in the mesh. Translations, pivots and sizes go
+    straight, rotations by angle. A weight outside 0 .. 1 goes beyond. Raises ValueError.
     """
     assembly = assembly_of_poses(first, second)
     share = number(weight, "weight")
     ends = (motions_in(assembly, first), motions_in(assembly, second))
     for name, motion in tools.blended(*alike(assembly, *ends), share).items():
         put(assembly.Document.getObject(name), motion)
+    for name, size in blended_sizes(assembly, first, second, share).items():
+        feature = assembly.Document.getObject(name)
+        if feature.Size.Value != size:
+            feature.Size = size
 
 
 def compare_poses(first, second) -> dict[str, tuple[float, float]]:
@@ -109,10 +114,7 @@ def copy_in_pose(pose, label: str | None = None):
 def named_poses(assembly, names: dict[str, str]) -> dict[str, dict]:
     """Return all poses as a recipe has them; `names`: in the recipe by document object name."""
     return {
-        pose.Label: {
-            names[name]: entry_of(assembly.Document.getObject(name), motion)
-            for name, motion in motions_in(assembly, pose).items()
-        }
+        pose.Label: {names[name]: entry for name, entry in entries_in(assembly, pose).items()}
         for pose in model.poses(assembly)
     }
 
@@ -120,16 +122,18 @@ def named_poses(assembly, names: dict[str, str]) -> dict[str, dict]:
 def add_named_poses(assembly, recipe: dict, regions: dict) -> None:
     """Add the poses of a recipe; `regions` by their name in it.
 
-    A pose object knows no sizes and no targets of points: those of a recipe stay behind, and that
-    is told.
+    A pose object knows no targets of points: those of a recipe stay behind, and that is told.
     """
     for label, entries in recipe.get("poses", {}).items():
         known = {regions[name]: entry for name, entry in entries.items() if name in regions}
         motions = {region.Name: motion_from(region, entry) for region, entry in known.items()}
-        add_pose(assembly, label, {r.Name: motion_of(r) for r in moving(assembly)} | motions)
-        if len(known) < len(entries) or any("size" in entry for entry in entries.values()):
+        sizes = {r.Name: float(entry["size"]) for r, entry in known.items() if "size" in entry}
+        still = {r.Name: motion_of(r) for r in moving(assembly)}
+        kept = {name: motion for name, motion in motions.items() if name in still}
+        add_pose(assembly, label, still | kept, sizes_of(assembly) | sizes)
+        if len(known) < len(entries):
             FreeCAD.Console.PrintWarning(
-                f"SheetMorph: pose '{label}' is kept without sizes and targets of points.\n"
+                f"SheetMorph: pose '{label}' is kept without targets of points.\n"
             )
 
 
@@ -187,6 +191,49 @@ def motions_in(assembly, pose) -> tools.Pose:
     return {region.Name: kept.get(region.Name, Motion()) for region in moving(assembly)}
 
 
+def sizes_of(assembly) -> dict[str, float]:
+    """Return the size of every form feature by `region.Name`, mm; 0: as in the mesh."""
+    features = [r for r in model.regions(assembly) if r.Role == FORM_FEATURE and r.Part is not None]
+    return {feature.Name: float(feature.Size.Value) for feature in features}
+
+
+def blended_sizes(assembly, first, second, weight: float) -> dict[str, float]:
+    """Return the sizes between two poses, None for rest; form features without any are left out."""
+    known = sizes_of(assembly)
+    one, other = (
+        dict.fromkeys(known, 0.0) if p is None else kept_sizes(p) for p in (first, second)
+    )
+    found = {}
+    for name in known.keys() & one.keys() & other.keys():
+        ends = (one[name], other[name])
+        if ends[0] == ends[1] or weight in (0.0, 1.0):
+            found[name] = ends[int(weight == 1.0)]
+        else:
+            ends = [size or size_at_rest(assembly, name) for size in ends]
+            found[name] = (1.0 - weight) * ends[0] + weight * ends[1]
+    return found
+
+
+def size_at_rest(assembly, name: str) -> float:
+    """Return the size a form feature has in the mesh, mm."""
+    return shape_of(assembly.Document.getObject(name)).size
+
+
+def entries_in(assembly, pose) -> dict[str, dict]:
+    """Return a pose, None for rest, as a recipe has it, by `region.Name`.
+
+    A size is told where it differs from the document's.
+    """
+    document, present_sizes = assembly.Document, sizes_of(assembly)
+    motions = motions_in(assembly, pose)
+    entries = {name: entry_of(document.getObject(name), m) for name, m in motions.items()}
+    for name, size in blended_sizes(assembly, pose, pose, 0.0).items():
+        if size != present_sizes[name]:
+            told = size or size_at_rest(assembly, name)
+            entries.setdefault(name, {})["size"] = told
+    return entries
+
+
 def alike(assembly, first: tools.Pose, second: tools.Pose) -> tuple:
     """Return both with the same kind of pivots: a centroid that meets a point becomes one."""
     for name in first:
@@ -208,11 +255,7 @@ def put(region, motion: Motion) -> None:
 
 def deform_in(assembly, pose) -> dict[str, np.ndarray]:
     """Return the positions (n, 3) of all parts by `part.Name` in a pose; the document stays."""
-    entries = {
-        name: entry_of(assembly.Document.getObject(name), motion)
-        for name, motion in motions_in(assembly, pose).items()
-    }
-    return session.deform_in(assembly, entries)
+    return session.deform_in(assembly, entries_in(assembly, pose))
 
 
 def entry_of(region, motion: Motion) -> dict:

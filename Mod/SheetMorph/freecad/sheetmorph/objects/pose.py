@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A pose: the motions of all handles under a name, to come back to."""
+"""A pose: the motions of all handles and the sizes of form features under a name."""
 
 from __future__ import annotations
+
+import json
 
 from freecad.sheetmorph.objects.model import POSE
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
@@ -15,6 +17,7 @@ class PoseProxy(ObjectProxy):
     Type = POSE
     PROPERTIES = (
         Property("String", "Motions", "Pose", "Motions by region, as JSON", "", HIDDEN),
+        Property("String", "Sizes", "Pose", "Sizes of form features by region", "", HIDDEN),
         Property("LinkListHidden", "Regions", "Pose", "The regions, by their names", mode=HIDDEN),
     )
 
@@ -22,20 +25,30 @@ class PoseProxy(ObjectProxy):
         """Do nothing: a pose is only kept."""
 
 
-def keep_motions(pose, motions: Pose) -> None:
-    """Store motions by `region.Name`, and links to the regions."""
-    pose.Motions = to_text(motions)
-    pose.Regions = [pose.Document.getObject(name) for name in sorted(motions)]
+def keep_motions(pose, motions: Pose, sizes: dict[str, float]) -> None:
+    """Store motions and sizes by `region.Name`, and links to the regions."""
+    pose.Motions, pose.Sizes = to_text(motions), json.dumps(sizes)
+    pose.Regions = [pose.Document.getObject(name) for name in sorted({*motions, *sizes})]
 
 
 def kept_motions(pose) -> Pose:
-    """Return the motions by `region.Name`.
+    """Return the motions by `region.Name`."""
+    return _by_present_name(pose, from_text(pose.Motions))
+
+
+def kept_sizes(pose) -> dict[str, float]:
+    """Return the sizes of form features by `region.Name`, 0 as in the mesh; old poses have none."""
+    return _by_present_name(pose, json.loads(pose.Sizes or "{}"))
+
+
+def _by_present_name(pose, kept: dict) -> dict:
+    """Return what is kept under the names that the regions have now.
 
     In a copy the regions have other names: there the links tell which they are. When a region is
     deleted its link vanishes: then the names do.
     """
-    kept = from_text(pose.Motions)
+    names = sorted({*from_text(pose.Motions), *json.loads(pose.Sizes or "{}")})
     links = [region for region in pose.Regions if region is not None]
-    if len(links) != len(kept):
+    if len(links) != len(names):
         return kept
-    return {region.Name: kept[name] for region, name in zip(links, sorted(kept))}
+    return {region.Name: kept[name] for region, name in zip(links, names) if name in kept}

@@ -134,6 +134,22 @@ class TestSize(FeatureTest):
         api.set_size(self.holes[0], None)
         self.assertAlmostEqual(self.circle(0)[0], RADIUS, 9)
 
+    def test_poses_keep_blend_and_compare_sizes(self):
+        plain = api.save_pose(self.assembly, "Plain")
+        api.set_size(self.holes[0], 20.0)
+        wide = api.save_pose(self.assembly, "Wide")
+        largest, _ = api.compare_poses(plain, wide)[self.part.Name]
+        self.assertAlmostEqual(largest, 10.0 - RADIUS, 6)
+        api.blend_poses(plain, wide, 0.5)
+        self.assertAlmostEqual(self.circle(0)[0], 0.5 * (10.0 + RADIUS), 9)
+        api.apply_pose(plain)
+        self.assertEqual(self.holes[0].Size.Value, 0.0)
+        twin = api.copy_in_pose(wide)
+        sizes = [r.Size.Value for r in objects.model.regions(twin) if r.Role == "form feature"]
+        self.assertEqual(sizes[0], 20.0)
+        api.apply_pose(wide)
+        self.assertAlmostEqual(self.circle(0)[0], 10.0, 9)
+
     def test_a_size_can_be_driven_by_an_expression(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Inputs")
         sheet.set("A1", "18 mm")
