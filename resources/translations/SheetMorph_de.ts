@@ -338,6 +338,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_PrepareMesh</name>
+  <message>
+   <source>Prepare Mesh…</source>
+   <translation>Netz vorbereiten…</translation>
+  </message>
+  <message>
+   <source>Tells what is wrong with the mesh of the selected part, cures it and meshes it anew</source>
+   <translation>Sagt, was am Netz des gewählten Teils nicht stimmt, behebt es und vernetzt neu</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_Propagation</name>
   <message>
    <source>Propagation…</source>
@@ -1116,6 +1127,26 @@
    <translation>Mitläufer</translation>
   </message>
   <message>
+   <source>The parts are farther apart than that: give a larger gap distance, or pick by hand.</source>
+   <translation>Die Teile liegen weiter auseinander: gib einen größeren Abstand an oder wähle von Hand.</translation>
+  </message>
+  <message>
+   <source>Choose two parts: click on one, then on the other.</source>
+   <translation>Wähle zwei Teile: klicke auf das eine, dann auf das andere.</translation>
+  </message>
+  <message>
+   <source>A side is empty: pick at least one vertex on each part.</source>
+   <translation>Eine Seite ist leer: wähle auf jedem Teil mindestens einen Knoten.</translation>
+  </message>
+  <message>
+   <source>Click on a part…</source>
+   <translation>Auf ein Teil klicken…</translation>
+  </message>
+  <message>
+   <source>{0} vertices</source>
+   <translation>{0} Knoten</translation>
+  </message>
+  <message>
    <source>Control mesh</source>
    <translation>Steuernetz</translation>
   </message>
@@ -1172,6 +1203,70 @@
    <translation>Wie 2, und freie Ränder im Steuernetz gehen auch mit.</translation>
   </message>
   <message>
+   <source>No hole, slot or cylinder: it has no size to set.</source>
+   <translation>Weder Loch noch Langloch noch Zylinder: es hat keine einstellbare Größe.</translation>
+  </message>
+  <message>
+   <source>Tick the form features it is related to, or choose no relation.</source>
+   <translation>Hake die Formelemente an, zu denen die Beziehung besteht, oder wähle keine.</translation>
+  </message>
+  <message>
+   <source>A pair has two form features; tick one.</source>
+   <translation>Ein Paar hat zwei Formelemente; hake eines an.</translation>
+  </message>
+  <message>
+   <source>all kinds</source>
+   <translation>alle Arten</translation>
+  </message>
+  <message>
+   <source>{0} of {1} chosen</source>
+   <translation>{0} von {1} gewählt</translation>
+  </message>
+  <message>
+   <source>{0} of {1} chosen, {2} in the document already</source>
+   <translation>{0} von {1} gewählt, {2} schon im Dokument</translation>
+  </message>
+  <message>
+   <source>Nothing is checked; check proposals, or cancel.</source>
+   <translation>Nichts ist angehakt; hake Vorschläge an oder brich ab.</translation>
+  </message>
+  <message>
+   <source>There is nothing to show: no contact is in use.</source>
+   <translation>Es gibt nichts zu zeigen: kein Kontakt ist in Gebrauch.</translation>
+  </message>
+  <message>
+   <source>Computed in {0:.1f} ms, drawn in {1:.1f} ms</source>
+   <translation>Berechnet in {0:.1f} ms, gezeichnet in {1:.1f} ms</translation>
+  </message>
+  <message>
+   <source>Nothing has moved yet.</source>
+   <translation>Noch ist nichts bewegt.</translation>
+  </message>
+  <message>
+   <source>At rest</source>
+   <translation>In Ruhe</translation>
+  </message>
+  <message>
+   <source>Largest and mean distance, mm</source>
+   <translation>Größter und mittlerer Abstand, mm</translation>
+  </message>
+  <message>
+   <source>Choose a pose.</source>
+   <translation>Wähle eine Stellung.</translation>
+  </message>
+  <message>
+   <source>and {0} more parts</source>
+   <translation>und {0} weitere Teile</translation>
+  </message>
+  <message>
+   <source>Nothing is chosen; choose a cure, or cancel.</source>
+   <translation>Nichts ist gewählt; wähle eine Abhilfe oder brich ab.</translation>
+  </message>
+  <message>
+   <source>Choose a cure first.</source>
+   <translation>Wähle zuerst eine Abhilfe.</translation>
+  </message>
+  <message>
    <source>Mark a fixed region and a handle first.</source>
    <translation>Markiere zuerst eine feste Region und einen Griff.</translation>
   </message>
@@ -1182,6 +1277,10 @@
   <message>
    <source>level {0}</source>
    <translation>Stufe {0}</translation>
+  </message>
+  <message>
+   <source>'{0}' is no thin solid: {1}.</source>
+   <translation>„{0}“ ist kein dünner Körper: {1}.</translation>
   </message>
  </context>
  <context>
@@ -1559,6 +1658,85 @@
   <message>
    <source>Second side of contacts is drawn in this colour</source>
    <translation>Die zweite Seite von Kontakten wird in dieser Farbe gezeichnet</translation>
+  </message>
+ </context>
+ <context>
+  <name>prepare</name>
+  <message>
+   <source>Prepare Mesh</source>
+   <translation>Netz vorbereiten</translation>
+  </message>
+  <message>
+   <source>What is found</source>
+   <translation>Befund</translation>
+  </message>
+  <message>
+   <source>Cures</source>
+   <translation>Abhilfe</translation>
+  </message>
+  <message>
+   <source>Coordinates are metres</source>
+   <translation>Koordinaten sind Meter</translation>
+  </message>
+  <message>
+   <source>Makes the mesh a thousand times larger: lengths are in mm here</source>
+   <translation>Macht das Netz tausendmal größer: Längen sind hier in mm</translation>
+  </message>
+  <message>
+   <source>Weld vertices within</source>
+   <translation>Knoten verschweißen innerhalb</translation>
+  </message>
+  <message>
+   <source>Closes cuts and T-junctions, removes doubled facets, turns facets that face the wrong way</source>
+   <translation>Schließt Schnitte und T-Stöße, entfernt doppelte Facetten, wendet verkehrte Facetten</translation>
+  </message>
+  <message>
+   <source>Vertices nearer than this become one</source>
+   <translation>Knoten, die näher liegen, werden einer</translation>
+  </message>
+  <message>
+   <source>Mesh anew with edges of</source>
+   <translation>Neu vernetzen mit Kanten von</translation>
+  </message>
+  <message>
+   <source>Well-shaped triangles on the facets as they are: flats stay exact, shorter edges at holes and bends</source>
+   <translation>Wohlgeformte Dreiecke auf den Facetten, wie sie sind: Ebenes bleibt exakt, kürzere Kanten an Löchern und Biegungen</translation>
+  </message>
+  <message>
+   <source>Length of the edges on flats</source>
+   <translation>Länge der Kanten auf ebenen Flächen</translation>
+  </message>
+  <message>
+   <source>Round rims</source>
+   <translation>Runde Ränder</translation>
+  </message>
+  <message>
+   <source>What becomes of the rims of round holes</source>
+   <translation>Was aus den Rändern runder Löcher wird</translation>
+  </message>
+  <message>
+   <source>keep their polygon</source>
+   <translation>behalten ihr Vieleck</translation>
+  </message>
+  <message>
+   <source>go to their circle</source>
+   <translation>gehen auf ihren Kreis</translation>
+  </message>
+  <message>
+   <source>Bend as one sheet (thin solid)</source>
+   <translation>Als ein Blech biegen (dünner Körper)</translation>
+  </message>
+  <message>
+   <source>Both skins and the walls follow one sheet and keep their distance, if it is recognised as a thin solid</source>
+   <translation>Beide Häute und die Wände folgen einem Blech und behalten ihren Abstand, wenn es als dünner Körper erkannt wird</translation>
+  </message>
+  <message>
+   <source>Preview</source>
+   <translation>Vorschau</translation>
+  </message>
+  <message>
+   <source>Shows the new mesh in place of the part; nothing changes</source>
+   <translation>Zeigt das neue Netz anstelle des Teils; nichts ändert sich</translation>
   </message>
  </context>
  <context>

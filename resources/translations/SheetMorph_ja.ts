@@ -338,6 +338,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_PrepareMesh</name>
+  <message>
+   <source>Prepare Mesh…</source>
+   <translation>メッシュを準備…</translation>
+  </message>
+  <message>
+   <source>Tells what is wrong with the mesh of the selected part, cures it and meshes it anew</source>
+   <translation>選択した部品のメッシュの問題を示し、修復し、再メッシュします</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_Propagation</name>
   <message>
    <source>Propagation…</source>
@@ -1116,6 +1127,26 @@
    <translation>追従領域</translation>
   </message>
   <message>
+   <source>The parts are farther apart than that: give a larger gap distance, or pick by hand.</source>
+   <translation>部品はそれより離れています。隙間の距離を大きくするか、手で選んでください。</translation>
+  </message>
+  <message>
+   <source>Choose two parts: click on one, then on the other.</source>
+   <translation>二つの部品を順にクリックして選んでください。</translation>
+  </message>
+  <message>
+   <source>A side is empty: pick at least one vertex on each part.</source>
+   <translation>片側が空です。各部品で頂点を一つ以上選んでください。</translation>
+  </message>
+  <message>
+   <source>Click on a part…</source>
+   <translation>部品をクリック…</translation>
+  </message>
+  <message>
+   <source>{0} vertices</source>
+   <translation>頂点 {0} 個</translation>
+  </message>
+  <message>
    <source>Control mesh</source>
    <translation>制御メッシュ</translation>
   </message>
@@ -1172,6 +1203,70 @@
    <translation>2に加え、制御メッシュ内の自由な縁もともに動きます。</translation>
   </message>
   <message>
+   <source>No hole, slot or cylinder: it has no size to set.</source>
+   <translation>穴でも長穴でも円筒でもなく、設定できる寸法がありません。</translation>
+  </message>
+  <message>
+   <source>Tick the form features it is related to, or choose no relation.</source>
+   <translation>関係する形状要素をチェックするか、関係なしを選んでください。</translation>
+  </message>
+  <message>
+   <source>A pair has two form features; tick one.</source>
+   <translation>対は二つの形状要素です。一つをチェックしてください。</translation>
+  </message>
+  <message>
+   <source>all kinds</source>
+   <translation>すべての種類</translation>
+  </message>
+  <message>
+   <source>{0} of {1} chosen</source>
+   <translation>{1} 件中 {0} 件を選択</translation>
+  </message>
+  <message>
+   <source>{0} of {1} chosen, {2} in the document already</source>
+   <translation>{1} 件中 {0} 件を選択、{2} 件は文書に既存</translation>
+  </message>
+  <message>
+   <source>Nothing is checked; check proposals, or cancel.</source>
+   <translation>何もチェックされていません。提案をチェックするか、キャンセルしてください。</translation>
+  </message>
+  <message>
+   <source>There is nothing to show: no contact is in use.</source>
+   <translation>表示するものがありません。使用中の接触がありません。</translation>
+  </message>
+  <message>
+   <source>Computed in {0:.1f} ms, drawn in {1:.1f} ms</source>
+   <translation>計算 {0:.1f} ms、描画 {1:.1f} ms</translation>
+  </message>
+  <message>
+   <source>Nothing has moved yet.</source>
+   <translation>まだ何も動いていません。</translation>
+  </message>
+  <message>
+   <source>At rest</source>
+   <translation>静止</translation>
+  </message>
+  <message>
+   <source>Largest and mean distance, mm</source>
+   <translation>最大と平均の距離、mm</translation>
+  </message>
+  <message>
+   <source>Choose a pose.</source>
+   <translation>ポーズを選んでください。</translation>
+  </message>
+  <message>
+   <source>and {0} more parts</source>
+   <translation>ほか {0} 部品</translation>
+  </message>
+  <message>
+   <source>Nothing is chosen; choose a cure, or cancel.</source>
+   <translation>何も選ばれていません。対処を選ぶか、キャンセルしてください。</translation>
+  </message>
+  <message>
+   <source>Choose a cure first.</source>
+   <translation>先に対処を選んでください。</translation>
+  </message>
+  <message>
    <source>Mark a fixed region and a handle first.</source>
    <translation>先に固定領域とハンドルを指定してください。</translation>
   </message>
@@ -1182,6 +1277,10 @@
   <message>
    <source>level {0}</source>
    <translation>段 {0}</translation>
+  </message>
+  <message>
+   <source>'{0}' is no thin solid: {1}.</source>
+   <translation>「{0}」は薄肉ソリッドではありません: {1}。</translation>
   </message>
  </context>
  <context>
@@ -1559,6 +1658,85 @@
   <message>
    <source>Second side of contacts is drawn in this colour</source>
    <translation>接触の二つ目の側をこの色で描きます</translation>
+  </message>
+ </context>
+ <context>
+  <name>prepare</name>
+  <message>
+   <source>Prepare Mesh</source>
+   <translation>メッシュを準備</translation>
+  </message>
+  <message>
+   <source>What is found</source>
+   <translation>見つかったこと</translation>
+  </message>
+  <message>
+   <source>Cures</source>
+   <translation>対処</translation>
+  </message>
+  <message>
+   <source>Coordinates are metres</source>
+   <translation>座標はメートル</translation>
+  </message>
+  <message>
+   <source>Makes the mesh a thousand times larger: lengths are in mm here</source>
+   <translation>メッシュを千倍にします。ここでの長さは mm です</translation>
+  </message>
+  <message>
+   <source>Weld vertices within</source>
+   <translation>頂点を結合する距離</translation>
+  </message>
+  <message>
+   <source>Closes cuts and T-junctions, removes doubled facets, turns facets that face the wrong way</source>
+   <translation>切れ目と T 字接合を閉じ、重複した面を除き、裏返った面を直します</translation>
+  </message>
+  <message>
+   <source>Vertices nearer than this become one</source>
+   <translation>これより近い頂点は一つになります</translation>
+  </message>
+  <message>
+   <source>Mesh anew with edges of</source>
+   <translation>再メッシュの辺の長さ</translation>
+  </message>
+  <message>
+   <source>Well-shaped triangles on the facets as they are: flats stay exact, shorter edges at holes and bends</source>
+   <translation>元の面の上に形の良い三角形を作ります。平面は正確なまま、穴と曲げでは辺が短くなります</translation>
+  </message>
+  <message>
+   <source>Length of the edges on flats</source>
+   <translation>平面での辺の長さ</translation>
+  </message>
+  <message>
+   <source>Round rims</source>
+   <translation>丸い縁</translation>
+  </message>
+  <message>
+   <source>What becomes of the rims of round holes</source>
+   <translation>丸穴の縁の扱い</translation>
+  </message>
+  <message>
+   <source>keep their polygon</source>
+   <translation>多角形のまま</translation>
+  </message>
+  <message>
+   <source>go to their circle</source>
+   <translation>円に合わせる</translation>
+  </message>
+  <message>
+   <source>Bend as one sheet (thin solid)</source>
+   <translation>一枚の板として曲げる（薄肉ソリッド）</translation>
+  </message>
+  <message>
+   <source>Both skins and the walls follow one sheet and keep their distance, if it is recognised as a thin solid</source>
+   <translation>薄肉ソリッドと認識されれば、両面と壁は一枚の板に従い、間隔を保ちます</translation>
+  </message>
+  <message>
+   <source>Preview</source>
+   <translation>プレビュー</translation>
+  </message>
+  <message>
+   <source>Shows the new mesh in place of the part; nothing changes</source>
+   <translation>部品の代わりに新しいメッシュを表示します。何も変わりません</translation>
   </message>
  </context>
  <context>

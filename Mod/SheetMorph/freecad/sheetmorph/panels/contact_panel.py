@@ -120,12 +120,15 @@ class ContactPanel(Panel):
     def _fault(self) -> str:
         """Why there is no contact yet, in words; empty if there is one."""
         if not self._sides.are_chosen:
-            return "Choose two parts: click on one, then on the other."
+            return translate("panels", "Choose two parts: click on one, then on the other.")
         if all(self._sides.picked(side) for side in "ab"):
             return ""
         if self._side_by_hand():
-            return "A side is empty: pick at least one vertex on each part."
-        return "The parts are farther apart than that: give a larger gap distance, or pick by hand."
+            return translate("panels", "A side is empty: pick at least one vertex on each part.")
+        return translate(
+            "panels",
+            "The parts are farther apart than that: give a larger gap distance, or pick by hand.",
+        )
 
     def _lines(self) -> list[str]:
         """The calls of the API that make the contact, or change what is different now."""
@@ -167,7 +170,7 @@ class ContactPanel(Panel):
         for side in "ab":
             getattr(form, f"chip_{side}").setText(chip(colours.SIDES[side]))
             combo = getattr(form, f"part_{side}")
-            combo.addItem("Click on a part…", "")
+            combo.addItem(translate("panels", "Click on a part…"), "")
             for part in self._parts.values():
                 combo.addItem(part.Label, part.Name)
             combo.activated.connect(lambda _index, s=side: self._choose_part(s))
@@ -241,7 +244,8 @@ class ContactPanel(Panel):
         """Shows what is picked."""
         for side in "ab":
             picked = self._sides.picked(side)
-            getattr(self.form, f"count_{side}").setText(f"{len(picked)} vertices" if picked else "")
+            text = translate("panels", "{0} vertices").format(len(picked)) if picked else ""
+            getattr(self.form, f"count_{side}").setText(text)
             if side in self._views:
                 self._views[side].show_picked(picked)
                 self._views[side].show_aimed(())

@@ -8,7 +8,7 @@ from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS,
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.live_scene import LiveScene
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 RELATE = ("", "group", "coaxial", "keep_distance")
 """The functions of the interface that relate form features, as the combo box lists them."""
@@ -180,12 +180,16 @@ class FeaturePanel(Panel):
         if not function:
             return None
         if not chosen:
-            raise ValueError("Tick the form features it is related to, or choose no relation.")
+            raise ValueError(
+                translate(
+                    "panels", "Tick the form features it is related to, or choose no relation."
+                )
+            )
         members = [self._feature, *chosen]
         if function == "group":
             return function, (self._assembly, members), {}
         if len(chosen) > 1:
-            raise ValueError("A pair has two form features; tick one.")
+            raise ValueError(translate("panels", "A pair has two form features; tick one."))
         return function, (self._assembly, *members), {}
 
     # -- the widgets
@@ -220,7 +224,8 @@ class FeaturePanel(Panel):
         form.has_size.setEnabled(shape is not None)
         form.has_size.setChecked(shape is not None and feature.Size.Value > 0.0)
         if shape is None:
-            form.size_text.setText("No hole, slot or cylinder: it has no size to set.")
+            text = translate("panels", "No hole, slot or cylinder: it has no size to set.")
+            form.size_text.setText(text)
             return
         form.feature_size.setProperty("rawValue", feature.Size.Value or shape.size)
         form.size_text.setText(f"{shape.kind.capitalize()}, {shape.measure} {shape.size:.6g} mm.")

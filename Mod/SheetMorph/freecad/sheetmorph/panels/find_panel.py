@@ -5,11 +5,12 @@ from freecad.sheetmorph import actions, api, seen
 from freecad.sheetmorph.panels import find_table
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
-ANY = "all kinds"
+ANY = QT_TRANSLATE_NOOP("panels", "all kinds")
 
 
 def open_features(assembly):
@@ -61,17 +62,19 @@ class FindPanel(Panel):
         combo, kept = self.form.kind, self.form.kind.currentText()
         combo.blockSignals(True)
         combo.clear()
-        combo.addItems([ANY, *sorted({one.kind for one in self._found})])
+        combo.addItems([translate("panels", ANY), *sorted({one.kind for one in self._found})])
         combo.setCurrentIndex(max(0, combo.findText(kept)))
         combo.blockSignals(False)
 
     def _filter(self, *_) -> None:
         """Hides the rows that the filters leave out; they are not taken either."""
-        kind = self.form.kind.currentText()
+        kind, any_kind = self.form.kind.currentText(), self.form.kind.currentIndex() <= 0
         low, high = self.form.smallest.value(), self.form.largest.value()
         for number, one in enumerate(self._found):
             size = self._what.size(one)
-            is_shown = kind in (ANY, one.kind) and size >= low and (high <= 0.0 or size <= high)
+            is_shown = (
+                (any_kind or kind == one.kind) and size >= low and (high <= 0.0 or size <= high)
+            )
             self.form.table.setRowHidden(find_table.place_of(self.form.table, number), not is_shown)
         self._count()
 
@@ -86,8 +89,10 @@ class FindPanel(Panel):
 
     def _count(self, *_) -> None:
         marked = sum(one.is_marked for one in self._found)
-        text = f"{len(self._chosen())} of {len(self._found)} chosen"
-        self.form.count.setText(f"{text}, {marked} in the document already" if marked else text)
+        text = translate("panels", "{0} of {1} chosen")
+        if marked:
+            text = translate("panels", "{0} of {1} chosen, {2} in the document already")
+        self.form.count.setText(text.format(len(self._chosen()), len(self._found), marked))
 
     # -- the 3D view
 
@@ -108,7 +113,8 @@ class FindPanel(Panel):
         """OK: everything that is checked in one undo step."""
         chosen = [one for one in self._chosen() if not one.is_marked]
         if not chosen:
-            say(self.form.message, "Nothing is checked; check proposals, or cancel.", True)
+            text = translate("panels", "Nothing is checked; check proposals, or cancel.")
+            say(self.form.message, text, True)
             return False
         lines = self._what.lines(self._assembly, chosen, self.form)
         try:

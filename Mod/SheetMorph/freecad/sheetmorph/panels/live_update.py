@@ -7,7 +7,7 @@ from freecad.sheetmorph import kernel, live_session
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.frame_worker import FrameWorker
 from freecad.sheetmorph.panels.live_scene import LiveScene
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools import grabbing, live_values
 
 
@@ -89,7 +89,7 @@ class LiveUpdate(QtCore.QObject):
         if self.legend is None or self._valuer is None:
             return ""
         if not self.legend.part:
-            return "There is nothing to show: no contact is in use."
+            return translate("panels", "There is nothing to show: no contact is in use.")
         part = self._assembly.Document.getObject(self.legend.part).Label
         return f"{self._valuer.worst} {self.legend.extreme:.3g} {self._valuer.unit} on {part}"
 

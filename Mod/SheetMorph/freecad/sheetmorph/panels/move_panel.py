@@ -18,7 +18,7 @@ from freecad.sheetmorph.panels.mouse_fields import MouseFields
 from freecad.sheetmorph.panels.motion_fields import MotionFields
 from freecad.sheetmorph.panels.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
@@ -222,7 +222,8 @@ class MovePanel(Panel):
     def _on_drawn(self) -> None:
         say(self.form.message, "")
         computed, drawn = self._live.kernel_ms, self._live.draw_ms
-        say(self.form.status, f"Computed in {computed:.1f} ms, drawn in {drawn:.1f} ms")
+        text = translate("panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
+        say(self.form.status, text.format(computed, drawn))
         self._shown.tell()
 
     def _on_fault(self, text: str) -> None:
@@ -249,7 +250,7 @@ class MovePanel(Panel):
         for label in (form.axis_message, form.message):
             say(label, "")
         # A line from the start: a panel that grows while one clicks takes the click elsewhere.
-        say(form.status, "Nothing has moved yet.")
+        say(form.status, translate("panels", "Nothing has moved yet."))
         self._fill()
 
     def _fill(self) -> None:

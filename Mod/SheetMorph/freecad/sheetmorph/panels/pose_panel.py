@@ -9,9 +9,11 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.live_update import LiveUpdate
+from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.updating import ON_OK, Updating
 
-REST = "At rest"
+REST = QT_TRANSLATE_NOOP("panels", "At rest")
 
 
 def open_panel(assembly, pose):
@@ -52,7 +54,7 @@ class PosePanel(Panel):
 
     def _prepare_widgets(self, pose) -> None:
         form = self.form
-        labels = [REST if each is None else each.Label for each in self._poses]
+        labels = [translate("panels", REST) if each is None else each.Label for each in self._poses]
         for field in (form.first, form.second):
             field.addItems(labels)
         form.second.setCurrentIndex(self._poses.index(pose))
@@ -86,7 +88,7 @@ class PosePanel(Panel):
         """Says how far the two are apart, and shows where the slider is."""
         pair = self._pair()
         if pair == (None, None):
-            say(self.form.apart, "Choose a pose.")
+            say(self.form.apart, translate("panels", "Choose a pose."))
             return
         try:
             apart = api.compare_poses(*pair)
@@ -121,10 +123,10 @@ class PosePanel(Panel):
 def described(document, apart: dict) -> str:
     """How far two poses are apart, the part with the largest distance first."""
     ordered = sorted(apart, key=lambda part: -apart[part][0])
-    lines = ["Largest and mean distance, mm"]
+    lines = [translate("panels", "Largest and mean distance, mm")]
     for part in ordered[:5]:
         largest, mean = apart[part]
         lines.append(f"{document.getObject(part).Label}: {largest:.3g}, {mean:.3g}")
     if len(ordered) > 5:
-        lines.append(f"and {len(ordered) - 5} more parts")
+        lines.append(translate("panels", "and {0} more parts").format(len(ordered) - 5))
     return "\n".join(lines)

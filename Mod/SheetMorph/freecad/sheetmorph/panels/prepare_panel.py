@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene.mesh_preview import MeshPreview
 from freecad.sheetmorph.tools import cures
 
@@ -49,7 +50,8 @@ class PreparePanel(Panel):
         """OK: cures the part."""
         lines = self._lines()
         if not lines:
-            say(self.form.message, "Nothing is chosen; choose a cure, or cancel.", True)
+            text = translate("panels", "Nothing is chosen; choose a cure, or cancel.")
+            say(self.form.message, text, True)
             return False
         self._end_preview()
         try:
@@ -116,7 +118,7 @@ class PreparePanel(Panel):
         self._end_preview()
         wish = self._wish()
         if not wish.changes_mesh():
-            say(self.form.message, "Choose a cure first.", True)
+            say(self.form.message, translate("panels", "Choose a cure first."), True)
             return
         try:
             with actions.waiting():

@@ -8,7 +8,7 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
-from freecad.sheetmorph.qt import QtWidgets
+from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.scene.value_map import ValueMap
 from freecad.sheetmorph.tools import colour_scale
 
@@ -48,7 +48,8 @@ class ThicknessPanel(Panel):
         for widget in (form.scale, form.low, form.high, form.bend, form.mark):
             widget.setVisible(solid is not None)
         if solid is None:
-            say(form.message, f"'{self._part.Label}' is no thin solid: {self._reason}.")
+            text = translate("panels", "'{0}' is no thin solid: {1}.")
+            say(form.message, text.format(self._part.Label, self._reason))
             return
         values = solid.thicknesses
         span = colour_scale.span_of(values)
