@@ -3,7 +3,7 @@
 
 from pivy import coin
 
-from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene import colours, nodes
 from freecad.sheetmorph.tools.live_values import turn_of
 
 NAME = "SheetMorphFeatureMarks"
@@ -67,16 +67,7 @@ def _text():
 
 
 def _look():
-    style = coin.SoPickStyle()
-    style.style = coin.SoPickStyle.UNPICKABLE
-    flat = coin.SoLightModel()
-    flat.model = coin.SoLightModel.BASE_COLOR
-    colour = coin.SoBaseColor()
-    colour.rgb = colours.MARKS
-    draw = coin.SoDrawStyle()
-    draw.lineWidth = 2.0
-    draw.pointSize = 6.0
     font = coin.SoFont()
     font.name = "Arial"
     font.size = 14.0
-    return style, flat, colour, draw, font
+    return *nodes.unlit(colours.MARKS, 2.0, 6.0), font

@@ -4,7 +4,7 @@
 import numpy as np
 from pivy import coin
 
-from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene import colours, nodes
 
 NAME = "SheetMorphMeshPreview"
 
@@ -34,11 +34,9 @@ def _drawn(points: np.ndarray, triangles: np.ndarray):
     """Facets in the colour of a sheet, and their edges as thin dark lines."""
     root = coin.SoSeparator()
     root.setName(NAME)
-    style = coin.SoPickStyle()
-    style.style = coin.SoPickStyle.UNPICKABLE
     coordinates = coin.SoCoordinate3()
     coordinates.point.setValues(0, len(points), points.astype(np.float32))
-    root.addChild(style)
+    root.addChild(nodes.unpickable())
     root.addChild(coordinates)
     for node in (_faces(triangles), _edges(triangles)):
         root.addChild(node)
@@ -53,10 +51,8 @@ def _faces(triangles: np.ndarray):
     material = coin.SoMaterial()
     material.diffuseColor = colours.SHEET[:3]
     offset = coin.SoPolygonOffset()
-    index = np.full((len(triangles), 4), -1, np.int32)
-    index[:, :3] = triangles
     faces = coin.SoIndexedFaceSet()
-    faces.coordIndex.setValues(0, index.size, index.ravel().tolist())
+    nodes.set_index(faces, triangles)
     for node in (hints, material, offset, faces):
         group.addChild(node)
     return group
@@ -64,16 +60,10 @@ def _faces(triangles: np.ndarray):
 
 def _edges(triangles: np.ndarray):
     group = coin.SoSeparator()
-    flat = coin.SoLightModel()
-    flat.model = coin.SoLightModel.BASE_COLOR
-    colour = coin.SoBaseColor()
-    colour.rgb = colours.EDGES
     edges = np.sort(np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     edges = np.unique(edges, axis=0)
-    index = np.full((len(edges), 3), -1, np.int32)
-    index[:, :2] = edges
     lines = coin.SoIndexedLineSet()
-    lines.coordIndex.setValues(0, index.size, index.ravel().tolist())
-    for node in (flat, colour, lines):
+    nodes.set_index(lines, edges)
+    for node in (*nodes.unlit(colours.EDGES), lines):
         group.addChild(node)
     return group

@@ -21,6 +21,31 @@ def positions(view_object) -> np.ndarray:
     return np.array([value.getValue() for value in values], dtype=float).reshape(-1, 3)
 
 
+def unpickable():
+    """The SoPickStyle of what the mouse goes through."""
+    style = coin.SoPickStyle()
+    style.style = coin.SoPickStyle.UNPICKABLE
+    return style
+
+
+def unlit(colour, line_width: float = 1.0, point_size: float = 1.0) -> tuple:
+    """Nodes that give lines and points one colour whatever the light, and no part in picking."""
+    flat, base, draw = coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
+    flat.model = coin.SoLightModel.BASE_COLOR
+    base.rgb = colour
+    draw.lineWidth, draw.pointSize = line_width, point_size
+    return unpickable(), flat, base, draw
+
+
+def set_index(node, rows: np.ndarray) -> None:
+    """Writes rows (m, k) of vertices into a shape with coordIndex, each closed by -1."""
+    flat = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
+    flat[:, :-1] = rows
+    node.coordIndex.setNum(flat.size)
+    if flat.size:
+        node.coordIndex.setValues(0, flat.size, flat.ravel().tolist())
+
+
 def _first(root, wanted):
     """The first node of a type below ``root``, also under switches that are off."""
     search = coin.SoSearchAction()

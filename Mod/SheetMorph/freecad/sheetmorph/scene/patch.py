@@ -4,6 +4,8 @@
 import numpy as np
 from pivy import coin
 
+from freecad.sheetmorph.scene import nodes
+
 # Maps depth a little nearer, so that what lies in the surface is drawn before it.
 NEARER = 0.9997
 BEHIND = 0.9999  # before the surface, behind what is NEARER
@@ -51,8 +53,8 @@ class Patch:
         Triangles without any of the vertices may be left out.
         """
         faces, lines, points = pieces(triangles, vertices)
-        _set_index(self._faces, faces)
-        _set_index(self._lines, lines)
+        nodes.set_index(self._faces, faces)
+        nodes.set_index(self._lines, lines)
         self._points.coordIndex.setNum(len(points))
         if len(points):
             self._points.coordIndex.setValues(0, len(points), [int(p) for p in points])
@@ -94,8 +96,6 @@ def _edges(triangles: np.ndarray, count: int) -> np.ndarray:
 
 
 def _appearance(colour, width):
-    style = coin.SoPickStyle()
-    style.style = coin.SoPickStyle.UNPICKABLE
     depth = coin.SoDepthBuffer()
     depth.range.setValue(0.0, NEARER if width else BEHIND)
     material = coin.SoMaterial()
@@ -111,13 +111,4 @@ def _appearance(colour, width):
     draw = coin.SoDrawStyle()
     draw.pointSize = width + 2.0
     draw.lineWidth = width or 1.0
-    return style, depth, material, binding, normals, hints, draw
-
-
-def _set_index(node, rows: np.ndarray) -> None:
-    """Writes rows of indices, each closed by -1."""
-    flat = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
-    flat[:, :-1] = rows
-    node.coordIndex.setNum(flat.size)
-    if flat.size:
-        node.coordIndex.setValues(0, flat.size, flat.ravel().tolist())
+    return nodes.unpickable(), depth, material, binding, normals, hints, draw

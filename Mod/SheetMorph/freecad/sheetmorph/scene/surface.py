@@ -6,6 +6,7 @@ import math
 import numpy as np
 from pivy import coin
 
+from freecad.sheetmorph.scene import nodes
 from freecad.sheetmorph.tools import colour_scale
 
 CREASE = math.radians(30.0)
@@ -49,14 +50,12 @@ class Surface:
         self._binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
 
     def _separator(self):
-        style = coin.SoPickStyle()
-        style.style = coin.SoPickStyle.UNPICKABLE
         hints = coin.SoShapeHints()
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         normals = coin.SoNormalBinding()
         normals.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
         separator = coin.SoSeparator()
-        look = (style, hints, self._material, self._binding, normals)
+        look = (nodes.unpickable(), hints, self._material, self._binding, normals)
         for node in (*look, self._normals, self._coordinates, self._faces):
             separator.addChild(node)
         return separator

@@ -38,8 +38,6 @@ class ValueMap:
 
 
 def _style():
-    style = coin.SoPickStyle()
-    style.style = coin.SoPickStyle.UNPICKABLE
     depth = coin.SoDepthBuffer()
     depth.range.setValue(0.0, NEARER)
     hints = coin.SoShapeHints()
@@ -47,12 +45,10 @@ def _style():
     hints.creaseAngle = 0.5
     normals = coin.SoNormalBinding()
     normals.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
-    return style, depth, hints, normals
+    return nodes.unpickable(), depth, hints, normals
 
 
 def _facets(triangles: np.ndarray):
-    index = np.full((len(triangles), 4), -1, np.int32)
-    index[:, :3] = triangles
     facets = coin.SoIndexedFaceSet()
-    facets.coordIndex.setValues(0, index.size, index.ravel().tolist())
+    nodes.set_index(facets, triangles)
     return facets

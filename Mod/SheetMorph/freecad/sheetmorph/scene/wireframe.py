@@ -4,7 +4,7 @@
 import numpy as np
 from pivy import coin
 
-from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene import colours, nodes
 from freecad.sheetmorph.tools import wires
 
 NAME = "SheetMorphControlMeshes"
@@ -20,15 +20,7 @@ class Wireframe:
         self._lines = coin.SoIndexedLineSet()
         self._root = coin.SoSeparator()
         self._root.setName(NAME)
-        style = coin.SoPickStyle()
-        style.style = coin.SoPickStyle.UNPICKABLE
-        flat = coin.SoLightModel()
-        flat.model = coin.SoLightModel.BASE_COLOR
-        colour = coin.SoBaseColor()
-        colour.rgb = colours.WIRES
-        draw = coin.SoDrawStyle()
-        draw.lineWidth = 1.0
-        for node in (style, flat, colour, draw, self._coordinates, self._lines):
+        for node in (*nodes.unlit(colours.WIRES), self._coordinates, self._lines):
             self._root.addChild(node)
         view.getSceneGraph().addChild(self._root)
 
@@ -56,11 +48,7 @@ class Wireframe:
             return
 
     def _connect(self, edges: np.ndarray) -> None:
-        index = np.full((len(edges), 3), -1, np.int32)
-        index[:, :2] = edges
-        self._lines.coordIndex.setNum(index.size)
-        if index.size:
-            self._lines.coordIndex.setValues(0, index.size, index.ravel().tolist())
+        nodes.set_index(self._lines, edges)
 
 
 def same(some: list, others: list) -> bool:
