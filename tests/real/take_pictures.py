@@ -40,6 +40,9 @@ JOBS = {
         "made": "strip", "direction": [-0.35, 1.0, -0.75], "first": "interpolated",
         "display": "Flat Lines",
     },
+    "thin-lumps": {
+        "made": "lumps", "direction": [-0.6, 1.0, -0.8], "regions": False,
+    },
     "support": {"real": "support", "direction": [-1.0, 1.2, -0.6]},
     "support-below": {"real": "support", "direction": [-1.0, 1.0, 0.7]},
     "support-shelf": {"real": "shelf", "direction": STEEP, "only": ["W1000BOstat/1"]},
@@ -82,8 +85,10 @@ def job_of(name: str, place: Path) -> dict | None:
     job["recipe"] = str(place / f"{name}.json")
     if "made" in job:
         import lifted_strip
+        import lumpy_plates  # lifted_strip makes the tests' helpers known
 
-        recipe = lifted_strip.written_strip(place)
+        written = {"strip": lifted_strip.written_strip, "lumps": lumpy_plates.written_plate}
+        recipe = written[job["made"]](place)
         Path(job["recipe"]).write_text(json.dumps(recipe), encoding="utf-8")
         return job
     import recipes
