@@ -21,6 +21,7 @@ import laser_cut_box
 import rear_wing
 import riveted_support
 import stainless_plate
+import step_enclosure
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 ABSENT = "the public meshes are not at hand; set SHEETMORPH_SHARED to the folder above data/"
@@ -34,6 +35,7 @@ MAKERS: dict[str, Callable[[Path], dict]] = {
     "plate": stainless_plate.stainless_plate,
     "plate as it comes": partial(stainless_plate.stainless_plate, keys=stainless_plate.METRES),
     "box": laser_cut_box.box,
+    "enclosure": step_enclosure.enclosure,
     "bar": partial(classics.classic, name="bar"),
     "cylinder": partial(classics.classic, name="cylinder"),
     "bumpy_plane": partial(classics.classic, name="bumpy_plane"),

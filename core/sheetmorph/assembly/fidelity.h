@@ -25,7 +25,8 @@ struct ContactFidelity
 class ContactGauge
 {
 public:
-    ContactGauge(const Assembly& assembly, const DirectedContact& contact);
+    //! \param is_source_thin  what it touches may then be triangles that the side has not whole
+    ContactGauge(const Assembly& assembly, const DirectedContact& contact, bool is_source_thin);
 
     //! \param source  the whole source part in one pose
     //! \param target  (n, 3) positions of the whole target part, mm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/patch_anchors.h"
 
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/picking.h"
 
 #include <limits>
@@ -75,6 +76,20 @@ std::vector<PatchAnchor> nearest_anchors(const TriangleMesh& mesh, const VertexI
         anchors.push_back({{corners(0), corners(1), corners(2)}, hit->barycentric});
     }
     return anchors;
+}
+
+VertexIds with_triangles_below(const TriangleMesh& mesh, const VertexIds& region,
+                               const Points& targets)
+{
+    const PickingTree tree(mesh);
+    VertexIds corners;
+    for (Eigen::Index row = 0; row < targets.rows(); ++row)
+        if (const std::optional<Hit> hit = tree.nearest_point(targets.row(row).transpose()))
+            for (int k = 0; k < 3; ++k)
+                corners.push_back(mesh.triangles()(hit->triangle, k));
+    VertexIds wide = region;
+    merge_into(wide, corners);
+    return wide;
 }
 
 }  // namespace sheetmorph

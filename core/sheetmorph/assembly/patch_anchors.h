@@ -23,4 +23,9 @@ struct PatchAnchor
 std::vector<PatchAnchor> nearest_anchors(const TriangleMesh& mesh, const VertexIds& region,
                                          const Points& targets);
 
+//! The region with the triangles of the mesh that are nearest to the targets. What stands on a
+//! coarse mesh, or on the wall of a sheet, touches triangles none of which the region has whole.
+VertexIds with_triangles_below(const TriangleMesh& mesh, const VertexIds& region,
+                               const Points& targets);
+
 }  // namespace sheetmorph

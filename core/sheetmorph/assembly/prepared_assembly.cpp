@@ -4,10 +4,10 @@
 #include "sheetmorph/assembly/assembly_checks.h"
 #include "sheetmorph/assembly/control_box.h"
 #include "sheetmorph/assembly/link_blending.h"
+#include "sheetmorph/assembly/patch_anchors.h"
 #include "sheetmorph/assembly/reuse.h"
 #include "sheetmorph/assembly/task_pool.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/growing.h"
 
 #include <algorithm>
 #include <chrono>
@@ -109,14 +109,14 @@ void reduce(PreparedAssembly& prepared, const PreparedAssembly* previous)
     prepared.assembly = reduced_to_skins(*prepared.with_thin_parts, prepared.thin);
 }
 
-// What touches by its wall is a row of vertices in the middle of the sheet. A tie holds on to
-// triangles: those around, for that row has none.
+// What touches by its wall is a row of vertices in the middle of the sheet, and a tie holds on to
+// triangles.
 void widen_thin_sources(PreparedAssembly& prepared)
 {
     for (PlannedLink& link : prepared.planned)
         if (link.type == ContactType::tied && prepared.thin[at(link.source_part)])
-            link.source =
-                grow_rings(prepared.assembly.parts[at(link.source_part)].mesh, link.source, 1);
+            link.source = with_triangles_below(prepared.assembly.parts[at(link.source_part)].mesh,
+                                               link.source, target_points(prepared.assembly, link));
 }
 
 //! Collects what has to be built, and times it.
@@ -203,7 +203,8 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     prepared.welds = plan_welds(given, prepared.plan);
     prepared.pairs = plan_pairs(given, prepared.plan);
     for (const DirectedContact& contact : prepared.plan.measured)
-        prepared.gauges.emplace_back(prepared.whole(), contact);
+        prepared.gauges.emplace_back(prepared.whole(), contact,
+                                     prepared.thin[at(contact.source(given).part)] != nullptr);
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
     const Passages passages{prepared.planned, prepared.welds, prepared.pairs};

@@ -16,6 +16,9 @@ namespace
 // Relative error of what the tests compute, with room to spare.
 constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
+// The squared height over the longest edge of a triangle whose plane rounding leaves uncertain.
+constexpr double thin = 1e-10;
+
 Vector3 point_at(const TriangleCorners& corners, const Vector3& barycentric)
 {
     return corners[0] * barycentric(0) + corners[1] * barycentric(1) + corners[2] * barycentric(2);
@@ -39,6 +42,42 @@ double nearest_on_segment(const Vector3& point, const Vector3& a, const Vector3&
 {
     const double length = (b - a).squaredNorm();
     return length > 0.0 ? std::clamp((point - a).dot(b - a) / length, 0.0, 1.0) : 0.0;
+}
+
+Hit hit_at(const Vector3& point, const TriangleCorners& corners, const Vector3& barycentric)
+{
+    Hit hit;
+    hit.barycentric = barycentric;
+    hit.point = point_at(corners, barycentric);
+    hit.distance = (hit.point - point).norm();
+    return hit;
+}
+
+// Of any triangle, a line and a point too.
+Hit nearest_on_thin_triangle(const Vector3& point, const TriangleCorners& corners)
+{
+    Hit best;
+    best.distance = std::numeric_limits<double>::infinity();
+    const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    if (normal.squaredNorm() > 0.0)
+    {
+        Vector3 inside;
+        for (int k = 0; k < 3; ++k)
+            inside(k) =
+                normal.dot((corners[(k + 1) % 3] - point).cross(corners[(k + 2) % 3] - point));
+        if (inside.minCoeff() >= 0.0 && inside.sum() > 0.0)
+            keep_nearer(point, corners, inside / inside.sum(), best);
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+        const int next = (k + 1) % 3;
+        const double along = nearest_on_segment(point, corners[k], corners[next]);
+        Vector3 barycentric = Vector3::Zero();
+        barycentric(k) = 1.0 - along;
+        barycentric(next) = along;
+        keep_nearer(point, corners, barycentric, best);
+    }
+    return best;
 }
 
 }  // namespace
@@ -130,31 +169,43 @@ std::optional<Hit> first_hit(const Eigen::Ref<const Points>& points,
     return best;
 }
 
+// By the region of the plane the point is over (Ericson, Real-Time Collision Detection, 5.1.5).
 Hit nearest_on_triangle(const Vector3& point, const TriangleCorners& corners)
 {
-    Hit best;
-    best.distance = std::numeric_limits<double>::infinity();
-    const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    const double area = normal.squaredNorm();
-    if (area > 0.0)
+    const Vector3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+    const Vector3 ap = point - corners[0], bp = point - corners[1], cp = point - corners[2];
+    const double longest = std::max(ab.squaredNorm(), ac.squaredNorm());
+    if (!(ab.cross(ac).squaredNorm() > thin * longest * longest))
+        return nearest_on_thin_triangle(point, corners);
+    const double a_b = ab.dot(ap), a_c = ac.dot(ap);
+    if (a_b <= 0.0 && a_c <= 0.0)
+        return hit_at(point, corners, Vector3::UnitX());
+    const double b_b = ab.dot(bp), b_c = ac.dot(bp);
+    if (b_b >= 0.0 && b_c <= b_b)
+        return hit_at(point, corners, Vector3::UnitY());
+    const double c_b = ab.dot(cp), c_c = ac.dot(cp);
+    if (c_c >= 0.0 && c_b <= c_c)
+        return hit_at(point, corners, Vector3::UnitZ());
+    const double of_c = a_b * b_c - b_b * a_c;
+    if (of_c <= 0.0 && a_b >= 0.0 && b_b <= 0.0)
     {
-        Vector3 inside;
-        for (int k = 0; k < 3; ++k)
-            inside(k) =
-                normal.dot((corners[(k + 1) % 3] - point).cross(corners[(k + 2) % 3] - point));
-        if (inside.minCoeff() >= 0.0 && inside.sum() > 0.0)
-            keep_nearer(point, corners, inside / inside.sum(), best);
+        const double along = a_b / (a_b - b_b);
+        return hit_at(point, corners, {1.0 - along, along, 0.0});
     }
-    for (int k = 0; k < 3; ++k)
+    const double of_b = c_b * a_c - a_b * c_c;
+    if (of_b <= 0.0 && a_c >= 0.0 && c_c <= 0.0)
     {
-        const int next = (k + 1) % 3;
-        const double along = nearest_on_segment(point, corners[k], corners[next]);
-        Vector3 barycentric = Vector3::Zero();
-        barycentric(k) = 1.0 - along;
-        barycentric(next) = along;
-        keep_nearer(point, corners, barycentric, best);
+        const double along = a_c / (a_c - c_c);
+        return hit_at(point, corners, {1.0 - along, 0.0, along});
     }
-    return best;
+    const double of_a = b_b * c_c - c_b * b_c;
+    if (of_a <= 0.0 && b_c >= b_b && c_b >= c_c)
+    {
+        const double along = (b_c - b_b) / ((b_c - b_b) + (c_b - c_c));
+        return hit_at(point, corners, {0.0, 1.0 - along, along});
+    }
+    const double sum = of_a + of_b + of_c;
+    return hit_at(point, corners, {of_a / sum, of_b / sum, of_c / sum});
 }
 
 }  // namespace sheetmorph
