@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/dense_products.h"
 
+#include "sheetmorph/base/instructions.h"
 #include "sheetmorph/base/vector_types.h"
 
 #include <algorithm>
@@ -135,11 +136,6 @@ void narrow_128(const Weights& left, const Rows& columns, Points& result)
     Kernel<2>::multiply(left, columns, result);
 }
 
-bool has_256()
-{
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-}
-
 struct TileKernel
 {
     void (*multiply)(Tile&);
@@ -148,9 +144,9 @@ struct TileKernel
 
 TileKernel tile_kernel()
 {
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    if (instructions() == Instructions::avx512)
         return {tile_512, 16};
-    if (has_256())
+    if (instructions() != Instructions::portable)
         return {tile_256, 8};
     return {tile_128, 4};
 }
@@ -214,7 +210,7 @@ Points narrow_product(const Weights& left, const Points& right)
     Points result(left.rows(), 3);
     const Weights columns = right.transpose();
     const Rows rows{columns.data(), columns.cols()};
-    if (has_256())
+    if (instructions() != Instructions::portable)
         narrow_256(left, rows, result);
     else
         narrow_128(left, rows, result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/front_kernel.h"
 
+#include "sheetmorph/base/instructions.h"
 #include "sheetmorph/base/vector_types.h"
 
 #include <cstring>
@@ -170,16 +171,11 @@ __attribute__((target("avx2,fma"))) void backward_256(const Front& front, double
     backward(front, w);
 }
 
-bool has_256()
-{
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-}
-
 }  // namespace
 
 void run_forward(const Front& front, double* w)
 {
-    if (has_256())
+    if (instructions() != Instructions::portable)
         forward_256(front, w);
     else
         forward(front, w);
@@ -187,7 +183,7 @@ void run_forward(const Front& front, double* w)
 
 void run_backward(const Front& front, double* w)
 {
-    if (has_256())
+    if (instructions() != Instructions::portable)
         backward_256(front, w);
     else
         backward(front, w);

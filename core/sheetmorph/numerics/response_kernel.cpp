@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/response_kernel.h"
 
+#include "sheetmorph/base/instructions.h"
 #include "sheetmorph/base/vector_types.h"
 
 #include <utility>
@@ -182,9 +183,9 @@ void kernel_128(const ResponseProduct& work)
 
 void run_response_kernel(const ResponseProduct& work)
 {
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    if (instructions() == Instructions::avx512)
         kernel_512(work);
-    else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    else if (instructions() == Instructions::avx2)
         kernel_256(work);
     else
         kernel_128(work);

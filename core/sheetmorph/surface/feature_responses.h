@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/numerics/constrained_minimiser.h"
+#include "sheetmorph/numerics/dense_products.h"
 #include "sheetmorph/numerics/response_fields.h"
 #include "sheetmorph/surface/joints.h"
 #include "sheetmorph/surface/rotation_field.h"
@@ -13,8 +14,8 @@ namespace sheetmorph
 //! sum_x rho_x^T G rho_x + 2 g_x^T rho_x + constant, with rho_x (c) for coordinate x.
 struct ReducedEnergy
 {
-    Eigen::MatrixXd stiffness;  //!< G (c, c)
-    Eigen::MatrixXd slope;      //!< g (c, 3)
+    Weights stiffness;      //!< G (c, c), symmetric
+    Eigen::MatrixXd slope;  //!< g (c, 3)
 };
 
 //! Where a turner's entries are among the c: rotation minus identity at `turn` + 0, 1, 2 (entry
@@ -68,7 +69,7 @@ private:
     SparseMatrix weights_;
     SparseMatrix offsets_;                     // (n, c) what the columns move directly
     std::optional<ResponseFields> responses_;  // (n, c) Phi
-    Eigen::MatrixXd stiffness_;                // (c, c)
+    Weights stiffness_;                        // (c, c)
 };
 
 }  // namespace sheetmorph

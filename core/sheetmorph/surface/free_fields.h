@@ -59,9 +59,9 @@ private:
     const FeatureResponses* responses_;
     const Eigen::MatrixXd& weights_;
     Eigen::VectorXd left_;
-    Eigen::MatrixXd spread_;     // (turners, s) how far the weights differ around each turner
-    Eigen::MatrixXd stiffness_;  // (count, count)
-    Eigen::MatrixXd slopes_;     // (count, fields)
+    Eigen::MatrixXd spread_;  // (turners, s) how far the weights differ around each turner
+    Weights stiffness_;       // (count, count)
+    Eigen::MatrixXd slopes_;  // (count, fields)
 };
 
 }  // namespace sheetmorph

@@ -184,13 +184,14 @@ void expand_turns(const Joints& joints, const Measure& measure, const Eigen::Mat
 double Measure::value(const Joints& joints) const
 {
     const Eigen::MatrixXd rho = entries_of(joints, part, responses);
-    return (rho.cwiseProduct(energy.stiffness * rho + 2.0 * energy.slope)).sum();
+    return (rho.cwiseProduct(narrow_product(energy.stiffness, rho) + 2.0 * energy.slope)).sum();
 }
 
 Expansion expand(const Joints& joints, const Measure& measure)
 {
     const Eigen::MatrixXd rho = entries_of(joints, measure.part, measure.responses);
-    const Eigen::MatrixXd forces = measure.energy.stiffness * rho + measure.energy.slope;
+    const Eigen::MatrixXd forces =
+        narrow_product(measure.energy.stiffness, rho) + measure.energy.slope;
     Expansion at;
     at.value = (rho.cwiseProduct(forces + measure.energy.slope)).sum();
     at.gradient = Eigen::VectorXd::Zero(joints.freedoms());

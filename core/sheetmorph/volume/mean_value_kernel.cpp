@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/mean_value_kernel.h"
 
+#include "sheetmorph/base/instructions.h"
 #include "sheetmorph/volume/lane_angles.h"
 
 #include <cstring>
@@ -221,9 +222,9 @@ void kernel_128(const KernelMesh& mesh, KernelBlock& block)
 
 void run_kernel(const KernelMesh& mesh, KernelBlock& block)
 {
-    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    if (instructions() == Instructions::avx512)
         kernel_512(mesh, block);
-    else if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    else if (instructions() == Instructions::avx2)
         kernel_256(mesh, block);
     else
         kernel_128(mesh, block);
