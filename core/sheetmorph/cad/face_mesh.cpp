@@ -131,21 +131,32 @@ void FaceMesh::relink(int t, int before, int after)
         }
 }
 
-int FaceMesh::split(int t, int k, const FaceVertex& middle)
+FaceMesh::Diamond FaceMesh::diamond(int t, int k) const
 {
     const FaceTriangle one = triangle(t);
-    const int o = across_at(one, k);
-    const FaceTriangle other = triangle(o);
-    const int a = corner_at(one, k), b = corner_at(one, next(k)), c = corner_at(one, next(next(k)));
-    const int j = side_of(o, b, a);
-    const int d = corner_at(other, next(next(j)));
+    Diamond found;
+    found.other = across_at(one, k);
+    const FaceTriangle other = triangle(found.other);
+    found.a = corner_at(one, k);
+    found.b = corner_at(one, next(k));
+    found.c = corner_at(one, next(next(k)));
+    const int j = side_of(found.other, found.b, found.a);
+    found.d = corner_at(other, next(next(j)));
+    found.bc = across_at(one, next(k));
+    found.ca = across_at(one, next(next(k)));
+    found.ad = across_at(other, next(j));
+    found.db = across_at(other, next(next(j)));
+    return found;
+}
+
+int FaceMesh::split(int t, int k, const FaceVertex& middle)
+{
+    const auto [o, a, b, c, d, bc, ca, ad, db] = diamond(t, k);
     const int m = static_cast<int>(vertices_.size());
     vertices_.push_back(middle);
     const int t2 = static_cast<int>(triangles_.size());
     const int o2 = t2 + 1;
     triangles_.resize(triangles_.size() + 2);
-    const int bc = across_at(one, next(k)), ca = across_at(one, next(next(k)));
-    const int ad = across_at(other, next(j)), db = across_at(other, next(next(j)));
     set_triangle(t, {{a, m, c}, {o, t2, ca}});
     set_triangle(t2, {{m, b, c}, {o2, bc, t}});
     set_triangle(o, {{m, a, d}, {t, ad, o2}});
@@ -157,14 +168,7 @@ int FaceMesh::split(int t, int k, const FaceVertex& middle)
 
 void FaceMesh::flip(int t, int k)
 {
-    const FaceTriangle one = triangle(t);
-    const int o = across_at(one, k);
-    const FaceTriangle other = triangle(o);
-    const int a = corner_at(one, k), b = corner_at(one, next(k)), c = corner_at(one, next(next(k)));
-    const int j = side_of(o, b, a);
-    const int d = corner_at(other, next(next(j)));
-    const int bc = across_at(one, next(k)), ca = across_at(one, next(next(k)));
-    const int ad = across_at(other, next(j)), db = across_at(other, next(next(j)));
+    const auto [o, a, b, c, d, bc, ca, ad, db] = diamond(t, k);
     set_triangle(t, {{c, a, d}, {ca, ad, o}});
     set_triangle(o, {{d, b, c}, {db, bc, t}});
     relink(bc, t, o);

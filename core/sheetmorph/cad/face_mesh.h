@@ -67,6 +67,15 @@ public:
     void collapse(int v, int to);
 
 private:
+    // Triangles (a, b, c) and, across its side (a, b), (b, a, d); and what lies over their sides.
+    struct Diamond
+    {
+        int other = -1;
+        int a = -1, b = -1, c = -1, d = -1;
+        int bc = -1, ca = -1, ad = -1, db = -1;
+    };
+
+    Diamond diamond(int t, int k) const;
     FaceTriangle& at(int t) { return triangles_[static_cast<std::size_t>(t)]; }
     void connect();
     void set_triangle(int t, const FaceTriangle& triangle);
