@@ -64,8 +64,8 @@ double distance_to_box(const Vector3& point, const Box& box)
     return (1.0 - 1e-14) * (nearest - point).norm();
 }
 
-// The place nearest to a point so far.
-struct PointQuery
+// What is asked about a point; best: the nearest place so far.
+struct FromPoint
 {
     Vector3 point;
     Hit best;
@@ -76,32 +76,33 @@ struct PointQuery
         return distance_to_box(point, box);
     }
 
-    void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
+    Hit place_on(int triangle, const std::array<Vector3, 3>& corners) const
     {
         Hit hit = nearest_on_triangle(point, corners);
         hit.triangle = triangle;
+        return hit;
+    }
+};
+
+// The nearest place.
+struct PointQuery : FromPoint
+{
+    void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
+    {
+        const Hit hit = place_on(triangle, corners);
         if (std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))
             best = hit;
     }
 };
 
 // Every place that is near enough; best.distance stays the radius.
-struct RangeQuery
+struct RangeQuery : FromPoint
 {
-    Vector3 point;
-    Hit best;
     std::vector<Hit> found;
-
-    template <typename Box>
-    double distance_of(const Box& box) const
-    {
-        return distance_to_box(point, box);
-    }
 
     void try_triangle(int triangle, const std::array<Vector3, 3>& corners)
     {
-        Hit hit = nearest_on_triangle(point, corners);
-        hit.triangle = triangle;
+        const Hit hit = place_on(triangle, corners);
         if (hit.distance <= best.distance)
             found.push_back(hit);
     }
@@ -244,7 +245,7 @@ std::optional<Hit> PickingTree::nearest_hit(const Vector3& origin, const Vector3
 std::vector<Hit> PickingTree::places_within(const Vector3& point, double radius) const
 {
     require_finite(point);
-    RangeQuery query{point, nothing_yet(), {}};
+    RangeQuery query{{point, nothing_yet()}, {}};
     query.best.distance = radius;
     visit(query);
     std::sort(query.found.begin(), query.found.end(),
@@ -287,7 +288,7 @@ void PickingTree::collect(int node, const Planes& planes, std::vector<int>& foun
 std::optional<Hit> PickingTree::nearest_point(const Vector3& point, double reach) const
 {
     require_finite(point);
-    PointQuery query{point, nothing_yet()};
+    PointQuery query{{point, nothing_yet()}};
     query.best.distance = reach;
     visit(query);
     const bool is_found = query.best.triangle < std::numeric_limits<int>::max();
