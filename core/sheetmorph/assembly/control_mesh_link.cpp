@@ -97,6 +97,8 @@ public:
         return link_.transfer(state_of(source));
     }
 
+    VertexIds reads() const override { return meter_.reads(); }
+
     std::optional<ShownControlMesh> control_mesh(const Deformation& source) const override
     {
         return ShownControlMesh{link_.control_vertices(state_of(source)),

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/live_drag.h"
 
-#include "sheetmorph/assembly/wave.h"
+#include "sheetmorph/assembly/drag_samples.h"
 #include "sheetmorph/base/errors.h"
 
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -59,7 +60,7 @@ class LiveDrag::Background
 {
 public:
     Background(const PreparedAssembly& prepared, std::set<std::string> dragged, const Pose& start)
-        : prepared_(prepared), responses_(prepared.parts.size())
+        : prepared_(prepared), samples_(prepared, dragged, start), responses_(prepared.parts.size())
     {
         for (const int part : prepared.plan.order)
         {
@@ -68,7 +69,7 @@ public:
                 continue;
             ResponseOptions options = options_of(prepared, part, dragged, start);
             if (!options.turning.empty() && options.turning.size() <= 2)
-                wanted_.emplace_back(part, std::move(options));
+                wanted_.emplace(part, std::move(options));
         }
         thread_ = std::thread([this] { build(); });
     }
@@ -114,13 +115,8 @@ private:
         std::exception_ptr failure;
         try
         {
-            for (const auto& [part, options] : wanted_)
-            {
-                std::shared_ptr<const SurfaceResponse> built =
-                    prepared_.parts[at(part)].deformer->response(options, progress);
-                const std::lock_guard<std::mutex> lock(mutex_);
-                responses_[at(part)] = std::move(built);
-            }
+            for (const int part : prepared_.plan.order)
+                build(part, progress);
         }
         catch (const Cancelled&)
         {
@@ -137,8 +133,27 @@ private:
         finished_.notify_all();
     }
 
+    void build(int part, const Progress& progress)
+    {
+        const auto options = wanted_.find(part);
+        PartResponse built;
+        if (options != wanted_.end())
+            built.to_handles =
+                prepared_.parts[at(part)].deformer->response(options->second, progress);
+        keep(part, built);
+        built.to_samples = samples_.learn(part, progress);
+        keep(part, built);
+    }
+
+    void keep(int part, const PartResponse& built)
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        responses_[at(part)] = built;
+    }
+
     const PreparedAssembly& prepared_;
-    std::vector<std::pair<int, ResponseOptions>> wanted_;
+    DragSamples samples_;
+    std::map<int, ResponseOptions> wanted_;
     mutable std::mutex mutex_;
     std::condition_variable finished_;
     PartResponses responses_;
@@ -160,7 +175,8 @@ LiveDrag::~LiveDrag() = default;
 const Deformed& LiveDrag::frame(const Pose& pose)
 {
     const Pose told = told_pose(*prepared_, pose);
-    answered_ = Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), result_);
+    answered_ =
+        Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), read_, result_);
     return result_;
 }
 

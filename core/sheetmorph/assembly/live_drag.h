@@ -10,11 +10,11 @@ namespace sheetmorph
 
 struct PreparedAssembly;
 
-//! Live frames while some handles are dragged. Begun, it works out in the
-//! background how the parts answer to their handles (surface_response.h); a
-//! frame takes what is ready and substitutes the rest, so the first frame does
-//! not wait. Either way it is within 1e-6 of the size of the exact shape. One
-//! thread at a time asks for frames.
+//! Live frames while some handles are dragged. Begun, it works out in the background how the parts
+//! answer: to one or two handles or rigid welds (surface_response.h), to control meshes and ties
+//! (sampled_response.h). A frame takes what is ready and substitutes the rest, so the first frame
+//! does not wait. Either way it is within 1e-6 of the size of the exact shape. One thread at a time
+//! asks for frames.
 class LiveDrag
 {
 public:
@@ -27,9 +27,8 @@ public:
     LiveDrag& operator=(const LiveDrag&) = delete;
 
     //! Any pose, always from rest; those that turn no more than two handles of a
-    //! part are fast. Rotation logs are there only for parts whose contacts read
-    //! them. \returns a buffer that the next frame overwrites \throws
-    //! InvalidInput as DeformationSession::deform()
+    //! part are fast. Rotation logs need not be there. \returns a buffer that the next frame
+    //! overwrites \throws InvalidInput as DeformationSession::deform()
     const Deformed& frame(const Pose& pose);
 
     //! Returns when the background work is done.
@@ -45,6 +44,7 @@ private:
     std::shared_ptr<const PreparedAssembly> prepared_;
     std::unique_ptr<Background> background_;
     Deformed result_;
+    std::vector<Deformation> read_;  // by part: what later parts read of a frame
     std::vector<char> answered_;
 };
 

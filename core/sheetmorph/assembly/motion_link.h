@@ -28,6 +28,9 @@ public:
     //! \returns       the targets' positions and rotations, rows in the order they were given
     virtual LinkedTargets transfer(const Deformation& source) const = 0;
 
+    //! The vertices of the source part whose positions and logs transfer() reads, ascending.
+    virtual VertexIds reads() const = 0;
+
     //! The control mesh in that pose; nothing if the link has none.
     virtual std::optional<ShownControlMesh> control_mesh(const Deformation& source) const = 0;
 };

@@ -35,7 +35,6 @@ public:
     {
         const LocalRotations turned =
             meter_.measure(source.positions, rows_of(source.rotation_logs, corners_));
-        const Points moved = source.positions - source_rest_;
         LinkedTargets result{Points(arms_.rows(), 3), Points(arms_.rows(), 3), {}};
         for (Eigen::Index row = 0; row < arms_.rows(); ++row)
         {
@@ -43,7 +42,7 @@ public:
             const Matrix3 rotation = mean_rotation(anchor, turned);
             const Vector3 arm = arms_.row(row).transpose();
             // As a displacement, so that a source at rest leaves the target where it is.
-            const Vector3 shift = anchor.on(moved) + (rotation * arm - arm);
+            const Vector3 shift = displacement(anchor, source) + (rotation * arm - arm);
             result.positions.row(row) = targets_.row(row) + shift.transpose();
             result.logs.row(row) = log_near(rotation, mean_log(anchor, turned)).transpose();
             result.rotations.push_back(rotation);
@@ -51,12 +50,24 @@ public:
         return result;
     }
 
+    VertexIds reads() const override { return meter_.reads(); }
+
     std::optional<ShownControlMesh> control_mesh(const Deformation&) const override
     {
         return std::nullopt;
     }
 
 private:
+    Vector3 displacement(const PatchAnchor& anchor, const Deformation& source) const
+    {
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            sum += anchor.weights(static_cast<Eigen::Index>(k))
+                   * (source.positions.row(anchor.corners[k]) - source_rest_.row(anchor.corners[k]))
+                         .transpose();
+        return sum;
+    }
+
     std::size_t corner_index(int vertex) const
     {
         return static_cast<std::size_t>(std::lower_bound(corners_.begin(), corners_.end(), vertex)

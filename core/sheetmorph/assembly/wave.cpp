@@ -5,17 +5,12 @@
 #include "sheetmorph/base/errors.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 namespace sheetmorph
 {
 
 namespace
 {
-
-// Parts are placed on two threads if they have this many vertices together.
-constexpr int vertices_for_two_threads = 200000;
 
 std::size_t at(int index)
 {
@@ -60,25 +55,6 @@ Deformed Wave::run()
     if (exactness_ == Exactness::exact)
         report_contacts();
     return result;
-}
-
-std::vector<char> Wave::run_live(const PartResponses& responses, Deformed& result)
-{
-    start(result);
-    std::vector<char> answered(result.parts.size(), 0);
-    for (const int part : prepared_.plan.order)
-    {
-        answered[at(part)] = responses[at(part)] && respond(part, responses[at(part)]);
-        if (!answered[at(part)])
-            substitute(part);
-        pass_on(part);
-    }
-    for (const int part : prepared_.plan.unreached)
-        set_at_rest(part);
-    place_answers();
-    for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
-        report_features(part);
-    return answered;
 }
 
 // What the deformer of a part makes: the middle of a thin solid, the whole of any other part.
@@ -142,57 +118,11 @@ void Wave::substitute(int index)
     }
 }
 
-// Rigid motions at once, since later parts need them; vertices too if a link
-// reads them, else when all parts are.
-bool Wave::respond(int part, const std::shared_ptr<const SurfaceResponse>& response)
-{
-    const auto& thin = prepared_.parts[at(part)].thin;
-    if (thin && thin->has_points())
-        return false;
-    const SurfaceTargets targets = targets_of(part);
-    std::optional<SurfaceResponse::Frame> frame = response->frame(targets);
-    if (!frame)
-        return false;
-    Deformation& shape = solved(part);
-    const bool is_read =
-        thin
-        || std::any_of(prepared_.planned.begin(), prepared_.planned.end(),
-                       [part](const PlannedLink& link) { return link.source_part == part; });
-    shape.features = frame->features;
-    if (is_read)
-    {
-        response->place(*frame, true, shape);
-        expand(part, targets);
-    }
-    else
-        answers_.push_back({part, response, std::move(*frame)});
-    return true;
-}
-
-void Wave::place_answers() const
-{
-    int vertices = 0;
-    for (const Answer& answer : answers_)
-        vertices += prepared_.assembly.parts[at(answer.part)].mesh.vertex_count();
-    std::atomic<std::size_t> next{0};
-    const auto place = [&]
-    {
-        for (std::size_t k = next++; k < answers_.size(); k = next++)
-            answers_[k].response->place(answers_[k].frame, false,
-                                        result_->parts[at(answers_[k].part)]);
-    };
-    std::thread other;
-    if (answers_.size() > 1 && vertices >= vertices_for_two_threads)
-        other = std::thread(place);
-    place();
-    if (other.joinable())
-        other.join();
-}
-
 // What later parts need of this one.
 void Wave::pass_on(int index)
 {
-    const Deformation& shape = solved(index);
+    const bool is_in_read = !is_in_read_.empty() && is_in_read_[at(index)];
+    const Deformation& shape = is_in_read ? (*read_)[at(index)] : solved(index);
     for (std::size_t k = 0; k < links_.size(); ++k)
         if (prepared_.planned[k].source_part == index)
             links_[k] = prepared_.links[k].link->transfer(shape);

@@ -2,13 +2,22 @@
 #pragma once
 
 #include "sheetmorph/assembly/prepared_assembly.h"
-#include "sheetmorph/surface/surface_response.h"
+#include "sheetmorph/surface/sampled_response.h"
+
+#include <functional>
 
 namespace sheetmorph
 {
 
-//! By part: how it answers to its handles; nothing where it is substituted.
-using PartResponses = std::vector<std::shared_ptr<const SurfaceResponse>>;
+//! How a part answers in live frames; it is substituted where neither knows a pose.
+struct PartResponse
+{
+    std::shared_ptr<const SurfaceResponse> to_handles;  //!< one or two
+    std::shared_ptr<const SampledResponse> to_samples;  //!< asked first
+};
+
+//! By part.
+using PartResponses = std::vector<PartResponse>;
 
 //! One pose on its way through the propagation order.
 class Wave
@@ -20,25 +29,34 @@ public:
     Deformed run();
 
     //! The same into the buffers of an earlier frame. Parts with a response that
-    //! covers the pose take it, and have rotation logs only if a later part reads
-    //! them. \returns by part, whether its response was taken
-    std::vector<char> run_live(const PartResponses& responses, Deformed& result);
+    //! covers the pose take it, and need not have rotation logs.
+    //! \param read  by part: buffers for what later parts read of it
+    //! \returns by part, whether its response was taken
+    std::vector<char> run_live(const PartResponses& responses, std::vector<Deformation>& read,
+                               Deformed& result);
+
+    //! For one pose of many, part by part in their order: only what later parts read is known of
+    //! a part, in buffers that the poses share.
+    void begin_reading(std::vector<Deformation>& read);
+    SurfaceTargets targets_of(int part) const;
+    bool read(int part, const SampledResponse& response);
 
 private:
     struct Answer
     {
         int part;
-        std::shared_ptr<const SurfaceResponse> response;
-        SurfaceResponse::Frame frame;
+        std::function<void(Deformation&)> place;
     };
 
     void start(Deformed& result);
     Deformation& solved(int part) const;
     void set_at_rest(int part) const;
     void expand(int part, const SurfaceTargets& targets) const;
-    SurfaceTargets targets_of(int part) const;
     void substitute(int part);
-    bool respond(int part, const std::shared_ptr<const SurfaceResponse>& response);
+    bool respond(int part, const PartResponse& response);
+    bool respond_to_samples(int part, const std::shared_ptr<const SampledResponse>& response);
+    bool respond_to_handles(int part, const std::shared_ptr<const SurfaceResponse>& response);
+    bool is_read(int part) const;
     void pass_on(int part);
     void place_answers() const;
     Points sized_rest(int part) const;
@@ -55,6 +73,8 @@ private:
     std::vector<RigidMotion> motions_;  // by feature of the assembly
     std::vector<Answer> answers_;       // rigid motions known, vertices still to be placed
     Deformed* result_ = nullptr;
+    std::vector<Deformation>* read_ = nullptr;
+    std::vector<char> is_in_read_;  // by part: what later parts read is there, else in the result
 };
 
 }  // namespace sheetmorph

@@ -2,7 +2,7 @@
 #include "sheetmorph/surface/surface_deformer.h"
 
 #include "sheetmorph/surface/pose_solve.h"
-#include "sheetmorph/surface/surface_response.h"
+#include "sheetmorph/surface/sampled_response.h"
 
 namespace sheetmorph
 {
@@ -48,6 +48,18 @@ std::unique_ptr<SurfaceResponse> SurfaceDeformer::response(const ResponseOptions
 bool SurfaceDeformer::can_respond() const
 {
     return SurfaceResponse::is_possible(response_input(*data_));
+}
+
+std::unique_ptr<SampledResponse> SurfaceDeformer::sampled_response(
+    const std::vector<SurfaceTargets>& samples, const VertexIds& reads,
+    const Progress& progress) const
+{
+    return std::make_unique<SampledResponse>(response_input(*data_), samples, reads, progress);
+}
+
+bool SurfaceDeformer::can_be_sampled() const
+{
+    return SampledResponse::is_possible(response_input(*data_));
 }
 
 const TriangleMesh& SurfaceDeformer::rest() const

@@ -27,6 +27,7 @@ struct Deformation
     std::vector<RigidMotion> features;  //!< of every form feature, about its rest centroid
 };
 
+class SampledResponse;
 class SurfaceResponse;
 struct ResponseOptions;
 
@@ -59,6 +60,17 @@ public:
     //! Whether response() knows the part: nothing of it is driven by other parts' shapes or bound
     //! to a motion or a link.
     bool can_respond() const;
+
+    //! How the part answers to whatever drives it, learnt from poses (sampled_response.h). The
+    //! deformer must outlive it.
+    //! \param reads  vertices that other parts read
+    //! \throws Cancelled if the progress callback asks for it
+    std::unique_ptr<SampledResponse> sampled_response(const std::vector<SurfaceTargets>& samples,
+                                                      const VertexIds& reads,
+                                                      const Progress& progress = {}) const;
+
+    //! Whether sampled_response() knows the part.
+    bool can_be_sampled() const;
 
     const TriangleMesh& rest() const;
     const SurfaceConstraints& constraints() const;

@@ -132,6 +132,19 @@ std::vector<Matrix3> LocalRotationMeter::matrices(const Points& deformed,
     return found;
 }
 
+VertexIds LocalRotationMeter::reads() const
+{
+    VertexIds vertices;
+    for (const Ring& ring : rings_)
+    {
+        vertices.push_back(ring.vertex);
+        vertices.insert(vertices.end(), ring.others.begin(), ring.others.end());
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
 // The map is reference + (what the reference leaves unexplained), so that nothing left gives the
 // reference itself, bit for bit.
 Matrix3 LocalRotationMeter::ring_rotation(const Ring& ring, const Points& deformed,

@@ -33,6 +33,9 @@ public:
     //! The same without logs, which cost a third of it.
     std::vector<Matrix3> matrices(const Points& deformed, const Points& references) const;
 
+    //! The vertices whose positions are measured.
+    VertexIds reads() const;
+
 private:
     struct Ring
     {

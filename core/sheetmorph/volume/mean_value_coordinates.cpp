@@ -71,8 +71,8 @@ void MeanValueCoordinates::fill_block(const Points& points, Eigen::Index first, 
     }
     run_kernel(mesh_, block);
     const auto count = static_cast<int>(std::min<Eigen::Index>(lanes, last - first + 1));
-    for (Eigen::Index v = 0; v < weights.cols(); ++v)
-        for (int l = 0; l < count; ++l)
+    for (int l = 0; l < count; ++l)
+        for (Eigen::Index v = 0; v < weights.cols(); ++v)
             weights(first + l, v) = block.weights[static_cast<std::size_t>(v)].at[l];
     for (int l = 0; l < count; ++l)
         if (block.finished.at[l] == 0.0)

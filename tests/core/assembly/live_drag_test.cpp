@@ -84,6 +84,51 @@ TEST_P(LiveDragContacts, ThinSolidsAnswerWithBothSkins)
     EXPECT_TRUE(drag->answered()[0]);
 }
 
+class LearntDrag : public testing::TestWithParam<std::tuple<ContactType, FeatureRotation>>
+{
+};
+
+// Poses all over what a drag learns from, none of them among those.
+TEST_P(LearntDrag, PartsBehindContactsAnswerWithoutSubstitution)
+{
+    const auto [type, rotation] = GetParam();
+    Frame frame = frames::ring(type);
+    for (PartFeature& feature : frame.assembly.features)
+        feature.rotation = rotation;
+    const DeformationSession session(frame.assembly);
+    const auto drag = session.begin_drag({"tip"});
+    drag->wait();
+    for (int k = 0; k < 8; ++k)
+    {
+        Pose pose = frame.pose;
+        const Vector3 axis(std::sin(1.0 + k), std::cos(2.0 * k), std::sin(3.0 * k));
+        pose.handles["tip"] =
+            frames::motion(20.0 * Vector3(std::cos(k), std::sin(2.0 * k), 1.0), axis.normalized(),
+                           7.0 * k, frame.pose.handles.at("tip").pivot);
+        const Deformed live = drag->frame(pose);
+        EXPECT_LT(worst_share(frame, live, session.deform(pose)), 1e-6) << k;
+        EXPECT_EQ(drag->answered(), (std::vector<char>{1, 1, 1, 1})) << k;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, LearntDrag,
+    testing::Combine(testing::Values(ContactType::tied, ContactType::control_mesh),
+                     testing::Values(FeatureRotation::interpolated, FeatureRotation::free)));
+
+TEST(LiveDrag, SubstitutesWhereAPoseIsFarFromThoseLearntFrom)
+{
+    const Frame frame = frames::ring(ContactType::control_mesh);
+    const DeformationSession session(frame.assembly);
+    const auto drag = session.begin_drag({"tip"});
+    drag->wait();
+    Pose pose = frame.pose;
+    pose.handles["tip"].rotation_log = rotation_log(Vector3::UnitX(), 3.5);
+    const Deformed far = drag->frame(pose);
+    EXPECT_FALSE(drag->answered()[0]);
+    EXPECT_LT(worst_share(frame, far, session.deform(pose)), 1e-6);
+}
+
 TEST(LiveDrag, RigidlyWeldedPartsAnswerToo)
 {
     const Frame frame = frames::ring(ContactType::rigid);
