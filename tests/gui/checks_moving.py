@@ -117,6 +117,7 @@ def test_what_is_wrong_is_said_beside_its_cause():
     assert Gui.Control.activeDialog()
     child("along_x").click()
     assert not child("axis_message").isVisible()
+    assert [child(f"along_{c}").isChecked() for c in "xyz"] == [True, False, False]
     yield from press("Cancel")
 
 

@@ -32,6 +32,7 @@ class MotionFields(QtCore.QObject):
             shift.valueChanged.connect(self._send)
             getattr(form, f"axis_{c}").valueChanged.connect(self._send)
             getattr(form, f"pivot_{c}").valueChanged.connect(self._leave_centroid)
+            getattr(form, f"along_{c}").setCheckable(True)
             getattr(form, f"along_{c}").clicked.connect(lambda _=False, d=c: self._turn_about(d))
         form.centre.clicked.connect(self._return_to_centroid)
 
@@ -55,6 +56,7 @@ class MotionFields(QtCore.QObject):
             getattr(self._form, f"pivot_{c}").setValue(shown[k])
         self._form.angle.setProperty("rawValue", motion.angle)
         self._form.centre.setEnabled(not self._at_centroid)
+        self._show_direction()
         self._is_writing = False
 
     def show_pivot(self, pivot) -> None:
@@ -81,7 +83,15 @@ class MotionFields(QtCore.QObject):
 
     def _send(self, *_) -> None:
         if not self._is_writing:
+            self._show_direction()
             self.changed.emit()
+
+    def _show_direction(self) -> None:
+        """Presses the button of the axis that the fields say, if it is one of the three."""
+        axis = self.read().axis
+        for k, c in enumerate("xyz"):
+            is_along = axis[k] > 0.0 and not any(axis[:k] + axis[k + 1 :])
+            getattr(self._form, f"along_{c}").setChecked(is_along)
 
     def _leave_centroid(self, *_) -> None:
         if not self._is_writing:
@@ -98,5 +108,6 @@ class MotionFields(QtCore.QObject):
         self._is_writing = True
         for c in "xyz":
             getattr(self._form, f"axis_{c}").setValue(1.0 if c == direction else 0.0)
+        self._show_direction()
         self._is_writing = False
         self.changed.emit()
