@@ -180,8 +180,8 @@ void exact_frame(benchmark::State& state)
 }
 
 BENCHMARK(set_up)->Apply(panel_sizes);
-BENCHMARK(one_more_feature)->Apply(panel_sizes);
-BENCHMARK(one_more_fixed_region)->Apply(panel_sizes);
+BENCHMARK(one_more_feature)->Apply(small_panel_sizes);
+BENCHMARK(one_more_fixed_region)->Apply(small_panel_sizes);
 BENCHMARK(live_frame)->Apply(panel_sizes);
 BENCHMARK(live_frame_50_free_features)->Apply(small_panel_sizes);
 BENCHMARK(three_handles_frame)->Apply(small_panel_sizes);
