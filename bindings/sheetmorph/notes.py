@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Settings of a recipe that have no effect, told in the report."""
+"""Settings of a recipe that have no effect, and shapes to mistrust, told in the report."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .recipe.model import Model, PartEntry
+from .thin import crossings
 
 if TYPE_CHECKING:
-    from .session import Session
+    from .session import Result, Session
 
 _ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
 
@@ -19,6 +20,32 @@ def notes_of(session: Session) -> list[str]:
     model = session.model
     found = _single(model) if model.propagation.type == "single" else _local(session)
     return [*_primary(model), *_thin(session), *found]
+
+
+def shape_notes(result: Result, parts: list[dict[str, Any]]) -> Iterator[str]:
+    """What makes the shape of a part doubtful, and what to do; parts: as the report tells them."""
+    asked = {part.name for part in result.session.model.parts if part.thin}
+    for entry in parts:
+        name, flipped = entry["name"], entry["quality"]["flipped"]
+        if flipped:
+            yield (
+                f'{flipped} triangles of "{name}" fold over onto a neighbour in this pose: remesh '
+                "it, hold slivers in a form feature, or turn it less"
+            )
+        if name not in asked:
+            continue
+        rest, deformed = crossings(result, name)
+        if rest:
+            yield (
+                f'"{name}" passes through itself as it was drawn ({rest} pairs of triangles, now '
+                f"{deformed}): what crosses is bent as one surface and its thickness means nothing "
+                "there; separate it in CAD"
+            )
+        elif deformed:
+            yield (
+                f'"{name}" passes through itself in this pose ({deformed} pairs of triangles): '
+                "turn it less, or remesh it with shorter edges"
+            )
 
 
 def _primary(model: Model) -> Iterator[str]:

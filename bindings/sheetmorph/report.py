@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .certificate import edge_error, feature_edges, tolerance
-from .notes import notes_of
+from .notes import notes_of, shape_notes
 from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
 from .thin import thin_failures, thin_report
@@ -47,15 +47,15 @@ def make_report(
     """The report of a result; `written`: its files read again, by part name; timings: seconds."""
     session = result.session
     files = written or {}
-    arrays = [mesh.points for mesh in session.meshes.values()]
-    tol = tolerance(session.size, [*arrays, *result.positions.values()])
+    rest = (mesh.points for mesh in session.meshes.values())
+    tol = tolerance(session.size, [*rest, *result.positions.values()])
     rests = {part: session.rest_of(part, result.features) for part in session.parts}
     features = [_feature(result, feature, files, rests) for feature in result.features]
+    parts = [_part(result, name, files.get(name)) for name in session.parts]
     failures = [
-        f"{entry['name']} on {entry['part']}: {_worst_error(entry):.3g} mm"
-        for entry in features
-        if not _worst_error(entry) <= tol
-    ] + thin_failures(result, tol)
+        f"{e['name']} on {e['part']}: {_worst_error(e):.3g} mm"
+        for e in features if not _worst_error(e) <= tol
+    ] + thin_failures(result, tol)  # fmt: skip
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
@@ -71,11 +71,11 @@ def make_report(
         "features": features,
         "contacts": [asdict(contact) for contact in result.contacts],
         "spread": result.spread,
-        "parts": [_part(result, name, files.get(name)) for name in session.parts],
+        "parts": parts,
         "order": session.order,
         "levels": session.levels,
         "unreached": session.unreached,
-        "notes": notes_of(session),
+        "notes": [*notes_of(session), *shape_notes(result, parts)],
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }

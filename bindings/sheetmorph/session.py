@@ -80,6 +80,7 @@ class Result:
     pose: dict[str, Any]
     deformed: Any
     lumps: list[FeatureResult] = field(default_factory=list)
+    crossings: dict[str, tuple[int, ...]] = field(default_factory=dict)  # counted when asked for
 
     def control_mesh(self, contact: str | None = None) -> tuple[np.ndarray, np.ndarray] | None:
         """Vertices (m, 3) mm and triangles (t, 3) of a contact's control mesh in this pose.

@@ -23,7 +23,6 @@ def thin_report(result: Result, part: str) -> dict[str, Any] | None:
     core, triangles = session.core, session.meshes[part].triangles
     mesh = core.TriangleMesh(session.meshes[part].points, triangles)
     positions = np.array(result.positions[part])
-    moved = core.TriangleMesh(positions, triangles)
     change = core.thickness_change(mesh, solid, positions)
     lumps = [lump for lump in result.lumps if lump.part == part]
     return {
@@ -37,11 +36,21 @@ def thin_report(result: Result, part: str) -> dict[str, Any] | None:
         "deformed": {"least": change.least, "most": change.most},
         "largest_change": change.worst,
         "largest_change_at_walls": change.worst_at_walls,
-        "self_intersections": {
-            "rest": len(core.self_intersections(mesh)),
-            "deformed": len(core.self_intersections(moved)),
-        },
+        "self_intersections": dict(zip(("rest", "deformed"), crossings(result, part))),
     }
+
+
+def crossings(result: Result, part: str) -> tuple[int, int]:
+    """Pairs of triangles of a part that meet though no corner joins them: at rest, and in the pose
+    (CGAL)."""
+    if part not in result.crossings:
+        mesh = result.session.meshes[part]
+        core = result.session.core
+        result.crossings[part] = tuple(
+            len(core.self_intersections(core.TriangleMesh(np.array(points), mesh.triangles)))
+            for points in (mesh.points, result.positions[part])
+        )
+    return result.crossings[part]
 
 
 def thin_failures(result: Result, tol: float) -> list[str]:

@@ -60,6 +60,7 @@ JOBS = {
         "crease": 1.0, "regions": False, "close": [[-330.0, 30.0], [-110.0, 160.0]],
     },
     "box": {"real": "box"},
+    "enclosure": {"real": "enclosure", "direction": [1.0, 1.2, -0.9], "up": [0.0, 1.0, 0.0]},
     "bar": {"real": "bar", "direction": STEEP},
     "cylinder": {"real": "cylinder", "direction": STEEP},
     "bumpy-plane": {"real": "bumpy_plane", "direction": STEEP},
