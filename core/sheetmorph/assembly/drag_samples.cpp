@@ -110,12 +110,14 @@ DragSamples::DragSamples(const PreparedAssembly& prepared, const std::set<std::s
     }
 }
 
-// Parts that links drive, and all parts before them.
+// Parts that links or several welds drive - one weld alone takes fewer fields (surface_response.h)
+// -, and all parts before them.
 void DragSamples::find_needed()
 {
     for (auto part = prepared_.plan.order.rbegin(); part != prepared_.plan.order.rend(); ++part)
     {
-        if (prepared_.parts[at(*part)].problem.propagated.empty() && !is_needed_[at(*part)])
+        const PartProblem& problem = prepared_.parts[at(*part)].problem;
+        if (problem.propagated.empty() && problem.carried.size() < 2 && !is_needed_[at(*part)])
             continue;
         is_needed_[at(*part)] = 1;
         for (const PlannedLink& link : prepared_.planned)
