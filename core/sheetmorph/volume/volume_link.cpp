@@ -129,28 +129,36 @@ void VolumeLink::compose(const MeanValueCoordinates& coordinates)
     if (options_.rotations)
         nearest_ = nearest_rows(source_, targets_);
     is_composed_ = each * count * inputs <= vertices * (each * count + inputs);
+    const Eigen::Index columns = is_composed_ ? inputs : vertices;
+    if (sizeof(double) * static_cast<double>(each * count) * static_cast<double>(columns)
+        > options_.most_kept)
+    {
+        is_composed_ = false;
+        coordinates_ = std::make_shared<const MeanValueCoordinates>(coordinates);
+        return;
+    }
     const Weights half_inputs = from_inputs_.transpose();
-    rows_ = Weights::Zero(each * count, is_composed_ ? inputs : vertices);
+    rows_ = Weights::Zero(each * count, columns);
     for (Eigen::Index first = 0; first < count; first += chunk)
     {
-        const Eigen::Index wide = std::min(chunk, count - first);
-        Weights rows = target_rows(coordinates, first, wide);
+        Weights rows = target_rows(coordinates, first, options_.threads);
+        auto place = rows_.middleRows(each * first, rows.rows());
         if (is_composed_)
-            add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0,
-                        rows_.middleRows(each * first, each * wide));
+            add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0, place);
         else
-            rows_.middleRows(each * first, each * wide) = rows;
+            place = rows;
     }
 }
 
-// A row for the position of each target and, with rotations, one for each derivative along the
-// box's axes: along these the answer for a turned model is the turned answer.
+// For a chunk of targets a row for the position of each and, with rotations, one for each
+// derivative along the box's axes: along these the answer for a turned model is the turned answer.
 Weights VolumeLink::target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first,
-                                Eigen::Index count) const
+                                int threads) const
 {
+    const Eigen::Index count = std::min(chunk, targets_.rows() - first);
     const auto targets = targets_.middleRows(first, count);
     if (!options_.rotations)
-        return coordinates.weights(targets, options_.threads);
+        return coordinates.weights(targets, threads);
     Points around(7 * count, 3);
     for (Eigen::Index i = 0; i < count; ++i)
     {
@@ -161,7 +169,7 @@ Weights VolumeLink::target_rows(const MeanValueCoordinates& coordinates, Eigen::
             around.row(7 * i + 2 * a + 2) = targets.row(i) - steps_.col(a).transpose();
         }
     }
-    const Weights all = coordinates.weights(around, options_.threads);
+    const Weights all = coordinates.weights(around, threads);
     Weights rows(4 * count, all.cols());
     for (Eigen::Index i = 0; i < count; ++i)
     {
@@ -202,10 +210,28 @@ Points VolumeLink::control_vertices(const SourceState& state) const
     return state.mean.apply(control_rest_) + control_displacements(inputs(state));
 }
 
+// How far every row of the targets is moved. What is not kept is worked out on all threads: so
+// many targets are one link's.
+Points VolumeLink::displacements(const Points& inputs) const
+{
+    if (is_composed_)
+        return narrow_product(rows_, inputs);
+    const Points control = control_displacements(inputs);
+    if (coordinates_ == nullptr)
+        return narrow_product(rows_, control);
+    const Eigen::Index each = options_.rotations ? 4 : 1;
+    Points moved(each * targets_.rows(), 3);
+    for (Eigen::Index first = 0; first < targets_.rows(); first += chunk)
+    {
+        const Weights rows = target_rows(*coordinates_, first, 0);
+        moved.middleRows(each * first, rows.rows()) = narrow_product(rows, control);
+    }
+    return moved;
+}
+
 LinkedTargets VolumeLink::transfer(const SourceState& state) const
 {
-    const Points given = inputs(state);
-    const Points moved = narrow_product(rows_, is_composed_ ? given : control_displacements(given));
+    const Points moved = displacements(inputs(state));
     LinkedTargets result{state.mean.apply(targets_), Points(), {}};
     if (!options_.rotations)
     {

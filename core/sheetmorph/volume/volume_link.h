@@ -6,6 +6,7 @@
 #include "sheetmorph/volume/control_mesh_fit.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"
 
+#include <memory>
 #include <vector>
 
 namespace sheetmorph
@@ -25,6 +26,7 @@ struct LinkOptions
     double offset = 0.0;       //!< h, mm: samples at +-h along the normals too; 0 for none
     bool rotations = true;     //!< also how the targets turn; four times the memory
     int threads = 0;           //!< for the mean value coordinates; 0 for all
+    double most_kept = 4.0 * 1024 * 1024 * 1024;  //!< bytes of the targets' weights
 };
 
 //! The same points in one frame.
@@ -53,7 +55,8 @@ struct LinkedTargets
 //! Targets move by the source's mean motion plus a displacement, so that a source at rest leaves
 //! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
 //! Memory: about k * min(inputs, m) doubles, four times that with rotations; inputs are the n
-//! source points, twice as many with offset samples.
+//! source points, twice as many with offset samples. Where that is more than `most_kept`, nothing
+//! of it is kept: every transfer() works the weights out anew, 256 targets at a time.
 class VolumeLink
 {
 public:
@@ -75,7 +78,8 @@ private:
     Points control_displacements(const Points& inputs) const;
     void compose(const MeanValueCoordinates& coordinates);
     Weights target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first,
-                        Eigen::Index count) const;
+                        int threads) const;
+    Points displacements(const Points& inputs) const;
 
     LinkOptions options_;
     Points source_, source_offsets_, targets_, control_rest_;
@@ -85,6 +89,7 @@ private:
     std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
     Weights rows_;                       // of the targets, on the inputs or on the control vertices
     bool is_composed_ = false;
+    std::shared_ptr<const MeanValueCoordinates> coordinates_;  // instead of rows that are not kept
 };
 
 }  // namespace sheetmorph

@@ -203,6 +203,31 @@ TEST(VolumeLinkTest, ManyTargetsAndFewOnesGiveTheSame)
     EXPECT_LT(farthest(all.logs.topRows(3), some.logs), 1e-8);
 }
 
+TEST(VolumeLinkTest, WeightsThatAreNotKeptMoveTheTargetsTheSameWay)
+{
+    for (const bool rotations : {true, false})
+    {
+        LinkOptions options = with_offset(0.05);
+        options.rotations = rotations;
+        const TriangleMesh target =
+            shapes::mapped(shapes::grid(30, 10, 1.8, 0.4),
+                           [](const Vector3& p) { return Vector3(p.x() - 0.9, p.y() - 0.2, 0.1); });
+        const LinkedSheets kept = linked(strip(0.0), target, options);
+        options.most_kept = 1000.0;
+        const LinkedSheets anew = linked(strip(0.0), target, options);
+        const Points deformed = bent(kept.source.points(), 0.8);
+        const LinkedTargets a = kept.link.transfer(state_of(kept, deformed));
+        const LinkedTargets b = anew.link.transfer(state_of(anew, deformed));
+        EXPECT_GT(farthest(a.positions, target.points()), 0.1);
+        EXPECT_LT(farthest(a.positions, b.positions), 1e-12);
+        ASSERT_EQ(a.rotations.size(), b.rotations.size());
+        for (std::size_t k = 0; k < a.rotations.size(); ++k)
+            EXPECT_LT((a.rotations[k] - b.rotations[k]).norm(), 1e-9);
+        const SourceState rest = state_of(anew, anew.source.points());
+        EXPECT_EQ(farthest(anew.link.transfer(rest).positions, target.points()), 0.0);
+    }
+}
+
 TEST(VolumeLinkTest, OneSourcePointCarriesItsTargetsRigidly)
 {
     Points point(1, 3), targets(2, 3), logs(1, 3);
