@@ -14,6 +14,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import assemblies
 from goals import goal_table, write_page
 from plots import draw
 from tables import Measured, measured, memory_table, other_table, panel_table
@@ -54,13 +55,14 @@ def peaks(program: Path, folder: Path, is_large: bool) -> dict[int, dict[str, fl
     return found
 
 
-def tables(
-    found: dict[str, dict[int, Measured]], peak: dict[int, dict[str, float]], head: str
-) -> str:
-    """All tables as one Markdown text; memory and goals only of a whole run."""
-    memory, aims = (memory_table(peak), goal_table(found, peak)) if peak else ("", "")
-    parts = [head, panel_table(found), aims, memory, other_table(found)]
-    return "\n\n".join(part for part in parts if part) + "\n"
+def whole_run(
+    found: dict[str, dict[int, Measured]], program: Path, folder: Path, is_large: bool
+) -> list[str]:
+    """What only a run of everything measures: goals, memory, the paper's assemblies."""
+    peak = peaks(program, folder, is_large)
+    sys.path.insert(0, str(folder.parent / "Mod" / "SheetMorph"))
+    paper = [assemblies.timed(name) for name in assemblies.NAMES]
+    return [goal_table(found, peak, paper), memory_table(peak), assemblies.time_table(paper)]
 
 
 def main(arguments: list[str]) -> int:
@@ -86,8 +88,9 @@ def main(arguments: list[str]) -> int:
     report = run(program, passed_on, folder / "benchmarks.json", options.large)
     found = measured(report, "cpu_time" if options.processor_time else "real_time")
     is_whole = not any(word.startswith("--benchmark_filter") for word in passed_on)
-    peak = peaks(program, folder, options.large) if is_whole else {}
-    text = tables(found, peak, head)
+    more = whole_run(found, program, folder, options.large) if is_whole else []
+    parts = [head, panel_table(found), *more, other_table(found)]
+    text = "\n\n".join(part for part in parts if part) + "\n"
     (folder / "tables.md").write_text(text, encoding="utf-8")
     draw(found, folder / "benchmarks.png")
     if options.write_page:
