@@ -97,6 +97,12 @@ py::object control_mesh(const DeformationSession& session, int contact, const De
                           to_numpy(std::move(shown->triangles)));
 }
 
+std::unique_ptr<LiveDrag> begin_drag(const DeformationSession& session,
+                                     const std::vector<std::string>& handles, const Pose& start)
+{
+    return session.begin_drag(handles, start);
+}
+
 Deformed deform(const DeformationSession& session, const Pose& pose, bool exact)
 {
     const py::gil_scoped_release without_gil;
@@ -165,8 +171,7 @@ void bind_session(py::module_& module)
              "session of an earlier state; what did not change is taken over.")
         .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
              "Every part in one pose, always from rest.")
-        .def("begin_drag", &DeformationSession::begin_drag, py::arg("handles"),
-             py::arg("start") = Pose{},
+        .def("begin_drag", &begin_drag, py::arg("handles"), py::arg("start") = Pose{},
              "A LiveDrag of the named handles; the others stay as in the pose `start`.")
         .def("thin_solid", &DeformationSession::thin_solid, py::arg("part"),
              py::return_value_policy::reference_internal,

@@ -35,12 +35,13 @@ Deformed DeformationSession::deform(const Pose& pose, Exactness exactness) const
 }
 
 std::unique_ptr<LiveDrag> DeformationSession::begin_drag(const std::vector<std::string>& handles,
-                                                         const Pose& start) const
+                                                         const Pose& start,
+                                                         const DragOptions& options) const
 {
     for (const std::string& name : handles)
         check_pose_names(data_->assembly, Pose{{{name, RigidMotion{}}}, {}, {}, {}});
     return std::make_unique<LiveDrag>(data_, with_mirrors(*data_, handles),
-                                      told_pose(*data_, start));
+                                      told_pose(*data_, start), options);
 }
 
 std::optional<ShownControlMesh> DeformationSession::control_mesh(int contact,

@@ -25,8 +25,7 @@ struct FeatureResult
     double outline_error = 0.0;  //!< worst distance of its rim from the exact circle of that size
 };
 
-//! Every part in one pose. Edge errors, contacts and spread are measured by
-//! exact solves only.
+//! Every part in one pose. Edge errors, contacts and spread are measured by exact solves only.
 struct Deformed
 {
     std::vector<Deformation> parts;       //!< by part; features hold those of the assembly first
@@ -46,35 +45,32 @@ struct Timing
 class LiveDrag;
 struct PreparedAssembly;
 
-//! The assembly, ready to be deformed: the constructor is the pre-processing
-//! phase, deform() the interactive one. Parts that nothing reaches stay where
-//! they are.
+//! The assembly, ready to be deformed: the constructor is the pre-processing phase, deform() the
+//! interactive one. Parts that nothing reaches stay where they are.
 class DeformationSession
 {
 public:
-    //! \param previous  a session of an earlier state of the same assembly: what
-    //! did not change
+    //! \param previous  a session of an earlier state of the same assembly: what did not change
     //!                  since is taken over instead of computed again
-    //! \throws InvalidInput naming part, region and ids (as the part's file
-    //! numbers them) \throws Cancelled    if the progress callback asks for it
+    //! \throws InvalidInput naming part, region and ids (as the part's file numbers them)
+    //! \throws Cancelled    if the progress callback asks for it
     explicit DeformationSession(Assembly assembly, const Progress& progress = {},
                                 const DeformationSession* previous = nullptr);
     ~DeformationSession();
     DeformationSession(DeformationSession&&) noexcept;
     DeformationSession& operator=(DeformationSession&&) noexcept;
 
-    //! \throws InvalidInput if the pose names what the assembly does not have, or
-    //! contradicts
+    //! \throws InvalidInput if the pose names what the assembly does not have, or contradicts
     Deformed deform(const Pose& pose, Exactness exactness = Exactness::exact) const;
 
-    //! Live frames while the named handles move, the others staying as in
-    //! `start`; the session may end before the drag does. See live_drag.h.
+    //! Live frames while the named handles move, the others staying as in `start`; the session may
+    //! end before the drag does. See live_drag.h.
     //! \throws InvalidInput if the assembly does not have a name
     std::unique_ptr<LiveDrag> begin_drag(const std::vector<std::string>& handles,
-                                         const Pose& start = {}) const;
+                                         const Pose& start = {},
+                                         const DragOptions& options = {}) const;
 
-    //! The control mesh of one contact (the single one: -1) in a pose; nothing
-    //! for other contacts.
+    //! The control mesh of one contact (the single one: -1) in a pose; nothing for other contacts.
     std::optional<ShownControlMesh> control_mesh(int contact, const Deformed& pose) const;
 
     //! What the session deforms: with a plane of symmetry, or lumps on thin solids, more than
@@ -86,11 +82,11 @@ public:
 
     //! The thin solid that a part is solved as; nothing if it is solved as it is.
     const ThinSolid* thin_solid(int part) const;
+
     //! Order, levels, directions of contacts and unreached parts.
     const PropagationPlan& plan() const;
 
-    //! What pre-processing took, stage by stage; stages taken over are not
-    //! listed.
+    //! What pre-processing took, stage by stage; stages taken over are not listed.
     const std::vector<Timing>& timings() const;
 
 private:

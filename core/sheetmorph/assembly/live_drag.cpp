@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace sheetmorph
@@ -53,15 +54,26 @@ ResponseOptions options_of(const PreparedAssembly& prepared, int part,
     return options;
 }
 
+int vertices_of(const Assembly& assembly)
+{
+    int count = 0;
+    for (const Part& part : assembly.parts)
+        count += part.mesh.vertex_count();
+    return count;
+}
+
 }  // namespace
 
 //! Builds responses part by part on a thread of its own.
 class LiveDrag::Background
 {
 public:
-    Background(const PreparedAssembly& prepared, std::set<std::string> dragged, const Pose& start)
-        : prepared_(prepared), samples_(prepared, dragged, start), responses_(prepared.parts.size())
+    Background(const PreparedAssembly& prepared, std::set<std::string> dragged, const Pose& start,
+               const DragOptions& options)
+        : prepared_(prepared), responses_(prepared.parts.size())
     {
+        if (vertices_of(prepared.assembly) >= options.least_to_learn)
+            samples_.emplace(prepared, dragged, start);
         for (const int part : prepared.plan.order)
         {
             const PreparedPart& ready = prepared.parts[at(part)];
@@ -141,7 +153,9 @@ private:
             built.to_handles =
                 prepared_.parts[at(part)].deformer->response(options->second, progress);
         keep(part, built);
-        built.to_samples = samples_.learn(part, progress);
+        if (!samples_)
+            return;
+        built.to_samples = samples_->learn(part, progress);
         keep(part, built);
     }
 
@@ -152,7 +166,7 @@ private:
     }
 
     const PreparedAssembly& prepared_;
-    DragSamples samples_;
+    std::optional<DragSamples> samples_;
     std::map<int, ResponseOptions> wanted_;
     mutable std::mutex mutex_;
     std::condition_variable finished_;
@@ -164,9 +178,9 @@ private:
 };
 
 LiveDrag::LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<std::string> handles,
-                   const Pose& start)
+                   const Pose& start, const DragOptions& options)
     : prepared_(std::move(prepared)),
-      background_(std::make_unique<Background>(*prepared_, std::move(handles), start))
+      background_(std::make_unique<Background>(*prepared_, std::move(handles), start, options))
 {
 }
 

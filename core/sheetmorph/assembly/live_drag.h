@@ -19,7 +19,7 @@ class LiveDrag
 {
 public:
     LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<std::string> handles,
-             const Pose& start);
+             const Pose& start, const DragOptions& options = {});
 
     //! Ends the background work after the substitution under way.
     ~LiveDrag();

@@ -18,4 +18,12 @@ struct Pose
     std::map<std::string, double> sizes;          //!< mm, of resizable features
 };
 
+//! How a drag prepares its frames.
+struct DragOptions
+{
+    //! Vertices of the assembly from which parts behind contacts learn how they answer: smaller
+    //! ones are substituted in less time than their answers take to put together.
+    int least_to_learn = 20000;
+};
+
 }  // namespace sheetmorph

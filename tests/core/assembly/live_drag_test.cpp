@@ -13,6 +13,9 @@ namespace
 
 using frames::Frame;
 
+// However small the assembly is.
+constexpr DragOptions learning{0};
+
 double worst_share(const Frame& frame, const Deformed& a, const Deformed& b)
 {
     double size = 0.0, worst = 0.0;
@@ -34,7 +37,7 @@ TEST_P(LiveDragContacts, FramesAreThoseOfTheExactSolveBeforeAndAfterTheResponses
     const Frame frame = frames::ring(GetParam());
     const DeformationSession session(frame.assembly);
     const Deformed exact = session.deform(frame.pose);
-    const auto drag = session.begin_drag({"tip"});
+    const auto drag = session.begin_drag({"tip"}, {}, learning);
     EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
     drag->wait();
     ASSERT_TRUE(drag->is_ready());
@@ -51,7 +54,7 @@ TEST_P(LiveDragContacts, FramesDoNotDependOnThoseBefore)
 {
     const Frame frame = frames::ring(GetParam());
     const DeformationSession session(frame.assembly);
-    const auto drag = session.begin_drag({"tip"});
+    const auto drag = session.begin_drag({"tip"}, {}, learning);
     drag->wait();
     const Deformed first = drag->frame(frame.pose);
     Pose other = frame.pose;
@@ -70,7 +73,7 @@ TEST_P(LiveDragContacts, ThinSolidsAnswerWithBothSkins)
     const Frame frame = frames::thin_solids(frames::open_chain(GetParam()));
     const DeformationSession session(frame.assembly);
     const Deformed exact = session.deform(frame.pose);
-    const auto drag = session.begin_drag({"tip"});
+    const auto drag = session.begin_drag({"tip"}, {}, learning);
     EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
     drag->wait();
     const Deformed live = drag->frame(frame.pose);
@@ -96,7 +99,7 @@ TEST_P(LearntDrag, PartsBehindContactsAnswerWithoutSubstitution)
     for (PartFeature& feature : frame.assembly.features)
         feature.rotation = rotation;
     const DeformationSession session(frame.assembly);
-    const auto drag = session.begin_drag({"tip"});
+    const auto drag = session.begin_drag({"tip"}, {}, learning);
     drag->wait();
     for (int k = 0; k < 8; ++k)
     {
@@ -111,6 +114,16 @@ TEST_P(LearntDrag, PartsBehindContactsAnswerWithoutSubstitution)
     }
 }
 
+TEST(LiveDrag, SmallAssembliesAreSubstitutedBehindContacts)
+{
+    const Frame frame = frames::ring(ContactType::control_mesh);
+    const DeformationSession session(frame.assembly);
+    const auto drag = session.begin_drag({"tip"});
+    drag->wait();
+    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), session.deform(frame.pose)), 1e-6);
+    EXPECT_EQ(drag->answered(), (std::vector<char>{1, 0, 0, 0}));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, LearntDrag,
     testing::Combine(testing::Values(ContactType::tied, ContactType::control_mesh),
@@ -120,7 +133,7 @@ TEST(LiveDrag, SubstitutesWhereAPoseIsFarFromThoseLearntFrom)
 {
     const Frame frame = frames::ring(ContactType::control_mesh);
     const DeformationSession session(frame.assembly);
-    const auto drag = session.begin_drag({"tip"});
+    const auto drag = session.begin_drag({"tip"}, {}, learning);
     drag->wait();
     Pose pose = frame.pose;
     pose.handles["tip"].rotation_log = rotation_log(Vector3::UnitX(), 3.5);
@@ -132,7 +145,7 @@ TEST(LiveDrag, SubstitutesWhereAPoseIsFarFromThoseLearntFrom)
 TEST(LiveDrag, RigidlyWeldedPartsAnswerToo)
 {
     const Frame frame = frames::ring(ContactType::rigid);
-    const auto drag = DeformationSession(frame.assembly).begin_drag({"tip"});
+    const auto drag = DeformationSession(frame.assembly).begin_drag({"tip"}, {}, learning);
     drag->wait();
     drag->frame(frame.pose);
     // Two welds move the third plate, about different axes.
@@ -143,7 +156,7 @@ TEST(LiveDrag, TakesTheExactPathWhereAPoseIsNotOfItsForm)
 {
     const Frame frame = frames::ring(ContactType::rigid);
     const DeformationSession session(frame.assembly);
-    const auto drag = session.begin_drag({"tip"});
+    const auto drag = session.begin_drag({"tip"}, {}, learning);
     drag->wait();
     Pose pose = frame.pose;
     pose.handles["tip"].rotation_log *= 10.0;
