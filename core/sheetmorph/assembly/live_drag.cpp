@@ -72,8 +72,6 @@ public:
                const DragOptions& options)
         : prepared_(prepared), responses_(prepared.parts.size())
     {
-        if (vertices_of(prepared.assembly) >= options.least_to_learn)
-            samples_.emplace(prepared, dragged, start);
         for (const int part : prepared.plan.order)
         {
             const PreparedPart& ready = prepared.parts[at(part)];
@@ -83,7 +81,9 @@ public:
             if (!options.turning.empty() && options.turning.size() <= 2)
                 wanted_.emplace(part, std::move(options));
         }
-        thread_ = std::thread([this] { build(); });
+        const bool learns = vertices_of(prepared.assembly) >= options.least_to_learn;
+        thread_ = std::thread([this, learns, dragged = std::move(dragged), start]
+                              { build(learns, dragged, start); });
     }
 
     ~Background()
@@ -116,7 +116,7 @@ public:
     }
 
 private:
-    void build()
+    void build(bool learns, const std::set<std::string>& dragged, const Pose& start)
     {
         const Progress progress(
             [this](double, const std::string&)
@@ -127,6 +127,8 @@ private:
         std::exception_ptr failure;
         try
         {
+            if (learns)
+                samples_.emplace(prepared_, dragged, start);
             for (const int part : prepared_.plan.order)
                 build(part, progress);
         }
@@ -166,7 +168,7 @@ private:
     }
 
     const PreparedAssembly& prepared_;
-    std::optional<DragSamples> samples_;
+    std::optional<DragSamples> samples_;  // of the thread alone
     std::map<int, ResponseOptions> wanted_;
     mutable std::mutex mutex_;
     std::condition_variable finished_;
