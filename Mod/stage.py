@@ -14,7 +14,7 @@ from pathlib import Path
 # Source folder or file below the repository -> its place in the add-on.
 PLACES = {
     "Mod/SheetMorph": "",
-    "bindings/sheetmorph": "sheetmorph",
+    "bindings/python/sheetmorph": "sheetmorph",
     "resources": "resources",
     "package.xml": "package.xml",
     "README.md": "README.md",

@@ -7,7 +7,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 KERNEL = ROOT / "core" / "sheetmorph"
 BINDINGS = ROOT / "bindings"
-PACKAGE = ROOT / "bindings" / "sheetmorph"
+PACKAGE = ROOT / "bindings" / "python" / "sheetmorph"
 WORKBENCH = ROOT / "Mod" / "SheetMorph" / "freecad" / "sheetmorph"
 
 # Left out: what a build or a checkout may leave in the repository's folder.
