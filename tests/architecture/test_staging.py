@@ -17,7 +17,8 @@ def staging():
 @pytest.fixture
 def source(tmp_path):
     """A small repository with one file in each place."""
-    for name in ("Mod/SheetMorph/freecad/a.py", "bindings/python/sheetmorph/b.py", "resources/c.svg"):
+    python = "bindings/python/sheetmorph/b.py"
+    for name in ("Mod/SheetMorph/freecad/a.py", python, "resources/c.svg"):
         path = tmp_path / "source" / name
         path.parent.mkdir(parents=True)
         path.write_text(name)

@@ -8,11 +8,12 @@ read and checked without it.
 from .doctor import diagnose
 from .errors import Fault, FileError, KernelError, RecipeError
 from .files import PartFile, read_part
-from .live import Drag, LiveFrames
+from .live import LiveFrames
 from .part_mesh import PartMesh
 from .recipe import validate
 from .running import CertificateError, check, run
-from .session import ContactResult, FeatureResult, Result, Session
+from .results import ContactResult, FeatureResult
+from .session import Drag, Result, Session
 
 __version__ = "0.1.0"
 

@@ -4,38 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from .session import Result, Session
-
-
-class Drag:
-    """Live frames of handles that are dragged, begun by Session.begin_drag().
-
-    In the background the kernel works out how the parts answer to the handles; until a part is
-    done, and in poses that turn more than two of its handles, frames take longer, not other values.
-    """
-
-    def __init__(self, session: Session, kernel_drag: Any):
-        self._session = session
-        self._drag = kernel_drag
-
-    @property
-    def is_ready(self) -> bool:
-        """Whether the background work is done."""
-        return bool(self._drag.is_ready)
-
-    def wait(self) -> None:
-        """Return when the background work is done."""
-        self._drag.wait()
-
-    def deform(self, pose: dict[str, Any]) -> Result:
-        """All parts in a pose, from rest; its positions are overwritten by the next frame.
-
-        Raises RecipeError.
-        """
-        return self._session.dragged(self._drag, pose)
+from .session import Drag, Result, Session
 
 
 class LiveFrames:

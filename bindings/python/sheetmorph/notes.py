@@ -4,25 +4,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from .answer import Answer
+from .preprocessed import Preprocessed
 from .recipe.model import Model, PartEntry
 from .thin import crossings
-
-if TYPE_CHECKING:
-    from .session import Result, Session
 
 _ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
 
 
-def notes_of(session: Session) -> list[str]:
+def notes_of(session: Preprocessed) -> list[str]:
     """What the recipe asks for in vain, one sentence each."""
     model = session.model
     found = _single(model) if model.propagation.type == "single" else _local(session)
     return [*_primary(model), *_thin(session), *found]
 
 
-def shape_notes(result: Result, parts: list[dict[str, Any]]) -> Iterator[str]:
+def shape_notes(result: Answer, parts: list[dict[str, Any]]) -> Iterator[str]:
     """What makes the shape of a part doubtful, and what to do; parts: as the report tells them."""
     asked = {part.name for part in result.session.model.parts if part.thin}
     for entry in parts:
@@ -54,7 +53,7 @@ def _primary(model: Model) -> Iterator[str]:
             yield f'mode {part.mode} of "{part.name}" has no effect: it is the primary part'
 
 
-def _thin(session: Session) -> Iterator[str]:
+def _thin(session: Preprocessed) -> Iterator[str]:
     for part in session.model.parts:
         if part.thin == "auto" and session.thin_solid(part.name) is None:
             yield f'thin "auto" of "{part.name}" has no effect: it is recognised as none'
@@ -78,7 +77,7 @@ def _single(model: Model) -> Iterator[str]:
             )
 
 
-def _local(session: Session) -> Iterator[str]:
+def _local(session: Preprocessed) -> Iterator[str]:
     kinds = {contact.name: contact.type for contact in session.model.contacts}
     for part in session.model.parts:
         if part.name == session.model.primary or not part.mode:

@@ -9,18 +9,17 @@ import platform
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from importlib import resources
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from .answer import Answer
 from .certificate import edge_error, feature_edges, tolerance
 from .notes import notes_of, shape_notes
 from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
+from .results import FeatureResult
 from .thin import thin_failures, thin_report
-
-if TYPE_CHECKING:
-    from .session import FeatureResult, Result
 
 
 @dataclass(frozen=True)
@@ -40,7 +39,7 @@ def report_schema() -> dict[str, Any]:
 
 
 def make_report(
-    result: Result,
+    result: Answer,
     written: Mapping[str, WrittenPart] | None = None,
     timings: Mapping[str, float] | None = None,
 ) -> dict[str, Any]:
@@ -90,7 +89,7 @@ def _worst_error(feature: Mapping[str, Any]) -> float:
 
 
 def _feature(
-    result: Result,
+    result: Answer,
     feature: FeatureResult,
     files: Mapping[str, WrittenPart],
     rests: Mapping[str, np.ndarray],
@@ -120,7 +119,7 @@ def _feature(
     }
 
 
-def _part(result: Result, name: str, written: WrittenPart | None) -> dict[str, Any]:
+def _part(result: Answer, name: str, written: WrittenPart | None) -> dict[str, Any]:
     mesh = result.session.meshes[name]
     positions = result.positions[name]
     report = {

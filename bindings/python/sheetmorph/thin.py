@@ -3,15 +3,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from .session import Result
+from .answer import Answer
 
 
-def thin_report(result: Result, part: str) -> dict[str, Any] | None:
+def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
     """The entry "thin" of a part: its thickness, and where it meets itself, before and after.
 
     None if it is not thin.
@@ -40,7 +39,7 @@ def thin_report(result: Result, part: str) -> dict[str, Any] | None:
     }
 
 
-def crossings(result: Result, part: str) -> tuple[int, int]:
+def crossings(result: Answer, part: str) -> tuple[int, int]:
     """Pairs of triangles of a part that meet though no corner joins them: at rest, and in the pose
     (CGAL)."""
     if part not in result.crossings:
@@ -53,7 +52,7 @@ def crossings(result: Result, part: str) -> tuple[int, int]:
     return result.crossings[part]
 
 
-def thin_failures(result: Result, tol: float) -> list[str]:
+def thin_failures(result: Answer, tol: float) -> list[str]:
     """The lumps that are not rigid within the tolerance, mm."""
     return [
         f"{lump.name}: {lump.edge_error:.3g} mm"

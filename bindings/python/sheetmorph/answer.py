@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A morph in one pose, without what reports make of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from .preprocessed import Preprocessed
+from .results import ContactResult, FeatureResult
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """All parts in one pose; what Session.deform() returns is one that also reports.
+
+    positions: part name -> (n, 3) float64 mm, read-only; contacts: empty if not exact; spread: the
+    largest distance between two places where contacts want one vertex, mm, 0 if not exact;
+    deformed: the kernel's own result; lumps: where thin solids are not thin, each a rigid feature.
+    """
+
+    session: Preprocessed
+    positions: dict[str, np.ndarray]
+    features: list[FeatureResult]
+    contacts: list[ContactResult]
+    spread: float
+    pose: dict[str, Any]
+    deformed: Any
+    lumps: list[FeatureResult] = field(default_factory=list)
+    crossings: dict[str, tuple[int, ...]] = field(default_factory=dict)  # counted when asked for

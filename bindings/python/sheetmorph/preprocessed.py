@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A morph before any pose: checked and factorised, and what is known of it from then on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from .kernel import load_kernel
+from .part_mesh import PartMesh
+from .recipe import check_with_meshes
+from .recipe.found import Found
+from .recipe.model import Model
+from .results import FeatureResult
+from .translation import Translator, kernel_faults
+
+Progress = Callable[[float, str], bool]
+
+
+class Preprocessed:
+    """The pre-processing phase of a recipe whose parts are given as meshes.
+
+    recipe: as in a recipe file ("file" of a part is not needed); meshes: PartMesh by part name;
+    progress(fraction, task) may return False to cancel (RuntimeError); previous: one of an
+    earlier state of the recipe, from which what did not change is taken over; found: what a search
+    in the files has put in place of "auto", else it is searched for here.
+    Raises RecipeError, KernelError.
+    """
+
+    def __init__(
+        self,
+        recipe: dict[str, Any],
+        meshes: Mapping[str, PartMesh],
+        progress: Progress | None = None,
+        previous: Preprocessed | None = None,
+        *,
+        found: Found | None = None,
+    ):
+        model = check_with_meshes(recipe, meshes, found)
+        self._recipe_pose = dict(recipe.get("pose", {}))
+        self._model = model
+        self.meshes = {part.name: meshes[part.name] for part in model.parts}
+        self._core = load_kernel()
+        with kernel_faults(self._core):
+            self._translator = Translator(self._core, model, self.meshes)
+            assembly = self._translator.assembly()
+            earlier = None if previous is None else previous._kernel
+            self._kernel = self._core.DeformationSession(assembly, progress, earlier)
+
+    @property
+    def model(self) -> Model:
+        """The recipe's entries."""
+        return self._model
+
+    @property
+    def core(self) -> Any:
+        """The kernel module in use."""
+        return self._core
+
+    @property
+    def parts(self) -> list[str]:
+        """Part names in the recipe's order."""
+        return [part.name for part in self._model.parts]
+
+    @property
+    def order(self) -> list[str]:
+        """Names of the parts that are reached, in the order in which they are deformed."""
+        return list(self._kernel.order)
+
+    @property
+    def levels(self) -> dict[str, int]:
+        """By part: how many contacts it is away from the primary, -1 if not reached."""
+        return dict(zip(self.parts, self._kernel.levels))
+
+    @property
+    def directions(self) -> list[tuple[str, str, str]]:
+        """(contact, source part, target part) of every contact in use."""
+        names, contacts = self.parts, self._model.contacts
+        found = self._kernel.directions
+        return [(contacts[c].name, names[source], names[target]) for c, source, target in found]
+
+    @property
+    def unreached(self) -> list[str]:
+        """Parts that nothing moves; they stay where they are."""
+        return list(self._kernel.unreached)
+
+    @property
+    def timings(self) -> dict[str, float]:
+        """Seconds of pre-processing, stage by stage."""
+        return {timing.stage: float(timing.seconds) for timing in self._kernel.timings}
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the box around all parts at rest, mm."""
+        low = np.min([mesh.points.min(axis=0) for mesh in self.meshes.values()], axis=0)
+        high = np.max([mesh.points.max(axis=0) for mesh in self.meshes.values()], axis=0)
+        return float(np.linalg.norm(high - low))
+
+    def thin_solid(self, part: str) -> Any:
+        """The kernel's ThinSolid a part is solved as; None for one that is solved as it is."""
+        return self._kernel.thin_solid(self.parts.index(part))
+
+    def feature_vertices(self, name: str) -> np.ndarray:
+        """Indices (k,) of a form feature's vertices in its part."""
+        return next(entry.vertices for entry in self._kernel.features if entry.name == name)
+
+    def rest_of(self, part: str, features: list[FeatureResult]) -> np.ndarray:
+        """Positions (n, 3) of a part at rest, with the sizes its form features have; mm."""
+        points = self.meshes[part].points
+        rest = points.copy()
+        for feature, shape in zip(features, self._kernel.shapes):
+            if feature.part == part and feature.size is not None:
+                vertices = self.feature_vertices(feature.name)
+                rest[vertices] = shape.resized(points[vertices], feature.size)
+        return rest
+
+    def control_mesh(self, contact: str | None, deformed: Any) -> Any:
+        """What Result.control_mesh() answers."""
+        names = [entry.name for entry in self._model.contacts]
+        if contact is not None and contact not in names:
+            raise ValueError(f'there is no contact "{contact}"; names are {", ".join(names)}')
+        return self._kernel.control_mesh(-1 if contact is None else names.index(contact), deformed)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""No source imports itself by way of others."""
+import pytest
+from imports import circles, folder_graph, import_graph
+from source_tree import PACKAGE, WORKBENCH
+
+# Files of the workbench that stand in a circle today; it may only get less.
+IN_CIRCLES = 67
+
+
+def graph_of(folder, sources):
+    """The import graph of a package made of these texts, by path."""
+    for path, text in sources.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+    return import_graph(folder, "house")
+
+
+def test_the_package_imports_in_no_circle():
+    graph = import_graph(PACKAGE, "sheetmorph")
+    assert len(graph) > 50 and graph["session"]
+    assert circles(graph) == []
+
+
+def test_the_circles_of_the_workbench_only_shrink():
+    graph = import_graph(WORKBENCH, "freecad.sheetmorph")
+    assert len(graph) > 100 and graph["api.files"]
+    assert sum(map(len, circles(graph))) <= IN_CIRCLES, circles(graph)
+
+
+@pytest.mark.parametrize(
+    "back",
+    [
+        "from . import a",
+        "from .a import f",
+        "import house.a",
+        "from house.a import f",
+        "def f():\n    from . import a",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from .a import A",
+    ],
+)
+def test_a_circle_is_noticed(tmp_path, back):
+    graph = graph_of(tmp_path, {"a.py": "from . import b\n", "b.py": back + "\n", "c.py": ""})
+    assert circles(graph) == [["a", "b"]]
+
+
+def test_a_circle_through_folders_is_noticed(tmp_path):
+    graph = graph_of(
+        tmp_path,
+        {
+            "api/__init__.py": "from .files import save\n",
+            "api/files.py": "from ..session import solve\n",
+            "session.py": "def f():\n    from . import api\n",
+        },
+    )
+    assert circles(graph) == [["api", "api.files", "session"]]
+    assert folder_graph(graph) == {"api": {"session"}, "session": {"api"}}
+
+
+def test_a_package_without_circles_passes(tmp_path):
+    graph = graph_of(
+        tmp_path,
+        {"__init__.py": "from .a import f\n", "a.py": "from .b import g\n", "b.py": "import os\n"},
+    )
+    assert graph == {"": {"a"}, "a": {"b"}, "b": set()}
+    assert circles(graph) == []
