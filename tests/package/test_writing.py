@@ -206,3 +206,52 @@ def test_an_unexpected_error_is_a_sentence_that_names_it(folder: Path, monkeypat
     error = capsys.readouterr().err
     assert "KeyError: 'nobody thought of this'" in error and "please report" in error
     assert "no part was written" in error and error.count("\n") == 1
+
+
+def save_reader(folder: Path, name: str, file: str) -> None:
+    """A recipe in a folder that reads a mesh file."""
+    recipe = recipe_of(plate(), file)
+    (folder / name).write_text(json.dumps(recipe))
+
+
+@pytest.mark.parametrize("name", ["recipe.json", "recipe-2.json", "mirror.JSON"])
+@pytest.mark.parametrize("spelling", ["plate.obj", "./plate.obj", "../out/plate.obj", "linked.obj"])
+def test_what_a_recipe_beside_it_reads_is_not_written_over(name, spelling, folder: Path, capsys):
+    out = folder / "out"
+    out.mkdir()
+    (out / "plate.obj").write_bytes((folder / "plate.obj").read_bytes())
+    (out / "linked.obj").symlink_to("plate.obj")
+    save_reader(out, name, spelling)
+    before = tree(folder)
+    assert main(["run", "recipe.json", "-o", "out", "--report", "report.json"]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("out/plate.obj") and error.count("\n") == 1
+    assert f'"{name}" beside it reads this file' in error
+    assert tree(folder) == before
+
+
+@pytest.mark.parametrize(
+    "text", ["no recipe", "[1]", '{"parts": [{"file": "plate.obj"}]}', '{"sheetmorph": 1}', "\xff"]
+)
+def test_what_is_no_recipe_protects_nothing(text: str, folder: Path):
+    (folder / "out").mkdir()
+    (folder / "out" / "plate.obj").write_text("an earlier result")
+    (folder / "out" / "notes.json").write_bytes(text.encode("latin-1"))
+    assert main(["run", "recipe.json", "-o", "out"]) == 0
+    assert (folder / "out" / "plate.obj").read_text() != "an earlier result"
+
+
+def test_a_recipe_that_is_replaced_with_its_meshes_protects_nothing(tmp_path: Path):
+    (tmp_path / "plate.obj").write_text("old")
+    save_reader(tmp_path, "recipe.json", "plate.obj")
+    with files_of(tmp_path, ["plate.obj", "recipe.json"]) as files:
+        files.commit()
+    assert (tmp_path / "plate.obj").read_text() == "new plate.obj"
+
+
+def test_the_same_content_may_be_written_again(tmp_path: Path):
+    (tmp_path / "plate.obj").write_text("new plate.obj")
+    save_reader(tmp_path, "recipe.json", "plate.obj")
+    with files_of(tmp_path, ["plate.obj", "second.json"]) as files:
+        files.commit()
+    assert (tmp_path / "second.json").is_file()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import filecmp
 import os
 import secrets
 import stat
@@ -11,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import FileError
+from .beside import require_unread
 from .signals import postponed
 
 
@@ -63,10 +65,14 @@ class FileSet:
     def commit(self) -> None:
         """Give every file its name, with SIGINT, SIGTERM and SIGHUP put off meanwhile.
 
-        Raises FileError; then every place is as it was before.
+        Raises FileError, also for a file that a recipe beside it reads and that would be another
+        one; then every place is as it was before.
         """
+        places = [final for _temporary, final in self._pending]
         for temporary, final in self._pending:
             require_file_place(final)
+            if final.exists() and not filecmp.cmp(temporary, final, shallow=False):
+                require_unread(final, places)
             with self.named(temporary), open(temporary, "rb") as written:
                 os.fsync(written.fileno())
         with postponed():

@@ -81,6 +81,45 @@ class TestRoundTrip(RecipeTest):
         self.assertEqual(result.returncode, 0, result.stderr)
 
 
+class TestOneFolder(RecipeTest):
+    """Recipe and deformed parts into one folder: nobody's meshes at rest are lost."""
+
+    def test_parts_are_not_written_over_what_a_recipe_there_reads(self):
+        assembly = self.rich_morph()
+        path = self.exported(assembly)
+        before = self.contents()
+        with self.assertRaisesRegex(ValueError, '"morph.json" beside it reads this file'):
+            api.write_parts(assembly, self.path("recipe"))
+        self.assertEqual(self.contents(), before)
+        again = api.import_recipe(self.new_document(), path)
+        expected, found = api.deform(assembly), api.deform(again)
+        for one, other in zip(objects.parts(assembly), objects.parts(again)):
+            np.testing.assert_array_equal(found[other.Name], expected[one.Name])
+
+    def test_another_recipe_with_the_same_meshes_may_stand_beside(self):
+        assembly = self.rich_morph()
+        first = self.exported(assembly)
+        second = api.export_recipe(assembly, self.path("recipe", "second.json"))
+        self.assertTrue(os.path.isfile(first) and os.path.isfile(second))
+
+    def test_another_recipe_with_other_meshes_is_refused(self):
+        assembly = self.rich_morph()
+        self.exported(assembly)
+        objects.parts(assembly)[0].Source.Placement = support.placement((1, 2, 3), (0, 0, 1), 5)
+        before = self.contents()
+        with self.assertRaisesRegex(ValueError, "name another folder"):
+            api.export_recipe(assembly, self.path("recipe", "second.json"))
+        self.assertEqual(self.contents(), before)
+
+    def contents(self) -> dict[str, bytes]:
+        """What is in the folder of the recipe."""
+        found = {}
+        for name in os.listdir(self.path("recipe")):
+            with open(self.path("recipe", name), "rb") as file:
+                found[name] = file.read()
+        return found
+
+
 class TestNodeIds(RecipeTest):
     def deck_morph(self):
         """Return a morph of a Nastran deck with node ids 5001, 5004, ... in falling order."""

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recipes beside files that are about to be written: what they read is not written over."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection
+from pathlib import Path
+
+from ..errors import FileError
+
+
+def require_unread(path: Path, replaced: Collection[Path]) -> None:
+    """Raises FileError if a recipe in the folder of `path` reads the file that stands there.
+
+    replaced: what is written with it; a recipe among them is no longer what it was.
+    """
+    if not path.exists():
+        return
+    place = path.resolve()
+    others = [file for file in sorted(path.parent.iterdir()) if file not in replaced]
+    for recipe in others:
+        if recipe.suffix.lower() == ".json" and place in _read_by(recipe):
+            what = f'the recipe "{recipe.name}" beside it reads this file'
+            raise FileError(path, what, "name another folder")
+
+
+def _read_by(path: Path) -> set[Path]:
+    """The mesh files that a recipe names; none if the file is no recipe."""
+    try:
+        recipe = json.loads(path.read_bytes())
+    except (OSError, ValueError, RecursionError):
+        return set()
+    parts = recipe.get("parts") if isinstance(recipe, dict) and "sheetmorph" in recipe else None
+    entries = [part for part in parts if isinstance(part, dict)] if isinstance(parts, list) else []
+    names = [part["file"] for part in entries if isinstance(part.get("file"), str)]
+    return {(path.parent / name).resolve() for name in names if "\0" not in name}
