@@ -2,7 +2,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/rigid_motion.h"
 #include "sheetmorph/base/rotation.h"
-#include "sheetmorph/numerics/sparse_cholesky.h"
+#include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 #include "arrays.h"
 #include "layers.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/mesh/diagnosis.h"
+#include "sheetmorph/mesh/quality/diagnosis.h"
 #include "layers.h"
 
 #include <pybind11/stl.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/assembly.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/feature_shape.h"
+#include "sheetmorph/forms/feature_shape.h"
 #include "arrays.h"
 #include "layers.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/mesh/triangle_queries.h"
+#include "sheetmorph/mesh/search/triangle_queries.h"
 #include "sheetmorph/pick/neighbourhood.h"
 #include "sheetmorph/pick/sight.h"
 #include "arrays.h"

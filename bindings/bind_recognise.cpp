@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/contacts.h"
-#include "sheetmorph/recognise/features.h"
+#include "sheetmorph/recognise/contacts/contacts.h"
+#include "sheetmorph/recognise/features/features.h"
 #include "arrays.h"
 #include "layers.h"
 

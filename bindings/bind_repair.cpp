@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/repair/cures.h"
-#include "sheetmorph/repair/remeshing.h"
+#include "sheetmorph/repair/remeshing/remeshing.h"
 #include "sheetmorph/repair/self_intersections.h"
 #include "arrays.h"
 #include "layers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/assembly/live_drag.h"
+#include "sheetmorph/assembly/session/live_drag.h"
 #include "arrays.h"
 #include "layers.h"
 #include "progress.h"

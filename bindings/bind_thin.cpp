@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/mesh/thickness_gauge.h"
+#include "sheetmorph/recognise/thin/thickness_gauge.h"
 #include "arrays.h"
 #include "layers.h"
 

@@ -8,13 +8,14 @@ MAY_INCLUDE = {
     "base": {"base"},
     "numerics": {"base", "numerics"},
     "mesh": {"base", "mesh"},
+    "forms": {"base", "mesh", "forms"},
     "pick": {"base", "mesh", "pick"},
     "repair": {"base", "mesh", "repair"},
-    "surface": BELOW_ASSEMBLY | {"surface"},
+    "surface": BELOW_ASSEMBLY | {"forms", "surface"},
     "volume": BELOW_ASSEMBLY | {"volume"},
     "recognise": BELOW_ASSEMBLY | {"recognise"},
     "cad": BELOW_ASSEMBLY | {"cad"},
-    "assembly": BELOW_ASSEMBLY | {"surface", "volume", "recognise", "cad", "assembly"},
+    "assembly": BELOW_ASSEMBLY | {"forms", "surface", "volume", "recognise", "cad", "assembly"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.MULTILINE)
 # Python, Qt, Coin and FreeCAD; output and files, which the kernel leaves to its callers.

@@ -3,7 +3,7 @@
 // neighbours: twelve of them are driven by two welds, which close loops.
 #include "panel_cases.h"
 
-#include "sheetmorph/assembly/live_drag.h"
+#include "sheetmorph/assembly/session/live_drag.h"
 #include "sheetmorph/base/rotation.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // panel's reduced matrix, and reading as many bytes as a live frame reads.
 #include "panel_cases.h"
 
-#include "sheetmorph/surface/surface_operators.h"
+#include "sheetmorph/surface/operators/surface_operators.h"
 
 #include <cholmod.h>
 #include <numeric>

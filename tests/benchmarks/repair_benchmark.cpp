@@ -2,9 +2,9 @@
 // Diagnosis, cures and remeshing of a dirty mesh: a closed sheet of two curved skins with 20 holes,
 // 300,000 triangles, a third of them slivers, every hundredth vertex cut apart as CAD does where
 // faces meet. Single answers; medians by --benchmark_repetitions.
-#include "sheetmorph/mesh/diagnosis.h"
+#include "sheetmorph/mesh/quality/diagnosis.h"
 #include "sheetmorph/repair/cures.h"
-#include "sheetmorph/repair/remeshing.h"
+#include "sheetmorph/repair/remeshing/remeshing.h"
 #include "panel.h"
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "panel_cases.h"
 
-#include "sheetmorph/surface/surface_response.h"
+#include "sheetmorph/surface/live/surface_response.h"
 
 namespace sheetmorph::benchmarks
 {

@@ -2,8 +2,8 @@
 #include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/vertex_sets.h"
-#include "sheetmorph/mesh/boundary.h"
-#include "sheetmorph/mesh/edges.h"
+#include "sheetmorph/mesh/topology/boundary.h"
+#include "sheetmorph/mesh/topology/edges.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include "sheetmorph/cad/cad_reader.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/cad_shapes.h"
-#include "sheetmorph/cad/edge_discretisation.h"
+#include "sheetmorph/cad/meshing/edge_discretisation.h"
+#include "sheetmorph/cad/meshing/part_mesher.h"
 #include "sheetmorph/cad/occt_surface.h"
-#include "sheetmorph/cad/part_mesher.h"
 
 #include <BRepBndLib.hxx>
 #include <BRep_Builder.hxx>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/cad/cad_model.h"
-#include "sheetmorph/cad/face_refinement.h"
+#include "sheetmorph/cad/meshing/face_refinement.h"
 
 #include <BRepAdaptor_Surface.hxx>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/numerics/sparse_cholesky.h"
+#include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 
 #include <Eigen/QR>
 

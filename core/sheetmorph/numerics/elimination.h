@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/numerics/nested_dissection.h"
+#include "sheetmorph/numerics/cholesky/nested_dissection.h"
 
 #include <memory>
 

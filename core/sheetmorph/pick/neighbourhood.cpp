@@ -2,10 +2,10 @@
 #include "sheetmorph/pick/neighbourhood.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/crease_loops.h"
-#include "sheetmorph/mesh/flags.h"
-#include "sheetmorph/mesh/growing.h"
-#include "sheetmorph/mesh/thinness.h"
+#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/regions/crease_loops.h"
+#include "sheetmorph/mesh/regions/flags.h"
+#include "sheetmorph/mesh/regions/growing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/edges.h"
+#include "sheetmorph/mesh/topology/edges.h"
 
 namespace sheetmorph
 {

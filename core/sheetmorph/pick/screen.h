@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/picking.h"
+#include "sheetmorph/mesh/search/picking.h"
 
 namespace sheetmorph
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/pick/sight.h"
 
-#include "sheetmorph/mesh/flags.h"
+#include "sheetmorph/mesh/regions/flags.h"
 #include "sheetmorph/pick/vertex_cells.h"
 
 #include <algorithm>

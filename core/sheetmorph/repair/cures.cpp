@@ -2,7 +2,7 @@
 #include "sheetmorph/repair/cures.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/near_vertices.h"
+#include "sheetmorph/mesh/search/near_vertices.h"
 #include "sheetmorph/repair/inner_walls.h"
 #include "sheetmorph/repair/soup.h"
 

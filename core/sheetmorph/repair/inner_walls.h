@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/t_junctions.h"
+#include "sheetmorph/mesh/quality/t_junctions.h"
 
 namespace sheetmorph
 {

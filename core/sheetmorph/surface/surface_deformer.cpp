@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/surface_deformer.h"
 
-#include "sheetmorph/surface/pose_solve.h"
-#include "sheetmorph/surface/sampled_response.h"
+#include "sheetmorph/surface/live/sampled_response.h"
+#include "sheetmorph/surface/solve/pose_solve.h"
 
 namespace sheetmorph
 {

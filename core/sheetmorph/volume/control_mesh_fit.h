@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/types.h"
-#include "sheetmorph/numerics/dense_cholesky.h"
+#include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 
 #include <Eigen/SparseCore>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/assembly/deformation_session.h"
+#include "sheetmorph/assembly/session/deformation_session.h"
 
 #include <ostream>
 

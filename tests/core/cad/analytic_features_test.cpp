@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/cad/cad_reader.h"
-#include "sheetmorph/mesh/circle.h"
+#include "sheetmorph/mesh/regions/circle.h"
 #include "cad_files.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/cad_reader.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/quality.h"
+#include "sheetmorph/mesh/quality/quality.h"
 #include "cad_files.h"
 
 #include <Eigen/LU>

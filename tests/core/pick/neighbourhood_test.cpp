@@ -2,7 +2,7 @@
 #include "sheetmorph/pick/neighbourhood.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/growing.h"
+#include "sheetmorph/mesh/regions/growing.h"
 #include "shapes.h"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 #include "sheetmorph/pick/sight.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/triangle_queries.h"
+#include "sheetmorph/mesh/search/triangle_queries.h"
 #include "cameras.h"
 #include "shapes.h"
 

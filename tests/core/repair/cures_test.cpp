@@ -2,7 +2,7 @@
 #include "sheetmorph/repair/cures.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/diagnosis.h"
+#include "sheetmorph/mesh/quality/diagnosis.h"
 #include "shapes.h"
 
 #include <gtest/gtest.h>

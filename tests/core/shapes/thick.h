@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/boundary.h"
+#include "sheetmorph/mesh/topology/boundary.h"
 #include "shapes/solids.h"
 
 namespace sheetmorph::shapes

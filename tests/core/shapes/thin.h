@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/boundary.h"
-#include "sheetmorph/mesh/normals.h"
+#include "sheetmorph/mesh/geometry/normals.h"
+#include "sheetmorph/mesh/topology/boundary.h"
 #include "shapes/plates.h"
 
 namespace sheetmorph::shapes

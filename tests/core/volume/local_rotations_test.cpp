@@ -4,7 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
-#include "link_scene.h"
+#include "volume/link_scene.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/rotation.h"
-#include "link_scene.h"
+#include "volume/link_scene.h"
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/plan/propagation_plan.h"
+#include "sheetmorph/volume/oriented_box.h"
+
+namespace sheetmorph
+{
+
+//! Rows `ids` of points.
+Points rows_of(const Points& points, const VertexIds& ids);
+
+//! Rows of both, a first.
+Points stacked(const Points& a, const Points& b);
+
+//! Makes the boxes of control meshes. Where points leave a box's axes open, those come from the
+//! part, then from the assembly, then from where the parts, the handles and the fixed regions lie,
+//! so that a turned model gives turned boxes.
+class ControlBoxes
+{
+public:
+    explicit ControlBoxes(const Assembly& assembly);
+
+    //! The box around the whole assembly.
+    OrientedBox around_everything() const;
+
+    //! The box around points of a contact whose source is `part`.
+    OrientedBox around(const Points& points, int part) const;
+
+private:
+    Points everything_;
+    Matrix3 axes_;
+    std::vector<Matrix3> part_axes_;
+    BoxOptions options_;
+};
+
+//! Which rows of `points` lie in the box.
+std::vector<char> inside(const OrientedBox& box, const Points& points);
+
+}  // namespace sheetmorph

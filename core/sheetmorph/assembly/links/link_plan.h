@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/assembly/plan/propagation_plan.h"
+
+namespace sheetmorph
+{
+
+//! Vertices of one part that a link decides.
+struct LinkTarget
+{
+    int part = 0;
+    VertexIds vertices;
+    std::vector<double> weights = {};  //!< beside other links that want them; empty: 1 each
+};
+
+//! Source vertices that decide target vertices through a control mesh or a tie.
+struct PlannedLink
+{
+    std::string name;
+    int contact = -1;  //!< index into Assembly::contacts; -1 for the single control mesh
+    ContactType type = ContactType::control_mesh;
+    int source_part = 0;
+    VertexIds source;
+    std::vector<LinkTarget> targets;  //!< their rows follow each other
+    VertexIds enclosed;               //!< further vertices of targets[0].part inside the box
+};
+
+//! Rigid contacts between the same two parts that one rigid body has to serve.
+struct RigidWeld
+{
+    std::string name;  //!< of its contacts
+    std::vector<int> contacts;
+    int source_part = 0;
+    VertexIds source;
+    int target_part = 0;
+    VertexIds target;
+};
+
+//! Control mesh and tied links with the vertices each part's mode gives them (section 4.1).
+//! \throws InvalidInput: mode 1 where features or several contacts forbid it, a mode 3 that finds
+//! no vertex, a part in mode 2 of a single control mesh without followers
+//! \returns links by name, so that the order of the contacts does not matter
+std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationPlan& plan,
+                                    const ControlBoxes& boxes);
+
+//! The box of a link's control mesh: around everything for the single one, else around both sides
+//! of the contact and what the link decides.
+OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
+                        const ControlBoxes& boxes);
+
+//! \throws InvalidInput if a rigid contact's driven side is partly fixed
+std::vector<RigidWeld> plan_welds(const Assembly& assembly, const PropagationPlan& plan);
+
+}  // namespace sheetmorph

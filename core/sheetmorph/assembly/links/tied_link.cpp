@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/assembly/links/motion_link.h"
+#include "sheetmorph/assembly/links/patch_anchors.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/volume/local_rotations.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+class TiedLink : public MotionLink
+{
+public:
+    explicit TiedLink(const MotionLinkInput& input)
+        : anchors_(nearest_anchors(input.source_mesh, input.source, input.targets)),
+          corners_(corners_of(anchors_)),
+          meter_(input.source_mesh, corners_),
+          targets_(input.targets),
+          arms_(input.targets.rows(), 3)
+    {
+        for (Eigen::Index row = 0; row < arms_.rows(); ++row)
+            arms_.row(row) = targets_.row(row)
+                             - anchors_[static_cast<std::size_t>(row)]
+                                   .on(input.source_mesh.points())
+                                   .transpose();
+        source_rest_ = input.source_mesh.points();
+    }
+
+    LinkedTargets transfer(const Deformation& source) const override
+    {
+        const LocalRotations turned =
+            meter_.measure(source.positions, rows_of(source.rotation_logs, corners_));
+        LinkedTargets result{Points(arms_.rows(), 3), Points(arms_.rows(), 3), {}};
+        for (Eigen::Index row = 0; row < arms_.rows(); ++row)
+        {
+            const PatchAnchor& anchor = anchors_[static_cast<std::size_t>(row)];
+            const Matrix3 rotation = mean_rotation(anchor, turned);
+            const Vector3 arm = arms_.row(row).transpose();
+            // As a displacement, so that a source at rest leaves the target where it is.
+            const Vector3 shift = displacement(anchor, source) + (rotation * arm - arm);
+            result.positions.row(row) = targets_.row(row) + shift.transpose();
+            result.logs.row(row) = log_near(rotation, mean_log(anchor, turned)).transpose();
+            result.rotations.push_back(rotation);
+        }
+        return result;
+    }
+
+    VertexIds reads() const override { return meter_.reads(); }
+
+    std::optional<ShownControlMesh> control_mesh(const Deformation&) const override
+    {
+        return std::nullopt;
+    }
+
+private:
+    Vector3 displacement(const PatchAnchor& anchor, const Deformation& source) const
+    {
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            sum += anchor.weights(static_cast<Eigen::Index>(k))
+                   * (source.positions.row(anchor.corners[k]) - source_rest_.row(anchor.corners[k]))
+                         .transpose();
+        return sum;
+    }
+
+    std::size_t corner_index(int vertex) const
+    {
+        return static_cast<std::size_t>(std::lower_bound(corners_.begin(), corners_.end(), vertex)
+                                        - corners_.begin());
+    }
+
+    Vector3 mean_log(const PatchAnchor& anchor, const LocalRotations& turned) const
+    {
+        Vector3 log = Vector3::Zero();
+        for (std::size_t k = 0; k < 3; ++k)
+            log += anchor.weights(static_cast<Eigen::Index>(k))
+                   * turned.logs.row(static_cast<Eigen::Index>(corner_index(anchor.corners[k])))
+                         .transpose();
+        return log;
+    }
+
+    // The rotation of the anchor's frame; exactly the corners' where they agree.
+    Matrix3 mean_rotation(const PatchAnchor& anchor, const LocalRotations& turned) const
+    {
+        const Matrix3& first = turned.matrices[corner_index(anchor.corners[0])];
+        Matrix3 differences = Matrix3::Zero();
+        for (std::size_t k = 1; k < 3; ++k)
+            differences += anchor.weights(static_cast<Eigen::Index>(k))
+                           * (turned.matrices[corner_index(anchor.corners[k])] - first);
+        return differences.isZero(0.0) ? first : polar_rotation(first + differences);
+    }
+
+    static VertexIds corners_of(const std::vector<PatchAnchor>& anchors)
+    {
+        VertexIds corners;
+        for (const PatchAnchor& anchor : anchors)
+            corners.insert(corners.end(), anchor.corners.begin(), anchor.corners.end());
+        std::sort(corners.begin(), corners.end());
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        return corners;
+    }
+
+    std::vector<PatchAnchor> anchors_;
+    VertexIds corners_;
+    LocalRotationMeter meter_;
+    Points targets_;
+    Points arms_;
+    Points source_rest_;
+};
+
+}  // namespace
+
+std::unique_ptr<MotionLink> tied_link(const MotionLinkInput& input)
+{
+    return std::make_unique<TiedLink>(input);
+}
+
+}  // namespace sheetmorph

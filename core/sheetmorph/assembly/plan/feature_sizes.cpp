@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/plan/feature_sizes.h"
+
+#include "sheetmorph/base/errors.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::string in_mm(double length)
+{
+    std::ostringstream text;
+    text << length << " mm";
+    return text.str();
+}
+
+void check_size(const Assembly& assembly, const PartFeature& feature, const FeatureShape& shape,
+                double size)
+{
+    if (std::isfinite(size) && size > shape.smallest)
+        return;
+    const Part& part = assembly.parts[static_cast<std::size_t>(feature.part)];
+    const std::string limit =
+        shape.smallest > 0.0 ? "the slot's width, " + in_mm(shape.smallest) : std::string("0 mm");
+    throw InvalidInput("part '" + part.name + "': feature '" + feature.name + "' cannot have a "
+                       + shape.measure() + " of " + in_mm(size) + "; give more than " + limit);
+}
+
+}  // namespace
+
+bool is_sized(const PartFeature& feature)
+{
+    return feature.is_resizable || feature.size.has_value();
+}
+
+std::vector<std::optional<FeatureShape>> shapes_of_sized(const Assembly& assembly)
+{
+    std::vector<std::optional<FeatureShape>> shapes;
+    for (const PartFeature& feature : assembly.features)
+    {
+        shapes.emplace_back();
+        if (!is_sized(feature))
+            continue;
+        const Part& part = assembly.parts[static_cast<std::size_t>(feature.part)];
+        shapes.back() = feature_shape(part.mesh, feature.vertices);
+        if (!shapes.back())
+            throw InvalidInput("part '" + part.name + "': feature '" + feature.name
+                               + "' has a size, but its vertices are no hole, slot or cylinder; "
+                                 "pick a whole rim or wall, or leave the size out");
+        if (feature.size)
+            check_size(assembly, feature, *shapes.back(), *feature.size);
+    }
+    return shapes;
+}
+
+std::optional<double> size_in_pose(const PartFeature& feature, const Pose& pose)
+{
+    const auto found = pose.sizes.find(feature.name);
+    return found == pose.sizes.end() ? feature.size : std::optional<double>(found->second);
+}
+
+void check_sizes(const Assembly& assembly, const std::vector<std::optional<FeatureShape>>& shapes,
+                 const Pose& pose)
+{
+    for (std::size_t k = 0; k < shapes.size(); ++k)
+    {
+        const auto found = pose.sizes.find(assembly.features[k].name);
+        if (shapes[k] && found != pose.sizes.end())
+            check_size(assembly, assembly.features[k], *shapes[k], found->second);
+    }
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/plan/pair_plan.h"
+
+#include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/forms/feature_shape.h"
+#include "sheetmorph/mesh/regions/circle.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <sstream>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+// Of the smaller radius, and degrees: beyond it, features do not share an axis.
+constexpr double most_offset = 0.02;
+constexpr double most_angle = 1.0;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+//! The axis of a form feature, with how far its vertices are from it in the mean.
+struct FeatureAxis
+{
+    Vector3 point;
+    Vector3 direction;
+    double radius;
+};
+
+const PartFeature& feature_of(const Assembly& assembly, int feature)
+{
+    return assembly.features[at(feature)];
+}
+
+Points points_of(const Assembly& assembly, const PartFeature& feature)
+{
+    return rows_of(assembly.parts[at(feature.part)].mesh.points(), feature.vertices);
+}
+
+std::string label(const Assembly& assembly, const PartFeature& feature)
+{
+    return "feature '" + feature.name + "' of part '" + assembly.parts[at(feature.part)].name + "'";
+}
+
+// Of a hole, slot or cylinder its own; of other vertices the normal of their best plane.
+FeatureAxis axis_of(const Assembly& assembly, const PartFeature& feature, const std::string& pair)
+{
+    const TriangleMesh& mesh = assembly.parts[at(feature.part)].mesh;
+    const Points points = points_of(assembly, feature);
+    FeatureAxis axis{points.colwise().mean().transpose(), Vector3::UnitZ(), 0.0};
+    if (const std::optional<FeatureShape> shape = feature_shape(mesh, feature.vertices))
+    {
+        axis.point = shape->centre;
+        axis.direction = shape->axis;
+    }
+    else
+    {
+        try
+        {
+            axis.direction = fit_circle(points).axis;
+        }
+        catch (const InvalidInput&)
+        {
+            throw InvalidInput("coaxial pair '" + pair + "': " + label(assembly, feature)
+                               + " has no axis, since its vertices lie on one line; pick a rim");
+        }
+    }
+    const Points arms = points.rowwise() - axis.point.transpose();
+    axis.radius =
+        (arms - arms * axis.direction * axis.direction.transpose()).rowwise().norm().mean();
+    return axis;
+}
+
+void require_coaxial(const Assembly& assembly, const FeaturePair& pair, const FeatureAxis& a,
+                     const FeatureAxis& b)
+{
+    const Vector3 across = b.point - a.point;
+    const double offset = (across - across.dot(a.direction) * a.direction).norm();
+    const double angle =
+        std::atan2(a.direction.cross(b.direction).norm(), std::abs(a.direction.dot(b.direction)))
+        * degrees;
+    if (offset <= most_offset * std::min(a.radius, b.radius) && angle <= most_angle)
+        return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "coaxial pair '" << pair.name << "': " << label(assembly, feature_of(assembly, pair.a))
+         << " and " << label(assembly, feature_of(assembly, pair.b))
+         << " do not share an axis at rest, they "
+         << "are " << offset << " mm and " << angle << " degrees apart; choose two that do";
+    throw InvalidInput(text.str());
+}
+
+void require_distance(const Assembly& assembly, const FeaturePair& pair, const Vector3& a,
+                      const Vector3& b)
+{
+    const Points points = points_of(assembly, feature_of(assembly, pair.a));
+    if ((a - b).norm() > exactness(points, assembly.parts.front().mesh.size()))
+        return;
+    throw InvalidInput("distance '" + pair.name
+                       + "': " + label(assembly, feature_of(assembly, pair.a)) + " and "
+                       + label(assembly, feature_of(assembly, pair.b))
+                       + " have the same centre; make them coaxial, or choose others");
+}
+
+Vector3 centre_of(const Assembly& assembly, int feature)
+{
+    return points_of(assembly, feature_of(assembly, feature)).colwise().mean().transpose();
+}
+
+PlannedPair planned(const Assembly& assembly, const FeaturePair& pair, bool is_b_first)
+{
+    PlannedPair found{pair.name, pair.type, is_b_first ? pair.b : pair.a,
+                      is_b_first ? pair.a : pair.b};
+    if (pair.type == FeatureLinkType::distance)
+    {
+        require_distance(assembly, pair, centre_of(assembly, pair.a), centre_of(assembly, pair.b));
+        found.centre = centre_of(assembly, found.leader);
+        return found;
+    }
+    const FeatureAxis a = axis_of(assembly, feature_of(assembly, pair.a), pair.name);
+    const FeatureAxis b = axis_of(assembly, feature_of(assembly, pair.b), pair.name);
+    require_coaxial(assembly, pair, a, b);
+    found.centre = is_b_first ? b.point : a.point;
+    found.direction = is_b_first ? b.direction : a.direction;
+    return found;
+}
+
+}  // namespace
+
+std::vector<PlannedPair> plan_pairs(const Assembly& assembly, const PropagationPlan& plan)
+{
+    std::vector<int> rank(assembly.parts.size(), -1);
+    for (std::size_t k = 0; k < plan.order.size(); ++k)
+        rank[at(plan.order[k])] = static_cast<int>(k);
+    std::vector<PlannedPair> pairs;
+    for (const FeaturePair& pair : assembly.pairs)
+    {
+        const int rank_a = rank[at(feature_of(assembly, pair.a).part)];
+        const int rank_b = rank[at(feature_of(assembly, pair.b).part)];
+        const PlannedPair found = planned(assembly, pair, rank_b < rank_a);
+        if (rank_a >= 0 && rank_b >= 0)
+            pairs.push_back(found);
+    }
+    return pairs;
+}
+
+}  // namespace sheetmorph

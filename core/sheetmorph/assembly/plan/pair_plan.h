@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/plan/propagation_plan.h"
+
+namespace sheetmorph
+{
+
+//! A pair of form features with the one that leads: on one part the first, on two parts the one of
+//! the part that is deformed earlier.
+struct PlannedPair
+{
+    std::string name;
+    FeatureLinkType type = FeatureLinkType::coaxial;
+    int leader = 0;  //!< index into Assembly::features
+    int follower = 0;
+    Vector3 centre = Vector3::Zero();      //!< a point of the leader's axis, or its centre, mm
+    Vector3 direction = Vector3::UnitZ();  //!< of the leader's axis
+};
+
+//! Pairs between features of parts that are reached.
+//! \throws InvalidInput naming features that are not coaxial at rest (by how many mm and degrees),
+//! that have no axis, or no distance
+std::vector<PlannedPair> plan_pairs(const Assembly& assembly, const PropagationPlan& plan);
+
+}  // namespace sheetmorph

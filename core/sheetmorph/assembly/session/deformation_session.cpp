@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/session/deformation_session.h"
+
+#include "sheetmorph/assembly/session/live_drag.h"
+#include "sheetmorph/assembly/session/wave.h"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+DeformationSession::DeformationSession(Assembly assembly, const Progress& progress,
+                                       const DeformationSession* previous)
+    : data_(std::make_shared<const PreparedAssembly>(prepare_assembly(
+        std::move(assembly), progress, previous != nullptr ? previous->data_.get() : nullptr)))
+{
+}
+
+DeformationSession::~DeformationSession() = default;
+DeformationSession::DeformationSession(DeformationSession&&) noexcept = default;
+DeformationSession& DeformationSession::operator=(DeformationSession&&) noexcept = default;
+
+Deformed DeformationSession::deform(const Pose& pose, Exactness exactness) const
+{
+    const Pose told = told_pose(*data_, pose);
+    return Wave(*data_, told, exactness).run();
+}
+
+std::unique_ptr<LiveDrag> DeformationSession::begin_drag(const std::vector<std::string>& handles,
+                                                         const Pose& start,
+                                                         const DragOptions& options) const
+{
+    for (const std::string& name : handles)
+        check_pose_names(data_->assembly, Pose{{{name, RigidMotion{}}}, {}, {}, {}});
+    return std::make_unique<LiveDrag>(data_, with_mirrors(*data_, handles),
+                                      told_pose(*data_, start), options);
+}
+
+std::optional<ShownControlMesh> DeformationSession::control_mesh(int contact,
+                                                                 const Deformed& pose) const
+{
+    for (std::size_t k = 0; k < data_->planned.size(); ++k)
+        if (data_->planned[k].contact == contact)
+        {
+            const std::size_t source = at(data_->planned[k].source_part);
+            const bool is_thin = data_->parts[source].thin != nullptr;
+            return data_->links[k].link->control_mesh(is_thin ? pose.middles[source]
+                                                              : pose.parts[source]);
+        }
+    return std::nullopt;
+}
+
+const Assembly& DeformationSession::assembly() const
+{
+    return data_->whole();
+}
+
+const ThinSolid* DeformationSession::thin_solid(int part) const
+{
+    const auto& thin = data_->thin.at(at(part));
+    return thin ? &thin->solid() : nullptr;
+}
+
+const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() const
+{
+    return data_->shapes;
+}
+
+const PropagationPlan& DeformationSession::plan() const
+{
+    return data_->plan;
+}
+
+const std::vector<Timing>& DeformationSession::timings() const
+{
+    return data_->timings;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/forms/feature_shape.h"
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+#include <utility>
+
+namespace sheetmorph
+{
+
+//! Pairs of vertices whose distance vector a form feature keeps: F_k of (2.4).
+using FeatureEdges = std::vector<std::pair<int, int>>;
+
+//! The mesh edges inside every feature, and the pairs of its consecutive vertices.
+std::vector<FeatureEdges> edges_of_features(const TriangleMesh& rest,
+                                            const std::vector<VertexIds>& features);
+
+//! How far a form feature is from (2.4): the worst |p_i - p_j - R (p_hat_i - p_hat_j)|, mm.
+//! \param rest  (n, 3) mm; where features have a size, with that
+double edge_error(const Points& rest, const FeatureEdges& edges, const Points& positions,
+                  const RigidMotion& motion);
+
+//! A form feature with the size that a pose gives it.
+struct SizedForm
+{
+    const FeatureShape& shape;
+    double size = 0.0;  //!< mm
+    Points rest;        //!< (k, 3) mm, with that size
+};
+
+//! How far its rim is, at most, from the exact circle (slot, cylinder) of its size, mm.
+//! \param deformed  (k, 3) mm
+double outline_error(const SizedForm& form, const Points& deformed, const Matrix3& rotation);
+
+}  // namespace sheetmorph

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/session/live_drag.h"
+
+#include "sheetmorph/assembly/session/drag_samples.h"
+#include "sheetmorph/base/errors.h"
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Polynomials of the rotation weights: exact to 4e-7 up to 165 degrees for one
+// handle, to 100 degrees for two.
+constexpr int degree_for_one = 8;
+constexpr int degree_for_two = 7;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+bool turns_or_moves(const RigidMotion& motion)
+{
+    return !motion.rotation_log.isZero(0.0) || !motion.translation.isZero(0.0);
+}
+
+// Own handles that are dragged or stand displaced, then every weld that another
+// part moves.
+ResponseOptions options_of(const PreparedAssembly& prepared, int part,
+                           const std::set<std::string>& dragged, const Pose& start)
+{
+    const PartProblem& problem = prepared.parts[at(part)].problem;
+    ResponseOptions options;
+    for (std::size_t k = 0; k < problem.own.handles.size(); ++k)
+    {
+        const std::string& name = prepared.assembly.handles[at(problem.own.handles[k])].name;
+        const auto motion = start.handles.find(name);
+        const bool is_displaced = motion != start.handles.end() && turns_or_moves(motion->second);
+        if (dragged.count(name) != 0 || (is_displaced && !motion->second.rotation_log.isZero(0.0)))
+            options.turning.push_back(static_cast<int>(k));
+        else if (is_displaced)
+            options.moving.push_back(static_cast<int>(k));
+    }
+    for (std::size_t k = 0; k < problem.carried.size(); ++k)
+        options.turning.push_back(static_cast<int>(problem.own.handles.size() + k));
+    options.degree = options.turning.size() > 1 ? degree_for_two : degree_for_one;
+    return options;
+}
+
+int vertices_of(const Assembly& assembly)
+{
+    int count = 0;
+    for (const Part& part : assembly.parts)
+        count += part.mesh.vertex_count();
+    return count;
+}
+
+}  // namespace
+
+//! Builds responses part by part on a thread of its own.
+class LiveDrag::Background
+{
+public:
+    Background(const PreparedAssembly& prepared, std::set<std::string> dragged, const Pose& start,
+               const DragOptions& options)
+        : prepared_(prepared), responses_(prepared.parts.size())
+    {
+        for (const int part : prepared.plan.order)
+        {
+            const PreparedPart& ready = prepared.parts[at(part)];
+            if (!ready.deformer || !ready.deformer->can_respond())
+                continue;
+            ResponseOptions options = options_of(prepared, part, dragged, start);
+            if (!options.turning.empty() && options.turning.size() <= 2)
+                wanted_.emplace(part, std::move(options));
+        }
+        const bool learns = vertices_of(prepared.assembly) >= options.least_to_learn;
+        thread_ = std::thread([this, learns, dragged = std::move(dragged), start]
+                              { build(learns, dragged, start); });
+    }
+
+    ~Background()
+    {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            is_stopped_ = true;
+        }
+        thread_.join();
+    }
+
+    PartResponses ready() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return responses_;
+    }
+
+    bool is_done() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return is_done_;
+    }
+
+    void wait()
+    {
+        std::unique_lock<std::mutex> lock(mutex_);
+        finished_.wait(lock, [this] { return is_done_; });
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+private:
+    void build(bool learns, const std::set<std::string>& dragged, const Pose& start)
+    {
+        const Progress progress(
+            [this](double, const std::string&)
+            {
+                const std::lock_guard<std::mutex> lock(mutex_);
+                return !is_stopped_;
+            });
+        std::exception_ptr failure;
+        try
+        {
+            if (learns)
+                samples_.emplace(prepared_, dragged, start);
+            for (const int part : prepared_.plan.order)
+                build(part, progress);
+        }
+        catch (const Cancelled&)
+        {
+            // The drag has ended.
+        }
+        catch (const std::exception&)
+        {
+            failure = std::current_exception();  // out of memory: frames go on by
+                                                 // substitution
+        }
+        const std::lock_guard<std::mutex> lock(mutex_);
+        failure_ = failure;
+        is_done_ = true;
+        finished_.notify_all();
+    }
+
+    void build(int part, const Progress& progress)
+    {
+        const auto options = wanted_.find(part);
+        PartResponse built;
+        if (options != wanted_.end())
+            built.to_handles =
+                prepared_.parts[at(part)].deformer->response(options->second, progress);
+        keep(part, built);
+        if (!samples_)
+            return;
+        built.to_samples = samples_->learn(part, progress);
+        keep(part, built);
+    }
+
+    void keep(int part, const PartResponse& built)
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        responses_[at(part)] = built;
+    }
+
+    const PreparedAssembly& prepared_;
+    std::optional<DragSamples> samples_;  // of the thread alone
+    std::map<int, ResponseOptions> wanted_;
+    mutable std::mutex mutex_;
+    std::condition_variable finished_;
+    PartResponses responses_;
+    std::exception_ptr failure_;
+    bool is_stopped_ = false;
+    bool is_done_ = false;
+    std::thread thread_;
+};
+
+LiveDrag::LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<std::string> handles,
+                   const Pose& start, const DragOptions& options)
+    : prepared_(std::move(prepared)),
+      background_(std::make_unique<Background>(*prepared_, std::move(handles), start, options))
+{
+}
+
+LiveDrag::~LiveDrag() = default;
+
+const Deformed& LiveDrag::frame(const Pose& pose)
+{
+    const Pose told = told_pose(*prepared_, pose);
+    answered_ =
+        Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), read_, result_);
+    return result_;
+}
+
+void LiveDrag::wait()
+{
+    background_->wait();
+}
+
+bool LiveDrag::is_ready() const
+{
+    return background_->is_done();
+}
+
+const std::vector<char>& LiveDrag::answered() const
+{
+    return answered_;
+}
+
+}  // namespace sheetmorph

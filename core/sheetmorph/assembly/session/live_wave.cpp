@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/session/wave.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Parts are placed on two threads if they have this many vertices together.
+constexpr int vertices_for_two_threads = 200000;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+std::vector<char> Wave::run_live(const PartResponses& responses, std::vector<Deformation>& read,
+                                 Deformed& result)
+{
+    start(result);
+    begin_reading(read);
+    std::vector<char> answered(result.parts.size(), 0);
+    for (const int part : prepared_.plan.order)
+    {
+        answered[at(part)] = respond(part, responses[at(part)]);
+        if (!answered[at(part)])
+            substitute(part);
+        pass_on(part);
+    }
+    for (const int part : prepared_.plan.unreached)
+        set_at_rest(part);
+    place_answers();
+    for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
+        report_features(part);
+    return answered;
+}
+
+void Wave::begin_reading(std::vector<Deformation>& read)
+{
+    read.resize(prepared_.parts.size());
+    read_ = &read;
+    is_in_read_.assign(prepared_.parts.size(), 0);
+}
+
+bool Wave::read(int part, const SampledResponse& response)
+{
+    const std::optional<SampledResponse::Frame> frame = response.frame(targets_of(part));
+    if (!frame)
+        return false;
+    is_in_read_[at(part)] = 1;
+    response.place_reads(*frame, (*read_)[at(part)]);
+    pass_on(part);
+    return true;
+}
+
+bool Wave::is_read(int part) const
+{
+    return std::any_of(prepared_.planned.begin(), prepared_.planned.end(),
+                       [part](const PlannedLink& link) { return link.source_part == part; });
+}
+
+bool Wave::respond(int part, const PartResponse& response)
+{
+    return (response.to_samples && respond_to_samples(part, response.to_samples))
+           || (response.to_handles && respond_to_handles(part, response.to_handles));
+}
+
+// What later parts read at once, everything when all parts are.
+bool Wave::respond_to_samples(int part, const std::shared_ptr<const SampledResponse>& response)
+{
+    auto frame =
+        std::make_shared<std::optional<SampledResponse::Frame>>(response->frame(targets_of(part)));
+    if (!*frame)
+        return false;
+    is_in_read_[at(part)] = 1;
+    response->place_reads(**frame, (*read_)[at(part)]);
+    answers_.push_back(
+        {part, [response, frame](Deformation& shape) { response->place(**frame, shape); }});
+    return true;
+}
+
+// Rigid motions at once, since later parts need them; vertices too if a link
+// reads them, else when all parts are.
+bool Wave::respond_to_handles(int part, const std::shared_ptr<const SurfaceResponse>& response)
+{
+    const auto& thin = prepared_.parts[at(part)].thin;
+    if (thin && thin->has_points())
+        return false;
+    const SurfaceTargets targets = targets_of(part);
+    std::optional<SurfaceResponse::Frame> frame = response->frame(targets);
+    if (!frame)
+        return false;
+    Deformation& shape = solved(part);
+    shape.features = frame->features;
+    if (thin || is_read(part))
+    {
+        response->place(*frame, true, shape);
+        expand(part, targets);
+    }
+    else
+        answers_.push_back({part, [response, placed = std::move(*frame)](Deformation& whole)
+                            { response->place(placed, false, whole); }});
+    return true;
+}
+
+void Wave::place_answers() const
+{
+    int vertices = 0;
+    for (const Answer& answer : answers_)
+        vertices += prepared_.assembly.parts[at(answer.part)].mesh.vertex_count();
+    std::atomic<std::size_t> next{0};
+    const auto place = [&]
+    {
+        for (std::size_t k = next++; k < answers_.size(); k = next++)
+            answers_[k].place(result_->parts[at(answers_[k].part)]);
+    };
+    std::thread other;
+    if (answers_.size() > 1 && vertices >= vertices_for_two_threads)
+        other = std::thread(place);
+    place();
+    if (other.joinable())
+        other.join();
+}
+
+}  // namespace sheetmorph

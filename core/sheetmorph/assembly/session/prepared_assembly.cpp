@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/session/prepared_assembly.h"
+
+#include "sheetmorph/assembly/assembly_checks.h"
+#include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/assembly/links/link_blending.h"
+#include "sheetmorph/assembly/links/patch_anchors.h"
+#include "sheetmorph/assembly/session/reuse.h"
+#include "sheetmorph/assembly/session/task_pool.h"
+#include "sheetmorph/base/errors.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+Points target_points(const Assembly& assembly, const PlannedLink& link)
+{
+    Eigen::Index count = 0;
+    for (const LinkTarget& target : link.targets)
+        count += static_cast<Eigen::Index>(target.vertices.size());
+    Points points(count, 3);
+    Eigen::Index row = 0;
+    for (const LinkTarget& target : link.targets)
+    {
+        const Points rows = rows_of(assembly.parts[at(target.part)].mesh.points(), target.vertices);
+        points.middleRows(row, rows.rows()) = rows;
+        row += rows.rows();
+    }
+    return points;
+}
+
+PreparedLink described_link(const Assembly& assembly, const PlannedLink& planned,
+                            const ControlBoxes& boxes)
+{
+    PreparedLink link;
+    link.type = planned.type;
+    link.source = planned.source;
+    link.targets = target_points(assembly, planned);
+    if (planned.type == ContactType::control_mesh)
+        link.options = {box_of_link(assembly, planned, boxes), assembly.propagation.levels,
+                        assembly.propagation.smoothness};
+    return link;
+}
+
+std::shared_ptr<const MotionLink> built_link(const TriangleMesh& source_mesh,
+                                             const PreparedLink& link)
+{
+    const MotionLinkInput input{source_mesh, link.source, link.targets};
+    if (link.type == ContactType::tied)
+        return tied_link(input);
+    return control_mesh_link(input, link.options);
+}
+
+//! A part's deformer, and that of an earlier session if there is one.
+struct DeformerInput
+{
+    const Part& part;
+    const SurfaceConstraints& constraints;
+    std::shared_ptr<const SurfaceDeformer> earlier;
+};
+
+std::shared_ptr<const SurfaceDeformer> built_deformer(const DeformerInput& input,
+                                                      const Progress& progress)
+{
+    const Part& part = input.part;
+    try
+    {
+        return std::make_shared<const SurfaceDeformer>(part.mesh, input.constraints, progress,
+                                                       input.earlier.get());
+    }
+    catch (const InvalidInput& fault)
+    {
+        throw fault.in_part(part.name, part.ids);
+    }
+    catch (const SolverError& fault)
+    {
+        throw SolverError("part '" + part.name + "': " + fault.what());
+    }
+}
+
+std::vector<FeatureEdges> own_feature_edges(const Assembly& whole, int part,
+                                            const PartProblem& problem)
+{
+    std::vector<VertexIds> features;
+    for (const int feature : problem.own.features)
+        features.push_back(whole.features[at(feature)].vertices);
+    return edges_of_features(whole.parts[at(part)].mesh, features);
+}
+
+// Takes the thin solids among the parts down to their middles.
+void reduce(PreparedAssembly& prepared, const PreparedAssembly* previous)
+{
+    prepared.thin = find_thin_parts(prepared.assembly, previous ? &previous->whole() : nullptr,
+                                    previous ? previous->thin : ThinParts());
+    const auto is_none = [](const auto& part) { return part == nullptr; };
+    if (std::all_of(prepared.thin.begin(), prepared.thin.end(), is_none))
+        return;
+    prepared.with_thin_parts = with_lumps(std::move(prepared.assembly), prepared.thin);
+    prepared.assembly = reduced_to_skins(*prepared.with_thin_parts, prepared.thin);
+}
+
+// What touches by its wall is a row of vertices in the middle of the sheet, and a tie holds on to
+// triangles.
+void widen_thin_sources(PreparedAssembly& prepared)
+{
+    for (PlannedLink& link : prepared.planned)
+        if (link.type == ContactType::tied && prepared.thin[at(link.source_part)])
+            link.source = with_triangles_below(prepared.assembly.parts[at(link.source_part)].mesh,
+                                               link.source, target_points(prepared.assembly, link));
+}
+
+//! Collects what has to be built, and times it.
+class Preparation
+{
+public:
+    Preparation(PreparedAssembly& prepared, const PreparedAssembly* previous)
+        : prepared_(prepared), previous_(previous)
+    {
+        prepared_.timings.reserve(prepared.parts.size() + prepared.links.size());
+    }
+
+    void add_part(int index)
+    {
+        PreparedPart& part = prepared_.parts[at(index)];
+        const Part& of = prepared_.assembly.parts[at(index)];
+        part.edges = own_feature_edges(prepared_.whole(), index, part.problem);
+        if (const auto& thin = prepared_.thin[at(index)])
+            part.thin = std::make_shared<const ThinSolver>(
+                ThinSolverInput{thin, prepared_.whole(), part.problem, prepared_.welds, index});
+        if (!part.problem.is_driven())
+            return;
+        const DeformerInput input{of, part.problem.own.surface, earlier_deformer(previous_, of)};
+        if (input.earlier && is_deformer_of(*input.earlier, of.mesh, input.constraints))
+            part.deformer = input.earlier;
+        else
+            add("part " + of.name, [&part, input](const Progress& progress)
+                { part.deformer = built_deformer(input, progress); });
+    }
+
+    void add_link(std::size_t index)
+    {
+        PreparedLink& link = prepared_.links[index];
+        const Part& source = prepared_.assembly.parts[at(prepared_.planned[index].source_part)];
+        link.link = reusable_link(previous_, source, link);
+        if (!link.link)
+            add("contact " + prepared_.planned[index].name,
+                [&link, &source](const Progress&) { link.link = built_link(source.mesh, link); });
+    }
+
+    void run(const Progress& progress) { run_tasks(tasks_, progress); }
+
+private:
+    void add(const std::string& name, const std::function<void(const Progress&)>& work)
+    {
+        prepared_.timings.push_back({name, 0.0});
+        Timing& timing = prepared_.timings.back();
+        tasks_.push_back({name, [work, &timing](const Progress& progress)
+                          {
+                              const auto start = std::chrono::steady_clock::now();
+                              work(progress);
+                              const std::chrono::duration<double> taken =
+                                  std::chrono::steady_clock::now() - start;
+                              timing.seconds = taken.count();
+                          }});
+    }
+
+    PreparedAssembly& prepared_;
+    const PreparedAssembly* previous_;
+    std::vector<Task> tasks_;
+};
+
+}  // namespace
+
+PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
+                                  const PreparedAssembly* previous)
+{
+    check_assembly(assembly);
+    PreparedAssembly prepared;
+    if (assembly.symmetry)
+    {
+        prepared.symmetry = complete_by_symmetry(assembly);
+        check_assembly(assembly);
+    }
+    prepared.assembly = std::move(assembly);
+    reduce(prepared, previous);
+    prepared.shapes = shapes_of_sized(prepared.whole());
+    const Assembly& given = prepared.assembly;
+    prepared.plan = plan_propagation(given);
+    const ControlBoxes boxes(given);
+    prepared.planned = plan_links(given, prepared.plan, boxes);
+    widen_thin_sources(prepared);
+    blend_neighbours(given, prepared.planned);
+    prepared.welds = plan_welds(given, prepared.plan);
+    prepared.pairs = plan_pairs(given, prepared.plan);
+    for (const DirectedContact& contact : prepared.plan.measured)
+        prepared.gauges.emplace_back(prepared.whole(), contact,
+                                     prepared.thin[at(contact.source(given).part)] != nullptr);
+    for (const PlannedLink& planned : prepared.planned)
+        prepared.links.push_back(described_link(given, planned, boxes));
+    const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
+    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
+        prepared.parts.push_back({problem_of_part(given, part, passages), {}, nullptr, nullptr});
+    Preparation preparation(prepared, previous);
+    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
+        preparation.add_part(part);
+    for (std::size_t link = 0; link < prepared.links.size(); ++link)
+        preparation.add_link(link);
+    preparation.run(progress);
+    progress.report(1.0, "ready");
+    return prepared;
+}
+
+Pose told_pose(const PreparedAssembly& prepared, const Pose& pose)
+{
+    check_pose_names(prepared.assembly, pose);
+    check_sizes(prepared.assembly, prepared.shapes, pose);
+    return prepared.symmetry ? symmetric_pose(prepared.assembly, *prepared.symmetry, pose) : pose;
+}
+
+std::set<std::string> with_mirrors(const PreparedAssembly& prepared,
+                                   const std::vector<std::string>& handles)
+{
+    std::set<std::string> names(handles.begin(), handles.end());
+    if (!prepared.symmetry)
+        return names;
+    const std::set<std::string> given = names;
+    for (const auto& [a, b] : prepared.symmetry->handles)
+        for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+            if (given.count(prepared.assembly.handles[at(one)].name) > 0)
+                names.insert(prepared.assembly.handles[at(other)].name);
+    return names;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/session/reuse.h"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+template <typename Matrix>
+bool same(const Matrix& a, const Matrix& b)
+{
+    return a.rows() == b.rows() && a == b;
+}
+
+template <typename Region>
+bool same_regions(const std::vector<Region>& a, const std::vector<Region>& b)
+{
+    const auto equal = [](const Region& x, const Region& y)
+    { return x.name == y.name && x.vertices == y.vertices && x.kind == y.kind; };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_features(const std::vector<FormFeature>& a, const std::vector<FormFeature>& b)
+{
+    const auto equal = [](const FormFeature& x, const FormFeature& y)
+    {
+        return x.rotation == y.rotation && x.motion.type == y.motion.type
+               && x.motion.point == y.motion.point && x.motion.direction == y.motion.direction
+               && x.is_resizable == y.is_resizable;
+    };
+    return same_regions(a, b) && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_handles(const std::vector<KnownRegion>& a, const std::vector<KnownRegion>& b)
+{
+    const auto equal = [](const KnownRegion& x, const KnownRegion& y)
+    { return x.is_rotation_free == y.is_rotation_free; };
+    return same_regions(a, b) && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_points(const std::vector<PointConstraint>& a, const std::vector<PointConstraint>& b)
+{
+    const auto equal = [](const PointConstraint& x, const PointConstraint& y)
+    {
+        return x.name == y.name && x.triangle == y.triangle && x.barycentric == y.barycentric
+               && x.is_turned == y.is_turned && x.is_rotation_free == y.is_rotation_free;
+    };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_links(const std::vector<FeatureLink>& a, const std::vector<FeatureLink>& b)
+{
+    const auto equal = [](const FeatureLink& x, const FeatureLink& y)
+    {
+        return x.name == y.name && x.type == y.type && x.follower == y.follower
+               && x.leader == y.leader && x.centre == y.centre && x.direction == y.direction;
+    };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
+bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
+{
+    return a.energy == b.energy && a.laplacian == b.laplacian && a.is_refined == b.is_refined
+           && same_regions(a.fixed, b.fixed) && same_handles(a.handles, b.handles)
+           && same_features(a.features, b.features) && same_regions(a.propagated, b.propagated)
+           && same_points(a.points, b.points) && a.groups == b.groups
+           && same_links(a.links, b.links);
+}
+
+bool same_box(const OrientedBox& a, const OrientedBox& b)
+{
+    return a.axes == b.axes && a.centre == b.centre && a.half_extents == b.half_extents;
+}
+
+}  // namespace
+
+std::shared_ptr<const SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
+                                                        const Part& part)
+{
+    for (std::size_t k = 0; previous != nullptr && k < previous->parts.size(); ++k)
+        if (previous->assembly.parts[k].name == part.name)
+            return previous->parts[k].deformer;
+    return nullptr;
+}
+
+bool is_deformer_of(const SurfaceDeformer& deformer, const TriangleMesh& mesh,
+                    const SurfaceConstraints& constraints)
+{
+    return deformer.rest() == mesh && same_constraints(deformer.constraints(), constraints);
+}
+
+std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous,
+                                                const Part& source, const PreparedLink& wanted)
+{
+    if (previous == nullptr)
+        return nullptr;
+    for (std::size_t k = 0; k < previous->links.size(); ++k)
+    {
+        const PreparedLink& old = previous->links[k];
+        const Part& old_source =
+            previous->assembly.parts[static_cast<std::size_t>(previous->planned[k].source_part)];
+        if (old.type == wanted.type && old.source == wanted.source
+            && same(old.targets, wanted.targets) && same_box(old.options.box, wanted.options.box)
+            && old.options.levels == wanted.options.levels
+            && old.options.smoothness == wanted.options.smoothness
+            && old_source.mesh == source.mesh)
+            return old.link;
+    }
+    return nullptr;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/session/wave.h"
+
+#include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/base/errors.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+}  // namespace
+
+Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness)
+    : prepared_(prepared),
+      pose_(pose),
+      exactness_(exactness),
+      links_(prepared.links.size()),
+      welds_(prepared.welds.size()),
+      motions_(prepared.assembly.features.size())
+{
+}
+
+void Wave::start(Deformed& result)
+{
+    result_ = &result;
+    result.parts.resize(prepared_.assembly.parts.size());
+    result.middles.resize(prepared_.assembly.parts.size());
+    result.features.resize(prepared_.assembly.features.size());
+    result.contacts.clear();
+    result.spread = 0.0;
+}
+
+Deformed Wave::run()
+{
+    Deformed result;
+    start(result);
+    for (const int part : prepared_.plan.order)
+    {
+        substitute(part);
+        pass_on(part);
+    }
+    for (const int part : prepared_.plan.unreached)
+        set_at_rest(part);
+    for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
+        report_features(part);
+    if (exactness_ == Exactness::exact)
+        report_contacts();
+    return result;
+}
+
+// What the deformer of a part makes: the middle of a thin solid, the whole of any other part.
+Deformation& Wave::solved(int part) const
+{
+    const bool is_thin = prepared_.parts[at(part)].thin != nullptr;
+    return is_thin ? result_->middles[at(part)] : result_->parts[at(part)];
+}
+
+// The whole of a thin solid follows its middle.
+void Wave::expand(int part, const SurfaceTargets& targets) const
+{
+    if (const auto& thin = prepared_.parts[at(part)].thin)
+        result_->parts[at(part)] = thin->expand(result_->middles[at(part)], targets, exactness_);
+}
+
+// Left alone if an earlier frame has put it there.
+void Wave::set_at_rest(int part) const
+{
+    Deformation& shape = solved(part);
+    const TriangleMesh& mesh = prepared_.assembly.parts[at(part)].mesh;
+    if (shape.positions.rows() == mesh.vertex_count())
+        return;
+    shape = {mesh.points(), Points::Zero(mesh.vertex_count(), 3), {}};
+    for (const FormFeature& feature : prepared_.parts[at(part)].problem.own.surface.features)
+    {
+        RigidMotion none;
+        none.pivot = rows_of(mesh.points(), feature.vertices).colwise().mean().transpose();
+        shape.features.push_back(none);
+    }
+    SurfaceTargets none;
+    none.handles.resize(prepared_.parts[at(part)].problem.own.surface.handles.size());
+    expand(part, none);
+}
+
+SurfaceTargets Wave::targets_of(int part) const
+{
+    return targets_in_order(prepared_.assembly, prepared_.parts[at(part)].problem, pose_,
+                            {links_, welds_, motions_});
+}
+
+void Wave::substitute(int index)
+{
+    const PreparedPart& part = prepared_.parts[at(index)];
+    if (!part.deformer)
+        return set_at_rest(index);
+    try
+    {
+        if (exactness_ == Exactness::exact)
+            result_->spread = std::max(result_->spread,
+                                       spread_of_targets(part.problem, {links_, welds_, motions_}));
+        const SurfaceTargets targets = targets_of(index);
+        solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_)
+                                  : part.deformer->deform(targets, exactness_);
+        expand(index, targets);
+    }
+    catch (const InvalidInput& fault)
+    {
+        const Part& named = prepared_.assembly.parts[at(index)];
+        throw fault.in_part(named.name, named.ids);
+    }
+}
+
+// What later parts need of this one.
+void Wave::pass_on(int index)
+{
+    const bool is_in_read = !is_in_read_.empty() && is_in_read_[at(index)];
+    const Deformation& shape = is_in_read ? (*read_)[at(index)] : solved(index);
+    for (std::size_t k = 0; k < links_.size(); ++k)
+        if (prepared_.planned[k].source_part == index)
+            links_[k] = prepared_.links[k].link->transfer(shape);
+    const PartProblem& problem = prepared_.parts[at(index)].problem;
+    for (std::size_t k = 0; k < problem.carriers.size(); ++k)
+        welds_[at(problem.carriers[k])] = shape.features[problem.own.features.size() + k];
+    for (std::size_t k = 0; k < problem.own.features.size(); ++k)
+        motions_[at(problem.own.features[k])] = shape.features[k];
+}
+
+// The part at rest with the sizes of the pose.
+Points Wave::sized_rest(int index) const
+{
+    Points rest = prepared_.whole().parts[at(index)].mesh.points();
+    for (const int feature : prepared_.parts[at(index)].problem.own.features)
+        if (const std::optional<SizedForm> form = sized_form(feature))
+            for (Eigen::Index k = 0; k < form->rest.rows(); ++k)
+                rest.row(
+                    prepared_.whole().features[at(feature)].vertices[static_cast<std::size_t>(k)]) =
+                    form->rest.row(k);
+    return rest;
+}
+
+std::optional<SizedForm> Wave::sized_form(int index) const
+{
+    const PartFeature& feature = prepared_.whole().features[at(index)];
+    const std::optional<FeatureShape>& shape = prepared_.shapes[at(index)];
+    const std::optional<double> size = size_in_pose(feature, pose_);
+    if (!shape || !size)
+        return std::nullopt;
+    const Points rest =
+        rows_of(prepared_.whole().parts[at(feature.part)].mesh.points(), feature.vertices);
+    return SizedForm{*shape, *size, shape->resized(rest, *size)};
+}
+
+void Wave::report_feature(int part, std::size_t own, const Points& rest)
+{
+    const Deformation& shape = result_->parts[at(part)];
+    const int global = prepared_.parts[at(part)].problem.own.features[own];
+    const PartFeature& feature = prepared_.whole().features[at(global)];
+    FeatureResult& result = result_->features[at(global)];
+    result = {};
+    result.name = feature.name;
+    result.part = feature.part;
+    result.motion = shape.features[own];
+    if (prepared_.shapes[at(global)])
+        result.size = size_in_pose(feature, pose_);
+    if (rest.rows() == 0)
+        return;
+    result.edge_error =
+        edge_error(rest, prepared_.parts[at(part)].edges[own], shape.positions, result.motion);
+    if (const std::optional<SizedForm> form = sized_form(global))
+        result.outline_error = outline_error(*form, rows_of(shape.positions, feature.vertices),
+                                             result.motion.rotation());
+}
+
+void Wave::report_features(int index)
+{
+    const PreparedPart& part = prepared_.parts[at(index)];
+    const bool is_measured = exactness_ == Exactness::exact && part.deformer;
+    const Points rest = is_measured ? sized_rest(index) : Points();
+    for (std::size_t f = 0; f < part.problem.own.features.size(); ++f)
+        report_feature(index, f, rest);
+}
+
+void Wave::report_contacts()
+{
+    for (std::size_t k = 0; k < prepared_.gauges.size(); ++k)
+    {
+        const DirectedContact& contact = prepared_.plan.measured[k];
+        const int source = contact.source(prepared_.whole()).part;
+        const int target = contact.target(prepared_.whole()).part;
+        result_->contacts.push_back(prepared_.gauges[k].measure(
+            result_->parts[at(source)], result_->parts[at(target)].positions));
+    }
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/session/prepared_assembly.h"
+#include "sheetmorph/surface/live/sampled_response.h"
+
+#include <functional>
+
+namespace sheetmorph
+{
+
+//! How a part answers in live frames; it is substituted where neither knows a pose.
+struct PartResponse
+{
+    std::shared_ptr<const SurfaceResponse> to_handles;  //!< one or two
+    std::shared_ptr<const SampledResponse> to_samples;  //!< asked first
+};
+
+//! By part.
+using PartResponses = std::vector<PartResponse>;
+
+//! One pose on its way through the propagation order.
+class Wave
+{
+public:
+    Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness);
+
+    //! Every part anew.
+    Deformed run();
+
+    //! The same into the buffers of an earlier frame. Parts with a response that
+    //! covers the pose take it, and need not have rotation logs.
+    //! \param read  by part: buffers for what later parts read of it
+    //! \returns by part, whether its response was taken
+    std::vector<char> run_live(const PartResponses& responses, std::vector<Deformation>& read,
+                               Deformed& result);
+
+    //! For one pose of many, part by part in their order: only what later parts read is known of
+    //! a part, in buffers that the poses share.
+    void begin_reading(std::vector<Deformation>& read);
+    SurfaceTargets targets_of(int part) const;
+    bool read(int part, const SampledResponse& response);
+
+private:
+    struct Answer
+    {
+        int part;
+        std::function<void(Deformation&)> place;
+    };
+
+    void start(Deformed& result);
+    Deformation& solved(int part) const;
+    void set_at_rest(int part) const;
+    void expand(int part, const SurfaceTargets& targets) const;
+    void substitute(int part);
+    bool respond(int part, const PartResponse& response);
+    bool respond_to_samples(int part, const std::shared_ptr<const SampledResponse>& response);
+    bool respond_to_handles(int part, const std::shared_ptr<const SurfaceResponse>& response);
+    bool is_read(int part) const;
+    void pass_on(int part);
+    void place_answers() const;
+    Points sized_rest(int part) const;
+    std::optional<SizedForm> sized_form(int feature) const;
+    void report_features(int part);
+    void report_feature(int part, std::size_t own, const Points& rest);
+    void report_contacts();
+
+    const PreparedAssembly& prepared_;
+    const Pose& pose_;
+    Exactness exactness_;
+    std::vector<LinkedTargets> links_;
+    std::vector<RigidMotion> welds_;
+    std::vector<RigidMotion> motions_;  // by feature of the assembly
+    std::vector<Answer> answers_;       // rigid motions known, vertices still to be placed
+    Deformed* result_ = nullptr;
+    std::vector<Deformation>* read_ = nullptr;
+    std::vector<char> is_in_read_;  // by part: what later parts read is there, else in the result
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/thin/thin_part.h"
+
+#include "sheetmorph/mesh/search/picking.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <map>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Beyond this many thicknesses, what is opposite is not the other skin.
+constexpr double farthest_foot = 1.8;
+
+// Of the distance, and a thousandth of the size.
+constexpr double equally_near = 1e-7;
+
+// A corner with less weight than this does not count.
+constexpr double no_weight = 1e-6;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+std::map<int, std::vector<int>> facets_by_component(const ThinSolid& solid, SolidSide side)
+{
+    std::map<int, std::vector<int>> found;
+    for (std::size_t t = 0; t < solid.facets.size(); ++t)
+        if (solid.facets[t] == side)
+            found[solid.component[t]].push_back(static_cast<int>(t));
+    return found;
+}
+
+std::vector<int> all_on(const ThinSolid& solid, SolidSide side)
+{
+    std::vector<int> found;
+    for (std::size_t t = 0; t < solid.facets.size(); ++t)
+        if (solid.facets[t] == side)
+            found.push_back(static_cast<int>(t));
+    return found;
+}
+
+// By vertex: the component of one of its facets.
+std::vector<int> components_of_vertices(const TriangleMesh& mesh, const ThinSolid& solid)
+{
+    std::vector<int> found(at(mesh.vertex_count()), -1);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+            found[at(mesh.triangles()(t, k))] = solid.component[at(t)];
+    return found;
+}
+
+// Places on some facets of a mesh, in that mesh's vertices.
+class Places
+{
+public:
+    Places(const TriangleMesh& mesh, const std::vector<int>& facets)
+        : part_(submesh(mesh, facets)), tree_(part_.mesh), size_(part_.mesh.size())
+    {
+    }
+
+    // All that are equally near; which of them rounding puts first must not matter.
+    std::vector<PatchAnchor> nearest(const Vector3& point) const
+    {
+        const double distance = tree_.nearest_point(point)->distance;
+        const double rounding = equally_near * (distance + size_ * 1e-3);
+        std::vector<PatchAnchor> anchors;
+        std::vector<Vector3> seen;
+        for (const Hit& hit : tree_.places_within(point, distance + rounding))
+        {
+            const auto is_same = [&](const Vector3& other)
+            { return (other - hit.point).norm() < 1e3 * rounding; };
+            if (std::any_of(seen.begin(), seen.end(), is_same))
+                continue;
+            seen.push_back(hit.point);
+            PatchAnchor anchor;
+            for (std::size_t k = 0; k < 3; ++k)
+                anchor.corners[k] = part_.vertices[at(
+                    part_.mesh.triangles()(hit.triangle, static_cast<Eigen::Index>(k)))];
+            anchor.weights = hit.barycentric;
+            anchors.push_back(anchor);
+        }
+        return anchors;
+    }
+
+private:
+    Submesh part_;
+    PickingTree tree_;
+    double size_;
+};
+
+Vector3 doubled_area(const TriangleMesh& mesh, int triangle)
+{
+    const auto corner = [&](int k) -> Vector3
+    { return mesh.points().row(mesh.triangles()(triangle, k)).transpose(); };
+    return (corner(1) - corner(0)).cross(corner(2) - corner(0));
+}
+
+// The inverse in the directions that a twentieth of the facets' normals or more speak for.
+Matrix3 strong_inverse(const Matrix3& moments)
+{
+    const Eigen::SelfAdjointEigenSolver<Matrix3> solver(moments);
+    const Vector3 values = solver.eigenvalues();
+    Matrix3 inverse = Matrix3::Zero();
+    for (int k = 0; k < 3; ++k)
+        if (values(k) > 0.05 * values(2) && values(2) > 0.0)
+            inverse +=
+                solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose() / values(k);
+    return inverse;
+}
+
+void sort_once(VertexIds& ids)
+{
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+}  // namespace
+
+ThinPart::ThinPart(TriangleMesh mesh, ThinSolid solid)
+    : mesh_(std::move(mesh)),
+      solid_(std::move(solid)),
+      skin_(submesh(mesh_, all_on(solid_, SolidSide::main)))
+{
+    hang_on_skin();
+    find_feet();
+    find_middle();
+    for (std::size_t wall = 0; wall < solid_.walls.size(); ++wall)
+        for (const SolidSide side : {SolidSide::main, SolidSide::opposite})
+        {
+            rims_.emplace_back();
+            wall_of_rim_.push_back(static_cast<int>(wall));
+            for (const int vertex : solid_.walls[wall])
+                if (solid_.vertices[at(vertex)] == side)
+                    rims_.back().push_back(vertex);
+        }
+}
+
+void ThinPart::hang_on_skin()
+{
+    const std::vector<int> component = components_of_vertices(mesh_, solid_);
+    std::map<int, Places> skins;
+    for (const auto& [of, facets] : facets_by_component(solid_, SolidSide::main))
+        skins.emplace(of, Places(mesh_, facets));
+    const Places whole(mesh_, all_on(solid_, SolidSide::main));
+    for (int v = 0; v < mesh_.vertex_count(); ++v)
+    {
+        if (const int own = skin_.index_of[at(v)]; own >= 0)
+        {
+            anchors_.push_back({{{own, own, own}, Vector3::UnitX()}});
+            continue;
+        }
+        const auto own = skins.find(component[at(v)]);
+        const Places& places = own == skins.end() ? whole : own->second;
+        anchors_.push_back(places.nearest(mesh_.points().row(v).transpose()));
+        for (PatchAnchor& anchor : anchors_.back())
+            for (int& corner : anchor.corners)
+                corner = skin_.index_of[at(corner)];
+    }
+}
+
+void ThinPart::find_feet()
+{
+    const std::vector<int> component = components_of_vertices(mesh_, solid_);
+    std::map<int, Places> opposite;
+    for (const auto& [of, facets] : facets_by_component(solid_, SolidSide::opposite))
+        opposite.emplace(of, Places(mesh_, facets));
+    const double reach = farthest_foot * solid_.thickness;
+    for (const int v : skin_.vertices)
+    {
+        const auto own = opposite.find(component[at(v)]);
+        const Vector3 point = mesh_.points().row(v).transpose();
+        feet_.push_back(own == opposite.end() ? Anchors() : own->second.nearest(point));
+        if (!feet_.back().empty()
+            && (feet_.back().front().on(mesh_.points()) - point).norm() > reach)
+            feet_.back().clear();
+    }
+}
+
+// Every skin vertex half the way to the other skin, so that all facets around are pushed alike: at
+// a fold that is farther than half the thickness.
+void ThinPart::find_middle()
+{
+    const TriangleMesh& skin = skin_.mesh;
+    std::vector<Matrix3> moments(skin_.vertices.size(), Matrix3::Zero());
+    Points pushed = Points::Zero(skin.vertex_count(), 3);
+    for (int t = 0; t < skin.triangle_count(); ++t)
+    {
+        const Vector3 product = doubled_area(skin, t);
+        const Vector3 normal = product.stableNormalized();
+        for (int k = 0; k < 3; ++k)
+        {
+            const int corner = skin.triangles()(t, k);
+            moments[at(corner)] += product.norm() * normal * normal.transpose();
+            pushed.row(corner) += product.transpose();
+        }
+    }
+    Points middle = skin.points();
+    for (int s = 0; s < skin.vertex_count(); ++s)
+    {
+        if (feet_[at(s)].empty())
+            continue;
+        const Vector3 foot = feet_[at(s)].front().on(mesh_.points());
+        const Vector3 way = foot - skin.points().row(s).transpose();
+        const Vector3 push = strong_inverse(moments[at(s)]) * pushed.row(s).transpose();
+        const double sign = push.dot(way) < 0.0 ? -1.0 : 1.0;
+        middle.row(s) += (0.5 * sign * way.norm() * push).transpose();
+    }
+    middle_ = TriangleMesh(std::move(middle), skin.triangles());
+}
+
+SkinRegion ThinPart::on_skin(const VertexIds& region) const
+{
+    std::vector<char> is_in(at(mesh_.vertex_count()), 0);
+    for (const int vertex : region)
+        is_in[at(vertex)] = 1;
+    SkinRegion found;
+    std::vector<char> is_covered(skin_.vertices.size(), 0);
+    const auto lies_on = [&](const PatchAnchor& foot)
+    {
+        bool all = true;
+        for (std::size_t k = 0; k < 3; ++k)
+            all = all
+                  && (is_in[at(foot.corners[k])]
+                      || foot.weights(static_cast<Eigen::Index>(k)) < no_weight);
+        return all;
+    };
+    for (std::size_t s = 0; s < feet_.size(); ++s)
+    {
+        const bool is_own = is_in[at(skin_.vertices[s])] != 0;
+        is_covered[s] = is_own || std::any_of(feet_[s].begin(), feet_[s].end(), lies_on);
+        if (is_covered[s])
+            (is_own ? found.own : found.below).push_back(static_cast<int>(s));
+    }
+    add_below(region, is_covered, found);
+    return found;
+}
+
+// A vertex of the region that is over no covered skin vertex adds the nearest one.
+void ThinPart::add_below(const VertexIds& region, const std::vector<char>& is_covered,
+                         SkinRegion& found) const
+{
+    const auto has_covered = [&](const PatchAnchor& anchor)
+    {
+        bool any = false;
+        for (std::size_t k = 0; k < 3; ++k)
+            any = any
+                  || (is_covered[at(anchor.corners[k])]
+                      && anchor.weights(static_cast<Eigen::Index>(k)) >= no_weight);
+        return any;
+    };
+    for (const int vertex : region)
+    {
+        const Anchors& anchors = anchors_[at(vertex)];
+        if (std::any_of(anchors.begin(), anchors.end(), has_covered))
+            continue;
+        for (const PatchAnchor& anchor : anchors)
+            for (std::size_t k = 0; k < 3; ++k)
+                if (anchor.weights(static_cast<Eigen::Index>(k))
+                    > anchor.weights.maxCoeff() - no_weight)
+                    found.below.push_back(anchor.corners[k]);
+    }
+    sort_once(found.below);
+}
+
+VertexIds ThinPart::with_walls(const VertexIds& feature) const
+{
+    VertexIds whole = feature;
+    sort_once(whole);
+    const VertexIds given = whole;
+    for (std::size_t k = 0; k < rims_.size(); ++k)
+    {
+        if (rims_[k].empty()
+            || !std::includes(given.begin(), given.end(), rims_[k].begin(), rims_[k].end()))
+            continue;
+        const VertexIds& wall = solid_.walls[at(wall_of_rim_[k])];
+        whole.insert(whole.end(), wall.begin(), wall.end());
+    }
+    sort_once(whole);
+    return whole;
+}
+
+}  // namespace sheetmorph

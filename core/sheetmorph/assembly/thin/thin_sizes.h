@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/assembly.h"
+#include "sheetmorph/surface/bodies/sizes.h"
+
+namespace sheetmorph
+{
+
+//! The features of a thin part whose size may be set, through both skins and the wall.
+class ThinSizes
+{
+public:
+    //! One after another, in the order of the part's features.
+    void add(const TriangleMesh& mesh, const PartFeature& feature);
+
+    //! The part at rest with the sizes of a pose.
+    //! \param rest   (n, 3) mm
+    //! \param sizes  mm, by feature; fewer or none: at rest
+    Points laid(Points rest, const std::vector<std::optional<double>>& sizes) const;
+
+private:
+    std::vector<VertexIds> vertices_;
+    FeatureShapes shapes_;  // nothing where no size may be set
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/plan/part_problem.h"
+#include "sheetmorph/assembly/thin/thin_reduction.h"
+#include "sheetmorph/assembly/thin/thin_sizes.h"
+#include "sheetmorph/volume/local_rotations.h"
+
+namespace sheetmorph
+{
+
+//! A thin part and what the whole assembly says about it.
+struct ThinSolverInput
+{
+    std::shared_ptr<const ThinPart> part;
+    const Assembly& whole;       //!< with_lumps(); only read during construction
+    const PartProblem& problem;  //!< of the reduced assembly
+    const std::vector<RigidWeld>& welds;
+    int index = 0;  //!< of the part
+};
+
+//! From the middle of a thin part to all its vertices. A vertex of a fixed region, a handle, a
+//! feature, a lump or a rigid contact moves with that, exactly; every other hangs on the middle:
+//!   p = p_hat + sum_j beta_j (p_j - p_hat_j) + (R - 1) (p_hat - q_hat)
+//!       + 1/2 sum_j beta_j R_j (q_hat - p_hat_j),
+//! q_hat its place on the middle (of several equally near ones the mean of what they give), R_j the
+//! local rotations there (polar factors of one-rings; those of handles and features on them), R
+//! their mean. The last term is how far the skin curves
+//! out of its facet; without the half the sheet would be too thick by the same amount.
+class ThinSolver
+{
+public:
+    explicit ThinSolver(const ThinSolverInput& input);
+
+    //! The middle in one pose. Points lie off it; they are met by a few repeated solves.
+    Deformation solve(const SurfaceDeformer& deformer, const SurfaceTargets& targets,
+                      Exactness exactness) const;
+
+    //! Whether points hold or move the part, so that one solve is not enough.
+    bool has_points() const { return !points_.empty(); }
+
+    //! All vertices for a middle, with rotation logs if exact. \param targets  handles and sizes
+    Deformation expand(const Deformation& middle, const SurfaceTargets& targets,
+                       Exactness level) const;
+
+private:
+    //! What moves a vertex: the sheet it hangs on, the ground, a handle or a feature.
+    struct Mover
+    {
+        enum class Kind : char
+        {
+            sheet,
+            ground,
+            handle,
+            feature
+        };
+        Kind kind = Kind::sheet;
+        int index = -1;
+    };
+    struct PlacedPoint
+    {
+        std::size_t index;
+        PatchAnchor place;  // of the whole mesh
+    };
+    using Movers = std::vector<Mover>;
+    using Regions = std::vector<const VertexIds*>;
+
+    void find_movers(const ThinSolverInput& input);
+    void find_points(const ThinSolverInput& input);
+    static void set_movers(Movers& movers, const Regions& regions, Mover::Kind kind);
+    std::vector<RigidMotion> known_handles(const Deformation& middle,
+                                           std::vector<RigidMotion> handles) const;
+    LocalRotations rotations(const Deformation& middle, const std::vector<RigidMotion>& handles,
+                             Exactness level) const;
+    struct Sheet
+    {
+        const Deformation& middle;
+        const LocalRotations& turned;  // without logs unless exact
+        const std::vector<RigidMotion>& handles;
+        const Points& rest;  // of the whole part, sized features with their sizes
+    };
+    struct Hung
+    {
+        Vector3 shift;
+        Vector3 log;
+    };
+    Hung hung(int vertex, const PatchAnchor& anchor, const Sheet& sheet) const;
+    void hang(int vertex, const Sheet& sheet, Deformation& whole) const;
+    void place(int vertex, const Sheet& sheet, Deformation& whole) const;
+
+    std::shared_ptr<const ThinPart> part_;
+    Movers movers_, middle_movers_;        // by vertex of the whole part, of the middle
+    std::vector<VertexIds> free_handles_;  // by handle: its middle vertices if the energy turns it
+    std::vector<Vector3> centres_;         // of the features
+    ThinSizes sizes_;
+    std::vector<PlacedPoint> points_;
+    LocalRotationMeter meter_;  // of every vertex of the middle
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/mesh/geometry/delaunay_flips.h"
+
+#include <Eigen/Geometry>
+#include <limits>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Four points on a circle have the sum 0; rounding must not flip them for ever.
+constexpr double rounding = 1e-9;
+
+// A slow mesh takes a few flips a side; ever more means that rounding leads in circles.
+constexpr int most_flips_a_side = 100;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+//! A side as seen from its face: unit vectors along it and into the face, and the apex there.
+struct SideFrame
+{
+    Vector3 along, inward;
+    double length, foot, height;
+
+    SideFrame(const LaidFaces& faces, int side, bool is_reversed)
+    {
+        const LaidFaces::Corners& corners = faces.corners[at(side / 3)];
+        const std::size_t start = at((side + (is_reversed ? 1 : 0)) % 3);
+        const std::size_t end = at((side + (is_reversed ? 0 : 1)) % 3);
+        const Vector3 edge = corners[end] - corners[start];
+        const Vector3 arm = corners[at((side + 2) % 3)] - corners[start];
+        length = edge.norm();
+        along = edge / length;
+        foot = along.dot(arm);
+        const Vector3 up = arm - foot * along;
+        height = up.norm();
+        inward = up / height;
+    }
+
+    double area() const { return 0.5 * length * height; }
+};
+
+double cotangent_sum(const LaidFaces& faces, int side)
+{
+    const int other = faces.glued[at(side)];
+    return corner_cotangent(faces.corners[at(side / 3)], (side + 2) % 3)
+           + corner_cotangent(faces.corners[at(other / 3)], (other + 2) % 3);
+}
+
+// Whether the two faces run along the side in opposite senses, as well oriented ones do (and as a
+// side from a vertex to itself is taken to).
+bool is_opposed(const LaidFaces& faces, int side, int other)
+{
+    return faces.from(side) == faces.to(other);
+}
+
+//! What is glued to one side, so that it can be moved to another side.
+struct Seam
+{
+    int glued;
+    int rim;
+};
+
+Seam seam_of(const LaidFaces& faces, int side)
+{
+    return {faces.glued[at(side)], faces.rim[at(side)]};
+}
+
+void attach(LaidFaces& faces, int side, const Seam& seam)
+{
+    faces.glued[at(side)] = seam.glued;
+    faces.rim[at(side)] = seam.rim;
+    if (seam.glued != LaidFaces::open)
+    {
+        faces.glued[at(seam.glued)] = side;
+        faces.rim[at(seam.glued)] = LaidFaces::open;
+    }
+}
+
+// Seams between two of the four outer sides have to follow both of their ends.
+void move_seams(LaidFaces& faces, const std::array<int, 4>& old_sides,
+                const std::array<int, 4>& new_sides)
+{
+    std::array<Seam, 4> seams{};
+    for (std::size_t i = 0; i < 4; ++i)
+        seams[i] = seam_of(faces, old_sides[i]);
+    for (Seam& seam : seams)
+        for (std::size_t i = 0; i < 4; ++i)
+            if (seam.glued == old_sides[i])
+            {
+                seam.glued = new_sides[i];
+                break;
+            }
+    for (std::size_t i = 0; i < 4; ++i)
+        attach(faces, new_sides[i], seams[i]);
+}
+
+// Side s of face f runs from a to b with apex c; beyond it lies d. The new faces are (c, d, b) in
+// place of f and (d, c, a) in place of its neighbour; their first sides are the flipped one.
+bool flip(LaidFaces& faces, int side)
+{
+    const int other = faces.glued[at(side)];
+    if (other / 3 == side / 3)
+        return false;
+    const bool opposed = is_opposed(faces, side, other);
+    const SideFrame near(faces, side, false);
+    const SideFrame far(faces, other, opposed);
+    const Vector3 along = (near.area() * near.along + far.area() * far.along).normalized();
+    Vector3 up = near.area() * near.inward - far.area() * far.inward;
+    up -= along * along.dot(up);
+    if (!(up.norm() > 1e-6 * (near.area() + far.area())))
+        return false;
+    up.normalize();
+    const Vector3 b = near.length * along;
+    const Vector3 c = near.foot * along + near.height * up;
+    const Vector3 d = far.foot * along - far.height * up;
+    const int f = side / 3;
+    const int g = other / 3;
+    const int vertex_a = faces.from(side), vertex_b = faces.to(side);
+    const int vertex_c = faces.apex(side), vertex_d = faces.apex(other);
+    const auto next = [](int s, int steps) { return s / 3 * 3 + (s + steps) % 3; };
+    const int bc = next(side, 1), ca = next(side, 2);
+    const int ad = opposed ? next(other, 1) : next(other, 2);
+    const int db = opposed ? next(other, 2) : next(other, 1);
+    faces.triangles.row(f) << vertex_c, vertex_d, vertex_b;
+    faces.triangles.row(g) << vertex_d, vertex_c, vertex_a;
+    faces.corners[at(f)] = {c, d, b};
+    faces.corners[at(g)] = {d, c, Vector3::Zero()};
+    move_seams(faces, {bc, ca, ad, db}, {3 * f + 2, 3 * g + 1, 3 * g + 2, 3 * f + 1});
+    attach(faces, 3 * f, {3 * g, LaidFaces::open});
+    return true;
+}
+
+}  // namespace
+
+double worst_cotangent_sum(const LaidFaces& faces)
+{
+    double worst = std::numeric_limits<double>::infinity();
+    for (int side = 0; side < 3 * faces.count(); ++side)
+        if (faces.glued[at(side)] > side)
+            worst = std::min(worst, cotangent_sum(faces, side));
+    return worst;
+}
+
+int flip_to_delaunay(LaidFaces& faces)
+{
+    std::vector<int> waiting;
+    for (int side = 3 * faces.count() - 1; side >= 0; --side)
+        waiting.push_back(side);
+    const int most = most_flips_a_side * static_cast<int>(waiting.size());
+    int flips = 0;
+    while (!waiting.empty() && flips < most)
+    {
+        const int side = waiting.back();
+        waiting.pop_back();
+        const int other = faces.glued[at(side)];
+        if (other == LaidFaces::open || cotangent_sum(faces, side) >= -rounding)
+            continue;
+        if (!flip(faces, side))
+            continue;
+        ++flips;
+        for (const int face : {side / 3, other / 3})
+            for (int k = 1; k < 3; ++k)
+                waiting.push_back(3 * face + k);
+    }
+    return flips;
+}
+
+}  // namespace sheetmorph

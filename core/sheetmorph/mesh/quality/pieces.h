@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/quality/diagnosis.h"
+#include "sheetmorph/mesh/topology/orientation.h"
+
+namespace sheetmorph
+{
+
+//! What each connected piece of a mesh whose near vertices are one is; by their first triangle.
+//! Triangles that repeat a vertex belong to none.
+std::vector<PieceDiagnosis> diagnose_pieces(const TriangleMesh& mesh, const EdgeTable& table);
+
+}  // namespace sheetmorph

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/topology/boundary.h"
+
+namespace sheetmorph
+{
+
+//! An open edge that runs through a vertex: what meets there does not fit together.
+struct TJunction
+{
+    int from, to;  //!< the open edge
+    int vertex;    //!< on it, nearer than the tolerance, farther than it from both ends
+};
+
+//! The T-junctions of a mesh, one for every open edge and vertex.
+//! \param tolerance  mm, >= 0
+std::vector<TJunction> t_junctions(const TriangleMesh& mesh, double tolerance);
+
+//! The same for edges of any kind.
+std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
+                                    const std::vector<BoundaryEdge>& edges, double tolerance);
+
+}  // namespace sheetmorph

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/numerics/cholesky/dense_cholesky.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Rows of a block: the triangular work inside blocks is slow, the products between them are fast,
+// but read all columns before them once a block.
+Eigen::Index block_rows(Eigen::Index columns)
+{
+    return std::min<Eigen::Index>(columns, columns <= 96 ? 16 : 48);
+}
+
+// columns first .. of `rows`, once the columns before them are subtracted, times (L_jj)^-T.
+void finish_columns(const Weights& inverse_blocks, Eigen::Index first, WeightsTarget rows)
+{
+    const Eigen::Index wide = std::min(inverse_blocks.cols(), inverse_blocks.rows() - first);
+    const Weights right = rows.middleCols(first, wide);
+    rows.middleCols(first, wide).setZero();
+    add_product(right, inverse_blocks.block(first, 0, wide, wide), 1.0,
+                rows.middleCols(first, wide));
+}
+
+// Work in multiplications from which on a second thread is worth its start.
+constexpr double work_for_two_threads = 2e6;
+
+int threads_for(double work, int threads)
+{
+    return work < work_for_two_threads ? 1 : threads;
+}
+
+// Cholesky factor of one diagonal block, and its inverse.
+void factorise_block(WeightsTarget diagonal, WeightsTarget inverse)
+{
+    const Eigen::LLT<Eigen::MatrixXd> factor(diagonal);
+    if (factor.info() != Eigen::Success)
+        throw SolverError("a dense matrix is not positive definite");
+    const Eigen::MatrixXd lower = factor.matrixL();
+    diagonal = lower;
+    inverse = lower.triangularView<Eigen::Lower>().solve(
+        Eigen::MatrixXd::Identity(lower.rows(), lower.rows()));
+}
+
+}  // namespace
+
+void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads)
+{
+    const Eigen::Index columns = panel.cols(), block = block_rows(columns);
+    inverse_blocks.setZero(columns, block);
+    for (Eigen::Index j = 0; j < columns; j += block)
+    {
+        const Eigen::Index wide = std::min(block, columns - j), below = panel.rows() - j - wide;
+        const double work = static_cast<double>(below) * static_cast<double>((j + wide) * wide);
+        const auto before = [&](Eigen::Index first, Eigen::Index count)
+        {
+            add_product(panel.block(first, 0, count, j), panel.block(j, 0, wide, j), -1.0,
+                        panel.block(first, j, count, wide));
+        };
+        before(j, wide);
+        factorise_block(panel.block(j, j, wide, wide), inverse_blocks.block(j, 0, wide, wide));
+        parallel_ranges(below, threads_for(work, threads),
+                        [&](Eigen::Index begin, Eigen::Index end)
+                        {
+                            const Eigen::Index first = j + wide + begin;
+                            before(first, end - begin);
+                            finish_columns(inverse_blocks, j, panel.middleRows(first, end - begin));
+                        });
+    }
+}
+
+void subtract_own_product(const WeightsView& rows, WeightsTarget result, int threads)
+{
+    // Ranges of rows with as much of the triangle each.
+    constexpr Eigen::Index shares = 1024;
+    const auto count = static_cast<double>(rows.rows());
+    const auto row_at = [count](Eigen::Index share)
+    { return static_cast<Eigen::Index>(count * std::sqrt(1.0 * share / shares)); };
+    const double work = 0.5 * count * count * static_cast<double>(rows.cols());
+    parallel_ranges(shares, threads_for(work, threads),
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        const Eigen::Index first = row_at(begin), high = row_at(end) - first;
+                        const auto own = rows.middleRows(first, high);
+                        add_product(own, rows.topRows(first), -1.0,
+                                    result.block(first, 0, high, first));
+                        add_lower_product(own, own, -1.0, result.block(first, first, high, high));
+                    });
+}
+
+DenseCholesky::DenseCholesky(Weights matrix) : lower_(std::move(matrix))
+{
+    factorise_columns(lower_, inverse_blocks_, 1);
+}
+
+Points DenseCholesky::solve(const Points& right) const
+{
+    return solve_upper(lower_.triangularView<Eigen::Lower>().solve(right));
+}
+
+Points DenseCholesky::solve_upper(const Points& right) const
+{
+    return lower_.triangularView<Eigen::Lower>().transpose().solve(right);
+}
+
+Weights DenseCholesky::half_solve_rows(Weights rows) const
+{
+    const Eigen::Index block = inverse_blocks_.cols();
+    for (Eigen::Index j = 0; j < lower_.rows(); j += block)
+    {
+        const Eigen::Index wide = std::min(block, lower_.rows() - j);
+        add_product(rows.leftCols(j), lower_.block(j, 0, wide, j), -1.0, rows.middleCols(j, wide));
+        finish_columns(inverse_blocks_, j, rows);
+    }
+    return rows;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/numerics/response/response_fields.h"
+#include "sheetmorph/numerics/response/response_kernel.h"
+
+namespace sheetmorph
+{
+
+//! Displacements that are linear in a few numbers: u = Phi c with Phi (n, k) tall and c (k, 3),
+//! laid out so that a product reads it once, front to back, as fast as the memory gives it. Fields
+//! that count little are kept in 16 bits, the others in float32.
+class ResponseBasis
+{
+public:
+    using Coefficients = ResponseFields::Coefficients;
+
+    explicit ResponseBasis(const ResponseFields& fields = ResponseFields());
+
+    //! One row of Phi c.
+    Vector3 row(Eigen::Index row, const Coefficients& coefficients) const;
+
+    //! result = start + Phi c, both (n, 3); large ones on two threads.
+    void add_to(const Points& start, const Coefficients& coefficients, Points& result) const;
+
+    Eigen::Index rows() const { return rows_; }
+    Eigen::Index columns() const { return columns_; }
+
+    //! Of memory.
+    double bytes() const;
+
+private:
+    struct Place
+    {
+        std::size_t wide, narrow, shares;
+        int wide_count, narrow_count;
+    };
+    void pack(const ResponseFields::Patch& patch, const Eigen::VectorXd& tolerances);
+    ResponseProduct product(std::size_t patch, const Coefficients& coefficients) const;
+
+    Eigen::Index rows_;
+    Eigen::Index columns_;
+    Eigen::Index rows_a_patch_;
+    std::vector<Place> places_;       // of the patches
+    std::vector<ResponseRows> wide_;  // block by block, a field each
+    std::vector<NarrowRows> narrow_;  // likewise
+    std::vector<float> shares_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/contacts/contacts.h"
+
+#include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/recognise/contacts/contact_patches.h"
+#include "sheetmorph/recognise/contacts/found_contacts.h"
+#include "sheetmorph/recognise/contacts/part_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double weld = 1e-7;
+
+// Over the size of the assembly: the largest gap ever proposed, and the
+// smallest.
+constexpr double widest_gap = 0.012;
+constexpr double closest_gap = 1e-3;
+
+// Over the size of the assembly: elements longer than this carry masses or
+// loads, not joints.
+constexpr double farthest_connection = 0.06;
+
+// See gap_before_quiet(); and the gap proposed over the largest one found.
+constexpr double quiet = 1.5;
+constexpr double fair_share = 0.2;
+constexpr double hardly_any = 0.03;
+constexpr double above = 1.2;
+
+std::vector<PartShape> shapes_of(const std::vector<ContactPart>& parts, const Progress& progress)
+{
+    std::vector<PartShape> shapes;
+    shapes.reserve(parts.size());
+    for (const ContactPart& part : parts)
+    {
+        progress.report(static_cast<double>(shapes.size()) / static_cast<double>(parts.size()),
+                        "preparing the parts");
+        shapes.emplace_back(part, weld);
+    }
+    return shapes;
+}
+
+double size_of(const std::vector<PartShape>& shapes)
+{
+    if (shapes.empty())
+        return 0.0;
+    Vector3 low = shapes.front().low();
+    Vector3 high = shapes.front().high();
+    for (const PartShape& shape : shapes)
+    {
+        low = low.cwiseMin(shape.low());
+        high = high.cwiseMax(shape.high());
+    }
+    return (high - low).norm();
+}
+
+// A place where two parts are near each other: the gap beyond their half
+// thicknesses, mm, and the area it stands for.
+using Gap = std::pair<double, double>;
+
+// Surfaces that face each other, and free edges on a surface no farther than
+// `closest`; ascending.
+std::vector<Gap> gaps_between(const std::vector<PartShape>& shapes, double widest, double closest,
+                              double facing_angle)
+{
+    std::vector<Gap> gaps;
+    for (const auto& [a, b] : near_pairs(shapes, widest))
+        for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+        {
+            const double between = 0.5 * (shapes[one].thickness() + shapes[other].thickness());
+            for (const Touch& touch :
+                 shapes[one].touches(shapes[other], widest + between, facing_angle))
+            {
+                const double gap = std::max(0.0, touch.distance - between);
+                if (!touch.is_edge || gap <= closest)
+                    gaps.emplace_back(gap, shapes[one].area_at(touch.vertex));
+            }
+        }
+    std::sort(gaps.begin(), gaps.end());
+    return gaps;
+}
+
+// The smallest gap from `closest` on that takes a fair share of the area in and
+// is followed by hardly any up to half as much again; `closest` if there is
+// none.
+double gap_before_quiet(const std::vector<Gap>& gaps, double closest)
+{
+    double all = 0.0;
+    for (const Gap& gap : gaps)
+        all += gap.second;
+    std::size_t next = 0;
+    std::size_t ahead = 0;
+    double within = 0.0;
+    double up_to_ahead = 0.0;
+    for (double gap = closest; next <= gaps.size();)
+    {
+        for (; next < gaps.size() && gaps[next].first <= gap; ++next)
+            within += gaps[next].second;
+        for (; ahead < gaps.size() && gaps[ahead].first <= quiet * gap; ++ahead)
+            up_to_ahead += gaps[ahead].second;
+        if (within >= fair_share * all && up_to_ahead - within <= hardly_any * within)
+            return gap;
+        if (next == gaps.size())
+            break;
+        gap = gaps[next].first;
+    }
+    return closest;
+}
+
+double proposed_gap_of(const std::vector<PartShape>& shapes, const ContactTolerances& tolerances)
+{
+    const double size = size_of(shapes);
+    const double closest = closest_gap * size;
+    const auto gaps = gaps_between(shapes, widest_gap * size, closest, tolerances.facing_angle);
+    return above * gap_before_quiet(gaps, closest);
+}
+
+}  // namespace
+
+const char* name_of(ContactKind kind)
+{
+    static constexpr std::array<const char*, 5> names = {"bolt", "weld", "flange", "face", "edge"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+const char* type_of(ContactKind kind)
+{
+    if (kind == ContactKind::bolt || kind == ContactKind::weld)
+        return "rigid";
+    return kind == ContactKind::flange ? "tied" : "control mesh";
+}
+
+double proposed_gap(const std::vector<ContactPart>& parts, const ContactTolerances& tolerances)
+{
+    tolerances.check();
+    return proposed_gap_of(shapes_of(parts, {}), tolerances);
+}
+
+std::vector<FoundContact> find_contacts(const std::vector<ContactPart>& parts,
+                                        const std::vector<Connection>& connections,
+                                        const ContactTolerances& tolerances,
+                                        const Progress& progress)
+{
+    tolerances.check();
+    const std::vector<PartShape> shapes = shapes_of(parts, progress.part(0.0, 0.3));
+    ContactTolerances used = tolerances;
+    if (used.gap < 0.0)
+        used.gap = proposed_gap_of(shapes, tolerances);
+    ContactCollector collector(parts, shapes, used);
+    collector.take_connections(connections, farthest_connection * size_of(shapes));
+    collector.take_bolts(find_bolts(parts, used.gap, used));
+    const auto pairs = near_pairs(shapes, used.gap);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+        progress.report(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(pairs.size()),
+                        "comparing neighbours");
+        collector.take_pair(pairs[i].first, pairs[i].second);
+    }
+    return collector.found();
+}
+
+}  // namespace sheetmorph

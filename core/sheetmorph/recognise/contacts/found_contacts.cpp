@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/contacts/found_contacts.h"
+
+#include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/vertex_sets.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string>
+#include <tuple>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Share of a patch on flanges that makes it flange to flange; share of touches
+// with free edges only that makes it an edge.
+constexpr double mostly = 0.6;
+
+// A patch within this many radii of the washers of its bolts is nothing besides
+// them.
+constexpr double bolt_reach = 2.2;
+
+// Neighbouring connections of one contact, in typical distances between
+// neighbours.
+constexpr double connection_spacing = 2.0;
+
+bool share_any(const VertexIds& a, const VertexIds& b)
+{
+    VertexIds both;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return !both.empty();
+}
+
+VertexIds with_washer(const Feature& feature)
+{
+    VertexIds all = feature.vertices;
+    for (const VertexIds& ring : feature.washer)
+        merge_into(all, ring);
+    return all;
+}
+
+// Share of the vertices that lie in flanges of their part.
+double share_on_flanges(const ContactPart& part, const VertexIds& vertices)
+{
+    VertexIds flanges;
+    for (const Feature& feature : part.features)
+        if (feature.kind == FeatureKind::flange)
+            merge_into(flanges, feature.vertices);
+    VertexIds both;
+    std::set_intersection(flanges.begin(), flanges.end(), vertices.begin(), vertices.end(),
+                          std::back_inserter(both));
+    return static_cast<double>(both.size()) / static_cast<double>(vertices.size());
+}
+
+// Labels of points that are nearer than `reach` to each other, over others
+// perhaps.
+std::vector<int> chained(const std::vector<Vector3>& points, double reach)
+{
+    DisjointSets sets(static_cast<int>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = i + 1; j < points.size(); ++j)
+            if ((points[i] - points[j]).norm() <= reach)
+                sets.join(static_cast<int>(i), static_cast<int>(j));
+    std::vector<int> labels;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        labels.push_back(sets.root(static_cast<int>(i)));
+    return labels;
+}
+
+// Median distance from a point to its nearest neighbour, 0 for a single point.
+double typical_spacing(const std::vector<Vector3>& points)
+{
+    std::vector<double> nearest;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        double least = -1.0;
+        for (std::size_t j = 0; j < points.size(); ++j)
+            if (const double away = (points[i] - points[j]).norm();
+                i != j && away > 0.0 && (least < 0.0 || away < least))
+                least = away;
+        nearest.push_back(std::max(0.0, least));
+    }
+    std::sort(nearest.begin(), nearest.end());
+    return nearest.empty() ? 0.0 : nearest[nearest.size() / 2];
+}
+
+}  // namespace
+
+ContactCollector::ContactCollector(const std::vector<ContactPart>& parts,
+                                   const std::vector<PartShape>& shapes,
+                                   const ContactTolerances& tolerances)
+    : parts_(parts), shapes_(shapes), tolerances_(tolerances)
+{
+}
+
+void ContactCollector::take_connections(const std::vector<Connection>& connections, double longest)
+{
+    const auto check = [&](int part, int vertex)
+    {
+        if (part < 0 || part >= static_cast<int>(parts_.size()) || vertex < 0
+            || vertex >= parts_[part].mesh.vertex_count())
+            throw InvalidInput("a connection names vertex " + std::to_string(vertex) + " of part "
+                               + std::to_string(part) + ", which does not exist");
+    };
+    for (const Connection& c : connections)
+    {
+        check(c.part_a, c.vertex_a);
+        check(c.part_b, c.vertex_b);
+        const double away = (parts_[c.part_a].mesh.points().row(c.vertex_a)
+                             - parts_[c.part_b].mesh.points().row(c.vertex_b))
+                                .norm();
+        if (away > longest)
+            continue;
+        if (c.part_a < c.part_b)
+            connected_[{c.part_a, c.part_b}].emplace_back(c.vertex_a, c.vertex_b);
+        else if (c.part_b < c.part_a)
+            connected_[{c.part_b, c.part_a}].emplace_back(c.vertex_b, c.vertex_a);
+    }
+}
+
+void ContactCollector::take_bolts(const std::vector<Bolt>& bolts)
+{
+    for (const Bolt& bolt : bolts)
+    {
+        const Feature& one = parts_[bolt.part_a].features[bolt.feature_a];
+        const Feature& other = parts_[bolt.part_b].features[bolt.feature_b];
+        FoundContact contact;
+        contact.kind = ContactKind::bolt;
+        contact.part_a = bolt.part_a;
+        contact.part_b = bolt.part_b;
+        contact.a = with_washer(one);
+        contact.b = with_washer(other);
+        measure(contact);
+        contact.center = 0.5 * (one.center + other.center);
+        contact.axis = one.axis;
+        contact.distance = bolt.distance;
+        bolted_[{bolt.part_a, bolt.part_b}].push_back(contact);
+    }
+}
+
+void ContactCollector::take_pair(int a, int b)
+{
+    const PartShape& one = shapes_[a];
+    const PartShape& other = shapes_[b];
+    const double reach = tolerances_.gap + 0.5 * (one.thickness() + other.thickness());
+    const std::array<std::vector<Touch>, 2> touches = {
+        one.touches(other, reach, tolerances_.facing_angle),
+        other.touches(one, reach, tolerances_.facing_angle)};
+    std::vector<FoundContact> contacts;
+    for (const Patch& patch : patches_of(one, other, touches, reach))
+    {
+        const FoundContact contact = contact_of(patch, {a, b});
+        const auto smaller = std::min(contact.a.size(), contact.b.size());
+        if (smaller >= static_cast<std::size_t>(tolerances_.smallest) && !is_all_bolts(contact))
+            contacts.push_back(contact);
+    }
+    if (tolerances_.joins_pairs)
+        join_pair(contacts);
+    if (!contacts.empty())
+        found_[{a, b}] = std::move(contacts);
+}
+
+FoundContact ContactCollector::contact_of(const Patch& patch, const Pair& pair) const
+{
+    FoundContact contact;
+    contact.part_a = pair.first;
+    contact.part_b = pair.second;
+    contact.a = shapes_[pair.first].graph().originals(patch.sides[0]);
+    contact.b = shapes_[pair.second].graph().originals(patch.sides[1]);
+    contact.distance = patch.distance;
+    measure(contact);
+    if (patch.edge_share > mostly)
+        contact.kind = ContactKind::edge;
+    else if (is_on_flanges(contact))
+        contact.kind = ContactKind::flange;
+    return contact;
+}
+
+bool ContactCollector::is_on_flanges(const FoundContact& contact) const
+{
+    return share_on_flanges(parts_[contact.part_a], contact.a) >= mostly
+           && share_on_flanges(parts_[contact.part_b], contact.b) >= mostly;
+}
+
+bool ContactCollector::is_all_bolts(const FoundContact& contact) const
+{
+    const auto bolts = bolted_.find({contact.part_a, contact.part_b});
+    if (bolts == bolted_.end())
+        return false;
+    const auto is_near = [&](const Vector3& point)
+    {
+        for (const FoundContact& bolt : bolts->second)
+            if ((point - bolt.center).norm() <= 0.5 * bolt_reach * bolt.size / 1.4142)
+                return true;
+        return false;
+    };
+    for (const auto& [part, side] :
+         {std::pair(contact.part_a, &contact.a), std::pair(contact.part_b, &contact.b)})
+        for (const int vertex : *side)
+            if (!is_near(parts_[part].mesh.points().row(vertex).transpose()))
+                return false;
+    return true;
+}
+
+void ContactCollector::join_pair(std::vector<FoundContact>& contacts) const
+{
+    for (std::size_t i = 1; i < contacts.size(); ++i)
+    {
+        merge_into(contacts[0].a, contacts[i].a);
+        merge_into(contacts[0].b, contacts[i].b);
+        contacts[0].kind = std::max(contacts[0].kind, contacts[i].kind);
+        contacts[0].distance = std::max(contacts[0].distance, contacts[i].distance);
+    }
+    if (contacts.size() > 1)
+    {
+        contacts.resize(1);
+        measure(contacts[0]);
+    }
+}
+
+void ContactCollector::measure(FoundContact& contact) const
+{
+    const Points& a = parts_[contact.part_a].mesh.points();
+    const Points& b = parts_[contact.part_b].mesh.points();
+    Points all(contact.a.size() + contact.b.size(), 3);
+    all << a(contact.a, Eigen::all), b(contact.b, Eigen::all);
+    const Eigen::RowVector3d low = all.colwise().minCoeff();
+    const Eigen::RowVector3d high = all.colwise().maxCoeff();
+    contact.center = 0.5 * (low + high).transpose();
+    contact.size = (high - low).norm();
+}
+
+// The elements of a pair: to the patch they stand in, else contacts of their
+// own.
+void ContactCollector::add_connected(std::vector<FoundContact>& contacts, const Pair& pair)
+{
+    std::vector<Vector3> places;
+    const auto& elements = connected_[pair];
+    for (const auto& [a, b] : elements)
+        places.emplace_back(parts_[pair.first].mesh.points().row(a).transpose());
+    const std::vector<int> labels = chained(places, connection_spacing * typical_spacing(places));
+    std::map<int, FoundContact> groups;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+    {
+        FoundContact& group = groups[labels[i]];
+        merge_into(group.a, {elements[i].first});
+        merge_into(group.b, {elements[i].second});
+        ++group.connections;
+        const Points& b = parts_[pair.second].mesh.points();
+        group.distance = (b.row(elements[i].second).transpose() - places[i]).norm();
+    }
+    for (auto& [label, group] : groups)
+    {
+        bool is_taken = false;
+        for (FoundContact& contact : contacts)
+            if (!is_taken && (share_any(contact.a, group.a) || share_any(contact.b, group.b)))
+            {
+                contact.connections += group.connections;
+                contact.kind = ContactKind::weld;
+                is_taken = true;
+            }
+        group.kind = ContactKind::weld;
+        group.part_a = pair.first;
+        group.part_b = pair.second;
+        measure(group);
+        if (!is_taken)
+            contacts.push_back(group);
+    }
+}
+
+std::vector<FoundContact> ContactCollector::found()
+{
+    for (const auto& [pair, elements] : connected_)
+        add_connected(found_[pair], pair);
+    for (const auto& [pair, bolts] : bolted_)
+        found_[pair].insert(found_[pair].end(), bolts.begin(), bolts.end());
+    std::vector<FoundContact> all;
+    for (const auto& [pair, contacts] : found_)
+        all.insert(all.end(), contacts.begin(), contacts.end());
+    return all;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/contacts/contact_patches.h"
+#include "sheetmorph/recognise/contacts/part_pairs.h"
+
+#include <map>
+#include <utility>
+
+namespace sheetmorph
+{
+
+//! Puts together what bolts, elements and near surfaces say about the pairs of
+//! parts.
+class ContactCollector
+{
+public:
+    //! Keeps references. \param tolerances  with a gap that is not negative
+    ContactCollector(const std::vector<ContactPart>& parts, const std::vector<PartShape>& shapes,
+                     const ContactTolerances& tolerances);
+
+    //! Elements between two parts, no longer than `longest` (mm); those of a pair
+    //! that stand near each other are one contact.
+    void take_connections(const std::vector<Connection>& connections, double longest);
+
+    void take_bolts(const std::vector<Bolt>& bolts);
+
+    //! The patches of a pair of parts; where elements connect a patch it is
+    //! theirs.
+    void take_pair(int a, int b);
+
+    std::vector<FoundContact> found();
+
+private:
+    using Pair = std::pair<int, int>;
+
+    FoundContact contact_of(const Patch& patch, const Pair& pair) const;
+    bool is_on_flanges(const FoundContact& contact) const;
+    bool is_all_bolts(const FoundContact& contact) const;
+    void add_connected(std::vector<FoundContact>& contacts, const Pair& pair);
+    void join_pair(std::vector<FoundContact>& contacts) const;
+    void measure(FoundContact& contact) const;
+
+    const std::vector<ContactPart>& parts_;
+    const std::vector<PartShape>& shapes_;
+    const ContactTolerances& tolerances_;
+    std::map<Pair, std::vector<std::pair<int, int>>> connected_;  // vertices of the first, second
+    std::map<Pair, std::vector<FoundContact>> bolted_;
+    std::map<Pair, std::vector<FoundContact>> found_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/features/region_loops.h"
+
+#include <set>
+#include <utility>
+
+namespace sheetmorph
+{
+
+//! What lies behind a loop, inside its outline.
+struct HoleWall
+{
+    std::vector<int> triangles;  //!< ascending
+    bool leads_out = false;      //!< the wall ends at the rim of another skin, or
+                                 //!< leaves the outline
+    bool is_open = false;        //!< it has free edges besides the loop
+    double covered = 0.0;  //!< share of the outline's area that the wall covers, seen along it
+    double height = 0.0;   //!< farthest of its vertices from the loop's plane, mm,
+                           //!< signed by the loop's normal
+};
+
+//! Follows the surface from loops that are rims of holes in their regions to
+//! what is inside them.
+class WallTracer
+{
+public:
+    //! \param loops  those that may be rims of holes
+    WallTracer(const FacetGraph& graph, const std::vector<int>& labels,
+               const std::vector<const RegionLoop*>& loops);
+
+    HoleWall behind(const RegionLoop& loop) const;
+
+private:
+    bool is_outside(const RegionLoop& loop, int triangle) const;
+    void measure(const RegionLoop& loop, HoleWall& wall) const;
+
+    const FacetGraph& graph_;
+    const std::vector<int>& labels_;
+    std::set<std::pair<int, int>> doors_;  // triangle of a region, its edge on a rim
+};
+
+}  // namespace sheetmorph

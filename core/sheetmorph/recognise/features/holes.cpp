@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/features/holes.h"
+
+#include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/recognise/features/hole_wall.h"
+#include "sheetmorph/recognise/features/outline.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int none = -1;
+
+// Shares of an outline's area that what lies inside it may cover.
+constexpr double collar_cover = 0.5;
+constexpr double through_cover = 0.85;
+
+// Height of a collar over the scatter of a measured mesh: what is lower is a bent rim.
+constexpr double lowest_collar = 6.0;
+
+// Out of plane a rim on a curved sheet may be, over the radius of a circle of
+// the same area.
+constexpr double most_bulge = 0.6;
+
+class RimFinder
+{
+public:
+    RimFinder(const FacetGraph& graph, const FeatureTolerances& tolerances)
+        : graph_(graph),
+          tolerances_(tolerances),
+          labels_(smooth_regions(graph, tolerances.crease_angle)),
+          loops_(region_loops(graph, labels_)),
+          free_loops_(region_loops(graph, std::vector<int>(labels_.size(), 0)))
+    {
+        for (const RegionLoop& loop : loops_)
+            if (loop.inwards < -0.35)
+                rims_.push_back(&loop);
+    }
+
+    std::vector<Feature> found()
+    {
+        const WallTracer tracer(graph_, labels_, rims_);
+        for (const RegionLoop* loop : rims_)
+            if (!loop->is_free())
+                take_walled(*loop, tracer);
+        for (const RegionLoop& loop : free_loops_)
+            if (loop.is_free())
+                take_free(loop);
+        for (const RegionLoop& loop : loops_)
+            if (!loop.is_free() && loop.inwards > 0.35)
+                take_edge(loop);
+        return std::move(features_);
+    }
+
+private:
+    std::optional<Feature> outlined(const RegionLoop& loop) const;
+    void take_walled(const RegionLoop& loop, const WallTracer& tracer);
+    void take_free(const RegionLoop& loop);
+    void take_edge(const RegionLoop& loop);
+    void add_wall(Feature& feature, const HoleWall& wall);
+    bool has_merged(const Feature& feature, const HoleWall& wall);
+    bool is_blind_hole(const RegionLoop& loop, const HoleWall& wall) const;
+    bool spreads_beyond(const RegionLoop& loop, double radius) const;
+    bool is_in_range(const Feature& feature) const;
+
+    const FacetGraph& graph_;
+    const FeatureTolerances& tolerances_;
+    std::vector<int> labels_;
+    std::vector<RegionLoop> loops_;
+    std::vector<RegionLoop> free_loops_;  // of the part as a whole: noise makes creases beside them
+    std::vector<const RegionLoop*> rims_;
+    std::vector<Feature> features_;
+    std::map<int, std::size_t> owner_;  // of a triangle in a wall: its feature
+};
+
+bool RimFinder::is_in_range(const Feature& feature) const
+{
+    const double half =
+        0.5 * (feature.kind == FeatureKind::round_hole ? 2.0 * feature.radius : feature.width);
+    return half >= tolerances_.smallest_radius && half <= tolerances_.largest_radius;
+}
+
+// The loop as a hole of the kind of its outline; nothing if it is too coarse or
+// too far from plane.
+std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
+{
+    if (loop.vertices.size() < 4)
+        return std::nullopt;
+    const Points rim = graph_.mesh().points()(loop.vertices, Eigen::all);
+    const Outline outline = fit_outline(rim, tolerances_.roundness, graph_.scatter());
+    const int count = static_cast<int>(loop.vertices.size());
+    if (outline.kind != FeatureKind::rectangular_hole && count < tolerances_.fewest_rim_vertices)
+        return std::nullopt;
+    if (outline.bulge > most_bulge * std::sqrt(loop.area))
+        return std::nullopt;
+    Feature feature;
+    feature.kind = outline.kind;
+    feature.center = outline.center;
+    feature.axis = outline.axis;
+    feature.radius = outline.radius;
+    feature.length = outline.length;
+    feature.width = outline.width;
+    feature.residual = std::max(outline.residual, outline.bulge);
+    feature.rims = {loop.vertices};
+    feature.vertices = loop.vertices;
+    std::sort(feature.vertices.begin(), feature.vertices.end());
+    return feature;
+}
+
+void RimFinder::add_wall(Feature& feature, const HoleWall& wall)
+{
+    for (const int triangle : wall.triangles)
+        for (int k = 0; k < 3; ++k)
+            feature.vertices.push_back(graph_.mesh().triangles()(triangle, k));
+    make_set(feature.vertices);
+}
+
+// Both rims of a hole lead to the same wall: the second joins the first; the
+// narrower one counts.
+bool RimFinder::has_merged(const Feature& feature, const HoleWall& wall)
+{
+    std::optional<std::size_t> other;
+    for (const int triangle : wall.triangles)
+        if (const auto place = owner_.find(triangle); place != owner_.end() && !other)
+            other = place->second;
+    if (!other)
+        return false;
+    Feature& first = features_[*other];
+    const double depth = std::abs((feature.center - first.center).dot(first.axis));
+    const std::size_t before = first.rims.size();
+    const bool is_narrower = feature.width < (1.0 - 1e-6) * first.width;
+    if (is_narrower || (first.kind == FeatureKind::hole && feature.kind != FeatureKind::hole))
+    {
+        Feature narrower = feature;
+        narrower.rims.insert(narrower.rims.end(), first.rims.begin(), first.rims.end());
+        narrower.vertices = first.vertices;
+        narrower.depth = first.depth;
+        first = std::move(narrower);
+    }
+    else
+        first.rims.push_back(feature.rims.front());
+    first.depth = before == 1 ? depth : std::max(first.depth, depth);
+    VertexIds& all = first.vertices;
+    all.insert(all.end(), feature.vertices.begin(), feature.vertices.end());
+    add_wall(first, wall);
+    for (const int triangle : wall.triangles)
+        owner_.emplace(triangle, *other);
+    return true;
+}
+
+// Whether a bottom lies inside the material: only a solid tells.
+bool RimFinder::is_blind_hole(const RegionLoop& loop, const HoleWall& wall) const
+{
+    if (!graph_.is_solid())
+        return false;
+    Vector3 outside = Vector3::Zero();
+    for (const int triangle : loop.triangles)
+        outside += graph_.normal(triangle) * graph_.area(triangle);
+    return wall.height * loop.normal.dot(outside) < 0.0;
+}
+
+void RimFinder::take_walled(const RegionLoop& loop, const WallTracer& tracer)
+{
+    std::optional<Feature> feature = outlined(loop);
+    if (!feature || std::count(loop.across.begin(), loop.across.end(), none) > loop.free_edges)
+        return;
+    const HoleWall wall = tracer.behind(loop);
+    const bool is_through = (wall.leads_out && wall.covered < through_cover)
+                            || (wall.is_open && wall.covered < collar_cover
+                                && std::abs(wall.height) >= lowest_collar * graph_.scatter());
+    const bool is_hole = is_through || is_blind_hole(loop, wall);
+    if (!is_hole)
+    {
+        if (wall.triangles.empty() || wall.leads_out)
+            return;
+        feature->kind = raised_kind(feature->length, feature->width);
+        feature->residual = 0.0;
+    }
+    else if (!is_in_range(*feature) || has_merged(*feature, wall))
+        return;
+    feature->depth = std::abs(wall.height);
+    add_wall(*feature, wall);
+    for (const int triangle : wall.triangles)
+        if (is_hole)
+            owner_.emplace(triangle, features_.size());
+    features_.push_back(std::move(*feature));
+}
+
+// Whether the loop's region goes on beside it, as a sheet around a smooth
+// collar does.
+bool RimFinder::spreads_beyond(const RegionLoop& loop, double radius) const
+{
+    double beyond = 0.0;
+    double all = 0.0;
+    for (int t = 0; t < graph_.triangle_count(); ++t)
+        if (labels_[t] == labels_[loop.triangles.front()])
+        {
+            const Vector3 off = graph_.centroid(t) - loop.center;
+            const double away = (off - loop.normal.dot(off) * loop.normal).norm();
+            all += graph_.area(t);
+            beyond += away > 1.3 * radius ? graph_.area(t) : 0.0;
+        }
+    return beyond > 0.5 * all;
+}
+
+void RimFinder::take_free(const RegionLoop& loop)
+{
+    std::optional<Feature> feature = outlined(loop);
+    if (!feature)
+        return;
+    for (const int triangle : loop.triangles)
+        if (owner_.count(triangle))
+        {
+            features_[owner_[triangle]].rims.push_back(loop.vertices);  // the end of its collar
+            return;
+        }
+    const bool is_round = feature->kind == FeatureKind::round_hole;
+    const bool is_hole =
+        loop.inwards < -0.35
+        || (loop.inwards < 0.35 && is_round && spreads_beyond(loop, feature->radius));
+    if (!is_hole && is_round)
+        feature->kind = FeatureKind::round_edge;
+    if ((is_hole && is_in_range(*feature)) || (!is_hole && is_round))
+        features_.push_back(std::move(*feature));
+}
+
+void RimFinder::take_edge(const RegionLoop& loop)
+{
+    std::optional<Feature> feature = outlined(loop);
+    if (!feature || feature->kind != FeatureKind::round_hole)
+        return;
+    feature->kind = FeatureKind::round_edge;
+    features_.push_back(std::move(*feature));
+}
+
+}  // namespace
+
+std::vector<Feature> find_rims(const FacetGraph& graph, const FeatureTolerances& tolerances)
+{
+    return RimFinder(graph, tolerances).found();
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/features/outline.h"
+
+#include "sheetmorph/mesh/regions/circle.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+using Plane = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+constexpr double pi = 3.14159265358979323846;
+
+// Enclosed area over squared radius: 2 for a square on the circle, 2.6 for a
+// hexagon.
+constexpr double least_round_area = 2.3;
+constexpr std::size_t most_directions = 96;
+
+// Length over width below which a slot is a circle, corner radius over half the
+// width above which a rectangle is a slot.
+constexpr double shortest_slot = 1.06;
+
+// Residual of a circle over its radius, from which a rounded rectangle may fit better; how much
+// better it has to.
+constexpr double barely_off = 0.04;
+constexpr double clearly_better = 0.35;
+constexpr double roundest_rectangle = 0.8;
+
+// Share of its area that a coarse polygon may lack to the outline through its
+// corners.
+constexpr double most_missing_area = 0.14;
+
+struct RoundedBox
+{
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
+    Eigen::Vector2d along = Eigen::Vector2d::UnitX();
+    Eigen::Vector2d half = Eigen::Vector2d::Zero();
+    double radius = 0.0;
+    double residual = 0.0;
+};
+
+double distance_to(const RoundedBox& box, const Eigen::Vector2d& point)
+{
+    const Eigen::Vector2d off = point - box.center;
+    const Eigen::Vector2d place(std::abs(off.dot(box.along)),
+                                std::abs(box.along.x() * off.y() - box.along.y() * off.x()));
+    const Eigen::Vector2d out = place - (box.half.array() - box.radius).matrix();
+    return out.cwiseMax(0.0).norm() + std::min(0.0, out.maxCoeff()) - box.radius;
+}
+
+double worst_miss(const Plane& points, const RoundedBox& box)
+{
+    double worst = 0.0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        worst = std::max(worst, std::abs(distance_to(box, points.row(i).transpose())));
+    return worst;
+}
+
+// The rectangle of the smallest area around the points that is parallel to one
+// of the edges.
+RoundedBox smallest_rectangle(const Plane& points)
+{
+    const std::size_t count = static_cast<std::size_t>(points.rows());
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto edge = [&](std::size_t i) -> Eigen::Vector2d
+    { return (points.row((i + 1) % count) - points.row(i)).transpose(); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](auto a, auto b) { return edge(a).squaredNorm() > edge(b).squaredNorm(); });
+    order.resize(std::min(count, most_directions));
+    RoundedBox best;
+    double smallest = -1.0;
+    for (const std::size_t i : order)
+    {
+        const Eigen::Vector2d u = edge(i).normalized();
+        const Eigen::Vector2d v(-u.y(), u.x());
+        const Eigen::VectorXd x = points * u;
+        const Eigen::VectorXd y = points * v;
+        const Eigen::Vector2d half(0.5 * (x.maxCoeff() - x.minCoeff()),
+                                   0.5 * (y.maxCoeff() - y.minCoeff()));
+        if (smallest >= 0.0 && half.prod() >= smallest * (1.0 - 1e-9))
+            continue;
+        smallest = half.prod();
+        best.center =
+            0.5 * (x.maxCoeff() + x.minCoeff()) * u + 0.5 * (y.maxCoeff() + y.minCoeff()) * v;
+        best.along = half.x() >= half.y() ? u : v;
+        best.half = half.x() >= half.y() ? half : Eigen::Vector2d(half.y(), half.x());
+    }
+    return best;
+}
+
+// The corner radius with the smallest residual: a coarse scan, then around the
+// best ever finer.
+RoundedBox rounded_box(const Plane& points)
+{
+    RoundedBox box = smallest_rectangle(points);
+    double low = 0.0;
+    double high = box.half.y();
+    for (int round = 0; round < 4; ++round)
+    {
+        constexpr int steps = 16;
+        double best = low;
+        double least = -1.0;
+        for (int k = 0; k <= steps; ++k)
+        {
+            box.radius = low + (high - low) * k / steps;
+            const double miss = worst_miss(points, box);
+            if (least < 0.0 || miss < least)
+            {
+                least = miss;
+                best = box.radius;
+            }
+        }
+        const double step = (high - low) / steps;
+        box.radius = best;
+        box.residual = least;
+        low = std::max(0.0, best - step);
+        high = std::min(box.half.y(), best + step);
+    }
+    return box;
+}
+
+// What a form may be off by, relative to its half width, and what scatter adds to that.
+struct Slack
+{
+    double form = 0.0;
+    double scatter = 0.0;  // mm
+
+    double at(double half) const { return form * half + added(half); }
+    double added(double half) const { return std::min(three * scatter, most_scatter * half); }
+
+    static constexpr double three = 3.0;
+    static constexpr double most_scatter = 0.2;
+};
+
+bool is_round(const Outline& circle, const RoundedBox& box, const Slack& slack)
+{
+    if (circle.residual > slack.at(circle.radius)
+        || circle.area < least_round_area * circle.radius * circle.radius)
+        return false;
+    const double unsure = slack.added(circle.radius);
+    const bool is_off = box.half.x() > shortest_slot * box.half.y() + 2.0 * unsure
+                        || circle.residual > barely_off * circle.radius + unsure;
+    return !(is_off && box.residual < clearly_better * circle.residual);
+}
+
+bool fits(const RoundedBox& box, double area, const Slack& slack)
+{
+    const double whole = 4.0 * box.half.prod() - (4.0 - pi) * box.radius * box.radius;
+    return box.residual <= slack.at(box.half.y())
+           && std::abs(area - whole) <= most_missing_area * whole;
+}
+
+Outline outline_of(const RoundedBox& box, const Outline& circle, const Matrix3& frame)
+{
+    Outline outline = circle;
+    const bool is_slot = box.radius >= roundest_rectangle * box.half.y();
+    outline.kind = is_slot ? FeatureKind::slotted_hole : FeatureKind::rectangular_hole;
+    outline.radius = is_slot ? box.half.y() : box.radius;
+    outline.length = 2.0 * box.half.x();
+    outline.width = 2.0 * box.half.y();
+    outline.residual = box.residual;
+    outline.along = frame.leftCols<2>() * box.along;
+    outline.center += frame.leftCols<2>() * box.center;
+    return outline;
+}
+
+// Columns in the plane, in the plane, along the normal.
+Matrix3 frame_of(const Vector3& normal)
+{
+    Matrix3 frame;
+    frame.col(2) = normal;
+    frame.col(0) = normal.unitOrthogonal();
+    frame.col(1) = normal.cross(frame.col(0));
+    return frame;
+}
+
+}  // namespace
+
+Vector3 doubled_area(const Points& loop)
+{
+    Vector3 area = Vector3::Zero();
+    const Eigen::Index count = loop.rows();
+    for (Eigen::Index i = 1; i + 1 < count; ++i)
+        area += Vector3(loop.row(i) - loop.row(0)).cross(Vector3(loop.row(i + 1) - loop.row(0)));
+    return area;
+}
+
+FeatureKind raised_kind(double length, double width)
+{
+    constexpr double shortest_bead = 2.0;
+    return length >= shortest_bead * width ? FeatureKind::bead : FeatureKind::emboss;
+}
+
+Outline fit_outline(const Points& loop, double roundness, double scatter)
+{
+    const Slack slack{roundness, scatter};
+    Outline circle;
+    const Vector3 area = doubled_area(loop);
+    circle.area = 0.5 * area.norm();
+    circle.axis = area.normalized();
+    const CircleFit fit = fit_circle(loop);
+    if (std::abs(fit.axis.dot(circle.axis)) > 0.9)
+        circle.axis = fit.axis.dot(circle.axis) > 0.0 ? fit.axis : Vector3(-fit.axis);
+    const Matrix3 frame = frame_of(circle.axis);
+    circle.center = fit.centre;
+    circle.radius = fit.radius;
+    circle.along = frame.col(0);
+    circle.length = circle.width = 2.0 * fit.radius;
+    const Points off = loop.rowwise() - fit.centre.transpose();
+    const Plane flat = off * frame.leftCols<2>();
+    circle.residual = (flat.rowwise().norm().array() - fit.radius).abs().maxCoeff();
+    circle.bulge = (off * circle.axis).cwiseAbs().maxCoeff();
+
+    const RoundedBox box = rounded_box(flat);
+    if (is_round(circle, box, slack))
+        circle.kind = FeatureKind::round_hole;
+    else if (fits(box, circle.area, slack))
+        return outline_of(box, circle, frame);
+    else
+    {
+        circle = outline_of(box, circle, frame);
+        circle.kind = FeatureKind::hole;
+        circle.radius = 0.0;
+        circle.residual = 0.0;
+    }
+    return circle;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/surfaces/facet_graph.h"
+
+namespace sheetmorph
+{
+
+//! A closed line around a region of triangles: a rim of the mesh or an edge of
+//! the shape.
+struct RegionLoop
+{
+    int region = 0;
+    VertexIds vertices;          //!< of the welded mesh, in order around
+    std::vector<int> triangles;  //!< of the region, at the edge from vertex i to the next
+    std::vector<int> across;     //!< the triangle behind that edge, -1 if there is not just one
+    int free_edges = 0;          //!< edges that one triangle uses
+    double inwards = 0.0;        //!< where the region lies at the loop: 1 inside it, -1
+                                 //!< around it, 0 along the axis
+    double area = 0.0;           //!< enclosed, mm^2
+    Vector3 normal = Vector3::UnitZ();  //!< of the loop as it runs, length 1
+    Vector3 center = Vector3::Zero();   //!< mean of its vertices, mm
+
+    bool is_free() const { return free_edges == static_cast<int>(vertices.size()); }
+};
+
+//! The loops around all regions, by region and first vertex. Slits without area
+//! are left out. \param labels  (m) the region of every triangle
+std::vector<RegionLoop> region_loops(const FacetGraph& graph, const std::vector<int>& labels);
+
+}  // namespace sheetmorph

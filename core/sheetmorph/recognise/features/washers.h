@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/surfaces/facet_graph.h"
+
+namespace sheetmorph
+{
+
+//! Grows rings of triangles around few vertices of a large mesh.
+class WasherGrower
+{
+public:
+    explicit WasherGrower(const FacetGraph& graph);
+
+    //! Ring k holds the vertices, ascending, that share a triangle with ring k -
+    //! 1 and are in none before; ring 0 would be `vertices`.
+    std::vector<VertexIds> rings(const VertexIds& vertices, int count) const;
+
+private:
+    const FacetGraph& graph_;
+    std::vector<int> starts_;  // of each vertex in triangles_, and the end
+    std::vector<int> triangles_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/surfaces/facet_graph.h"
+
+#include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/recognise/surfaces/noise.h"
+#include "sheetmorph/recognise/surfaces/welding.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int none = -1;
+
+// Sheets at one edge beyond which none goes on; the bend up to which one does,
+// radians.
+constexpr int most_sheets = 12;
+constexpr double straight_on = 0.17;
+
+int side_of(const Triangles& triangles, const EdgeUse& use)
+{
+    for (int k = 0; k < 2; ++k)
+        if (triangles(use.triangle, k) == use.from)
+            return k;
+    return 2;
+}
+
+struct Welded
+{
+    TriangleMesh mesh;
+    std::vector<int> representative;
+    std::vector<int> starts;
+    std::vector<int> members;
+};
+
+Welded weld_vertices(const TriangleMesh& mesh, double weld)
+{
+    const std::vector<int> first = coincident(mesh.points(), weld * mesh.size());
+    Welded welded;
+    std::vector<int> number(first.size(), none);
+    for (int i = 0; i < mesh.vertex_count(); ++i)
+        if (first[i] == i)
+        {
+            number[i] = static_cast<int>(welded.representative.size());
+            welded.representative.push_back(i);
+        }
+    welded.starts.assign(welded.representative.size() + 1, 0);
+    for (const int root : first)
+        ++welded.starts[number[root] + 1];
+    for (std::size_t i = 1; i < welded.starts.size(); ++i)
+        welded.starts[i] += welded.starts[i - 1];
+    std::vector<int> next = welded.starts;
+    welded.members.resize(first.size());
+    for (int i = 0; i < mesh.vertex_count(); ++i)
+        welded.members[next[number[first[i]]]++] = i;
+    Points points(welded.representative.size(), 3);
+    for (std::size_t i = 0; i < welded.representative.size(); ++i)
+        points.row(static_cast<Eigen::Index>(i)) = mesh.points().row(welded.representative[i]);
+    Triangles triangles = mesh.triangles().unaryExpr([&](int v) { return number[first[v]]; });
+    welded.mesh = TriangleMesh(std::move(points), std::move(triangles));
+    return welded;
+}
+
+// Floods over smooth edges, carrying the plane over triangles that have none.
+class SmoothFlood
+{
+public:
+    SmoothFlood(const FacetGraph& graph, double max_angle)
+        : graph_(graph),
+          max_angle_(max_angle),
+          label_(static_cast<std::size_t>(graph.triangle_count()), none),
+          plane_(label_)
+    {
+    }
+
+    std::vector<int> labels()
+    {
+        int count = 0;
+        for (const bool thin : {false, true})
+            for (int t = 0; t < graph_.triangle_count(); ++t)
+                if (label_[t] == none && graph_.is_thin(t) == thin)
+                    flood(t, count++);
+        return std::move(label_);
+    }
+
+private:
+    void flood(int seed, int label)
+    {
+        reach(seed, seed, label);
+        while (!front_.empty())
+        {
+            const int triangle = front_.back();
+            front_.pop_back();
+            for (int k = 0; k < 3; ++k)
+            {
+                const int other = graph_.across(triangle, k);
+                if (other != none && label_[other] == none && bend(triangle, k) < max_angle_)
+                    reach(other, graph_.is_thin(other) ? plane_[triangle] : other, label);
+            }
+        }
+    }
+
+    void reach(int triangle, int plane, int label)
+    {
+        label_[triangle] = label;
+        plane_[triangle] = plane;
+        front_.push_back(triangle);
+    }
+
+    double bend(int triangle, int k) const
+    {
+        const int other = graph_.across(triangle, k);
+        if (plane_[triangle] == triangle && !graph_.is_thin(other) && !graph_.is_thin(triangle))
+            return graph_.bend(triangle, k);
+        if (graph_.is_thin(other) || graph_.is_thin(plane_[triangle]))
+            return 0.0;
+        const double cosine = graph_.normal(plane_[triangle]).dot(graph_.normal(other));
+        return std::acos(std::min(1.0, std::abs(cosine)));
+    }
+
+    const FacetGraph& graph_;
+    double max_angle_;
+    std::vector<int> label_;
+    std::vector<int> plane_;
+    std::vector<int> front_;
+};
+
+}  // namespace
+
+FacetGraph::FacetGraph(const TriangleMesh& mesh, double weld, double scatter)
+    : edges_(TriangleMesh()), scatter_(scatter)
+{
+    Welded welded = weld_vertices(mesh, weld);
+    welded_ = std::move(welded.mesh);
+    representative_ = std::move(welded.representative);
+    member_starts_ = std::move(welded.starts);
+    members_ = std::move(welded.members);
+    edges_ = EdgeTable(welded_);
+    measure_triangles();
+    measure_bends();
+    look_whether_solid();
+}
+
+void FacetGraph::measure_triangles()
+{
+    normals_ = Points::Zero(triangle_count(), 3);
+    areas_.assign(static_cast<std::size_t>(triangle_count()), 0.0);
+    for (int t = 0; t < triangle_count(); ++t)
+    {
+        if (sheetmorph::is_thin(welded_.points(), welded_.triangles(), t))
+            continue;
+        const Eigen::RowVector3i corners = welded_.triangles().row(t);
+        const Vector3 doubled =
+            (point(corners(1)) - point(corners(0))).cross(point(corners(2)) - point(corners(0)));
+        areas_[t] = 0.5 * doubled.norm();
+        normals_.row(t) = doubled.normalized().transpose();
+        total_area_ += areas_[t];
+    }
+    if (scatter_ < 0.0)
+        scatter_ = scatter_of(welded_, edges_, normals_);
+    if (scatter_ <= 0.0)
+        return;
+    unsure_ = unsure_normals(welded_, areas_, scatter_);
+    normals_ = calmed_normals(edges_, normals_, areas_, unsure_);
+}
+
+double FacetGraph::bend_between(const EdgeUse& one, const EdgeUse& other) const
+{
+    if (scatter_ <= 0.0 || is_thin(one.triangle) || is_thin(other.triangle))
+        return bend_angle(welded_.points(), one, other);
+    const double cosine = normal(one.triangle).dot(normal(other.triangle));
+    return std::acos(std::clamp(one.from != other.from ? cosine : -cosine, -1.0, 1.0));
+}
+
+void FacetGraph::measure_bends()
+{
+    across_.assign(3 * static_cast<std::size_t>(triangle_count()), none);
+    bends_.assign(across_.size(), pi);
+    for (int edge = 0; edge < edges_.count(); ++edge)
+    {
+        const EdgeUses uses = edges_.uses(edge);
+        if (uses.count() == 2)
+            join(uses.begin()[0], uses.begin()[1]);
+        else if (uses.count() > 2 && uses.count() <= most_sheets)
+            join_straightest(edge);
+    }
+}
+
+void FacetGraph::join(const EdgeUse& one, const EdgeUse& other)
+{
+    const double bend = bend_between(one, other);
+    for (const auto& [here, there] : {std::pair(&one, &other), std::pair(&other, &one)})
+    {
+        const int side = side_of(welded_.triangles(), *here);
+        across_[3 * here->triangle + side] = there->triangle;
+        bends_[3 * here->triangle + side] = bend;
+    }
+}
+
+// Where more than two sheets meet, those that go straight on are one: a wall
+// welded to a plate in one mesh does not cut the plate, nor do two plates that
+// touch along a line end there.
+void FacetGraph::join_straightest(int edge)
+{
+    const EdgeUses uses = edges_.uses(edge);
+    std::vector<std::tuple<double, int, int>> pairs;
+    for (int a = 0; a < uses.count(); ++a)
+        for (int b = a + 1; b < uses.count(); ++b)
+            pairs.emplace_back(bend_between(uses.begin()[a], uses.begin()[b]), a, b);
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<char> is_joined(static_cast<std::size_t>(uses.count()), 0);
+    for (const auto& [bend, a, b] : pairs)
+        if (bend < straight_on && !is_joined[a] && !is_joined[b])
+        {
+            join(uses.begin()[a], uses.begin()[b]);
+            is_joined[a] = is_joined[b] = 1;
+        }
+}
+
+void FacetGraph::look_whether_solid()
+{
+    int open = 0;
+    int used = 0;
+    double volume = 0.0;
+    for (int edge = 0; edge < edges_.count(); ++edge)
+    {
+        const EdgeUses uses = edges_.uses(edge);
+        ++used;
+        if (uses.count() != 2 || uses.begin()[0].from == uses.begin()[1].from)
+            ++open;
+    }
+    const Vector3 origin = welded_.vertex_count() ? point(0) : Vector3::Zero();
+    for (int t = 0; t < triangle_count(); ++t)
+        volume += areas_[t] * normal(t).dot(centroid(t) - origin) / 3.0;
+    // A few faults of an import do not make a solid a sheet.
+    is_solid_ = used > 0 && open * 50 <= used && volume > 0.0;
+}
+
+Vector3 FacetGraph::centroid(int triangle) const
+{
+    const Eigen::RowVector3i corners = welded_.triangles().row(triangle);
+    return (point(corners(0)) + point(corners(1)) + point(corners(2))) / 3.0;
+}
+
+VertexIds FacetGraph::originals(const VertexIds& vertices) const
+{
+    VertexIds found;
+    for (const int v : vertices)
+        found.insert(found.end(), members_.begin() + member_starts_[v],
+                     members_.begin() + member_starts_[v + 1]);
+    make_set(found);
+    return found;
+}
+
+VertexIds FacetGraph::representatives(const VertexIds& vertices) const
+{
+    VertexIds found;
+    for (const int v : vertices)
+        found.push_back(representative_[v]);
+    return found;
+}
+
+std::vector<int> smooth_regions(const FacetGraph& graph, double max_angle)
+{
+    return SmoothFlood(graph, max_angle).labels();
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/topology/edges.h"
+
+namespace sheetmorph
+{
+
+//! A part as the recognition sees it: coincident vertices welded, so that the
+//! seams of an import are no edges; normals, areas and bends at hand.
+class FacetGraph
+{
+public:
+    //! \param weld     vertices nearer than this share of the size count as one
+    //! \param scatter  standard deviation of measured vertices, mm; < 0: told from the mesh
+    FacetGraph(const TriangleMesh& mesh, double weld, double scatter = -1.0);
+
+    const TriangleMesh& mesh() const { return welded_; }
+    const EdgeTable& edges() const { return edges_; }
+    int triangle_count() const { return welded_.triangle_count(); }
+
+    //! Standard deviation of the vertices about the surface they were measured on, in one
+    //! direction, mm; 0 for a mesh that was drawn. Normals and bends are without it, points not.
+    double scatter() const { return scatter_; }
+
+    //! What the scatter does to a triangle's normal as it stands, radians.
+    double unsure(int triangle) const { return scatter_ > 0.0 ? unsure_[triangle] : 0.0; }
+
+    //! Of length 1; zero for a triangle too thin to have a plane.
+    Vector3 normal(int triangle) const { return normals_.row(triangle).transpose(); }
+    Vector3 centroid(int triangle) const;
+    Vector3 point(int vertex) const { return welded_.points().row(vertex).transpose(); }
+    double area(int triangle) const { return areas_[triangle]; }
+    bool is_thin(int triangle) const { return areas_[triangle] <= 0.0; }
+    double total_area() const { return total_area_; }
+
+    //! Whether the part is closed and its triangles agree on what is outside.
+    bool is_solid() const { return is_solid_; }
+
+    //! The triangle across side k; where several are, the one that goes straight
+    //! on; else -1.
+    int across(int triangle, int k) const { return across_[3 * triangle + k]; }
+
+    //! How far the surface bends across side k, radians; pi where nothing is
+    //! across.
+    double bend(int triangle, int k) const { return bends_[3 * triangle + k]; }
+
+    //! The vertices of the mesh that stand at vertices of the welded one,
+    //! ascending.
+    VertexIds originals(const VertexIds& vertices) const;
+
+    //! One vertex of the mesh each, the smallest, in the order given.
+    VertexIds representatives(const VertexIds& vertices) const;
+
+private:
+    void measure_triangles();
+    void measure_bends();
+    double bend_between(const EdgeUse& one, const EdgeUse& other) const;
+    void join(const EdgeUse& one, const EdgeUse& other);
+    void join_straightest(int edge);
+    void look_whether_solid();
+
+    TriangleMesh welded_;
+    std::vector<int> representative_;  // of each welded vertex, in the mesh
+    std::vector<int> member_starts_;   // of each welded vertex in members_, and the end
+    std::vector<int> members_;
+    EdgeTable edges_;
+    Points normals_;
+    std::vector<double> areas_;
+    std::vector<int> across_;
+    std::vector<double> bends_;
+    double total_area_ = 0.0;
+    double scatter_ = 0.0;
+    std::vector<double> unsure_;  // empty for a drawn mesh
+    bool is_solid_ = false;
+};
+
+//! The label of every triangle's region: triangles belong together across edges
+//! that bend by less than `max_angle` radians. Labels from 0 in order of first
+//! appearance; triangles too thin to have a plane take that of the triangle
+//! they were reached from.
+std::vector<int> smooth_regions(const FacetGraph& graph, double max_angle);
+
+}  // namespace sheetmorph

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/surfaces/surface_grower.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int none = -1;
+constexpr double pi = 3.14159265358979323846;
+constexpr std::size_t patch_size = 14;
+constexpr std::size_t measured_patch_size = 40;
+constexpr std::size_t fewest_triangles = 6;
+constexpr FeatureKind curved[] = {FeatureKind::cylinder, FeatureKind::sphere, FeatureKind::cone};
+
+// Mean square difference of normals from which a patch turns; what calming leaves of scatter.
+constexpr double turning = 0.002;
+constexpr double left_over = 0.5;
+
+// Cosine of the largest angle between a triangle and its curved surface (30 degrees).
+constexpr double along_surface = 0.866;
+
+// Of 36 directions around an axis, those that a curved region reaches (a quarter bend: 3).
+constexpr int directions = 36;
+constexpr int fewest_directions = 3;
+
+// Over the scatter of a measured mesh: how far its vertices may be off a surface.
+constexpr double within_scatter = 4.0;
+
+// Distance from a plane over the size of the part.
+constexpr double flatness = 1e-3;
+
+// Mean distance of the middles of triangles from a surface over that from another.
+constexpr double clearly_closer = 0.7;
+
+// Area of a curved region over that of the plane at the same place.
+constexpr double clearly_larger = 1.3;
+
+}  // namespace
+
+SurfaceGrower::SurfaceGrower(const FacetGraph& graph, const FeatureTolerances& tolerances)
+    : graph_(graph),
+      tolerances_(tolerances),
+      size_(graph.mesh().size()),
+      is_taken_(static_cast<std::size_t>(graph.triangle_count()), 0),
+      is_tried_(is_taken_),
+      stamp_(is_taken_.size(), none)
+{
+}
+
+std::vector<SurfaceRegion> SurfaceGrower::found()
+{
+    const double smallest = tolerances_.smallest_area * graph_.total_area();
+    for (const Seed& seed : seeds())
+    {
+        if (!is_open(seed.triangle) || is_tried_[seed.triangle])
+            continue;
+        SurfaceRegion plane = plane_at(seed.triangle);
+        std::optional<SurfaceRegion> region;
+        if (seed.misfit >= 0.0)
+            region = curved_at(seed.triangle);
+        if (region && region->area >= clearly_larger * plane.area
+            && region->area >= 0.25 * smallest)
+            keep(std::move(*region));
+        else if (plane.area >= smallest)
+            keep(std::move(plane));
+        else if (seed.misfit < 0.0)
+            give_up(plane.triangles);
+        else
+            give_up(patch_around(seed.triangle));
+    }
+    return std::move(regions_);
+}
+
+std::vector<SurfaceGrower::Seed> SurfaceGrower::seeds()
+{
+    std::vector<Seed> seeds;
+    for (int t = 0; t < graph_.triangle_count(); ++t)
+    {
+        if (!is_open(t))
+            continue;
+        const std::vector<int> patch = patch_around(t);
+        Seed seed{t, -1.0};
+        if (patch.size() >= fewest_triangles && turns(patch))
+        {
+            seed.misfit = 1.0;
+            for (const FeatureKind kind : curved)
+                if (const auto surface = fit_surface(graph_, patch, kind))
+                    seed.misfit = std::min(seed.misfit, misfit_of(graph_, patch, *surface));
+        }
+        seeds.push_back(seed);
+    }
+    std::stable_sort(seeds.begin(), seeds.end(),
+                     [&](const Seed& a, const Seed& b)
+                     {
+                         const bool are_flat = a.misfit < 0.0 && b.misfit < 0.0;
+                         return are_flat ? graph_.area(a.triangle) > graph_.area(b.triangle)
+                                         : a.misfit < b.misfit;
+                     });
+    return seeds;
+}
+
+// Within creases if that turns, else over the edges of a coarse mesh.
+std::vector<int> SurfaceGrower::patch_around(int seed)
+{
+    std::vector<int> patch = patch_around(seed, tolerances_.crease_angle);
+    if (patch.size() >= fewest_triangles && turns(patch))
+        return patch;
+    return patch_around(seed, tolerances_.smooth_angle);
+}
+
+std::vector<int> SurfaceGrower::patch_around(int seed, double sharpest)
+{
+    const std::size_t most = graph_.scatter() > 0.0 ? measured_patch_size : patch_size;
+    std::vector<int> patch = {seed};
+    stamp_[seed] = ++search_;
+    for (std::size_t i = 0; i < patch.size() && patch.size() < most; ++i)
+        for (int k = 0; k < 3; ++k)
+        {
+            const int other = graph_.across(patch[i], k);
+            if (other == none || is_taken_[other] || stamp_[other] == search_
+                || graph_.bend(patch[i], k) > sharpest || graph_.is_thin(other))
+                continue;
+            stamp_[other] = search_;
+            patch.push_back(other);
+        }
+    return patch;
+}
+
+bool SurfaceGrower::turns(const std::vector<int>& patch) const
+{
+    const Vector3 first = graph_.normal(patch.front());
+    Vector3 mean = Vector3::Zero();
+    double unsure = 0.0;
+    for (const int t : patch)
+    {
+        const Vector3 normal = graph_.normal(t);
+        mean += normal.dot(first) < 0.0 ? Vector3(-normal) : normal;
+        unsure += std::pow(left_over * graph_.unsure(t), 2);
+    }
+    const double count = static_cast<double>(patch.size());
+    return 1.0 - (mean / count).squaredNorm() > turning + unsure / count;
+}
+
+double SurfaceGrower::area_of(const std::vector<int>& triangles) const
+{
+    double area = 0.0;
+    for (const int t : triangles)
+        area += graph_.area(t);
+    return area;
+}
+
+bool SurfaceGrower::is_near(const Surface& surface, int triangle) const
+{
+    const bool is_plane = surface.kind == FeatureKind::plane;
+    const Vector3 middle = graph_.centroid(triangle);
+    const double reach =
+        (is_plane ? flatness * size_ : tolerances_.surface * surface.radius_at(middle))
+        + within_scatter * graph_.scatter();
+    const double along =
+        is_plane ? std::cos(tolerances_.plane_angle + left_over * graph_.unsure(triangle))
+                 : along_surface;
+    if (std::abs(surface.normal(middle).dot(graph_.normal(triangle))) < along)
+        return false;
+    for (int k = 0; k < 3; ++k)
+        if (surface.distance(graph_.point(graph_.mesh().triangles()(triangle, k))) > reach)
+            return false;
+    return true;
+}
+
+std::vector<int> SurfaceGrower::grown(int seed, const Surface& surface)
+{
+    std::vector<int> region = {seed};
+    stamp_[seed] = ++search_;
+    for (std::size_t i = 0; i < region.size(); ++i)
+        for (int k = 0; k < 3; ++k)
+        {
+            const int other = graph_.across(region[i], k);
+            if (other == none || is_taken_[other] || stamp_[other] == search_
+                || graph_.bend(region[i], k) > tolerances_.smooth_angle)
+                continue;
+            stamp_[other] = search_;
+            if (graph_.is_thin(other) || is_near(surface, other))
+                region.push_back(other);
+        }
+    return region;
+}
+
+bool SurfaceGrower::is_curved(const Surface& surface, const std::vector<int>& triangles) const
+{
+    if (surface.kind == FeatureKind::sphere)
+        return triangles.size() >= 2 * fewest_triangles;
+    const Vector3 u = surface.axis.unitOrthogonal();
+    const Vector3 v = surface.axis.cross(u);
+    std::set<int> seen;
+    for (const int t : triangles)
+    {
+        const Vector3 normal = surface.normal(graph_.centroid(t));
+        const double turn = std::atan2(normal.dot(v), normal.dot(u)) / (2.0 * pi) + 0.5;
+        seen.insert(static_cast<int>(turn * directions));
+    }
+    return static_cast<int>(seen.size()) >= fewest_directions;
+}
+
+void SurfaceGrower::give_up(const std::vector<int>& triangles)
+{
+    for (const int t : triangles)
+        is_tried_[t] = 1;
+}
+
+void SurfaceGrower::keep(SurfaceRegion region)
+{
+    for (const int t : region.triangles)
+        is_taken_[t] = 1;
+    std::sort(region.triangles.begin(), region.triangles.end());
+    regions_.push_back(std::move(region));
+}
+
+std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed, const std::vector<int>& patch,
+                                                      FeatureKind kind)
+{
+    std::optional<Surface> surface = fit_surface(graph_, patch, kind);
+    std::vector<int> region = patch;
+    for (int round = 0; round < 3 && surface; ++round)
+    {
+        *surface = refined(graph_, region, *surface);
+        if (surface->radius > 2.0 * size_ || !is_near(*surface, seed))
+            return std::nullopt;
+        region = grown(seed, *surface);
+        if (region.size() < fewest_triangles || !is_curved(*surface, region))
+            return std::nullopt;
+        surface = fit_surface(graph_, region, kind);
+    }
+    if (!surface)
+        return std::nullopt;
+    *surface = refined(graph_, region, *surface);
+    if (!is_near(*surface, seed) || !is_curved(*surface, region))
+        return std::nullopt;
+    const double area = area_of(region);
+    return SurfaceRegion{*surface, std::move(region), area};
+}
+
+std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed)
+{
+    const std::vector<int> patch = patch_around(seed);
+    if (patch.size() < fewest_triangles)
+        return std::nullopt;
+    std::optional<SurfaceRegion> best;
+    for (const FeatureKind kind : curved)
+        better(curved_at(seed, patch, kind), best);
+    // A small patch does not tell how a slender cone tapers.
+    if (best && best->surface.kind != FeatureKind::cone)
+        better(curved_at(seed, best->triangles, FeatureKind::cone), best);
+    return best;
+}
+
+// The larger of two; of two alike what follows its triangles inside, too, in doubt the simpler.
+void SurfaceGrower::better(std::optional<SurfaceRegion> region,
+                           std::optional<SurfaceRegion>& best) const
+{
+    if (!region)
+        return;
+    const double size = best ? static_cast<double>(region->triangles.size())
+                                   / static_cast<double>(best->triangles.size())
+                             : 2.0;
+    if (size > 1.1 || (size > 0.95 && bulge(*region) < clearly_closer * bulge(*best)))
+        best = std::move(region);
+}
+
+double SurfaceGrower::bulge(const SurfaceRegion& region) const
+{
+    double sum = 0.0;
+    for (const int t : region.triangles)
+        sum += region.surface.distance(graph_.centroid(t));
+    return sum / static_cast<double>(region.triangles.size());
+}
+
+SurfaceRegion SurfaceGrower::plane_at(int seed)
+{
+    Surface surface;
+    surface.axis = graph_.normal(seed);
+    surface.point = graph_.centroid(seed);
+    std::vector<int> region = grown(seed, surface);
+    const std::optional<Surface> fitted = fit_surface(graph_, region, FeatureKind::plane);
+    if (fitted && is_near(*fitted, seed))
+    {
+        surface = *fitted;
+        region = grown(seed, surface);
+    }
+    const double area = area_of(region);
+    return {surface, std::move(region), area};
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/surfaces/surfaces.h"
+
+#include <optional>
+
+namespace sheetmorph
+{
+
+//! Region growing over the triangles of a part: from a seed a patch is fitted, grown over all that
+//! lies near and turns with it, fitted and grown again. What lies flat is taken first, then what
+//! fits a curved surface best, so that no surface is fitted across a bend.
+class SurfaceGrower
+{
+public:
+    //! Keeps references.
+    SurfaceGrower(const FacetGraph& graph, const FeatureTolerances& tolerances);
+
+    std::vector<SurfaceRegion> found();
+
+private:
+    struct Seed
+    {
+        int triangle;
+        double misfit;  // of the best curved surface through its patch, over the radius; < 0: flat
+    };
+
+    std::vector<Seed> seeds();
+    std::vector<int> patch_around(int seed);
+    std::vector<int> patch_around(int seed, double sharpest);
+    bool turns(const std::vector<int>& patch) const;
+    std::optional<SurfaceRegion> curved_at(int seed);
+    std::optional<SurfaceRegion> curved_at(int seed, const std::vector<int>& patch,
+                                           FeatureKind kind);
+    SurfaceRegion plane_at(int seed);
+    void better(std::optional<SurfaceRegion> region, std::optional<SurfaceRegion>& best) const;
+    double bulge(const SurfaceRegion& region) const;
+    std::vector<int> grown(int seed, const Surface& surface);
+    bool is_near(const Surface& surface, int triangle) const;
+    bool is_curved(const Surface& surface, const std::vector<int>& triangles) const;
+    void keep(SurfaceRegion region);
+    void give_up(const std::vector<int>& triangles);
+    double area_of(const std::vector<int>& triangles) const;
+    bool is_open(int triangle) const { return !is_taken_[triangle] && !graph_.is_thin(triangle); }
+
+    const FacetGraph& graph_;
+    const FeatureTolerances& tolerances_;
+    double size_;
+    std::vector<char> is_taken_;
+    std::vector<char> is_tried_;  // lies where a seed has led to nothing
+    std::vector<int> stamp_;      // of a triangle: the last search that reached it
+    int search_ = 0;
+    std::vector<SurfaceRegion> regions_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/surfaces/surface_fit.h"
+#include "sheetmorph/recognise/tolerances.h"
+
+namespace sheetmorph
+{
+
+//! A surface and the triangles that lie in it, ascending.
+struct SurfaceRegion
+{
+    Surface surface;
+    std::vector<int> triangles;
+    double area = 0.0;  //!< mm^2
+};
+
+//! The planes, cylinders, spheres and cones of a part, by region growing (see
+//! surface_grower.h). Regions do not overlap.
+std::vector<SurfaceRegion> find_surfaces(const FacetGraph& graph,
+                                         const FeatureTolerances& tolerances);
+
+//! What a region is as a feature; vertices of the welded mesh.
+Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region);
+
+}  // namespace sheetmorph

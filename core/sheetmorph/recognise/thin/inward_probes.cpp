@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/thin/inward_probes.h"
+
+#include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/mesh/topology/submesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int most_looks = 64;
+constexpr double looks_a_component = 2000.0;
+constexpr double facing = -0.70710678118654752;
+
+// Where a look starts below the surface, of the component's size.
+constexpr double first_step = 1e-7;
+
+// Well spread barycentric coordinates (Roberts 2018), the first near the middle.
+Vector3 spread(int k)
+{
+    double u = std::fmod(0.5 + 0.7548776662466927 * (k + 1), 1.0);
+    double v = std::fmod(0.5 + 0.5698402909980532 * (k + 1), 1.0);
+    if (u + v > 1.0)
+    {
+        u = 1.0 - u;
+        v = 1.0 - v;
+    }
+    return {1.0 - u - v, u, v};
+}
+
+// One closed component by itself, so that looks end inside it whatever touches it.
+class ComponentProbe
+{
+public:
+    ComponentProbe(const TriangleMesh& mesh, const SolidFacets& graph, std::vector<int> facets)
+        : mesh_(mesh),
+          graph_(graph),
+          facets_(std::move(facets)),
+          tree_(submesh(mesh, facets_).mesh),
+          area_(graph.areas(facets_).sum())
+    {
+    }
+
+    void look(std::vector<InwardProbe>& probes) const
+    {
+        for (const int facet : facets_)
+        {
+            if (graph_.is_thin[static_cast<std::size_t>(facet)])
+                continue;
+            const double share = graph_.areas(facet) / area_ * looks_a_component;
+            const int looks = std::clamp(static_cast<int>(std::ceil(share)), 1, most_looks);
+            for (int k = 0; k < looks; ++k)
+                probes.push_back(
+                    probe(facet, looks == 1 ? Vector3::Constant(1.0 / 3.0) : spread(k), looks));
+        }
+    }
+
+private:
+    InwardProbe probe(int facet, const Vector3& place, int looks) const
+    {
+        const Vector3 normal = graph_.normals.row(facet).transpose();
+        Vector3 start = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+            start += place(k) * mesh_.points().row(mesh_.triangles()(facet, k)).transpose();
+        const double step = first_step * std::sqrt(area_);
+        const std::optional<Hit> hit = tree_.nearest_hit(start - step * normal, -normal);
+        InwardProbe found{facet, -1, 0.0, graph_.areas(facet) / looks, false};
+        if (!hit)
+            return found;
+        found.opposite = facets_[static_cast<std::size_t>(hit->triangle)];
+        found.distance = hit->distance + step;
+        found.is_facing = graph_.normals.row(found.opposite).dot(normal) < facing;
+        return found;
+    }
+
+    const TriangleMesh& mesh_;
+    const SolidFacets& graph_;
+    std::vector<int> facets_;
+    PickingTree tree_;
+    double area_;
+};
+
+}  // namespace
+
+std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const SolidFacets& graph)
+{
+    std::vector<std::vector<int>> facets(graph.is_closed.size());
+    for (int t = 0; t < graph.facet_count(); ++t)
+        facets[static_cast<std::size_t>(graph.component[static_cast<std::size_t>(t)])].push_back(t);
+    std::vector<InwardProbe> probes;
+    for (std::size_t k = 0; k < facets.size(); ++k)
+        if (graph.is_closed[k])
+            ComponentProbe(mesh, graph, std::move(facets[k])).look(probes);
+    return probes;
+}
+
+}  // namespace sheetmorph

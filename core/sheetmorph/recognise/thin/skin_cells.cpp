@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/thin/skin_cells.h"
+
+#include "sheetmorph/base/disjoint_sets.h"
+
+#include <algorithm>
+#include <map>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double thinnest_skin = 0.5;
+constexpr double thickest_skin = 1.6;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+using WeightedDistances = std::vector<std::pair<double, double>>;
+
+// The median of the distances first..last - 1.
+double median(const WeightedDistances& distances, std::size_t first, std::size_t last)
+{
+    double half = 0.0;
+    for (std::size_t k = first; k < last; ++k)
+        half += 0.5 * distances[k].second;
+    while (first + 1 < last && half > distances[first].second)
+        half -= distances[first++].second;
+    return distances[first].first;
+}
+
+// The distance that most of a surface has behind it, within a quarter; 0 if none.
+double typical(WeightedDistances distances)
+{
+    std::sort(distances.begin(), distances.end());
+    double most = 0.0, inside = 0.0;
+    std::size_t first = 0;
+    std::pair<std::size_t, std::size_t> best{0, 0};
+    for (std::size_t last = 0; last < distances.size(); ++last)
+    {
+        inside += distances[last].second;
+        for (; distances[last].first > 1.25 * distances[first].first; ++first)
+            inside -= distances[first].second;
+        // A hair more than rounding, so that equal shares are decided by the smaller distance.
+        if (inside > most * (1.0 + 1e-9))
+        {
+            most = inside;
+            best = {first, last + 1};
+        }
+    }
+    return best.second == 0 ? 0.0 : median(distances, best.first, best.second);
+}
+
+std::vector<double> thicknesses(const SolidFacets& graph, const std::vector<InwardProbe>& probes,
+                                double given)
+{
+    std::vector<WeightedDistances> facing(graph.is_closed.size());
+    for (const InwardProbe& probe : probes)
+        if (probe.is_facing)
+            facing[at(graph.component[at(probe.facet)])].emplace_back(probe.distance, probe.area);
+    std::vector<double> found;
+    for (WeightedDistances& distances : facing)
+        found.push_back(given > 0.0 && !distances.empty() ? given : typical(std::move(distances)));
+    return found;
+}
+
+std::vector<int> smooth_patches(const SolidFacets& graph)
+{
+    DisjointSets smooth(graph.facet_count());
+    for (const FacetJoint& joint : graph.joints)
+        if (joint.bend < crease && !graph.is_thin[at(joint.one)] && !graph.is_thin[at(joint.other)])
+            smooth.join(joint.one, joint.other);
+    std::vector<int> patch;
+    for (int t = 0; t < graph.facet_count(); ++t)
+        patch.push_back(smooth.root(t));
+    return patch;
+}
+
+// Whether a look finds the other skin where it should be.
+std::vector<char> thin_looks(const SolidFacets& graph, const std::vector<InwardProbe>& probes,
+                             const std::vector<double>& thickness)
+{
+    std::vector<char> found;
+    for (const InwardProbe& probe : probes)
+    {
+        const double typical_one = thickness[at(graph.component[at(probe.facet)])];
+        found.push_back(probe.is_facing && probe.distance > thinnest_skin * typical_one
+                        && probe.distance < thickest_skin * typical_one);
+    }
+    return found;
+}
+
+// A facet or two of a wall see each other across a narrow strut: no skin is that small.
+void drop_crumbs(const SkinCells& cells, std::vector<char>& is_skin)
+{
+    for (std::size_t t = 0; t < is_skin.size(); ++t)
+        if (const int cell = cells.cell[t]; cell >= 0)
+        {
+            const double thickness = cells.thickness[at(cells.component[at(cell)])];
+            is_skin[t] = cells.area[at(cell)] > thickness * thickness;
+        }
+}
+
+void number_cells(const SolidFacets& graph, const std::vector<char>& is_skin, SkinCells& cells)
+{
+    DisjointSets sets(graph.facet_count());
+    for (const FacetJoint& joint : graph.joints)
+        if (joint.bend < crease && is_skin[at(joint.one)] && is_skin[at(joint.other)])
+            sets.join(joint.one, joint.other);
+    cells.cell.assign(is_skin.size(), -1);
+    cells.area.clear();
+    cells.component.clear();
+    for (int t = 0; t < graph.facet_count(); ++t)
+    {
+        if (!is_skin[at(t)])
+            continue;
+        int& of_root = cells.cell[at(sets.root(t))];
+        if (of_root < 0)
+        {
+            of_root = cells.count();
+            cells.area.push_back(0.0);
+            cells.component.push_back(graph.component[at(t)]);
+        }
+        cells.cell[at(t)] = of_root;
+        cells.area[at(of_root)] += graph.areas(t);
+    }
+}
+
+std::vector<OpposedCells> opposed_cells(const std::vector<InwardProbe>& probes,
+                                        const std::vector<char>& is_thin_look,
+                                        const std::vector<int>& cell)
+{
+    std::map<std::pair<int, int>, double> seen;
+    for (std::size_t k = 0; k < probes.size(); ++k)
+    {
+        if (!is_thin_look[k])
+            continue;
+        const int a = cell[at(probes[k].facet)], b = cell[at(probes[k].opposite)];
+        if (a >= 0 && b >= 0)
+            seen[{std::min(a, b), std::max(a, b)}] += probes[k].area;
+    }
+    std::vector<OpposedCells> found;
+    for (const auto& [pair, area] : seen)
+        found.push_back({pair.first, pair.second, area});
+    std::stable_sort(found.begin(), found.end(),
+                     [](const OpposedCells& a, const OpposedCells& b) { return a.area > b.area; });
+    return found;
+}
+
+}  // namespace
+
+SkinCells skin_cells(const SolidFacets& graph, const std::vector<InwardProbe>& probes,
+                     double thickness)
+{
+    SkinCells cells;
+    cells.thickness = thicknesses(graph, probes, thickness);
+    cells.patch = smooth_patches(graph);
+    const std::vector<char> is_thin_look = thin_looks(graph, probes, cells.thickness);
+    std::vector<double> balance(at(graph.facet_count()), 0.0);
+    for (std::size_t k = 0; k < probes.size(); ++k)
+        balance[at(probes[k].facet)] += is_thin_look[k] ? probes[k].area : -probes[k].area;
+    std::vector<char> is_skin;
+    for (const double area : balance)
+        is_skin.push_back(area > 0.0);
+    number_cells(graph, is_skin, cells);
+    drop_crumbs(cells, is_skin);
+    number_cells(graph, is_skin, cells);
+    cells.opposed = opposed_cells(probes, is_thin_look, cells.cell);
+    return cells;
+}
+
+}  // namespace sheetmorph

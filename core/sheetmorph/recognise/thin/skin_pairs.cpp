@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/thin/skin_pairs.h"
+
+#include "sheetmorph/recognise/thin/parity_sets.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double thickest_of_size = 0.1;
+
+// Of the evidence for one side, this much must agree.
+constexpr double agreement = 0.9;
+
+// A smooth patch says less than a crease that is seen.
+constexpr double weight_of_patch = 1e-3;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+// For which side, 0 or 1, of the sheet a group of cells speaks, by length.
+using Evidence = std::map<int, std::array<double, 2>>;
+
+class Sheets
+{
+public:
+    Sheets(const SolidFacets& graph, const SkinCells& cells)
+        : graph_(graph), cells_(cells), sets_(cells.count())
+    {
+        for (const OpposedCells& pair : cells.opposed)
+            sets_.join(pair.one, pair.other, 1);
+        seeds_.assign(graph.is_closed.size(), -1);
+        choose_seeds();
+        while (grow())
+            continue;
+    }
+
+    //! +1 or -1 in the sheet of its component, else 0.
+    int side(int cell) const
+    {
+        const int seed = seeds_[at(cells_.component[at(cell)])];
+        if (seed < 0 || sets_.root(seed) != sets_.root(cell))
+            return 0;
+        return sets_.side(seed) == sets_.side(cell) ? 1 : -1;
+    }
+
+private:
+    // The sheet starts at the largest pair of opposite skins of its component.
+    void choose_seeds()
+    {
+        Evidence areas;
+        for (int cell = 0; cell < cells_.count(); ++cell)
+            areas[sets_.root(cell)][at(sets_.side(cell))] += cells_.area[at(cell)];
+        std::vector<double> largest(seeds_.size(), 0.0);
+        for (const auto& [root, area] : areas)
+        {
+            const std::size_t component = at(cells_.component[at(root)]);
+            const double both = std::min(area[0], area[1]);
+            if (both > largest[component])
+            {
+                largest[component] = both;
+                seeds_[component] = root;
+            }
+        }
+    }
+
+    void speak(Evidence& evidence, int in_sheet, int other, double length) const
+    {
+        const int sheet_side = side(in_sheet);
+        if (sheet_side != 0 && side(other) == 0)
+            evidence[sets_.root(other)][at((sheet_side < 0 ? 1 : 0) ^ sets_.side(other))] += length;
+    }
+
+    Evidence at_creases() const
+    {
+        Evidence evidence;
+        for (const FacetJoint& joint : graph_.joints)
+        {
+            const int a = cells_.cell[at(joint.one)], b = cells_.cell[at(joint.other)];
+            if (a < 0 || b < 0 || a == b)
+                continue;
+            speak(evidence, a, b, joint.length);
+            speak(evidence, b, a, joint.length);
+        }
+        return evidence;
+    }
+
+    // Patches whose sheet cells are all on one side speak for that side.
+    void add_patches(Evidence& evidence) const
+    {
+        std::map<int, std::pair<int, int>> sheet_cell;  // by patch: one of its cells, both sides?
+        for (std::size_t t = 0; t < cells_.cell.size(); ++t)
+            if (const int cell = cells_.cell[t]; cell >= 0 && side(cell) != 0)
+            {
+                auto& found = sheet_cell.emplace(cells_.patch[t], std::pair(cell, 0)).first->second;
+                found.second |= side(found.first) != side(cell);
+            }
+        for (std::size_t t = 0; t < cells_.cell.size(); ++t)
+        {
+            const auto found = sheet_cell.find(cells_.patch[t]);
+            if (cells_.cell[t] >= 0 && found != sheet_cell.end() && found->second.second == 0)
+                speak(evidence, found->second.first, cells_.cell[t],
+                      weight_of_patch * std::sqrt(graph_.areas(static_cast<Eigen::Index>(t))));
+        }
+    }
+
+    bool grow()
+    {
+        Evidence evidence = at_creases();
+        add_patches(evidence);
+        bool has_grown = false;
+        for (const auto& [root, lengths] : evidence)
+        {
+            const int flip = lengths[1] > lengths[0] ? 1 : 0;
+            if (side(root) != 0 || lengths[at(flip)] < agreement * (lengths[0] + lengths[1]))
+                continue;
+            const int seed = seeds_[at(cells_.component[at(root)])];
+            sets_.join(seed, root, flip);
+            has_grown = true;
+        }
+        return has_grown;
+    }
+
+    const SolidFacets& graph_;
+    const SkinCells& cells_;
+    ParitySets sets_;
+    std::vector<int> seeds_;  // by component: a cell of its sheet, -1 without
+};
+
+// Diagonals of the components' boxes, mm.
+std::vector<double> sizes(const TriangleMesh& mesh, const SolidFacets& graph)
+{
+    std::vector<Eigen::RowVector3d> low(graph.is_closed.size(),
+                                        Eigen::RowVector3d::Constant(1e300));
+    std::vector<Eigen::RowVector3d> high(graph.is_closed.size(),
+                                         Eigen::RowVector3d::Constant(-1e300));
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+        {
+            const std::size_t component = at(graph.component[at(t)]);
+            const auto point = mesh.points().row(mesh.triangles()(t, k));
+            low[component] = low[component].cwiseMin(point);
+            high[component] = high[component].cwiseMax(point);
+        }
+    std::vector<double> found;
+    for (std::size_t k = 0; k < low.size(); ++k)
+        found.push_back((high[k] - low[k]).norm());
+    return found;
+}
+
+}  // namespace
+
+SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells)
+{
+    const Sheets sheets(graph, cells);
+    SkinPairs pairs;
+    const std::size_t count = graph.is_closed.size();
+    std::vector<double> whole(count, 0.0), skins(count, 0.0);
+    for (int t = 0; t < graph.facet_count(); ++t)
+    {
+        pairs.side.push_back(cells.cell[at(t)] < 0 ? 0 : sheets.side(cells.cell[at(t)]));
+        const std::size_t component = at(graph.component[at(t)]);
+        whole[component] += graph.areas(t);
+        skins[component] += pairs.side.back() != 0 ? graph.areas(t) : 0.0;
+    }
+    const std::vector<double> size = sizes(mesh, graph);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        pairs.share.push_back(whole[k] > 0.0 ? skins[k] / whole[k] : 0.0);
+        pairs.is_thin.push_back(pairs.share[k] >= least_share_of_skins
+                                && cells.thickness[k] <= thickest_of_size * size[k]);
+    }
+    for (int t = 0; t < graph.facet_count(); ++t)
+        if (!pairs.is_thin[at(graph.component[at(t)])])
+            pairs.side[at(t)] = 0;
+    return pairs;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/thin/skin_walls.h"
+
+#include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/mesh/topology/submesh.h"
+
+#include <algorithm>
+#include <map>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double reach_of_walls = 1.6;
+constexpr double thickest_of_skin = 1.8;  // more than sqrt(3): the corner of a folded box
+
+// A facet whose normal is farther than 60 degrees from the way to the other skin runs along it.
+constexpr double across = 0.5;
+
+constexpr int on_both = 2;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+class Walls
+{
+public:
+    Walls(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+          const SkinPairs& pairs)
+        : mesh_(mesh), graph_(graph), cells_(cells), pairs_(pairs)
+    {
+        std::map<std::pair<int, int>, std::vector<int>> skins;
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            if (pairs.side[at(t)] != 0)
+                skins[{graph.component[at(t)], pairs.side[at(t)]}].push_back(t);
+        for (const auto& [skin, facets] : skins)
+            trees_.emplace(skin, PickingTree(submesh(mesh, facets).mesh));
+        result_.side = pairs.side;
+        result_.is_lump.assign(pairs.side.size(), 0);
+        result_.is_step.assign(pairs.side.size(), 0);
+        is_wall_.assign(pairs.side.size(), 0);
+    }
+
+    FacetSides run()
+    {
+        find_sides_of_patches();
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            if (pairs_.side[at(t)] == 0 && !graph_.is_thin[at(t)] && thickness(t) > 0.0)
+                place(t);
+        give_steps_to_their_skin();
+        place_thin_facets();
+        return result_;
+    }
+
+private:
+    // 0 on components that are not thin solids.
+    double thickness(int facet) const
+    {
+        const std::size_t component = at(graph_.component[at(facet)]);
+        return pairs_.is_thin[component] ? cells_.thickness[component] : 0.0;
+    }
+
+    // On a skin of the component of a facet: what touches it from outside plays no role.
+    Hit nearest(int facet, int sign, const Vector3& point) const
+    {
+        return *trees_.at({graph_.component[at(facet)], sign}).nearest_point(point);
+    }
+
+    void find_sides_of_patches()
+    {
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            if (const int side = pairs_.side[at(t)]; side != 0)
+            {
+                int& found = side_of_patch_.emplace(cells_.patch[at(t)], side).first->second;
+                found = found == side ? side : on_both;
+            }
+    }
+
+    // Farthest a corner of the facet is from a skin.
+    double farthest(int facet, int sign) const
+    {
+        double longest = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+            const Vector3 corner = mesh_.points().row(mesh_.triangles()(facet, k)).transpose();
+            longest = std::max(longest, nearest(facet, sign, corner).distance);
+        }
+        return longest;
+    }
+
+    bool runs_along(int facet, const Hit& other) const
+    {
+        const Vector3 way = other.point - graph_.centres.row(facet).transpose();
+        return -way.dot(graph_.normals.row(facet)) < across * way.norm();
+    }
+
+    void place(int facet)
+    {
+        const auto patch = side_of_patch_.find(cells_.patch[at(facet)]);
+        const double reach = reach_of_walls * thickness(facet);
+        if (patch != side_of_patch_.end() && patch->second != on_both)
+        {
+            const Hit other = nearest(facet, -patch->second, graph_.centres.row(facet).transpose());
+            is_wall_[at(facet)] = other.distance <= reach && runs_along(facet, other);
+            if (!is_wall_[at(facet)])
+                add_to_skin(facet, patch->second);
+            return;
+        }
+        is_wall_[at(facet)] = farthest(facet, 1) <= reach && farthest(facet, -1) <= reach;
+        result_.is_lump[at(facet)] = !is_wall_[at(facet)];
+    }
+
+    void add_to_skin(int facet, int sign)
+    {
+        result_.side[at(facet)] = sign;
+        const Hit other = nearest(facet, -sign, graph_.centres.row(facet).transpose());
+        result_.is_lump[at(facet)] = other.distance > thickest_of_skin * thickness(facet);
+    }
+
+    void give_steps_to_their_skin()
+    {
+        DisjointSets walls(graph_.facet_count());
+        for (const FacetJoint& joint : graph_.joints)
+            if (is_wall_[at(joint.one)] && is_wall_[at(joint.other)])
+                walls.join(joint.one, joint.other);
+        std::map<int, int> side_around;
+        const auto note = [&](int wall, int other)
+        {
+            const int side = result_.side[at(other)];
+            if (!is_wall_[at(wall)] || is_wall_[at(other)] || side == 0)
+                return;
+            int& found = side_around.emplace(walls.root(wall), side).first->second;
+            found = found == side ? side : on_both;
+        };
+        for (const FacetJoint& joint : graph_.joints)
+        {
+            note(joint.one, joint.other);
+            note(joint.other, joint.one);
+        }
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            if (is_wall_[at(t)])
+                if (const auto found = side_around.find(walls.root(t));
+                    found != side_around.end() && found->second != on_both)
+                {
+                    add_to_skin(t, found->second);
+                    result_.is_step[at(t)] = 1;
+                }
+    }
+
+    // Facets without a plane go with a skin all of whose corners they share, so that it has no
+    // slit.
+    void place_thin_facets()
+    {
+        std::vector<std::array<char, 2>> touches(at(mesh_.vertex_count()), {0, 0});
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            for (int k = 0; k < 3 && result_.side[at(t)] != 0; ++k)
+                touches[at(mesh_.triangles()(t, k))][result_.side[at(t)] > 0 ? 0 : 1] = 1;
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            for (const int sign : {1, -1})
+                if (graph_.is_thin[at(t)] && thickness(t) > 0.0 && result_.side[at(t)] == 0)
+                {
+                    bool all = true;
+                    for (int k = 0; k < 3; ++k)
+                        all = all && touches[at(mesh_.triangles()(t, k))][sign > 0 ? 0 : 1] != 0;
+                    result_.side[at(t)] = all ? sign : 0;
+                }
+    }
+
+    const TriangleMesh& mesh_;
+    const SolidFacets& graph_;
+    const SkinCells& cells_;
+    const SkinPairs& pairs_;
+    std::map<std::pair<int, int>, PickingTree> trees_;  // by component and side
+    std::map<int, int> side_of_patch_;
+    std::vector<char> is_wall_;
+    FacetSides result_;
+};
+
+}  // namespace
+
+FacetSides skin_walls(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+                      const SkinPairs& pairs)
+{
+    if (std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 1) == pairs.is_thin.end())
+        return {pairs.side, std::vector<char>(pairs.side.size(), 0),
+                std::vector<char>(pairs.side.size(), 0)};
+    return Walls(mesh, graph, cells, pairs).run();
+}
+
+}  // namespace sheetmorph

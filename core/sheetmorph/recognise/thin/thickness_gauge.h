@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/recognise/thin/thin_solid.h"
+
+namespace sheetmorph
+{
+
+//! The thickness of a thin solid at rest and in one pose, mm: distances of the vertices of one skin
+//! to the other. Lumps are left out.
+struct ThicknessChange
+{
+    double rest_least = 0.0, rest_most = 0.0;
+    double least = 0.0, most = 0.0;
+    double worst = 0.0;           //!< largest |t / t_rest - 1| away from the edges of walls
+    double worst_at_walls = 0.0;  //!< the same at vertices that are on a wall too
+};
+
+//! \param mesh       at rest
+//! \param positions  (n, 3) mm, of the whole part in one pose
+ThicknessChange thickness_change(const TriangleMesh& mesh, const ThinSolid& solid,
+                                 const Points& positions);
+
+}  // namespace sheetmorph

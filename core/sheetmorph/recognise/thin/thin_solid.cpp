@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/thin/thin_solid.h"
+
+#include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/recognise/thin/skin_walls.h"
+#include "sheetmorph/recognise/thin/solid_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Beyond this many typical thicknesses, what a look finds is not the other skin.
+constexpr double farthest_skin = 1.8;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+// What speaks against a skin of one component as the main one, the first that differs decides.
+struct Candidate
+{
+    double steps = 0.0, area = 0.0;
+    int first = std::numeric_limits<int>::max();
+
+    bool is_better_than(const Candidate& other) const
+    {
+        const double rounding = 1e-9 * (area + other.area);
+        if (std::abs(steps - other.steps) > rounding)
+            return steps < other.steps;
+        if (std::abs(area - other.area) > rounding)
+            return area > other.area;
+        return first < other.first;
+    }
+};
+
+// By component: +1 or -1, the side that is the main skin.
+std::vector<int> main_sides(const SolidFacets& graph, const FacetSides& sides)
+{
+    std::vector<std::array<Candidate, 2>> skins(graph.is_closed.size());
+    for (int t = 0; t < graph.facet_count(); ++t)
+    {
+        if (sides.side[at(t)] == 0)
+            continue;
+        Candidate& skin = skins[at(graph.component[at(t)])][sides.side[at(t)] > 0 ? 0 : 1];
+        skin.area += graph.areas(t);
+        skin.steps += sides.is_step[at(t)] ? graph.areas(t) : 0.0;
+        skin.first = std::min(skin.first, t);
+    }
+    std::vector<int> found;
+    for (const auto& [plus, minus] : skins)
+        found.push_back(minus.is_better_than(plus) ? -1 : 1);
+    return found;
+}
+
+std::vector<SolidSide> facet_sides(const SolidFacets& graph, const SkinPairs& pairs,
+                                   const FacetSides& sides)
+{
+    const std::vector<int> main = main_sides(graph, sides);
+    std::vector<SolidSide> found;
+    for (int t = 0; t < graph.facet_count(); ++t)
+    {
+        const std::size_t component = at(graph.component[at(t)]);
+        if (!pairs.is_thin[component] || sides.side[at(t)] == main[component])
+            found.push_back(SolidSide::main);
+        else if (sides.side[at(t)] != 0)
+            found.push_back(SolidSide::opposite);
+        else
+            found.push_back(sides.is_lump[at(t)] ? SolidSide::lump : SolidSide::wall);
+    }
+    return found;
+}
+
+std::vector<SolidSide> vertex_sides(const TriangleMesh& mesh, const std::vector<SolidSide>& facets)
+{
+    std::vector<SolidSide> found(at(mesh.vertex_count()), SolidSide::lump);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+        {
+            SolidSide& side = found[at(mesh.triangles()(t, k))];
+            side = std::min(side, facets[at(t)]);
+        }
+    return found;
+}
+
+// The mean of what the looks from the facets around a vertex, on its own skin, have found; looks
+// through lumps do not count.
+Eigen::VectorXd thickness_map(const TriangleMesh& mesh, const ThinSolid& solid,
+                              const std::vector<InwardProbe>& probes,
+                              const std::vector<double>& typical)
+{
+    const Eigen::Index count = mesh.vertex_count();
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), share = Eigen::VectorXd::Zero(count);
+    for (const InwardProbe& probe : probes)
+    {
+        const SolidSide side = solid.facets[at(probe.facet)];
+        const double reach = farthest_skin * typical[at(solid.component[at(probe.facet)])];
+        if (!probe.is_facing || probe.distance > reach
+            || (side != SolidSide::main && side != SolidSide::opposite))
+            continue;
+        for (int k = 0; k < 3; ++k)
+        {
+            const int vertex = mesh.triangles()(probe.facet, k);
+            if (solid.vertices[at(vertex)] != side)
+                continue;
+            sum(vertex) += probe.area * probe.distance;
+            share(vertex) += probe.area;
+        }
+    }
+    return (share.array() > 0.0)
+        .select(sum.array() / share.array(), std::numeric_limits<double>::quiet_NaN());
+}
+
+// The thickness of the thin component with the largest surface.
+double main_thickness(const SolidFacets& graph, const SkinCells& cells, const SkinPairs& pairs)
+{
+    std::vector<double> areas(graph.is_closed.size(), 0.0);
+    for (int t = 0; t < graph.facet_count(); ++t)
+        if (pairs.is_thin[at(graph.component[at(t)])])
+            areas[at(graph.component[at(t)])] += graph.areas(t);
+    const auto largest = std::max_element(areas.begin(), areas.end());
+    return cells.thickness[static_cast<std::size_t>(largest - areas.begin())];
+}
+
+std::string why_not(const SolidFacets& graph, const SkinPairs& pairs)
+{
+    const auto none = [](const std::vector<char>& flags)
+    { return std::find(flags.begin(), flags.end(), 1) == flags.end(); };
+    if (none(graph.is_closed))
+        return "its surface is not closed, or not oriented in one way; weld and orient it if it "
+               "should be a solid";
+    const double share = *std::max_element(pairs.share.begin(), pairs.share.end());
+    if (share >= least_share_of_skins)
+        return "its thickness is more than a tenth of its size; leave it as it is";
+    return "it has no two skins one thickness apart (they would be "
+           + std::to_string(std::lround(100.0 * share)) + " % of its surface); leave it as it is";
+}
+
+// What the facets of a mesh were found to be, before the solid is put together.
+struct Findings
+{
+    const TriangleMesh& mesh;
+    const SolidFacets& graph;
+    const std::vector<InwardProbe>& probes;
+    const SkinCells& cells;
+};
+
+ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
+{
+    const FacetSides sides = skin_walls(found.mesh, found.graph, found.cells, pairs);
+    ThinSolid solid;
+    solid.thickness = main_thickness(found.graph, found.cells, pairs);
+    solid.facets = facet_sides(found.graph, pairs, sides);
+    solid.component = found.graph.component;
+    solid.vertices = vertex_sides(found.mesh, solid.facets);
+    solid.thicknesses = thickness_map(found.mesh, solid, found.probes, found.cells.thickness);
+    solid.walls = wall_pieces(found.mesh, found.graph, solid.facets);
+    solid.holes = through_holes(found.mesh, found.graph, solid);
+    solid.lumps = lump_pieces(found.mesh, found.probes, sides.is_lump);
+    return solid;
+}
+
+// By component: whether its main skin is in several pieces that no lump holds together.
+std::vector<char> broken_components(const TriangleMesh& mesh, const ThinSolid& solid)
+{
+    DisjointSets sets(mesh.vertex_count());
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 1; k < 3 && solid.facets[at(t)] == SolidSide::main; ++k)
+            sets.join(mesh.triangles()(t, 0), mesh.triangles()(t, k));
+    for (const VertexIds& lump : solid.lumps)
+        for (const int vertex : lump)
+            sets.join(lump.front(), vertex);
+    std::vector<int> root;
+    std::vector<char> is_broken;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        const std::size_t component = at(solid.component[at(t)]);
+        if (component >= root.size())
+        {
+            root.resize(component + 1, -1);
+            is_broken.resize(component + 1, 0);
+        }
+        if (solid.facets[at(t)] != SolidSide::main)
+            continue;
+        const int own = sets.root(mesh.triangles()(t, 0));
+        is_broken[component] =
+            is_broken[component] || (root[component] >= 0 && root[component] != own);
+        root[component] = own;
+    }
+    return is_broken;
+}
+
+}  // namespace
+
+ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
+{
+    if (!(thickness >= 0.0) || std::isinf(thickness))
+        throw InvalidInput("the thickness of a thin solid must be a number of mm, 0 or more");
+    if (mesh.triangle_count() == 0)
+        return {std::nullopt, "it has no triangles; give it some"};
+    const SolidFacets graph = solid_facets(mesh);
+    const std::vector<InwardProbe> probes = inward_probes(mesh, graph);
+    const SkinCells cells = skin_cells(graph, probes, thickness);
+    SkinPairs pairs = skin_pairs(mesh, graph, cells);
+    const auto is_none = [&]
+    { return std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 1) == pairs.is_thin.end(); };
+    if (is_none())
+        return {std::nullopt, why_not(graph, pairs)};
+    const Findings found{mesh, graph, probes, cells};
+    ThinSolid solid = solid_of(found, pairs);
+    const std::vector<char> is_broken = broken_components(mesh, solid);
+    if (std::find(is_broken.begin(), is_broken.end(), 1) == is_broken.end())
+        return {std::move(solid), ""};
+    for (std::size_t component = 0; component < is_broken.size(); ++component)
+        if (is_broken[component])
+            pairs.is_thin[component] = 0;
+    if (is_none())
+        return {std::nullopt, "its skin is in pieces that only walls connect; leave it as it is"};
+    return {solid_of(found, pairs), ""};
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/repair/remeshing/patches.h"
+
+#include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/mesh/quality/thinness.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double flatness = 2e-7;         // of the size: distance from the plane of a group
+constexpr double same_direction = 0.999;  // cosine between the normals inside a group
+
+Vector3 area_vector(const TriangleMesh& mesh, int triangle)
+{
+    const auto corner = [&](int k) -> Vector3
+    { return mesh.points().row(mesh.triangles()(triangle, k)).transpose(); };
+    return 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0));
+}
+
+// Groups of coplanar triangles, begun with the largest, whose plane is the surest.
+class PlaneFlood
+{
+public:
+    PlaneFlood(const TriangleMesh& mesh, const EdgeTable& table)
+        : mesh_(mesh),
+          table_(table),
+          tolerance_(flatness * mesh.size()),
+          plane_(static_cast<std::size_t>(mesh.triangle_count()), -1)
+    {
+    }
+
+    std::vector<int> groups()
+    {
+        std::vector<double> area(plane_.size());
+        for (int t = 0; t < mesh_.triangle_count(); ++t)
+            area[t] = area_vector(mesh_, t).norm();
+        std::vector<int> order(plane_.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](int a, int b) { return area[a] > area[b]; });
+        for (const int seed : order)
+            if (plane_[seed] < 0)
+                grow(seed, count_++);
+        return plane_;
+    }
+
+private:
+    void grow(int seed, int group)
+    {
+        const Vector3 normal = area_vector(mesh_, seed).normalized();
+        const Vector3 origin = mesh_.points().row(mesh_.triangles()(seed, 0));
+        std::vector<int> front{seed};
+        plane_[seed] = group;
+        for (std::size_t next = 0; next < front.size(); ++next)
+            for (int k = 0; k < 3; ++k)
+            {
+                const int edge = table_.edge_of(front[next], k);
+                if (edge < 0 || table_.uses(edge).count() != 2)
+                    continue;
+                for (const EdgeUse& use : table_.uses(edge))
+                    if (plane_[use.triangle] < 0 && is_on_plane(use.triangle, normal, origin))
+                    {
+                        plane_[use.triangle] = group;
+                        front.push_back(use.triangle);
+                    }
+            }
+    }
+
+    bool is_on_plane(int triangle, const Vector3& normal, const Vector3& origin) const
+    {
+        for (int k = 0; k < 3; ++k)
+        {
+            const Vector3 corner = mesh_.points().row(mesh_.triangles()(triangle, k));
+            if (std::abs((corner - origin).dot(normal)) > tolerance_)
+                return false;
+        }
+        return is_thin(mesh_.points(), mesh_.triangles(), triangle)
+               || area_vector(mesh_, triangle).normalized().dot(normal) > same_direction;
+    }
+
+    const TriangleMesh& mesh_;
+    const EdgeTable& table_;
+    double tolerance_;
+    std::vector<int> plane_;
+    int count_ = 0;
+};
+
+// Whether each group is wide: twice its area over the length of its border.
+std::vector<char> wide_groups(const TriangleMesh& mesh, const EdgeTable& table,
+                              const std::vector<int>& plane, double least_width)
+{
+    const int count = plane.empty() ? 0 : *std::max_element(plane.begin(), plane.end()) + 1;
+    std::vector<double> area(count, 0.0), border(count, 0.0);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        area[plane[t]] += area_vector(mesh, t).norm();
+    for (int edge = 0; edge < table.count(); ++edge)
+    {
+        const EdgeUses uses = table.uses(edge);
+        const EdgeUse& first = *uses.begin();
+        const double length = (mesh.points().row(first.to) - mesh.points().row(first.from)).norm();
+        const bool is_inner =
+            uses.count() == 2 && plane[first.triangle] == plane[(uses.begin() + 1)->triangle];
+        for (const EdgeUse& use : uses)
+            border[plane[use.triangle]] += is_inner ? 0.0 : length;
+    }
+    std::vector<char> is_wide(count);
+    for (int group = 0; group < count; ++group)
+        is_wide[group] = 2.0 * area[group] > least_width * border[group];
+    return is_wide;
+}
+
+// Patches are what ridges separate; numbered by their first triangle.
+void number_patches(const TriangleMesh& mesh, const EdgeTable& table,
+                    const std::vector<char>& is_wide, Patches& found)
+{
+    DisjointSets sets(mesh.triangle_count());
+    for (int edge = 0; edge < table.count(); ++edge)
+        if (!found.is_ridge[edge])
+            sets.join(table.uses(edge).begin()->triangle, (table.uses(edge).begin() + 1)->triangle);
+    found.patch.assign(static_cast<std::size_t>(mesh.triangle_count()), -1);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        const int root = sets.root(t);
+        if (root == t)
+        {
+            found.patch[t] = static_cast<int>(found.is_flat.size());
+            found.is_flat.push_back(is_wide[found.plane[t]]);
+        }
+        found.patch[t] = found.patch[root];
+    }
+}
+
+}  // namespace
+
+Patches find_patches(const TriangleMesh& mesh, const EdgeTable& table, const PatchOptions& options)
+{
+    Patches found;
+    found.plane = PlaneFlood(mesh, table).groups();
+    const std::vector<char> is_wide = wide_groups(mesh, table, found.plane, options.least_width);
+    found.is_ridge.assign(static_cast<std::size_t>(table.count()), 1);
+    for (int edge = 0; edge < table.count(); ++edge)
+    {
+        const EdgeUses uses = table.uses(edge);
+        if (uses.count() != 2)
+            continue;
+        const EdgeUse& one = *uses.begin();
+        const EdgeUse& two = *(uses.begin() + 1);
+        const int a = found.plane[one.triangle], b = found.plane[two.triangle];
+        found.is_ridge[edge] = a != b
+                               && (is_wide[a] || is_wide[b]
+                                   || bend_angle(mesh.points(), one, two) > options.crease_angle);
+    }
+    number_patches(mesh, table, is_wide, found);
+    return found;
+}
+
+}  // namespace sheetmorph

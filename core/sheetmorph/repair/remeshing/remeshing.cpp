@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/repair/remeshing/remeshing.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/repair/remeshing/remesh_result.h"
+#include "sheetmorph/repair/remeshing/round_rims.h"
+#include "sheetmorph/repair/remeshing/twin_flats.h"
+#include "sheetmorph/repair/remeshing/working_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+constexpr double most_triangles = 3e6;
+
+void check(const TriangleMesh& mesh, const RemeshOptions& options)
+{
+    if (!(options.edge > 0.0) || !std::isfinite(options.edge))
+        throw InvalidInput("the edge length to remesh with is " + std::to_string(options.edge)
+                           + " mm; give a positive one");
+    double area = 0.0;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        const auto corner = [&](int k) -> Vector3
+        { return mesh.points().row(mesh.triangles()(t, k)).transpose(); };
+        area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    }
+    const double equilateral = 0.433 * options.edge * options.edge;
+    if (area > most_triangles * equilateral)
+        throw InvalidInput("edges of " + std::to_string(options.edge) + " mm would need "
+                           + std::to_string(std::lround(area / equilateral / 1e6))
+                           + " million triangles; give a longer edge, "
+                           + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
+}
+
+// The edges of a table for which a condition holds, as sorted pairs of vertices.
+template <typename Condition>
+Pairs pairs_where(const EdgeTable& table, Condition condition)
+{
+    Pairs pairs;
+    for (int edge = 0; edge < table.count(); ++edge)
+        if (condition(edge))
+        {
+            const EdgeUse& use = *table.uses(edge).begin();
+            pairs.emplace_back(std::min(use.from, use.to), std::max(use.from, use.to));
+        }
+    return pairs;
+}
+
+// The same flats with better triangles between the same vertices: what is cut along ridges
+// afterwards then has short ways across.
+TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const EdgeTable& table,
+                               const Patches& patches)
+{
+    const Pairs folds =
+        pairs_where(table,
+                    [&](int edge)
+                    {
+                        const EdgeUses uses = table.uses(edge);
+                        return uses.count() != 2
+                               || patches.plane[uses.begin()->triangle]
+                                      != patches.plane[(uses.begin() + 1)->triangle];
+                    });
+    const std::vector<double> sizes(static_cast<std::size_t>(mesh.vertex_count()), 0.0);
+    WorkingMesh work({mesh, folds, patches.patch, sizes, patches.is_flat});
+    flip_to_delaunay(work);
+    Triangles triangles(mesh.triangle_count(), 3);
+    for (const WorkingMesh::Face face : work.surface.faces())
+    {
+        WorkingMesh::Halfedge h = work.surface.halfedge(face);
+        for (int k = 0; k < 3; ++k, h = work.surface.next(h))
+            triangles(static_cast<int>(face), k) = work.origin[work.surface.source(h)];
+    }
+    return TriangleMesh(mesh.points(), std::move(triangles));
+}
+
+// The ridges of a mesh in the table of another with the same ridges.
+Patches on_table(const Patches& patches, const EdgeTable& before, const EdgeTable& after)
+{
+    const Pairs ridges = pairs_where(before, [&](int edge) { return patches.is_ridge[edge] != 0; });
+    Patches found = patches;
+    found.is_ridge.assign(static_cast<std::size_t>(after.count()), 0);
+    for (int edge = 0; edge < after.count(); ++edge)
+    {
+        const EdgeUse& use = *after.uses(edge).begin();
+        found.is_ridge[edge] =
+            std::binary_search(ridges.begin(), ridges.end(),
+                               std::pair(std::min(use.from, use.to), std::max(use.from, use.to)));
+    }
+    return found;
+}
+
+// Triangles and the patch of each.
+struct PatchTriangles
+{
+    TriangleMesh mesh;
+    std::vector<int> patch;
+};
+
+// A mesh without the second flat of every pair.
+PatchTriangles without_twins(const PatchTriangles& given, const std::vector<TwinFlats>& twins)
+{
+    std::vector<int> kept;
+    for (int t = 0; t < given.mesh.triangle_count(); ++t)
+        if (std::none_of(twins.begin(), twins.end(),
+                         [&](const TwinFlats& pair)
+                         { return pair.twin == given.patch[static_cast<std::size_t>(t)]; }))
+            kept.push_back(t);
+    std::vector<int> patch;
+    for (const int t : kept)
+        patch.push_back(given.patch[static_cast<std::size_t>(t)]);
+    return {TriangleMesh(given.mesh.points(), given.mesh.triangles()(kept, Eigen::all)), patch};
+}
+
+void project(WorkingMesh& work, const PatchTrees& trees)
+{
+    std::vector<WorkingMesh::Vertex> moving;
+    for (const WorkingMesh::Vertex v : work.surface.vertices())
+        if (!work.is_frozen[v])
+            moving.push_back(v);
+    const int count = static_cast<int>(moving.size());
+#pragma omp parallel for schedule(dynamic, 256)
+    for (int k = 0; k < count; ++k)
+    {
+        const int patch = work.patch[work.surface.face(work.surface.halfedge(moving[k]))];
+        work.move(moving[k], trees.nearest(patch, work.point(moving[k])).point);
+    }
+}
+
+void improve(WorkingMesh& work, const PatchTrees& trees, const Progress& progress)
+{
+    constexpr int rounds = 8, finishing = 3;
+    flip_to_delaunay(work);
+    for (int round = 0; round < rounds + finishing; ++round)
+    {
+        progress.report(double(round) / (rounds + finishing), "remeshing");
+        if (round < rounds)
+            split_long_edges(work);
+        collapse_short_edges(work);
+        flip_to_delaunay(work, 4);
+        smooth(work);
+        project(work, trees);
+    }
+    flip_to_delaunay(work);
+}
+
+}  // namespace
+
+RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
+                      const Progress& progress)
+{
+    check(mesh, options);
+    progress.report(0.0, "finding flats and creases");
+    const EdgeTable table(mesh);
+    const Patches patches = find_patches(mesh, table, {options.crease_angle, 0.5 * options.edge});
+    const TriangleMesh flipped = flipped_on_planes(mesh, table, patches);
+    const EdgeTable flipped_table(flipped);
+    const Patches on_flipped = on_table(patches, table, flipped_table);
+    RoundRims rims;
+    if (options.are_rims_on_circles)
+        rims = RoundRims(mesh, table);
+    const Pairs ridges = pairs_where(table, [&](int edge) { return patches.is_ridge[edge] != 0; });
+    const double least_area = options.edge * options.edge;
+    const FoundTwins found =
+        find_twin_flats({flipped, patches.patch, ridges}, patches.is_flat, least_area);
+    const std::vector<double> sizes = wanted_sizes(flipped, flipped_table, on_flipped,
+                                                   {options.edge, rims.sizes(mesh.vertex_count())});
+    CutMesh cut = cut_ridges(flipped, flipped_table, on_flipped,
+                             {{options.edge, evened(sizes, found.twins)}, found.stops});
+    cut.mesh = rims.rounded(mesh.vertex_count(), cut);
+    std::vector<int> patch;
+    for (const int origin : cut.triangle_of)
+        patch.push_back(patches.patch[origin]);
+    const std::vector<TwinFlats> twins =
+        twins_after_cuts(found.twins, {cut.mesh, patch, cut.ridges});
+    const PatchTriangles worked = without_twins({cut.mesh, patch}, twins);
+    WorkingMesh work(
+        {worked.mesh, cut.ridges, worked.patch, cut.sizes, patches.is_flat, options.edge});
+    const PatchTrees trees(mesh, patches.patch);
+    improve(work, trees, progress.part(0.1, 0.8));
+    progress.report(0.8, "measuring the deviation");
+    return result_of(work, {mesh, table, patches, cut, trees, twins, rims.count()});
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/repair/remeshing/sizes.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double finest = 1.0 / 30.0;  // of the edge length wanted
+constexpr double per_segment = 1.3;    // edges beside a ridge, over its shortest segment
+constexpr double per_radius = 0.35;    // edges on a bend, over its radius
+constexpr double least_bend = 0.003;   // radians; less counts as flat
+
+double length(const TriangleMesh& mesh, const EdgeUse& use)
+{
+    return (mesh.points().row(use.to) - mesh.points().row(use.from)).norm();
+}
+
+// Of a triangle over the edge it is used at.
+double height(const TriangleMesh& mesh, const EdgeUse& use)
+{
+    const Vector3 way = mesh.points().row(use.to) - mesh.points().row(use.from);
+    const Vector3 across = mesh.points().row(use.opposite) - mesh.points().row(use.from);
+    return way.cross(across).norm() / std::max(way.norm(), 1e-300);
+}
+
+// The radius of the bend that an edge between two facets is a line of.
+double radius(const TriangleMesh& mesh, const EdgeUses& uses, double bend)
+{
+    return 0.5 * (height(mesh, *uses.begin()) + height(mesh, *(uses.begin() + 1))) / bend;
+}
+
+// Vertices reach each other along edges; the smallest is settled first.
+void grow_slowly(const TriangleMesh& mesh, const EdgeTable& table, std::vector<double>& size)
+{
+    std::vector<std::vector<std::pair<int, double>>> neighbours(size.size());
+    for (int edge = 0; edge < table.count(); ++edge)
+    {
+        const EdgeUse& use = *table.uses(edge).begin();
+        neighbours[use.from].emplace_back(use.to, length(mesh, use));
+        neighbours[use.to].emplace_back(use.from, length(mesh, use));
+    }
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+    for (std::size_t i = 0; i < size.size(); ++i)
+        waiting.emplace(size[i], static_cast<int>(i));
+    while (!waiting.empty())
+    {
+        const auto [here, vertex] = waiting.top();
+        waiting.pop();
+        if (here > size[vertex])
+            continue;
+        for (const auto& [other, distance] : neighbours[vertex])
+            if (here + size_growth * distance < size[other])
+            {
+                size[other] = here + size_growth * distance;
+                waiting.emplace(size[other], other);
+            }
+    }
+}
+
+}  // namespace
+
+std::vector<double> wanted_sizes(const TriangleMesh& mesh, const EdgeTable& table,
+                                 const Patches& patches, const SizeLimits& limits)
+{
+    const double edge_length = limits.edge;
+    std::vector<double> size(static_cast<std::size_t>(mesh.vertex_count()), edge_length);
+    const auto limit = [&](const EdgeUse& use, double wanted)
+    {
+        const double most = std::max(wanted, finest * edge_length);
+        size[use.from] = std::min(size[use.from], most);
+        size[use.to] = std::min(size[use.to], most);
+    };
+    for (int edge = 0; edge < table.count(); ++edge)
+    {
+        const EdgeUses uses = table.uses(edge);
+        const EdgeUse& use = *uses.begin();
+        if (patches.is_ridge[edge])
+            limit(use, per_segment * length(mesh, use));
+        const double bend =
+            uses.count() == 2 ? bend_angle(mesh.points(), use, *(uses.begin() + 1)) : 0.0;
+        const bool is_curved =
+            uses.count() == 2
+            && (!patches.is_flat[patches.patch[use.triangle]]
+                || !patches.is_flat[patches.patch[(uses.begin() + 1)->triangle]]);
+        if (is_curved && !patches.is_ridge[edge] && bend > least_bend)
+            limit(use, std::max(per_radius * radius(mesh, uses, bend), 0.125 * edge_length));
+    }
+    for (std::size_t i = 0; i < size.size(); ++i)
+        size[i] = std::min(size[i], std::max(limits.at_vertices[i], finest * edge_length));
+    grow_slowly(mesh, table, size);
+    return size;
+}
+
+}  // namespace sheetmorph

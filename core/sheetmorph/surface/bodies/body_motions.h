@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/surface/rotation/rotation_field.h"
+#include "sheetmorph/surface/targets.h"
+
+namespace sheetmorph
+{
+
+//! What is known of the bodies in one pose, before the energy is minimised.
+struct BodyMotions
+{
+    std::vector<RigidMotion> motions;  //!< whole motion of known bodies, about the body's centre
+    Points logs;                       //!< (b, 3) rotations, zero where interpolated
+    Points tilts;                      //!< (b, 3) what the logs cannot tell: R = exp(tilt) exp(log)
+};
+
+//! What the rotation field is given. Near whole turns the logarithm of a rotation leaps; there the
+//! logs follow smoothly and the rest is a tilt of its own: R = exp(tilt) exp(log), all (2.6).
+struct GivenRotations
+{
+    KnownRotations logs;
+    KnownRotations tilts;
+    bool is_tilted = false;  //!< false: every tilt is zero
+};
+
+//! A part and what decides its vertices.
+struct PlacementInput
+{
+    const TriangleMesh& rest;
+    const SurfaceConstraints& constraints;
+    const VertexRoles& roles;
+};
+
+//! Where a body is: x -> centre + rotation (x - centre at rest).
+struct BodyState
+{
+    Matrix3 rotation = Matrix3::Identity();
+    Vector3 centre = Vector3::Zero();  //!< of the body, mm
+};
+
+//! The same as a motion about the body's centre; the log is the branch nearest to `reference`.
+RigidMotion motion_of(const Body& body, const BodyState& state, const Vector3& reference);
+
+//! Motions of bodies that fixed regions, handles or propagated vertices carry, and the rotations
+//! of prescribed ones.
+BodyMotions known_body_motions(const PlacementInput& part, const SurfaceTargets& targets);
+
+//! Every rotation the pose gives, for the rotation field.
+GivenRotations given_rotations(const PlacementInput& part, const SurfaceTargets& targets,
+                               const BodyMotions& bodies);
+
+//! Gives bodies whose translation is open the rotation the field has on them.
+//! \param logs, tilts  (n, 3)
+void turn_open_bodies(const PlacementInput& part, const Points& logs, const Points& tilts,
+                      BodyMotions& bodies);
+
+}  // namespace sheetmorph

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/operators/followers.h"
+
+#include "sheetmorph/base/rotation.h"
+#include "sheetmorph/mesh/search/picking.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles)
+{
+    if (std::find(roles.role.begin(), roles.role.end(), Role::follower) == roles.role.end())
+        return;
+    const PickingTree tree(rest);
+    for (int i = 0; i < rest.vertex_count(); ++i)
+        if (roles.role[static_cast<std::size_t>(i)] == Role::follower)
+        {
+            const std::optional<Hit> nearest = tree.nearest_point(rest.points().row(i).transpose());
+            if (nearest)
+                anchors_.push_back({i, nearest->triangle, nearest->barycentric});
+        }
+}
+
+void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const
+{
+    for (const Anchor& anchor : anchors_)
+    {
+        Vector3 position = Vector3::Zero();
+        Vector3 log = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+        {
+            const int corner = rest.triangles()(anchor.triangle, k);
+            const Vector3 arm =
+                (rest.points().row(anchor.vertex) - rest.points().row(corner)).transpose();
+            const Vector3 corner_log = rotation_logs.row(corner).transpose();
+            const Vector3 carried =
+                positions.row(corner).transpose() + rotation_from_log(corner_log) * arm;
+            position += anchor.barycentric(k) * carried;
+            log += anchor.barycentric(k) * corner_log;
+        }
+        positions.row(anchor.vertex) = position.transpose();
+        rotation_logs.row(anchor.vertex) = log.transpose();
+    }
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/surface/operators/vertex_roles.h"
+
+namespace sheetmorph
+{
+
+//! Vertices of no triangle keep their place relative to the nearest triangle and its rotations:
+//! p = sum_j beta_j (p_j + R_j (p_hat - p_hat_j)).
+class Followers
+{
+public:
+    Followers(const TriangleMesh& rest, const VertexRoles& roles);
+
+    //! Fills the followers' rows of `positions` and `rotation_logs`, both (n, 3).
+    void place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const;
+
+    bool is_empty() const { return anchors_.empty(); }
+
+private:
+    struct Anchor
+    {
+        int vertex;
+        int triangle;
+        Vector3 barycentric;
+    };
+    std::vector<Anchor> anchors_;
+};
+
+}  // namespace sheetmorph

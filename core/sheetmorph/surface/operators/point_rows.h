@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
+#include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/targets.h"
+
+namespace sheetmorph
+{
+
+//! Rows s_l p_i + t_l p_j + u_l p_k of (2.3), (k, n), for the `chosen` points in that order.
+SparseMatrix point_rows(const TriangleMesh& mesh, const std::vector<PointConstraint>& points,
+                        const std::vector<int>& chosen);
+
+//! (k, 3) from where each point is at rest to its target.
+Eigen::MatrixXd point_displacements(const TriangleMesh& mesh,
+                                    const std::vector<PointConstraint>& points,
+                                    const std::vector<PointTarget>& targets);
+
+}  // namespace sheetmorph

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/operators/surface_operators.h"
+
+#include "sheetmorph/mesh/geometry/delaunay_flips.h"
+#include "sheetmorph/mesh/geometry/fans.h"
+#include "sheetmorph/mesh/geometry/operators.h"
+#include "sheetmorph/surface/operators/clamping.h"
+#include "sheetmorph/surface/operators/natural_rows.h"
+
+#include <Eigen/SVD>
+#include <numeric>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Where the cotangents opposite to one edge sum to less than this (a triangle with a corner of more
+// than about 168 degrees beside a good one), `natural` turns to intrinsic triangles by itself.
+constexpr double failing_cotangents = -4.0;
+
+// Three points are in line if they are this much longer than wide.
+constexpr double in_line = 1e-3;
+
+LaidFaces faces_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+{
+    const bool is_natural = constraints.energy == Energy::natural;
+    LaidFaces faces = is_natural ? laid_faces(mesh) : covered_faces(mesh);
+    if (constraints.laplacian == Laplacian::intrinsic
+        || worst_cotangent_sum(faces) < failing_cotangents)
+        flip_to_delaunay(faces);
+    return faces;
+}
+
+// Cotangents and areas of the triangles as they are given.
+SurfaceOperators measured(const TriangleMesh& mesh)
+{
+    SurfaceOperators operators;
+    operators.half_cotangents = half_cotangents(mesh);
+    operators.vertex_areas = voronoi_areas(mesh);
+    return operators;
+}
+
+SurfaceOperators measured(const LaidFaces& faces, int vertex_count)
+{
+    SurfaceOperators operators;
+    operators.half_cotangents.resize(faces.count(), 3);
+    operators.vertex_areas = Eigen::VectorXd::Zero(vertex_count);
+    for (int f = 0; f < faces.count(); ++f)
+    {
+        const LaidFaces::Corners& corners = faces.corners[static_cast<std::size_t>(f)];
+        const Vector3 shares = faces.share * mixed_voronoi_shares(corners);
+        for (int k = 0; k < 3; ++k)
+        {
+            operators.half_cotangents(f, k) = 0.5 * faces.share * corner_cotangent(corners, k);
+            operators.vertex_areas(faces.triangles(f, k)) += shares(k);
+        }
+    }
+    for (double& area : operators.vertex_areas)
+        area = area > 0.0 ? area : 1.0;
+    return operators;
+}
+
+// L of (2.1) and its rest rows; `faces` has the triangles that the operators were measured on.
+void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energy energy)
+{
+    operators.harmonic = std::make_shared<const SparseMatrix>(
+        non_negative_stiffness(faces, operators.half_cotangents));
+    const Eigen::VectorXd per_area = (2.0 * operators.vertex_areas).cwiseInverse();
+    operators.rows = rows_scaled(cotangent_stiffness(faces, operators.half_cotangents), per_area);
+    operators.rest_rows =
+        per_area.asDiagonal() * apply_stiffness(faces, operators.half_cotangents, faces.points());
+    operators.row_vertices.resize(static_cast<std::size_t>(faces.vertex_count()));
+    std::iota(operators.row_vertices.begin(), operators.row_vertices.end(), 0);
+    operators.weights = energy == Energy::paper
+                            ? Eigen::VectorXd(Eigen::VectorXd::Ones(faces.vertex_count()))
+                            : operators.vertex_areas;
+}
+
+// Whether the points on one component hold it without help: three or more, not in line.
+bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                       const Components& components, int component)
+{
+    Points held(0, 3);
+    for (const PointConstraint& point : constraints.points)
+    {
+        const Eigen::RowVector3i corners = mesh.triangles().row(point.triangle);
+        if (components.label[static_cast<std::size_t>(corners(0))] != component)
+            continue;
+        held.conservativeResize(held.rows() + 1, 3);
+        held.bottomRows(1).setZero();
+        for (int k = 0; k < 3; ++k)
+            held.bottomRows(1) += point.barycentric(k) * mesh.points().row(corners(k));
+    }
+    if (held.rows() < 3)
+        return false;
+    const Points spread = held.rowwise() - held.colwise().mean();
+    const Vector3 extents = Eigen::JacobiSVD<Matrix3>(spread.transpose() * spread).singularValues();
+    return extents(1) > in_line * in_line * extents(0);
+}
+
+// Vertices at free edges whose rows of L keep their component from tilting.
+VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                                const VertexRoles& roles, const LaidFaces& faces)
+{
+    VertexIds vertices;
+    for (const int component : roles.held_by_points)
+    {
+        if (is_held_by_points(mesh, constraints, roles.components, component))
+            continue;
+        const std::vector<char> is_interior = fans_of(faces, mesh.vertex_count()).is_interior;
+        for (const int vertex : roles.components.vertices(component))
+            if (!is_interior[static_cast<std::size_t>(vertex)])
+                vertices.push_back(vertex);
+    }
+    return vertices;
+}
+
+// D p_hat, each row about its own vertex, so that coordinates far from the origin lose no digits.
+Points rest_rows(const BendingRows& bending, const Points& points)
+{
+    Points rest = Points::Zero(bending.rows.rows(), 3);
+    for (int column = 0; column < bending.rows.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(bending.rows, column); entry; ++entry)
+        {
+            const int vertex = bending.row_vertices[static_cast<std::size_t>(entry.row())];
+            rest.row(entry.row()) += entry.value() * (points.row(column) - points.row(vertex));
+        }
+    return rest;
+}
+
+// Some rows of L after those of `natural`.
+void append_rows(BendingRows& bending, const SurfaceOperators& laplacian, const VertexIds& vertices)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < bending.rows.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(bending.rows, column); entry; ++entry)
+            entries.emplace_back(static_cast<int>(entry.row()), column, entry.value());
+    std::vector<int> row_of(laplacian.row_vertices.size(), -1);
+    for (const int vertex : vertices)
+    {
+        row_of[static_cast<std::size_t>(vertex)] = static_cast<int>(bending.row_vertices.size());
+        bending.row_vertices.push_back(vertex);
+    }
+    for (int column = 0; column < laplacian.rows.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(laplacian.rows, column); entry; ++entry)
+            if (row_of[static_cast<std::size_t>(entry.row())] >= 0)
+                entries.emplace_back(row_of[static_cast<std::size_t>(entry.row())], column,
+                                     entry.value());
+    const auto count = static_cast<Eigen::Index>(bending.row_vertices.size());
+    bending.rows.resize(count, laplacian.rows.cols());
+    bending.rows.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::Index before = bending.weights.size();
+    bending.weights.conservativeResize(count);
+    for (Eigen::Index row = before; row < count; ++row)
+        bending.weights(row) =
+            laplacian.weights(bending.row_vertices[static_cast<std::size_t>(row)]);
+}
+
+void add_stiffness(SurfaceOperators& operators, const Points& points)
+{
+    operators.stiffness =
+        std::make_shared<const SparseMatrix>(own_product(operators.rows, operators.weights));
+    const auto tree_of = [&](const SparseMatrix& matrix)
+    { return std::make_shared<const SeparatorTree>(nested_dissection(matrix, points)); };
+    operators.tree = tree_of(*operators.stiffness);
+    operators.harmonic_tree = tree_of(*operators.harmonic);
+}
+
+SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                                   const VertexRoles& roles)
+{
+    if (constraints.energy != Energy::natural && constraints.laplacian == Laplacian::cotangent)
+    {
+        SurfaceOperators operators = measured(mesh);
+        add_laplacian(operators, mesh, constraints.energy);
+        return operators;
+    }
+    const LaidFaces faces = faces_of(mesh, constraints);
+    SurfaceOperators operators = measured(faces, mesh.vertex_count());
+    add_laplacian(operators, TriangleMesh(mesh.points(), faces.triangles), constraints.energy);
+    if (constraints.energy != Energy::natural)
+        return operators;
+    BendingRows bending = natural_rows(faces, holding_vertices(constraints, roles));
+    const VertexIds straightened = straightened_vertices(mesh, constraints, roles, faces);
+    if (!straightened.empty())
+        append_rows(bending, operators, straightened);
+    operators.rest_rows = rest_rows(bending, mesh.points());
+    operators.rows = std::move(bending.rows);
+    operators.weights = std::move(bending.weights);
+    operators.row_vertices = std::move(bending.row_vertices);
+    return operators;
+}
+
+}  // namespace
+
+SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                                   const VertexRoles& roles)
+{
+    SurfaceOperators operators = bending_operators(mesh, constraints, roles);
+    add_stiffness(operators, mesh.points());
+    return operators;
+}
+
+}  // namespace sheetmorph

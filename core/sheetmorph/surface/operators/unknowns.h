@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
+
+#include <vector>
+
+namespace sheetmorph
+{
+
+//! Which unknown each vertex takes its value from: one a free vertex, one a rigid body.
+struct Unknowns
+{
+    static constexpr int known = -1;
+
+    std::vector<int> of_vertex;  //!< (n) 0..count-1, or known
+    int count = 0;
+
+    //! S (n, count) of u = S y + offset.
+    SparseMatrix basis() const;
+
+    //! S^T rows: those of one unknown added up.
+    //! \param rows  (n, k)
+    //! \returns     (count, k)
+    Eigen::MatrixXd sums(const Eigen::MatrixXd& rows) const;
+
+    //! S^T M S.
+    //! \param whole  M (n, n), both triangles
+    MergedMatrix merged(std::shared_ptr<const SparseMatrix> whole) const
+    {
+        return {std::move(whole), of_vertex, count};
+    }
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/operators/unknowns.h"
+#include "sheetmorph/surface/rotation/rotation_field.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+// Every rotation that is known gets a number; a vertex belongs to one source or to none.
+struct Sources
+{
+    static constexpr int none = -1;
+    static constexpr int rest = 0;  // fixed regions, and components that nothing turns
+
+    std::vector<int> of_vertex;
+    int count = 1;
+    int first_handle = 1;
+    int first_body = 1;
+    int first_region = 1;
+    int first_point = 1;
+};
+
+int source_of_body(const Sources& sources, const Body& body, int index)
+{
+    switch (body.motion)
+    {
+        case Body::Motion::fixed:
+            return Sources::rest;
+        case Body::Motion::handle:
+            return sources.first_handle + body.driver;
+        case Body::Motion::propagated:
+        case Body::Motion::prescribed:
+            return sources.first_body + index;
+        case Body::Motion::interpolated:
+        case Body::Motion::free:
+            break;
+    }
+    return Sources::none;
+}
+
+int source_of_vertex(const Sources& sources, const VertexRoles& roles, int vertex);
+
+// Between regions that turn differently the field decides.
+int source_of_clamp(const Sources& sources, const VertexRoles& roles, const Clamp& clamp)
+{
+    const int source = source_of_vertex(sources, roles, clamp.carriers.front().vertex);
+    for (const Clamp::Carrier& carrier : clamp.carriers)
+        if (source_of_vertex(sources, roles, carrier.vertex) != source)
+            return Sources::none;
+    return source;
+}
+
+int source_of_vertex(const Sources& sources, const VertexRoles& roles, int vertex)
+{
+    const int owner = roles.owner[at(vertex)];
+    switch (roles.role[at(vertex)])
+    {
+        case Role::fixed:
+        case Role::follower:
+            return Sources::rest;
+        case Role::handle:
+            return sources.first_handle + owner;
+        case Role::propagated:
+            return sources.first_region + owner;
+        case Role::body:
+            return source_of_body(sources, roles.bodies[at(owner)], owner);
+        case Role::clamped:
+            return source_of_clamp(sources, roles, roles.clamps[at(owner)]);
+        case Role::free:
+            break;
+    }
+    return Sources::none;
+}
+
+// A turned point turns the corners of its triangle, and a feature there as a whole.
+void add_turned_points(Sources& sources, const RotationFieldInput& input)
+{
+    std::vector<int> of_body(input.roles.bodies.size(), Sources::none);
+    for (std::size_t k = 0; k < input.constraints.points.size(); ++k)
+    {
+        const PointConstraint& point = input.constraints.points[k];
+        for (int corner = 0; point.is_turned && corner < 3; ++corner)
+        {
+            const int vertex = input.mesh.triangles()(point.triangle, corner);
+            int& source = sources.of_vertex[at(vertex)];
+            if (source != Sources::none)
+                continue;
+            source = sources.first_point + static_cast<int>(k);
+            if (input.roles.role[at(vertex)] == Role::body)
+                of_body[at(input.roles.owner[at(vertex)])] = source;
+        }
+    }
+    for (std::size_t body = 0; body < of_body.size(); ++body)
+        if (of_body[body] != Sources::none)
+            for (const int vertex : input.roles.bodies[body].vertices)
+                sources.of_vertex[at(vertex)] = of_body[body];
+}
+
+// Components without any source keep their orientation.
+void settle_unturned_components(Sources& sources, const VertexRoles& roles)
+{
+    std::vector<char> has_source(at(roles.components.count), 0);
+    for (std::size_t i = 0; i < sources.of_vertex.size(); ++i)
+        if (sources.of_vertex[i] != Sources::none && roles.components.label[i] >= 0)
+            has_source[at(roles.components.label[i])] = 1;
+    for (std::size_t i = 0; i < sources.of_vertex.size(); ++i)
+        if (roles.components.label[i] >= 0 && !has_source[at(roles.components.label[i])])
+            sources.of_vertex[i] = Sources::rest;
+}
+
+Sources number_sources(const RotationFieldInput& input)
+{
+    Sources sources;
+    sources.first_body = sources.first_handle + static_cast<int>(input.constraints.handles.size());
+    sources.first_region = sources.first_body + static_cast<int>(input.roles.bodies.size());
+    sources.first_point =
+        sources.first_region + static_cast<int>(input.constraints.propagated.size());
+    sources.count = sources.first_point + static_cast<int>(input.constraints.points.size());
+    for (int i = 0; i < input.mesh.vertex_count(); ++i)
+        sources.of_vertex.push_back(source_of_vertex(sources, input.roles, i));
+    add_turned_points(sources, input);
+    settle_unturned_components(sources, input.roles);
+    return sources;
+}
+
+Unknowns unknowns_of(const Sources& sources, const VertexRoles& roles)
+{
+    Unknowns unknowns;
+    std::vector<int> of_body(roles.bodies.size(), Unknowns::known);
+    for (std::size_t i = 0; i < sources.of_vertex.size(); ++i)
+    {
+        int unknown = Unknowns::known;
+        if (sources.of_vertex[i] == Sources::none)
+        {
+            int& shared = roles.role[i] == Role::body ? of_body[at(roles.owner[i])] : unknown;
+            if (shared == Unknowns::known)
+                shared = unknowns.count++;
+            unknown = shared;
+        }
+        unknowns.of_vertex.push_back(unknown);
+    }
+    return unknowns;
+}
+
+std::vector<int> used_sources(const Sources& sources)
+{
+    std::vector<char> is_used(at(sources.count), 0);
+    for (const int source : sources.of_vertex)
+        if (source != Sources::none)
+            is_used[at(source)] = 1;
+    std::vector<int> used;
+    for (int source = 0; source < sources.count; ++source)
+        if (is_used[at(source)])
+            used.push_back(source);
+    return used;
+}
+
+// (n, used): 1 where a vertex belongs to the source.
+Eigen::MatrixXd indicator(const Sources& sources, const std::vector<int>& used)
+{
+    std::vector<int> column(at(sources.count), Sources::none);
+    for (std::size_t k = 0; k < used.size(); ++k)
+        column[at(used[k])] = static_cast<int>(k);
+    Eigen::MatrixXd matrix =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sources.of_vertex.size()),
+                              static_cast<Eigen::Index>(used.size()));
+    for (std::size_t i = 0; i < sources.of_vertex.size(); ++i)
+        if (sources.of_vertex[i] != Sources::none)
+            matrix(static_cast<Eigen::Index>(i), column[at(sources.of_vertex[i])]) = 1.0;
+    return matrix;
+}
+
+// w -> 3 w^2 - 2 w^3 on every row, then the row's sum is one again.
+void smooth_and_renormalise(Eigen::MatrixXd& weights)
+{
+    weights = weights.unaryExpr(
+        [](double weight)
+        {
+            const double w = std::clamp(weight, 0.0, 1.0);
+            return w * w * (3.0 - 2.0 * w);
+        });
+    weights.array().colwise() /= weights.rowwise().sum().array().eval();
+}
+
+class BlendedRotationField : public RotationField
+{
+public:
+    BlendedRotationField(const RotationFieldInput& input, const BlendedRotationField* earlier)
+        : sources_(number_sources(input)),
+          unknowns_(unknowns_of(sources_, input.roles)),
+          harmonic_(input.operators.harmonic),
+          factor_(unknowns_.merged(harmonic_), input.operators.harmonic_tree,
+                  earlier != nullptr ? &earlier->factor_ : nullptr),
+          used_(used_sources(sources_)),
+          weights_(spread(indicator(sources_, used_)))
+    {
+        smooth_and_renormalise(weights_);
+    }
+
+    Points logs(const KnownRotations& known) const override
+    {
+        const Points of_source = source_logs(known);
+        Points of_used(static_cast<Eigen::Index>(used_.size()), 3);
+        for (std::size_t k = 0; k < used_.size(); ++k)
+            of_used.row(static_cast<Eigen::Index>(k)) = of_source.row(used_[k]);
+        const Points of_unknown = weights_ * of_used;
+        Points logs(known.vertices.rows(), 3);
+        Points excess = Points::Zero(known.vertices.rows(), 3);
+        for (Eigen::Index i = 0; i < logs.rows(); ++i)
+        {
+            const int source = sources_.of_vertex[static_cast<std::size_t>(i)];
+            if (source == Sources::none)
+                logs.row(i) = of_unknown.row(unknowns_.of_vertex[static_cast<std::size_t>(i)]);
+            else
+                logs.row(i) = of_source.row(source);
+            if (source >= sources_.first_region && source < sources_.first_point)
+                excess.row(i) = known.vertices.row(i) - of_source.row(source);
+        }
+        if (!excess.isZero(0.0))
+            add_harmonic_excess(logs, excess);
+        return logs;
+    }
+
+private:
+    Points source_logs(const KnownRotations& known) const
+    {
+        Points logs = Points::Zero(sources_.count, 3);
+        logs.middleRows(sources_.first_handle, known.handles.rows()) = known.handles;
+        logs.middleRows(sources_.first_body, known.bodies.rows()) = known.bodies;
+        logs.middleRows(sources_.first_region, known.regions.rows()) = known.regions;
+        logs.middleRows(sources_.first_point, known.points.rows()) = known.points;
+        return logs;
+    }
+
+    // Harmonic values of the unknowns for given ones (n, k) of the known vertices.
+    Eigen::MatrixXd spread(const Eigen::MatrixXd& given) const
+    {
+        return -factor_.solve(unknowns_.sums(*harmonic_ * given));
+    }
+
+    // Rotations differ from vertex to vertex inside a propagated region; what exceeds the
+    // region's mean fades out harmonically.
+    void add_harmonic_excess(Points& logs, const Points& excess) const
+    {
+        const Eigen::MatrixXd of_unknown = spread(excess);
+        for (Eigen::Index i = 0; i < logs.rows(); ++i)
+        {
+            const int unknown = unknowns_.of_vertex[static_cast<std::size_t>(i)];
+            logs.row(i) += unknown == Unknowns::known ? Eigen::RowVector3d(excess.row(i))
+                                                      : Eigen::RowVector3d(of_unknown.row(unknown));
+        }
+    }
+
+    Sources sources_;
+    Unknowns unknowns_;
+    std::shared_ptr<const SparseMatrix> harmonic_;  // K (n, n)
+    SparseCholesky factor_;
+    std::vector<int> used_;    // sources that have a vertex
+    Eigen::MatrixXd weights_;  // (unknowns, used sources)
+};
+
+}  // namespace
+
+std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input,
+                                                      const RotationField* earlier)
+{
+    return std::make_unique<BlendedRotationField>(
+        input, dynamic_cast<const BlendedRotationField*>(earlier));
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/operators/surface_operators.h"
+#include "sheetmorph/surface/operators/vertex_roles.h"
+
+#include <memory>
+
+namespace sheetmorph
+{
+
+//! The rotations a pose knows, all as logarithms (2.6).
+struct KnownRotations
+{
+    Points vertices;  //!< (n, 3) rows read at vertices whose rotation is known
+    Points handles;   //!< (h, 3)
+    Points bodies;    //!< (b, 3) rows read at bodies whose rotation is known
+    Points regions;   //!< (p, 3) mean logarithm of every propagated region
+    Points points;    //!< (k, 3) rows read at turned points
+};
+
+//! Spreads known rotations over the sheet (2.7 to 2.9); interpolated features get one rotation
+//! each. Where nothing on a component is turned or held, its rotation is none.
+class RotationField
+{
+public:
+    virtual ~RotationField() = default;
+
+    //! \returns (n, 3) rotation logarithms
+    virtual Points logs(const KnownRotations& known) const = 0;
+};
+
+//! What both kinds of field are made from; only read during construction.
+struct RotationFieldInput
+{
+    const TriangleMesh& mesh;
+    const SurfaceConstraints& constraints;
+    const VertexRoles& roles;
+    const SurfaceOperators& operators;
+};
+
+//! `paper`: (2.9) as printed: unweighted, all rows, biharmonic, one unknown a feature.
+//! \param earlier  of the same operators under other constraints: what does not change is taken
+//! over
+std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input,
+                                                         const RotationField* earlier = nullptr);
+
+//! `neumann`: harmonic weights of what is known, passed through 3 w^2 - 2 w^3 and renormalised:
+//! between the known rotations everywhere, flat where they are given, no overshoot.
+//! \param earlier  of the same operators under other constraints: what does not change is taken
+//! over
+std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& input,
+                                                      const RotationField* earlier = nullptr);
+
+//! Whether a vertex's rotation comes with the pose: fixed, handle, propagated, or on a body whose
+//! rotation does.
+bool is_rotation_known(const VertexRoles& roles, int vertex);
+
+}  // namespace sheetmorph

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/surface/operators/vertex_roles.h"
+
+namespace sheetmorph
+{
+
+//! Something whose rotation or place the energy decides together with the sheet: a body that turns
+//! freely or keeps a motion or a link, or a point whose rotation is free.
+struct Turner
+{
+    int body = -1;
+    int point = -1;
+    bool turns = true;      //!< its rotation is the energy's, else the pose or the field knows it
+    bool is_bound = false;  //!< its translation is not the sheet's own either
+    VertexIds vertices;     //!< where the sheet turns wholly with it
+};
+
+//! Bodies first, leaders of links before their followers; then points.
+std::vector<Turner> turners_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                               const VertexRoles& roles);
+
+}  // namespace sheetmorph

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/numerics/constrained_minimiser.h"
+#include "sheetmorph/numerics/dense_products.h"
+#include "sheetmorph/numerics/response/response_fields.h"
+#include "sheetmorph/surface/bodies/joints.h"
+#include "sheetmorph/surface/rotation/rotation_field.h"
+
+namespace sheetmorph
+{
+
+//! The energy of one pose in the entries of the turners' motions, everything else minimised:
+//! sum_x rho_x^T G rho_x + 2 g_x^T rho_x + constant, with rho_x (c) for coordinate x.
+struct ReducedEnergy
+{
+    Weights stiffness;      //!< G (c, c), symmetric
+    Eigen::MatrixXd slope;  //!< g (c, 3)
+};
+
+//! Where a turner's entries are among the c: rotation minus identity at `turn` + 0, 1, 2 (entry
+//! [x, b] in row turn + b, column x), displacement of its centre at `shift`; -1: it has none.
+struct TurnerColumns
+{
+    int turn = -1;
+    int shift = -1;
+};
+
+//! How the sheet answers each entry of the turners' motions (mathematics.md, section 4): computed
+//! once, true for every pose.
+class FeatureResponses
+{
+public:
+    FeatureResponses(const RotationFieldInput& input, const ConstrainedMinimiser& minimiser,
+                     std::vector<Turner> turners);
+
+    const std::vector<Turner>& turners() const { return turners_; }
+    const std::vector<TurnerColumns>& columns() const { return columns_; }
+
+    //! (n, turners) turner_weights().
+    const SparseMatrix& weights() const { return weights_; }
+
+    //! \param base  the minimum of the pose with every turner unmoved, and what it was asked for
+    ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
+                         const ConstrainedMinimiser::Solution& base) const;
+
+    //! (n, c) to live accuracy; nothing where the responses
+    //! would take more memory than they are worth: solve again instead.
+    const ResponseFields* fields() const { return responses_ ? &*responses_ : nullptr; }
+
+    //! (n, 3) change of the sheet for entries rho (c, 3), where there are fields().
+    std::optional<Eigen::MatrixXd> displacements(const Eigen::MatrixXd& rho) const;
+
+private:
+    void number_columns();
+    SparseMatrix direct_moves() const;
+    ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
+    void respond();
+    Eigen::MatrixXd slopes(const ConstrainedMinimiser::Balance& left) const;
+
+    const TriangleMesh& mesh_;
+    const SurfaceConstraints& constraints_;
+    const VertexRoles& roles_;
+    const SurfaceOperators& operators_;
+    const ConstrainedMinimiser& minimiser_;
+    std::vector<Turner> turners_;
+    std::vector<TurnerColumns> columns_;
+    int count_ = 0;  // c
+    SparseMatrix weights_;
+    SparseMatrix offsets_;                     // (n, c) what the columns move directly
+    std::optional<ResponseFields> responses_;  // (n, c) Phi
+    Weights stiffness_;                        // (c, c)
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/solve/placement.h"
+
+#include "sheetmorph/surface/operators/clamping.h"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+std::size_t at(Eigen::Index index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+// Calls place(vertex, position) for every vertex whose position the pose knows.
+template <typename Place>
+void place_known(const PlacementInput& part, const SurfaceTargets& targets,
+                 const BodyMotions& bodies, Place place)
+{
+    for (std::size_t region = 0; region < part.constraints.propagated.size(); ++region)
+    {
+        const VertexIds& vertices = part.constraints.propagated[region].vertices;
+        for (std::size_t k = 0; k < vertices.size(); ++k)
+            if (part.roles.role[at(vertices[k])] == Role::propagated)
+                place(vertices[k], Vector3(targets.propagated[region].positions.row(
+                                       static_cast<Eigen::Index>(k))));
+    }
+    for (int i = 0; i < part.rest.vertex_count(); ++i)
+    {
+        const Vector3 point = part.rest.points().row(i).transpose();
+        const int owner = part.roles.owner[at(i)];
+        if (part.roles.role[at(i)] == Role::handle)
+            place(i, targets.handles[at(owner)].apply(point));
+        else if (part.roles.role[at(i)] == Role::body)
+            place(i, bodies.motions[at(owner)].apply(point));
+    }
+}
+
+}  // namespace
+
+Eigen::MatrixXd known_displacements(const PlacementInput& part, const SurfaceTargets& targets,
+                                    const BodyMotions& bodies)
+{
+    Eigen::MatrixXd offset = Eigen::MatrixXd::Zero(part.rest.vertex_count(), 3);
+    place_known(part, targets, bodies,
+                [&](int vertex, const Vector3& position)
+                { offset.row(vertex) = position.transpose() - part.rest.points().row(vertex); });
+    if (!part.roles.clamps.empty())
+        place_clamped(part, given_rotations(part, targets, bodies), offset);
+    return offset;
+}
+
+void complete_bodies(const PlacementInput& part, const Eigen::MatrixXd& displacements,
+                     BodyMotions& bodies)
+{
+    for (std::size_t k = 0; k < part.roles.bodies.size(); ++k)
+    {
+        const Body& body = part.roles.bodies[k];
+        if (!body.is_open())
+            continue;
+        const int first = body.vertices.front();
+        const Vector3 start = part.rest.points().row(first).transpose();
+        RigidMotion& motion = bodies.motions[k];
+        motion.translation.setZero();
+        motion.translation = displacements.row(first).transpose() - (motion.apply(start) - start);
+    }
+}
+
+Points placed_positions(const PlacementInput& part, const SurfaceTargets& targets,
+                        const BodyMotions& bodies, const Eigen::MatrixXd& displacements)
+{
+    Points positions = part.rest.points() + displacements;
+    place_known(part, targets, bodies,
+                [&](int vertex, const Vector3& position)
+                { positions.row(vertex) = position.transpose(); });
+    return positions;
+}
+
+std::vector<RigidMotion> feature_motions(const PlacementInput& part, const BodyMotions& bodies)
+{
+    std::vector<RigidMotion> motions(part.constraints.features.size());
+    for (std::size_t k = 0; k < part.roles.bodies.size(); ++k)
+        for (const int feature : part.roles.bodies[k].features)
+        {
+            const VertexIds& vertices = part.constraints.features[at(feature)].vertices;
+            Vector3 centre = Vector3::Zero();
+            for (const int vertex : vertices)
+                centre += part.rest.points().row(vertex).transpose();
+            centre /= static_cast<double>(vertices.size());
+            RigidMotion& motion = motions[at(feature)];
+            motion = bodies.motions[k];
+            motion.pivot = centre;
+            motion.translation = bodies.motions[k].apply(centre) - centre;
+        }
+    return motions;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/solve/pose_solve.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/rotation.h"
+#include "sheetmorph/surface/constraint_checks.h"
+#include "sheetmorph/surface/operators/point_rows.h"
+#include "sheetmorph/surface/rotation/turner_field.h"
+#include "sheetmorph/surface/solve/placement.h"
+#include "sheetmorph/surface/solve/reachable_size.h"
+#include "sheetmorph/surface/solve/reduced_minimum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Clean meshes settle after one or two; a few needles in the mesh need more.
+constexpr int most_refinements = 8;
+
+// From so many on a second thread is worth its start.
+constexpr int vertices_for_two_threads = 20000;
+
+std::size_t at(Eigen::Index index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& displacements,
+                        const Eigen::MatrixXd& wanted, Exactness level)
+{
+    const Eigen::VectorXd error = part.minimiser.constraint_error(displacements, wanted);
+    const double reach = part.rest.size() + (wanted.size() ? wanted.cwiseAbs().maxCoeff() : 0.0);
+    const double allowed =
+        level == Exactness::exact ? exactness(part.rest.points(), reach) : 1e-6 * reach;
+    std::string missed;
+    for (Eigen::Index k = 0; k < error.size(); ++k)
+        if (error(k) > allowed)
+            missed += (missed.empty() ? "'" : ", '") + part.constraints.points[at(k)].name + "'";
+    if (!missed.empty())
+        throw InvalidInput("the targets of points " + missed
+                           + " contradict each other or the fixed, handle or feature vertices they "
+                             "lie on; move a target or remove a point");
+}
+
+//! The rotation field of one pose.
+struct Field
+{
+    Points logs;   // (n, 3)
+    Points tilts;  // (n, 3)
+};
+
+Field field_of(const PreparedSurface& part, const GivenRotations& given)
+{
+    Field field{part.field->logs(given.logs), Points::Zero(part.rest.vertex_count(), 3)};
+    if (given.is_tilted)
+        field.tilts = part.field->logs(given.tilts);
+    return field;
+}
+
+// Rows of the turners' weights: what of the sheet's turn at a vertex is theirs.
+using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+// (R - I) D p_hat: how the rest rows turn; R is the field, and of what turners own of it the
+// rotation in `turns`, or none of it where `turns` is empty.
+Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
+                            const std::vector<BodyState>& turns)
+{
+    const SurfaceOperators& operators = part.operators;
+    const Weights weights =
+        part.responses ? Weights(part.responses->weights()) : Weights(part.rest.vertex_count(), 0);
+    std::vector<Matrix3> turn(at(part.rest.vertex_count()));
+    const int threads = part.rest.vertex_count() < vertices_for_two_threads ? 1 : 2;
+    const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (Eigen::Index i = begin; i < end; ++i)
+        {
+            Matrix3& change = turn[at(i)];
+            change = tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
+            double left = 1.0;
+            for (Weights::InnerIterator entry(weights, i); entry; ++entry)
+                left -= entry.value();
+            change *= left;
+            for (Weights::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
+                change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
+        }
+    };
+    parallel_ranges(part.rest.vertex_count(), threads, turn_vertices);
+    Eigen::MatrixXd rows(operators.rest_rows.rows(), 3);
+    const auto turn_rows = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (Eigen::Index row = begin; row < end; ++row)
+            rows.row(row) = (turn[at(operators.row_vertices[at(row)])]
+                             * operators.rest_rows.row(row).transpose())
+                                .transpose();
+    };
+    parallel_ranges(rows.rows(), threads, turn_rows);
+    return rows;
+}
+
+// Bodies with every turner where it was at rest.
+BodyMotions unmoved_turners(const PreparedSurface& part, const BodyMotions& bodies)
+{
+    BodyMotions unmoved = bodies;
+    for (const Turner& turner : part.responses->turners())
+        if (turner.body >= 0 && turner.turns)
+            unmoved.motions[at(turner.body)].rotation_log.setZero();
+    return unmoved;
+}
+
+//! One pose on its way to its solution.
+struct Solving
+{
+    const SurfaceTargets& targets;
+    Exactness exactness;
+    BodyMotions bodies;
+    Field field;
+    ConstrainedMinimiser::Targets asked;
+
+    int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
+};
+
+// Lets the energy turn what it may turn; the sheet's displacements, known already in a live frame.
+std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solving& pose)
+{
+    const BodyMotions unmoved = unmoved_turners(part, pose.bodies);
+    ConstrainedMinimiser::Targets& asked = pose.asked;
+    asked.rows = turned_rows(part, pose.field, {});
+    asked.offset = known_displacements(part.placement(), pose.targets, unmoved);
+    const ConstrainedMinimiser::Solution base =
+        part.minimiser.minimum(asked, std::min(pose.refinements(), 1));
+    ReducedEnergy energy = part.responses->energy(asked, base);
+    const PlacementInput placement = part.placement();
+    Joints joints(placement, pose.targets, part.responses->turners(), pose.bodies);
+    hold_far_turned(*part.responses, farthest_turns(*part.responses, pose.field.logs), joints,
+                    energy);
+    minimise(joints, {placement, *part.responses, energy});
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+    {
+        const int body = part.responses->turners()[k].body;
+        if (body >= 0)
+            pose.bodies.motions[at(body)] =
+                motion_of(part.roles.bodies[at(body)], joints.states()[k],
+                          pose.bodies.motions[at(body)].rotation_log);
+    }
+    const Field field = pose.field;
+    blend_logs(*part.responses, joints.states(), pose.field.logs);
+    if (pose.exactness == Exactness::live)
+    {
+        const Eigen::MatrixXd rho = entries_of(joints, placement, *part.responses);
+        if (const auto change = part.responses->displacements(rho))
+            return base.u + *change;
+    }
+    asked.rows = turned_rows(part, field, joints.states());
+    return std::nullopt;
+}
+
+Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, Exactness exactness)
+{
+    check_targets(part.constraints, targets);
+    const PlacementInput placement = part.placement();
+    Solving pose{targets, exactness, known_body_motions(placement, targets), {}, {}};
+    pose.field = field_of(part, given_rotations(placement, targets, pose.bodies));
+    turn_open_bodies(placement, pose.field.logs, pose.field.tilts, pose.bodies);
+    pose.asked.constraints =
+        point_displacements(part.rest, part.constraints.points, targets.points);
+    std::optional<Eigen::MatrixXd> displacements;
+    if (part.responses)
+        displacements = turn_features(part, pose);
+    else
+        pose.asked.rows = turned_rows(part, pose.field, {});
+    if (!displacements)
+    {
+        pose.asked.offset = known_displacements(placement, targets, pose.bodies);
+        displacements = part.minimiser.solve(pose.asked, pose.refinements());
+        if (part.refinement && exactness == Exactness::exact)
+            displacements = part.refinement->refined(pose.asked, *displacements);
+    }
+    require_met_points(part, *displacements, pose.asked.constraints, exactness);
+    complete_bodies(placement, *displacements, pose.bodies);
+    Deformation result;
+    result.rotation_logs = pose.field.logs;
+    result.positions = placed_positions(placement, targets, pose.bodies, *displacements);
+    part.followers.place(part.rest, result.positions, result.rotation_logs);
+    result.features = feature_motions(placement, pose.bodies);
+    if (!result.positions.allFinite())
+        throw SolverError("the deformed shape is not finite; the mesh may be too distorted");
+    return result;
+}
+
+}  // namespace
+
+Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
+                       Exactness exactness)
+{
+    const SizeChanges sizes = size_changes(part.constraints, part.shapes, targets);
+    Deformation result = solved(part, targets, exactness);
+    const auto is_set = [](const std::optional<double>& size) { return size.has_value(); };
+    if (std::none_of(sizes.begin(), sizes.end(), is_set))
+        return result;
+    if (exactness == Exactness::exact)
+        require_reachable_sizes(part, sizes, result);
+    part.growth.lay(sizes, result);
+    part.followers.place(part.rest, result.positions, result.rotation_logs);
+    return result;
+}
+
+}  // namespace sheetmorph

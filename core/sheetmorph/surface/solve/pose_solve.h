@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/solve/prepared_surface.h"
+#include "sheetmorph/surface/surface_deformer.h"
+
+namespace sheetmorph
+{
+
+//! The interactive phase: one part in one pose (2.9, 2.10), its features where the energy, the
+//! field or the pose wants them (mathematics.md, section 4).
+Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
+                       Exactness exactness);
+
+}  // namespace sheetmorph

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/progress.h"
+#include "sheetmorph/surface/bodies/sheet_growth.h"
+#include "sheetmorph/surface/operators/followers.h"
+#include "sheetmorph/surface/operators/unknowns.h"
+#include "sheetmorph/surface/solve/feature_responses.h"
+#include "sheetmorph/surface/solve/refinement.h"
+
+namespace sheetmorph
+{
+
+//! Everything about one part that no pose changes. Its members refer to each other, so it stays
+//! where it is made.
+struct PreparedSurface
+{
+    //! \param earlier  an earlier state of a part: if the mesh is the same, what the constraints do
+    //!                 not change is taken over
+    PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
+                    const Progress& progress, const PreparedSurface* earlier);
+    PreparedSurface(const PreparedSurface&) = delete;
+    PreparedSurface& operator=(const PreparedSurface&) = delete;
+
+    PlacementInput placement() const { return {rest, constraints, roles}; }
+
+    TriangleMesh rest;
+    SurfaceConstraints constraints;
+    VertexRoles roles;
+    FeatureShapes shapes;
+    std::shared_ptr<const SurfaceOperators> shared_operators;  //!< with other states of the part
+    const SurfaceOperators& operators;
+    Unknowns unknowns;
+    std::unique_ptr<RotationField> field;
+    ConstrainedMinimiser minimiser;
+    std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
+    std::unique_ptr<Refinement> refinement;       //!< none unless it is asked for
+    SheetGrowth growth;
+    Followers followers;
+
+private:
+    struct Reuse
+    {
+        const PreparedSurface* earlier;  // with the same operators
+    };
+    PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
+                    const Progress& progress, Reuse reuse);
+};
+
+}  // namespace sheetmorph

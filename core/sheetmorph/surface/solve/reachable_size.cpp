@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/solve/reachable_size.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/rotation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int halvings = 24;
+
+Vector3 corner(const Points& points, const Triangles& triangles, int triangle, int k)
+{
+    return points.row(triangles(triangle, k)).transpose();
+}
+
+Vector3 normal(const Points& points, const Triangles& triangles, int triangle)
+{
+    const Vector3 first = corner(points, triangles, triangle, 0);
+    return (corner(points, triangles, triangle, 1) - first)
+        .cross(corner(points, triangles, triangle, 2) - first);
+}
+
+Vector3 middle(const TriangleMesh& mesh, int triangle)
+{
+    return (corner(mesh.points(), mesh.triangles(), triangle, 0)
+            + corner(mesh.points(), mesh.triangles(), triangle, 1)
+            + corner(mesh.points(), mesh.triangles(), triangle, 2))
+           / 3.0;
+}
+
+// Those of the first list that are not in the second; both rise.
+std::vector<int> without(const std::vector<int>& list, const std::vector<int>& taken)
+{
+    std::vector<int> left;
+    std::set_difference(list.begin(), list.end(), taken.begin(), taken.end(),
+                        std::back_inserter(left));
+    return left;
+}
+
+// The feature with a size whose vertices are nearest to a triangle.
+int nearest_sized(const PreparedSurface& part, const SizeChanges& sizes, int triangle)
+{
+    const Vector3 where = middle(part.rest, triangle);
+    double nearest = std::numeric_limits<double>::infinity();
+    int found = 0;
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+        for (std::size_t i = 0; sizes[k] && i < part.constraints.features[k].vertices.size(); ++i)
+        {
+            const int vertex = part.constraints.features[k].vertices[i];
+            const double distance =
+                (part.rest.points().row(vertex).transpose() - where).squaredNorm();
+            if (distance < nearest)
+            {
+                nearest = distance;
+                found = static_cast<int>(k);
+            }
+        }
+    return found;
+}
+
+std::string rounded(double value)
+{
+    std::ostringstream text;
+    text.precision(6);
+    text << value;
+    return text.str();
+}
+
+//! One feature that asks for too much.
+struct Excess
+{
+    const PreparedSurface& part;
+    const Deformation& unsized;
+    const SizeChanges& sizes;
+    std::size_t feature;
+};
+
+// The triangles that sizes turn over.
+std::vector<int> overturned_by(const PreparedSurface& part, const SizeChanges& sizes,
+                               const Deformation& unsized)
+{
+    Deformation sized = unsized;
+    part.growth.lay(sizes, sized);
+    const std::vector<int> overturned = overturned_triangles(part.rest, sized);
+    return overturned.empty() ? overturned
+                              : without(overturned, overturned_triangles(part.rest, unsized));
+}
+
+bool is_reached(const Excess& excess, double size)
+{
+    SizeChanges sizes = excess.sizes;
+    sizes[excess.feature] = size - excess.part.shapes[excess.feature]->size;
+    return overturned_by(excess.part, sizes, excess.unsized).empty();
+}
+
+// Between the size at rest, if that can be reached, and the wanted one; rounded towards rest.
+std::optional<double> limit(const Excess& excess)
+{
+    double reached = excess.part.shapes[excess.feature]->size;
+    double refused = reached + *excess.sizes[excess.feature];
+    if (!is_reached(excess, reached))
+        return std::nullopt;
+    for (int halving = 0; halving < halvings; ++halving)
+    {
+        const double tried = 0.5 * (reached + refused);
+        (is_reached(excess, tried) ? reached : refused) = tried;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(reached))) - 3.0);
+    const double towards_rest =
+        reached < refused ? std::floor(reached / unit) * unit : std::ceil(reached / unit) * unit;
+    return is_reached(excess, towards_rest) ? towards_rest : reached;
+}
+
+}  // namespace
+
+std::vector<int> overturned_triangles(const TriangleMesh& rest, const Deformation& deformation)
+{
+    std::vector<int> overturned;
+    for (int triangle = 0; triangle < rest.triangle_count(); ++triangle)
+    {
+        Vector3 log = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+            log += corner(deformation.rotation_logs, rest.triangles(), triangle, k) / 3.0;
+        const Vector3 before = normal(rest.points(), rest.triangles(), triangle);
+        const Vector3 now = normal(deformation.positions, rest.triangles(), triangle);
+        if (now.dot(rotation_from_log(log) * before) < 0.0)
+            overturned.push_back(triangle);
+    }
+    return overturned;
+}
+
+void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& sizes,
+                             const Deformation& unsized)
+{
+    const std::vector<int> overturned = overturned_by(part, sizes, unsized);
+    if (overturned.empty())
+        return;
+    const auto feature = static_cast<std::size_t>(nearest_sized(part, sizes, overturned.front()));
+    const std::optional<double> reachable = limit({part, unsized, sizes, feature});
+    const std::string word = *sizes[feature] > 0.0 ? "largest" : "smallest";
+    throw InvalidInput(
+        part.constraints.features[feature].label() + ": a " + part.shapes[feature]->measure()
+            + " of " + rounded(part.shapes[feature]->size + *sizes[feature])
+            + " mm would turn over triangles ",
+        overturned,
+        reachable ? "; the " + word + " that can be reached is " + rounded(*reachable) + " mm"
+                  : "; the other sizes of this pose turn triangles over too");
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/solve/reduced_expansion.h"
+
+#include <Eigen/Geometry>
+#include <array>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int none = -1;
+
+//! One freedom of the joints as it moves one turner.
+struct Mover
+{
+    int freedom;
+    std::size_t level;
+    bool is_turn;
+    Vector3 axis;
+    Vector3 point;
+};
+
+//! First or second derivative of a turner's motion.
+struct Change
+{
+    Matrix3 rotation = Matrix3::Zero();
+    Vector3 centre = Vector3::Zero();
+};
+
+Matrix3 crossing(const Vector3& axis)
+{
+    Matrix3 matrix;
+    matrix << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
+    return matrix;
+}
+
+std::vector<Mover> movers_of(const std::vector<JointLevel>& levels)
+{
+    std::vector<Mover> movers;
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        for (std::size_t k = 0; k < levels[level].axes.size(); ++k)
+            movers.push_back({levels[level].first + static_cast<int>(k), level,
+                              levels[level].is_turn, levels[level].axes[k], levels[level].point});
+    return movers;
+}
+
+Change first_change(const Mover& mover, const BodyState& state)
+{
+    if (!mover.is_turn)
+        return {Matrix3::Zero(), mover.axis};
+    return {crossing(mover.axis) * state.rotation, mover.axis.cross(state.centre - mover.point)};
+}
+
+// A turn acts on what the factors inside it change; of one factor, on the mean of both orders.
+Change second_change(const Mover& outer, const Mover& inner, const BodyState& state)
+{
+    Change change;
+    if (!outer.is_turn)
+        return change;
+    const Change first = first_change(inner, state);
+    change.rotation = crossing(outer.axis) * first.rotation;
+    change.centre = outer.axis.cross(first.centre);
+    if (outer.level == inner.level)
+    {
+        const Change other = first_change(outer, state);
+        change.rotation = 0.5 * (change.rotation + crossing(inner.axis) * other.rotation);
+        change.centre = 0.5 * (change.centre + inner.axis.cross(other.centre));
+    }
+    return change;
+}
+
+// Rows of F that a change of turner k meets: sum of F[turn + b, x] dR[x, b] + F[shift, x] dt[x].
+double dot(const TurnerColumns& columns, const Eigen::MatrixXd& forces, const Change& change)
+{
+    double sum = 0.0;
+    if (columns.turn != none)
+        sum += forces.block<3, 3>(columns.turn, 0).transpose().cwiseProduct(change.rotation).sum();
+    if (columns.shift != none)
+        sum += forces.row(columns.shift).dot(change.centre.transpose());
+    return sum;
+}
+
+using Jacobians = std::array<Eigen::SparseMatrix<double>, 3>;
+
+// d rho_x / dq for every coordinate x.
+Jacobians jacobians(const Joints& joints, const FeatureResponses& responses)
+{
+    std::array<std::vector<Eigen::Triplet<double>>, 3> entries;
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+    {
+        const TurnerColumns& columns = responses.columns()[k];
+        for (const Mover& mover : movers_of(joints.levels(k)))
+        {
+            const Change change = first_change(mover, joints.states()[k]);
+            for (int x = 0; x < 3; ++x)
+            {
+                auto& of_x = entries[static_cast<std::size_t>(x)];
+                for (int b = 0; b < 3 && columns.turn != none; ++b)
+                    of_x.emplace_back(columns.turn + b, mover.freedom, change.rotation(x, b));
+                if (columns.shift != none)
+                    of_x.emplace_back(columns.shift, mover.freedom, change.centre(x));
+            }
+        }
+    }
+    Jacobians matrices;
+    for (std::size_t x = 0; x < 3; ++x)
+    {
+        int rows = 0;
+        for (const TurnerColumns& columns : responses.columns())
+            rows += (columns.turn != none ? 3 : 0) + (columns.shift != none ? 1 : 0);
+        matrices[x].resize(rows, joints.freedoms());
+        matrices[x].setFromTriplets(entries[x].begin(), entries[x].end());
+    }
+    return matrices;
+}
+
+void add_curvature(Eigen::MatrixXd& hessian, const Joints& joints,
+                   const FeatureResponses& responses, const Eigen::MatrixXd& forces)
+{
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+    {
+        const std::vector<Mover> movers = movers_of(joints.levels(k));
+        for (std::size_t i = 0; i < movers.size(); ++i)
+            for (std::size_t j = i; j < movers.size(); ++j)
+            {
+                const double amount =
+                    2.0
+                    * dot(responses.columns()[k], forces,
+                          second_change(movers[i], movers[j], joints.states()[k]));
+                hessian(movers[i].freedom, movers[j].freedom) += amount;
+                if (i != j)
+                    hessian(movers[j].freedom, movers[i].freedom) += amount;
+            }
+    }
+}
+
+// Whether every turner turns about three axes and does nothing else.
+bool only_turns(const Joints& joints, const FeatureResponses& responses)
+{
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+    {
+        const std::vector<JointLevel>& levels = joints.levels(k);
+        const TurnerColumns& columns = responses.columns()[k];
+        if (levels.size() != 1 || !levels[0].is_turn || levels[0].axes.size() != 3
+            || columns.turn == none || columns.shift != none)
+            return false;
+    }
+    return true;
+}
+
+// The same for turners that only turn, block by block. With dR = [e_i] R, and M = R_k G_kl R_l^T of
+// two turners, the second derivative is 2 (tr M - M^T); N = R F of one turner and the forces on it
+// gives the first, 2 (N_yz - N_zy) ..., and the curvature, N + N^T - 2 tr N.
+void expand_turns(const Joints& joints, const Measure& measure, const Eigen::MatrixXd& forces,
+                  Expansion& at)
+{
+    const std::size_t count = joints.states().size();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        const int row = measure.responses.columns()[k].turn, own = joints.levels(k)[0].first;
+        const Matrix3& rotation = joints.states()[k].rotation;
+        const Matrix3 n = rotation * forces.block<3, 3>(row, 0);
+        at.gradient.segment<3>(own) =
+            2.0 * Vector3(n(1, 2) - n(2, 1), n(2, 0) - n(0, 2), n(0, 1) - n(1, 0));
+        for (std::size_t l = 0; l <= k; ++l)
+        {
+            const int column = measure.responses.columns()[l].turn;
+            const int other = joints.levels(l)[0].first;
+            const Matrix3 m = rotation * measure.energy.stiffness.block<3, 3>(row, column)
+                              * joints.states()[l].rotation.transpose();
+            const Matrix3 block = 2.0 * (m.trace() * Matrix3::Identity() - m.transpose());
+            at.hessian.block<3, 3>(own, other) = block;
+            at.hessian.block<3, 3>(other, own) = block.transpose();
+        }
+        at.hessian.block<3, 3>(own, own) +=
+            n + n.transpose() - 2.0 * n.trace() * Matrix3::Identity();
+    }
+}
+
+}  // namespace
+
+double Measure::value(const Joints& joints) const
+{
+    const Eigen::MatrixXd rho = entries_of(joints, part, responses);
+    return (rho.cwiseProduct(narrow_product(energy.stiffness, rho) + 2.0 * energy.slope)).sum();
+}
+
+Expansion expand(const Joints& joints, const Measure& measure)
+{
+    const Eigen::MatrixXd rho = entries_of(joints, measure.part, measure.responses);
+    const Eigen::MatrixXd forces =
+        narrow_product(measure.energy.stiffness, rho) + measure.energy.slope;
+    Expansion at;
+    at.value = (rho.cwiseProduct(forces + measure.energy.slope)).sum();
+    at.gradient = Eigen::VectorXd::Zero(joints.freedoms());
+    at.hessian = Eigen::MatrixXd::Zero(joints.freedoms(), joints.freedoms());
+    if (only_turns(joints, measure.responses))
+    {
+        expand_turns(joints, measure, forces, at);
+        return at;
+    }
+    const Jacobians change = jacobians(joints, measure.responses);
+    for (std::size_t x = 0; x < 3; ++x)
+    {
+        at.gradient += 2.0 * (change[x].transpose() * forces.col(static_cast<Eigen::Index>(x)));
+        const Eigen::MatrixXd half = measure.energy.stiffness * change[x];
+        at.hessian += 2.0 * (change[x].transpose() * half);
+    }
+    add_curvature(at.hessian, joints, measure.responses, forces);
+    return at;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/solve/reduced_minimum.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/numerics/cholesky/dense_cholesky.h"
+#include "sheetmorph/surface/solve/reduced_expansion.h"
+
+#include <Eigen/Eigenvalues>
+#include <limits>
+#include <optional>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int none = -1;
+constexpr int most_steps = 100;
+constexpr double smallest_step = 1e-14;  // radians, or of the size of the feature
+constexpr double rounding = 1e-9;        // steps below it that shrink no more are noise
+constexpr double unfelt = 1e-11;         // of the stiffest freedom: the energy does not feel it
+constexpr double barely_convex = 1e-6;   // likewise: what this makes convex some do not feel
+constexpr double first_shift = 0.02;     // likewise, where the energy is not convex
+
+// Numbers that make every freedom about as stiff as any other; what nothing feels gets none.
+Eigen::VectorXd scales(const Expansion& at)
+{
+    const Eigen::VectorXd stiff = at.hessian.diagonal().cwiseAbs();
+    const double largest = stiff.size() > 0 ? stiff.maxCoeff() : 0.0;
+    return stiff.unaryExpr(
+        [largest](double value)
+        { return value > 1e-18 * largest && value > 0.0 ? 1.0 / std::sqrt(value) : 0.0; });
+}
+
+// Factor of matrix + shift; nothing where a pivot is not positive, or as good as none.
+std::optional<DenseCholesky> factored(const Eigen::MatrixXd& matrix, double shift)
+{
+    Weights shifted = matrix;
+    shifted.diagonal().array() += shift;
+    try
+    {
+        const DenseCholesky factor(std::move(shifted));
+        if (factor.smallest_pivot() > std::sqrt(unfelt))
+            return factor;
+    }
+    catch (const SolverError&)
+    {
+        // Not positive definite.
+    }
+    return std::nullopt;
+}
+
+// Of what some freedoms do not feel: along eigenvectors, with |eigenvalue|.
+Eigen::VectorXd eigen_step(const Eigen::MatrixXd& scaled, const Eigen::VectorXd& right)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+    const Eigen::VectorXd values = eigen.eigenvalues().cwiseAbs();
+    const double largest = values.maxCoeff();
+    const Eigen::VectorXd inverse = values.unaryExpr(
+        [largest](double value) { return value > unfelt * largest ? 1.0 / value : 0.0; });
+    const Eigen::VectorXd along = eigen.eigenvectors().transpose() * right;
+    return eigen.eigenvectors() * inverse.cwiseProduct(along);
+}
+
+// The Newton step; where the energy is not convex, with the least of some shifts that make it so.
+Eigen::VectorXd newton_step(const Expansion& at)
+{
+    const Eigen::VectorXd scale = scales(at);
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * at.hessian * scale.asDiagonal();
+    const Eigen::VectorXd right = -(scale.asDiagonal() * at.gradient);
+    std::optional<DenseCholesky> factor = factored(scaled, 0.0);
+    if (!factor && !factored(scaled, barely_convex))
+        for (double shift = first_shift; !factor && shift < 100.0; shift *= 4.0)
+            factor = factored(scaled, shift);
+    if (!factor)
+        return scale.asDiagonal() * eigen_step(scaled, right);
+    return scale.asDiagonal() * Eigen::VectorXd(factor->solve(right.replicate(1, 3)).col(0));
+}
+
+// No freedom turns or shifts by more than a quarter of a radian of its own scale at once.
+double shortened(const Eigen::VectorXd& step, const Joints& joints)
+{
+    double turn = 0.0;
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+        for (const JointLevel& level : joints.levels(k))
+            if (level.is_turn)
+                turn = std::max(
+                    turn, step.segment(level.first, static_cast<Eigen::Index>(level.axes.size()))
+                              .cwiseAbs()
+                              .maxCoeff());
+    return turn > 0.8 ? 0.8 / turn : 1.0;
+}
+
+}  // namespace
+
+Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
+                           const FeatureResponses& responses)
+{
+    const std::vector<TurnerColumns>& columns = responses.columns();
+    int rows = 0;
+    for (const TurnerColumns& of_turner : columns)
+        rows += (of_turner.turn != none ? 3 : 0) + (of_turner.shift != none ? 1 : 0);
+    Eigen::MatrixXd entries = Eigen::MatrixXd::Zero(rows, 3);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+    {
+        const BodyState& state = joints.states()[k];
+        if (columns[k].turn != none)
+            entries.block<3, 3>(columns[k].turn, 0) =
+                (state.rotation - Matrix3::Identity()).transpose();
+        if (columns[k].shift != none)
+        {
+            const int body = responses.turners()[k].body;
+            const Vector3& rest = part.roles.bodies[static_cast<std::size_t>(body)].centre;
+            entries.row(columns[k].shift) = (state.centre - rest).transpose();
+        }
+    }
+    return entries;
+}
+
+void minimise(Joints& joints, const Measure& measure, double precision)
+{
+    double last = std::numeric_limits<double>::infinity();
+    for (int count = 0; count < most_steps && joints.freedoms() > 0; ++count)
+    {
+        const Expansion here = expand(joints, measure);
+        Eigen::VectorXd step = newton_step(here);
+        step *= shortened(step, joints);
+        const double noise = 1e-14 * std::abs(here.value);
+        const std::vector<BodyState> start = joints.states();
+        bool is_lower = false;
+        for (int halving = 0; halving < 40 && !is_lower; ++halving, step *= 0.5)
+        {
+            joints.restore(start);
+            joints.step(step);
+            is_lower = measure.value(joints) <= here.value + noise;
+        }
+        const double length = step.cwiseAbs().maxCoeff();
+        if (!is_lower)
+            joints.restore(start);
+        if (!is_lower || length <= std::max(precision, smallest_step)
+            || (last < rounding && length > 0.5 * last))
+            return;
+        last = length;
+    }
+}
+
+}  // namespace sheetmorph

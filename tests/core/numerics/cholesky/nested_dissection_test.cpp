@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/numerics/cholesky/nested_dissection.h"
+
+#include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace sheetmorph
+{
+namespace
+{
+
+struct Grid
+{
+    SparseMatrix matrix;
+    Points places;
+};
+
+// The square of a grid's graph Laplacian, shifted: the pattern of a bilaplacian.
+Grid grid(int columns, int rows)
+{
+    const int count = columns * rows;
+    std::vector<Eigen::Triplet<double>> entries;
+    Grid made{SparseMatrix(count, count), Points(count, 3)};
+    for (int i = 0; i < count; ++i)
+    {
+        made.places.row(i) << i % columns, i / columns, 0.0;
+        entries.emplace_back(i, i, 4.1);
+        for (const int other : {i % columns + 1 < columns ? i + 1 : i, i + columns})
+            if (other != i && other < count)
+            {
+                entries.emplace_back(i, other, -1.0);
+                entries.emplace_back(other, i, -1.0);
+            }
+    }
+    made.matrix.setFromTriplets(entries.begin(), entries.end());
+    made.matrix = SparseMatrix(made.matrix * made.matrix);
+    return made;
+}
+
+TEST(NestedDissection, OrdersEveryUnknownOnce)
+{
+    const Grid sheet = grid(40, 25);
+    std::vector<int> order = nested_dissection(sheet.matrix, sheet.places).order;
+    std::sort(order.begin(), order.end());
+    for (int k = 0; k < 1000; ++k)
+        ASSERT_EQ(order[static_cast<std::size_t>(k)], k);
+}
+
+TEST(NestedDissection, TakesUnknownsThatAllLieInOnePlace)
+{
+    Grid sheet = grid(20, 20);
+    sheet.places.setZero();
+    EXPECT_EQ(nested_dissection(sheet.matrix, sheet.places).order.size(), 400U);
+    EXPECT_EQ(nested_dissection(SparseMatrix(0, 0), Points(0, 3)).size(), 0);
+}
+
+TEST(NestedDissection, CouplesNodesOnlyWithThoseAboveThem)
+{
+    const Grid sheet = grid(200, 140);
+    const SeparatorTree tree = nested_dissection(sheet.matrix, sheet.places);
+    std::vector<int> node_of(28000);
+    for (int node = 0; node < tree.size(); ++node)
+    {
+        EXPECT_TRUE(tree.parent[static_cast<std::size_t>(node)] > node || node == tree.size() - 1);
+        for (int k = tree.first[static_cast<std::size_t>(node)];
+             k < tree.first[static_cast<std::size_t>(node) + 1]; ++k)
+            node_of[static_cast<std::size_t>(tree.order[static_cast<std::size_t>(k)])] = node;
+    }
+    for (int column = 0; column < 28000; ++column)
+        for (SparseMatrix::InnerIterator entry(sheet.matrix, column); entry; ++entry)
+        {
+            const int a = node_of[static_cast<std::size_t>(column)];
+            const int b = node_of[static_cast<std::size_t>(entry.row())];
+            ASSERT_TRUE(tree.is_below(a, b) || tree.is_below(b, a));
+        }
+}
+
+TEST(NestedDissection, FillsALargeSheetHardlyMoreThanMinimumDegreeDoes)
+{
+    const Grid sheet = grid(300, 240);
+    std::vector<int> unknown_of(72000);
+    std::iota(unknown_of.begin(), unknown_of.end(), 0);
+    const SparseCholesky by_places(
+        {std::make_shared<const SparseMatrix>(sheet.matrix), unknown_of, 72000},
+        std::make_shared<const SeparatorTree>(nested_dissection(sheet.matrix, sheet.places)));
+    const SparseCholesky by_degree(sheet.matrix);
+    EXPECT_NE(by_places.factor_entries(), by_degree.factor_entries());
+    EXPECT_LT(by_places.factor_entries(), 1.1 * by_degree.factor_entries());
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(72000, 5);
+    const Eigen::MatrixXd found = by_places.solve(right);
+    EXPECT_LT((sheet.matrix * found - right).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((found - by_degree.solve(right)).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+}  // namespace
+}  // namespace sheetmorph

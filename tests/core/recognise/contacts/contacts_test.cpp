@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/contacts/contacts.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/recognise/features/features.h"
+#include "shapes/plates.h"
+#include "shapes/thick.h"
+#include "shapes/variations.h"
+
+#include <gtest/gtest.h>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+ContactPart part_of(const TriangleMesh& mesh, double thickness = 0.0)
+{
+    return {mesh, thickness, find_features(mesh)};
+}
+
+TriangleMesh shifted(const TriangleMesh& mesh, const Vector3& by)
+{
+    return shapes::mapped(mesh, [&](const Vector3& p) { return Vector3(p + by); });
+}
+
+ContactTolerances with_gap(double gap)
+{
+    ContactTolerances tolerances;
+    tolerances.gap = gap;
+    return tolerances;
+}
+
+TEST(Contacts, OverlappingSheetsTouchWhereTheyOverlap)
+{
+    const auto sheet = shapes::grid(20, 10, 100.0, 50.0);
+    const auto found =
+        find_contacts({part_of(sheet), part_of(shifted(sheet, {70, 0, 1.2}))}, {}, with_gap(1.5));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, ContactKind::face);
+    EXPECT_EQ(found[0].a.size(), 7u * 11u);
+    EXPECT_EQ(found[0].b.size(), 7u * 11u);
+    EXPECT_NEAR(found[0].distance, 1.2, 1e-12);
+}
+
+TEST(Contacts, KnownThicknessAddsToTheGap)
+{
+    const auto sheet = shapes::grid(20, 10, 100.0, 50.0);
+    const auto above = shifted(sheet, {70, 0, 3.0});
+    EXPECT_TRUE(find_contacts({part_of(sheet), part_of(above)}, {}, with_gap(0.5)).empty());
+    EXPECT_EQ(find_contacts({part_of(sheet, 2.0), part_of(above, 3.5)}, {}, with_gap(0.5)).size(),
+              1u);
+}
+
+TEST(Contacts, TwoPlacesOfOnePairAreTwoContacts)
+{
+    const auto base = shapes::grid(40, 10, 200.0, 50.0);
+    const auto bridge =
+        shapes::mapped(shapes::grid(40, 10, 200.0, 50.0), [](Vector3 p)
+                       { return Vector3(p.x(), p.y(), p.x() < 41 || p.x() > 159 ? 1.0 : 20.0); });
+    ContactTolerances tolerances = with_gap(1.2);
+    EXPECT_EQ(find_contacts({part_of(base), part_of(bridge)}, {}, tolerances).size(), 2u);
+    tolerances.joins_pairs = true;
+    EXPECT_EQ(find_contacts({part_of(base), part_of(bridge)}, {}, tolerances).size(), 1u);
+}
+
+TEST(Contacts, CoaxialHolesAreABolt)
+{
+    const auto plate = shapes::plate_with_holes().mesh;
+    const auto found =
+        find_contacts({part_of(plate), part_of(shifted(plate, {60, 0, 1.0}))}, {}, with_gap(1.2));
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_EQ(found[0].kind, ContactKind::face);
+    EXPECT_EQ(found[1].kind, ContactKind::bolt);
+    EXPECT_STREQ(type_of(found[1].kind), "rigid");
+    EXPECT_EQ(found[1].a.size(), 64u);
+    EXPECT_NEAR((found[1].center - Vector3(90, 30, 0.5)).norm(), 0.0, 1e-9);
+}
+
+TEST(Contacts, SolidsTouchWithTheirOutsidesOnly)
+{
+    const auto plate = shapes::thickened(shapes::grid(10, 10, 50.0, 50.0), 0.5);
+    const auto on_top = shifted(plate, {20, 0, 0.5});
+    const auto found = find_contacts({part_of(plate), part_of(on_top)}, {}, with_gap(0.6));
+    ASSERT_EQ(found.size(), 1u);
+    for (const int vertex : found[0].a)
+        EXPECT_LT(vertex, 121);  // the upper skin of the lower plate
+}
+
+TEST(Contacts, AFreeEdgeOnASurfaceIsAContact)
+{
+    const auto base = shapes::grid(20, 20, 100.0, 100.0);
+    const auto wall = shapes::mapped(shapes::grid(20, 5, 100.0, 25.0),
+                                     [](const Vector3& p) { return Vector3(p.x(), 52.0, p.y()); });
+    const auto found = find_contacts({part_of(base), part_of(wall)}, {}, with_gap(0.5));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, ContactKind::edge);
+    EXPECT_EQ(found[0].b.size(), 21u);
+    EXPECT_GE(found[0].a.size(), 3u);
+}
+
+TEST(Contacts, ElementsBetweenPartsAreWelds)
+{
+    const auto sheet = shapes::grid(20, 10, 100.0, 50.0);
+    const std::vector<ContactPart> parts = {part_of(sheet), part_of(shifted(sheet, {70, 0, 6.0}))};
+    const std::vector<Connection> rivets = {{0, 14, 1, 0}, {0, 35, 1, 21}, {0, 56, 1, 42}};
+    const auto found = find_contacts(parts, rivets, with_gap(0.5));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, ContactKind::weld);
+    EXPECT_EQ(found[0].connections, 3);
+    EXPECT_EQ(found[0].a, (VertexIds{14, 35, 56}));
+    EXPECT_THROW(find_contacts(parts, {{0, 999, 1, 0}}), InvalidInput);
+}
+
+TEST(Contacts, TheGapIsProposedFromTheAssembly)
+{
+    const auto sheet = shapes::grid(20, 10, 100.0, 50.0);
+    for (const double scale : {1.0, 1e-3})
+    {
+        std::vector<ContactPart> parts;
+        for (const double height : {0.0, 1.2, 40.0})
+            parts.push_back(
+                part_of(shapes::mapped(shifted(sheet, {height, 0, height}),
+                                       [=](const Vector3& p) { return Vector3(scale * p); })));
+        const double gap = proposed_gap(parts) / scale;
+        EXPECT_GT(gap, 1.2);
+        EXPECT_LT(gap, 3.0);
+        EXPECT_EQ(find_contacts(parts).size(), 1u);
+    }
+}
+
+TEST(Contacts, AThousandPartsAreNoTrouble)
+{
+    const auto sheet = shapes::grid(4, 2, 20.0, 10.0);
+    std::vector<ContactPart> parts;
+    for (int i = 0; i < 1000; ++i)
+        parts.push_back(
+            {shifted(sheet, {15.0 * (i % 40), 30.0 * (i / 40), 0.5 * (i % 2)}), 0.0, {}});
+    EXPECT_EQ(find_contacts(parts, {}, with_gap(0.6)).size(), 25u * 39u);
+}
+
+}  // namespace
+
+}  // namespace sheetmorph

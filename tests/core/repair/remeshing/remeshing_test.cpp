@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/repair/remeshing/remeshing.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/quality/diagnosis.h"
+#include "sheetmorph/mesh/quality/quality.h"
+#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/mesh/topology/boundary.h"
+#include "sheetmorph/repair/self_intersections.h"
+#include "shapes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace sheetmorph
+{
+namespace
+{
+
+RemeshOptions edges_of(double length)
+{
+    RemeshOptions options;
+    options.edge = length;
+    return options;
+}
+
+TEST(Remeshing, OfFlatsIsExactAndWellShaped)
+{
+    const TriangleMesh box = shapes::box(1, Vector3(60, 40, 3));
+    const RemeshedMesh found = remeshed(box, edges_of(3.0));
+    EXPECT_LT(found.deviation, 1e-12);
+    EXPECT_EQ(found.flats, 6);
+    EXPECT_GT(quality(found.mesh).worst_angle_degrees, 20.0);
+    const Diagnosis diagnosis = diagnose(found.mesh, 1e-6);
+    EXPECT_EQ(diagnosis.open_edges, 0);
+    EXPECT_EQ(diagnosis.flipped_triangles, 0);
+    EXPECT_NEAR(diagnosis.pieces[0].volume, 60.0 * 40.0 * 3.0, 1e-6);
+    EXPECT_NEAR(diagnosis.edges.median, 3.0, 1.0);
+}
+
+TEST(Remeshing, KeepsTheVerticesOfRidgesAndTellsWhereTheNewOnesLie)
+{
+    const TriangleMesh box = shapes::box(1, Vector3(60, 40, 3));
+    const RemeshedMesh found = remeshed(box, edges_of(5.0));
+    for (int i = 0; i < box.vertex_count(); ++i)
+    {
+        ASSERT_EQ(found.is_kept[i], 1);
+        EXPECT_EQ(found.mesh.points().row(found.vertex_of[i]), box.points().row(i));
+    }
+    for (int i = 0; i < found.mesh.vertex_count(); ++i)
+    {
+        Vector3 place = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+            place += found.barycentric(i, k)
+                     * box.points().row(box.triangles()(found.triangle[i], k)).transpose();
+        EXPECT_LT((place - found.mesh.points().row(i).transpose()).norm(), 1e-9);
+    }
+}
+
+TEST(Remeshing, KeepsRimsOrPutsThemOnTheirCircles)
+{
+    shapes::PlateSpec spec;
+    spec.rim = 16;
+    const TriangleMesh plate = shapes::plate_with_holes(spec).mesh;
+    RemeshOptions options = edges_of(4.0);
+    const auto polygon = round_holes(remeshed(plate, options).mesh, 0.05);
+    options.are_rims_on_circles = true;
+    const RemeshedMesh found = remeshed(plate, options);
+    const auto circles = round_holes(found.mesh, 0.05);
+    ASSERT_EQ(polygon.size(), 3U);
+    ASSERT_EQ(circles.size(), 3U);
+    EXPECT_EQ(found.circles, 3);
+    EXPECT_NEAR(circles[0].circle.radius, spec.radius, 1e-9);
+    EXPECT_LT(circles[0].circle.residual, 1e-9);
+    EXPECT_GT(circles[0].rim.size(), 16U);
+    const double sagitta = spec.radius * (1.0 - std::cos(shapes::pi / 16.0));
+    EXPECT_LE(polygon[0].circle.residual, sagitta);
+    EXPECT_NEAR(found.deviation, 0.0, 1.1 * sagitta);  // told, not hidden
+}
+
+TEST(Remeshing, FollowsCurvedFacetsWithItsVerticesOnThem)
+{
+    const TriangleMesh pipe = shapes::half_pipe(40, 1, 20.0, 100.0);
+    const RemeshedMesh found = remeshed(pipe, edges_of(4.0));
+    EXPECT_GT(quality(found.mesh).worst_angle_degrees, 8.0);
+    EXPECT_LT(found.deviation, 4.0 * 4.0 / (8.0 * 20.0) * 2.0);  // twice an edge's own sagitta
+    const double area = diagnose(pipe, 1e-6).pieces[0].area;
+    EXPECT_NEAR(diagnose(found.mesh, 1e-6).pieces[0].area, area, 0.002 * area);
+}
+
+TEST(Remeshing, KeepsSheetsTogetherThatMeetInAnEdge)
+{
+    Points points(8, 3);
+    points << 0, 0, 0, 0, 30, 0, 20, 0, 0, 20, 30, 0, -20, 0, 0, -20, 30, 0, 0, 0, 20, 0, 30, 20;
+    Triangles triangles(6, 3);
+    triangles << 0, 2, 3, 0, 3, 1, 0, 1, 5, 0, 5, 4, 0, 1, 7, 0, 7, 6;
+    const RemeshedMesh found = remeshed(TriangleMesh(points, triangles), edges_of(4.0));
+    const Diagnosis diagnosis = diagnose(found.mesh, 1e-9);
+    EXPECT_EQ(diagnosis.pieces.size(), 1U);
+    EXPECT_EQ(diagnosis.duplicate_vertices, 0);
+    EXPECT_GE(diagnosis.non_manifold_edges, 6);
+    EXPECT_LT(found.deviation, 1e-12);
+}
+
+TEST(Remeshing, AVertexThatIsGoneIsFollowedOnItsOwnSheetHoweverNearAnotherIs)
+{
+    const TriangleMesh sheet = shapes::grid(50, 30, 50.0, 30.0);
+    const int count = sheet.vertex_count();
+    Points points(2 * count, 3);
+    points << sheet.points(), sheet.points().rowwise() + Eigen::RowVector3d(0.7, 0.7, 0.01);
+    Triangles triangles(2 * sheet.triangle_count(), 3);
+    triangles << sheet.triangles(), sheet.triangles().array() + count;
+    const RemeshedMesh found = remeshed(TriangleMesh(points, triangles), edges_of(8.0));
+    for (int i = 0; i < 2 * count; ++i)
+        EXPECT_NEAR(found.mesh.points()(found.vertex_of[i], 2), points(i, 2), 1e-9);
+}
+
+// How many vertices at one height have none above or below them at another.
+int without_twin(const TriangleMesh& mesh, double height, double other)
+{
+    int count = 0;
+    for (int i = 0; i < mesh.vertex_count(); ++i)
+    {
+        if (std::abs(mesh.points()(i, 2) - height) > 1e-9)
+            continue;
+        const Vector3 place = Vector3(mesh.points()(i, 0), mesh.points()(i, 1), other);
+        count += (mesh.points().rowwise() - place.transpose()).rowwise().norm().minCoeff() > 1e-9;
+    }
+    return count;
+}
+
+TEST(Remeshing, MeshesTheSkinsOfAPlateAlike)
+{
+    const RemeshedMesh found = remeshed(shapes::box(1, Vector3(60, 40, 3)), edges_of(3.0));
+    EXPECT_EQ(without_twin(found.mesh, 0.0, 3.0), 0);
+    EXPECT_EQ(without_twin(found.mesh, 3.0, 0.0), 0);
+    EXPECT_TRUE(self_intersections(found.mesh).empty());
+}
+
+TEST(Remeshing, MeshesSkinsAlikeThoughARimHasAVertexMoreOnOneSide)
+{
+    // Vertices 0 to 7 of a box, and one more in the middle of an edge of its upper face.
+    Points points(9, 3);
+    points << 0, 0, 0, 60, 0, 0, 60, 40, 0, 0, 40, 0, 0, 0, 3, 60, 0, 3, 60, 40, 3, 0, 40, 3,  //
+        31, 0.4, 3;
+    Triangles triangles(14, 3);
+    triangles << 0, 2, 1, 0, 3, 2, 4, 8, 7, 8, 6, 7, 8, 5, 6, 0, 1, 8, 0, 8, 4, 1, 5, 8,  //
+        1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7;
+    const RemeshedMesh found = remeshed(TriangleMesh(points, triangles), edges_of(3.0));
+    EXPECT_LT(found.deviation, 1e-9);
+    EXPECT_EQ(diagnose(found.mesh, 1e-6).open_edges, 0);
+    EXPECT_LT(without_twin(found.mesh, 3.0, 0.0), 25);  // along the edge that differs alone
+    EXPECT_GT(std::count_if(found.is_kept.begin(), found.is_kept.end(), [](char c) { return c; }),
+              8);
+}
+
+TEST(Remeshing, RefusesEdgesThatMakeNoSense)
+{
+    const TriangleMesh box = shapes::box(1, Vector3(60, 40, 3));
+    EXPECT_THROW(remeshed(box, edges_of(0.0)), InvalidInput);
+    EXPECT_THROW(remeshed(box, edges_of(1e-4)), InvalidInput);
+}
+
+}  // namespace
+}  // namespace sheetmorph
