@@ -52,7 +52,7 @@ void bind_sight(py::module_& module)
     module.def(
         "vertices_inside",
         [](const PickingTree& tree, const Screen& screen, const ScreenPoints& outline)
-        { return to_numpy(vertices_inside(tree, screen, Outline(outline))); },
+        { return to_numpy(vertices_inside(tree, screen, ScreenOutline(outline))); },
         py::arg("tree"), py::arg("screen"), py::arg("outline"),
         "The vertices seen inside a closed outline (k, 2), px, hidden ones too: (k,) int32, "
         "ascending.");

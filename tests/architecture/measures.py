@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 LONGEST_FUNCTION = 40
 MOST_PARAMETERS = 4
-LONGEST_HEADER = 100
-LONGEST_SOURCE = 300
+LONGEST_HEADER = 150
+LONGEST_SOURCE = 600
 
 NOT_CODE = re.compile(
     r"//[^\n]*|/\*.*?\*/|R\"\((?:.*?)\)\"|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])'", re.DOTALL

@@ -30,9 +30,9 @@ def test_python_functions_stay_small():
 
 
 def test_a_long_file_is_noticed(tmp_path):
-    (tmp_path / "long.h").write_text("\n" * 101)
-    (tmp_path / "short.cpp").write_text("\n" * 300)
-    assert file_faults(tmp_path / "long.h") == ["101 lines, 100 at most"]
+    (tmp_path / "long.h").write_text("\n" * 151)
+    (tmp_path / "short.cpp").write_text("\n" * 600)
+    assert file_faults(tmp_path / "long.h") == ["151 lines, 150 at most"]
     assert file_faults(tmp_path / "short.cpp") == []
 
 

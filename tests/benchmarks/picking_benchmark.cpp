@@ -46,13 +46,13 @@ const Scene& scene()
     return made;
 }
 
-Outline circle(double radius)
+ScreenOutline circle(double radius)
 {
     ScreenPoints corners(48, 2);
     for (int k = 0; k < 48; ++k)
         corners.row(k) << 0.5 * width + radius * std::cos(0.1309 * k),
             0.5 * height + radius * std::sin(0.1309 * k);
-    return Outline(corners);
+    return ScreenOutline(corners);
 }
 
 // Runs work(), which returns ids, and tells how many they were.
@@ -83,13 +83,13 @@ void pick_hover_ray(benchmark::State& state)
 
 void pick_outline(benchmark::State& state)
 {
-    const Outline outline = circle(static_cast<double>(state.range(0)));
+    const ScreenOutline outline = circle(static_cast<double>(state.range(0)));
     measure(state, [&] { return vertices_inside(scene().back_tree, scene().screen(), outline); });
 }
 
 void pick_visible_in_outline(benchmark::State& state)
 {
-    const Outline outline = circle(static_cast<double>(state.range(0)));
+    const ScreenOutline outline = circle(static_cast<double>(state.range(0)));
     measure(state,
             [&]
             {

@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/assembly_checks.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +13,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 template <typename Named>
 void check_names(const std::string& kind, const std::vector<Named>& list)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/forms/feature_patch.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/topology/boundary.h"
 
 #include <algorithm>
@@ -12,11 +13,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 //! Gives vertices of a large mesh numbers in a small one.
 class Renumbering

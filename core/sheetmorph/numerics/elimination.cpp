@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/elimination.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -11,11 +13,6 @@ namespace
 {
 
 constexpr int none = -1;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Sorts 0 .. keys.size() - 1 by keys 0 .. count - 1, stably; where each key begins.
 std::vector<int> sorted_by(const std::vector<int>& keys, int count, std::vector<int>& order)

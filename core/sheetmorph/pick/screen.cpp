@@ -53,7 +53,7 @@ Planes Screen::planes_around(const Vector3& low, const Vector3& high) const
     return planes;
 }
 
-Outline::Outline(ScreenPoints corners) : corners_(std::move(corners))
+ScreenOutline::ScreenOutline(ScreenPoints corners) : corners_(std::move(corners))
 {
     if (corners_.rows() < 3 || !corners_.allFinite())
         throw InvalidInput("an outline needs three or more corners with finite coordinates; it has "
@@ -70,7 +70,7 @@ Outline::Outline(ScreenPoints corners) : corners_(std::move(corners))
     }
 }
 
-int Outline::row_of(double y) const
+int ScreenOutline::row_of(double y) const
 {
     const double extent = std::max(high_.y() - low_.y(), std::numeric_limits<double>::min());
     const double row = (y - low_.y()) / extent * rows_of_an_outline;
@@ -79,7 +79,7 @@ int Outline::row_of(double y) const
 
 // Counts how often the figure runs round the place: a side that crosses the ray to the right of it
 // upwards counts 1, downwards -1.
-bool Outline::contains(double x, double y) const
+bool ScreenOutline::contains(double x, double y) const
 {
     if (!(x >= low_.x() && x <= high_.x() && y >= low_.y() && y <= high_.y()))
         return false;

@@ -35,12 +35,12 @@ private:
 
 //! A closed figure on the screen. Inside is what it runs round at least once, however often it
 //! crosses itself.
-class Outline
+class ScreenOutline
 {
 public:
     //! \param corners  (k, 2) px, k >= 3; the last is joined to the first
     //! \throws InvalidInput for fewer corners, or numbers that are not finite
-    explicit Outline(ScreenPoints corners);
+    explicit ScreenOutline(ScreenPoints corners);
 
     bool contains(double x, double y) const;
 

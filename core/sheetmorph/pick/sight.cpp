@@ -66,7 +66,8 @@ VertexIds not_hidden(const std::vector<Seen>& seen, const Screen& screen,
 
 }  // namespace
 
-VertexIds vertices_inside(const PickingTree& tree, const Screen& screen, const Outline& outline)
+VertexIds vertices_inside(const PickingTree& tree, const Screen& screen,
+                          const ScreenOutline& outline)
 {
     Flags is_near(static_cast<std::size_t>(tree.points().rows()), 0);
     for (const int t : tree.triangles_between(screen.planes_around(outline.low(), outline.high())))

@@ -8,7 +8,8 @@ namespace sheetmorph
 
 //! The vertices, used by a triangle, whose picture lies inside an outline; also those that are
 //! hidden. Ascending. The cost is that of what lies in the outline's bounding rectangle.
-VertexIds vertices_inside(const PickingTree& tree, const Screen& screen, const Outline& outline);
+VertexIds vertices_inside(const PickingTree& tree, const Screen& screen,
+                          const ScreenOutline& outline);
 
 //! Those of `vertices`, of the shape in `tree`, that no triangle of any of the `shapes` hides:
 //! none lies in front of the vertex by more than a millionth of the half depth of the view.

@@ -16,11 +16,11 @@ namespace sheetmorph
 namespace
 {
 
-Outline outline_of(std::initializer_list<double> numbers)
+ScreenOutline outline_of(std::initializer_list<double> numbers)
 {
     ScreenPoints corners(static_cast<Eigen::Index>(numbers.size() / 2), 2);
     std::copy(numbers.begin(), numbers.end(), corners.data());
-    return Outline(corners);
+    return ScreenOutline(corners);
 }
 
 // 500 places within 60 mm of the origin along every axis.
@@ -91,10 +91,10 @@ TEST(Screen, FaultsAreToldInWords)
     EXPECT_THROW(outline_of({0, 0, 1, 1, 0, std::nan("")}), InvalidInput);
 }
 
-TEST(Outline, ContainsWhatIsInsideWhicheverWayItRuns)
+TEST(ScreenOutline, ContainsWhatIsInsideWhicheverWayItRuns)
 {
-    for (const Outline& outline : {outline_of({0, 0, 10, 0, 10, 10, 5, 2, 0, 10}),
-                                   outline_of({0, 10, 5, 2, 10, 10, 10, 0, 0, 0})})
+    for (const ScreenOutline& outline : {outline_of({0, 0, 10, 0, 10, 10, 5, 2, 0, 10}),
+                                         outline_of({0, 10, 5, 2, 10, 10, 10, 0, 0, 0})})
     {
         EXPECT_TRUE(outline.contains(5, 1));
         EXPECT_TRUE(outline.contains(1, 7));
@@ -104,23 +104,23 @@ TEST(Outline, ContainsWhatIsInsideWhicheverWayItRuns)
     }
 }
 
-TEST(Outline, WhatItRunsRoundTwiceIsInside)
+TEST(ScreenOutline, WhatItRunsRoundTwiceIsInside)
 {
-    const Outline twice =
+    const ScreenOutline twice =
         outline_of({0, 0, 10, 0, 10, 10, 0, 10, 0, 0, 4, 4, 6, 4, 6, 6, 4, 6, 4, 4});
     EXPECT_TRUE(twice.contains(5, 5));
     EXPECT_TRUE(twice.contains(8, 2));
 }
 
-TEST(Outline, OneThatCrossesItselfHoldsBothHalves)
+TEST(ScreenOutline, OneThatCrossesItselfHoldsBothHalves)
 {
-    const Outline eight = outline_of({0, 0, 10, 10, 10, 0, 0, 10});
+    const ScreenOutline eight = outline_of({0, 0, 10, 10, 10, 0, 0, 10});
     EXPECT_TRUE(eight.contains(9, 5));
     EXPECT_TRUE(eight.contains(1, 5));
     EXPECT_FALSE(eight.contains(5, 9));
 }
 
-TEST(Outline, OneWithoutExtentHoldsNothing)
+TEST(ScreenOutline, OneWithoutExtentHoldsNothing)
 {
     EXPECT_FALSE(outline_of({3, 3, 3, 3, 3, 3}).contains(3, 3));
     EXPECT_FALSE(outline_of({0, 3, 9, 3, 4, 3}).contains(5, 3));

@@ -50,7 +50,7 @@ VertexIds all_of(const TriangleMesh& mesh)
     return all;
 }
 
-Outline wavy()
+ScreenOutline wavy()
 {
     ScreenPoints corners(90, 2);
     for (int k = 0; k < 90; ++k)
@@ -59,7 +59,7 @@ Outline wavy()
         const double radius = 70.0 + 30.0 * std::sin(5.0 * angle);
         corners.row(k) << 390.0 + radius * std::cos(angle), 310.0 + radius * std::sin(angle);
     }
-    return Outline(corners);
+    return ScreenOutline(corners);
 }
 
 // Whether a triangle that does not touch the vertex lies between it and the eye, by the ray.
@@ -85,7 +85,7 @@ TEST(Sight, AnOutlineHoldsTheVerticesWhosePictureItHolds)
         for (const Screen& screen : screens())
         {
             const TriangleMesh mesh = scene(which);
-            const Outline outline = wavy();
+            const ScreenOutline outline = wavy();
             VertexIds expected;
             for (int i = 0; i < mesh.vertex_count(); ++i)
                 if (const Vector3 seen = screen.seen(mesh.points().row(i));

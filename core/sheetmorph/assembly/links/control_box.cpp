@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/control_box.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <Eigen/Geometry>
 
 namespace sheetmorph
@@ -14,11 +16,6 @@ constexpr double single_point_share = 0.02;
 
 // Directions shorter than this share of the assembly say nothing.
 constexpr double shortest_direction = 1e-6;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 Points all_points(const Assembly& assembly)
 {

@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/links/link_plan.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/topology/boundary.h"
 
@@ -14,11 +15,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 VertexIds all_vertices(const Part& part)
 {

@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/links/link_plan.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 #include <map>
@@ -11,11 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::vector<DirectedContact> rigid_contacts(const Assembly& assembly, const PropagationPlan& plan)
 {

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/forms/feature_shape.h"
 #include "sheetmorph/mesh/regions/circle.h"
 
@@ -21,11 +22,6 @@ constexpr double degrees = 180.0 / 3.14159265358979323846;
 // Of the smaller radius, and degrees: beyond it, features do not share an axis.
 constexpr double most_offset = 0.02;
 constexpr double most_angle = 1.0;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 //! The axis of a form feature, with how far its vertices are from it in the mean.
 struct FeatureAxis

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 
@@ -11,11 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 template <typename Named>
 bool has_name(const std::vector<Named>& list, const std::string& name)

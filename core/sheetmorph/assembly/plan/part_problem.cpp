@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/part_problem.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& welds)
 {

@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/plan/propagation_plan.h"
 
 #include "sheetmorph/assembly/plan/part_pose.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,11 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::vector<std::vector<int>> neighbours(const Assembly& assembly)
 {

@@ -3,19 +3,10 @@
 
 #include "sheetmorph/assembly/session/live_drag.h"
 #include "sheetmorph/assembly/session/wave.h"
+#include "sheetmorph/base/index.h"
 
 namespace sheetmorph
 {
-
-namespace
-{
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
 
 DeformationSession::DeformationSession(Assembly assembly, const Progress& progress,
                                        const DeformationSession* previous)

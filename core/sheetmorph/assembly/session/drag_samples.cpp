@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/session/drag_samples.h"
 
 #include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/vertex_sets.h"
 
@@ -18,11 +19,6 @@ namespace
 constexpr int pose_count = 128;
 constexpr double farthest_turn = 75.0 / 360.0 * M_PI;  // as a logarithm (2.6)
 constexpr double farthest_shift = 0.35;                // of the part's size
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 //! Points in a ball, the same ones every time.
 class Ball

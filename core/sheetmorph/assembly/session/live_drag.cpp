@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/session/drag_samples.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <condition_variable>
 #include <map>
@@ -20,11 +21,6 @@ namespace
 // handle, to 100 degrees for two.
 constexpr int degree_for_one = 8;
 constexpr int degree_for_two = 7;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 bool turns_or_moves(const RigidMotion& motion)
 {

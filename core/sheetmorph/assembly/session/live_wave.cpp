@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/wave.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -13,11 +15,6 @@ namespace
 
 // Parts are placed on two threads if they have this many vertices together.
 constexpr int vertices_for_two_threads = 200000;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

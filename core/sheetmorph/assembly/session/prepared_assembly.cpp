@@ -8,6 +8,7 @@
 #include "sheetmorph/assembly/session/reuse.h"
 #include "sheetmorph/assembly/session/task_pool.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,11 +18,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 Points target_points(const Assembly& assembly, const PlannedLink& link)
 {

@@ -3,21 +3,12 @@
 
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 
 namespace sheetmorph
 {
-
-namespace
-{
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
 
 Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness)
     : prepared_(prepared),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/symmetry/mirror_finder.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
@@ -15,11 +17,6 @@ namespace
 
 // Of the assembly's size: how far apart a vertex and its mirrored counterpart may be.
 constexpr double relative_tolerance = 1e-6;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 long long key_of(const std::array<long long, 3>& cell)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/symmetry/symmetry_plan.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 namespace sheetmorph
 {
@@ -10,11 +11,6 @@ namespace
 
 // How exactly both sides must agree where the pose tells both, relative.
 constexpr double agreement = 1e-9;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 bool is_still(const RigidMotion& motion)
 {

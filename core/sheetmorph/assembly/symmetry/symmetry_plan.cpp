@@ -4,6 +4,7 @@
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 #include "sheetmorph/assembly/symmetry/mirror_finder.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -16,11 +17,6 @@ namespace
 {
 
 constexpr int none = -1;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::string mirrored_name(const std::string& name)
 {

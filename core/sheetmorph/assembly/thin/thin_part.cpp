@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/thin/thin_part.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/search/picking.h"
 
 #include <Eigen/Dense>
@@ -21,11 +22,6 @@ constexpr double equally_near = 1e-7;
 
 // A corner with less weight than this does not count.
 constexpr double no_weight = 1e-6;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::map<int, std::vector<int>> facets_by_component(const ThinSolid& solid, SolidSide side)
 {

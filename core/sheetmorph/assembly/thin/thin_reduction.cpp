@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/thin/thin_reduction.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/search/picking.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 bool is_same_wish(const Part& a, const Part& b)
 {

@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/thin/thin_solver.h"
 
 #include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
 
@@ -16,11 +17,6 @@ namespace
 
 // A point moves nearly as the middle under it does, so that a handful of rounds is enough.
 constexpr int most_rounds = 30;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 VertexIds all_vertices(const TriangleMesh& mesh)
 {

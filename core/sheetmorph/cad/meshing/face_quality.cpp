@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/cad/meshing/refinement.h"
+#include "sheetmorph/cad/meshing/face_refiner.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/meshing/face_refinement.h"
-#include "sheetmorph/cad/meshing/refinement.h"
+#include "sheetmorph/cad/meshing/face_refiner.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -59,7 +59,7 @@ private:
 
 }  // namespace
 
-Refinement::Refinement(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes)
+FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes)
     : mesh_(mesh), surface_(surface), sizes_(sizes)
 {
     double shortest = sizes.edge;
@@ -68,7 +68,7 @@ Refinement::Refinement(FaceMesh& mesh, const FaceSurface& surface, const FaceSiz
     shortest_ = std::max(0.05 * shortest, 1e-4 * sizes.edge);
 }
 
-void Refinement::run()
+void FaceRefiner::run()
 {
     flip_all();
     split_all();
@@ -85,7 +85,7 @@ void Refinement::run()
 }
 
 // By how much a side is too long; above 1 it should be split.
-double Refinement::length_excess(const FaceVertex& a, const FaceVertex& b) const
+double FaceRefiner::length_excess(const FaceVertex& a, const FaceVertex& b) const
 {
     const double length = (b.point - a.point).norm();
     constexpr double tolerated = 4.0 / 3.0;
@@ -94,7 +94,7 @@ double Refinement::length_excess(const FaceVertex& a, const FaceVertex& b) const
 }
 
 // By how much the surface bends too much along a side; above 1 it should be split.
-double Refinement::bend_excess(const FaceVertex& a, const FaceVertex& b) const
+double FaceRefiner::bend_excess(const FaceVertex& a, const FaceVertex& b) const
 {
     if (surface_.is_plane() || (b.point - a.point).norm() < shortest_)
         return 0.0;
@@ -109,7 +109,7 @@ double Refinement::bend_excess(const FaceVertex& a, const FaceVertex& b) const
 }
 
 // Sizes grow from the border inwards, along the sides (Dijkstra).
-void Refinement::spread_sizes()
+void FaceRefiner::spread_sizes()
 {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -137,7 +137,7 @@ void Refinement::spread_sizes()
     }
 }
 
-void Refinement::split_all()
+void FaceRefiner::split_all()
 {
     constexpr int most_rounds = 40;
     for (int round = 0; round < most_rounds && vertex_count() < sizes_.most_vertices; ++round)
@@ -148,7 +148,7 @@ void Refinement::split_all()
     }
 }
 
-bool Refinement::split_round()
+bool FaceRefiner::split_round()
 {
     std::vector<Side> sides;
     for_each_side(
@@ -168,7 +168,7 @@ bool Refinement::split_round()
     return is_changed;
 }
 
-bool Refinement::try_split(const Side& side)
+bool FaceRefiner::try_split(const Side& side)
 {
     const auto& corners = mesh_.triangle(side.t).corner;
     if (corners[static_cast<std::size_t>(side.k)] != side.a
@@ -195,7 +195,7 @@ bool Refinement::try_split(const Side& side)
 
 // Exchanges a side whose two opposite corners sum up to more than pi, and one that is far from
 // the surface, as long as no triangle turns over.
-bool Refinement::flip_if_better(int t, int k)
+bool FaceRefiner::flip_if_better(int t, int k)
 {
     if (!mesh_.is_free_side(t, k))
         return false;
@@ -216,7 +216,7 @@ bool Refinement::flip_if_better(int t, int k)
     return true;
 }
 
-void Refinement::flip_all()
+void FaceRefiner::flip_all()
 {
     constexpr int most_rounds = 30;
     bool is_changed = true;
@@ -228,7 +228,7 @@ void Refinement::flip_all()
 }
 
 // Flips outwards from a new vertex (Lawson).
-void Refinement::legalise(int v)
+void FaceRefiner::legalise(int v)
 {
     std::vector<int> open = mesh_.around(v);
     constexpr std::size_t most = 200;
@@ -251,7 +251,7 @@ void Refinement::legalise(int v)
 
 void refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes)
 {
-    Refinement(mesh, surface, sizes).run();
+    FaceRefiner(mesh, surface, sizes).run();
 }
 
 }  // namespace sheetmorph

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/cad/meshing/refinement.h"
+#include "sheetmorph/cad/meshing/face_refiner.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -18,7 +18,7 @@ constexpr int next(int k)
 
 }  // namespace
 
-double Refinement::worth_around(int v, const FaceVertex& moved, int without) const
+double FaceRefiner::worth_around(int v, const FaceVertex& moved, int without) const
 {
     double least = std::numeric_limits<double>::infinity();
     for (const int t : mesh_.around(v))
@@ -33,7 +33,7 @@ double Refinement::worth_around(int v, const FaceVertex& moved, int without) con
     return least;
 }
 
-void Refinement::collapse_all()
+void FaceRefiner::collapse_all()
 {
     for (int v = 0; v < vertex_count(); ++v)
         if (!mesh_.vertex(v).is_fixed && mesh_.vertex(v).triangle >= 0)
@@ -41,7 +41,7 @@ void Refinement::collapse_all()
 }
 
 // Removes a vertex that is too near to a neighbour, if nothing gets too long, bent or thin by it.
-bool Refinement::try_collapse(int v)
+bool FaceRefiner::try_collapse(int v)
 {
     constexpr double too_near = 0.7;
     const FaceVertex here = mesh_.vertex(v);
@@ -75,7 +75,7 @@ bool Refinement::try_collapse(int v)
     return false;
 }
 
-void Refinement::smooth_all()
+void FaceRefiner::smooth_all()
 {
     constexpr int sweeps = 3;
     for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -86,7 +86,7 @@ void Refinement::smooth_all()
 
 // Moves a vertex along the surface towards the middle of its neighbours, if that shapes the
 // triangles better or leaves them good.
-void Refinement::smooth(int v)
+void FaceRefiner::smooth(int v)
 {
     const FaceVertex here = mesh_.vertex(v);
     Vector3 sum = Vector3::Zero();

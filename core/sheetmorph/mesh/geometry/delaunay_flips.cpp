@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/geometry/delaunay_flips.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <Eigen/Geometry>
 #include <limits>
 
@@ -15,11 +17,6 @@ constexpr double rounding = 1e-9;
 
 // A slow mesh takes a few flips a side; ever more means that rounding leads in circles.
 constexpr int most_flips_a_side = 100;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 //! A side as seen from its face: unit vectors along it and into the face, and the apex there.
 struct SideFrame

@@ -2,6 +2,7 @@
 #include "sheetmorph/mesh/geometry/fans.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/index.h"
 
 #include <map>
 
@@ -10,11 +11,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 int next_corner(int corner)
 {

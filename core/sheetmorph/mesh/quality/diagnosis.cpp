@@ -101,7 +101,7 @@ std::array<int, 2> open_and_non_manifold(const EdgeTable& table)
 
 void find_rims(const TriangleMesh& mesh, const EdgeTable& table, Diagnosis& found)
 {
-    RoundRims& rims = found.rims;
+    RimDiagnosis& rims = found.rims;
     for (const VertexIds& loop : crease_loops(mesh, table, rim_angle))
     {
         const auto circle = round_rim(mesh.points()(loop, Eigen::all), rim_roundness);

@@ -36,7 +36,7 @@ struct EdgeLengths
 };
 
 //! Closed round rims of holes and pins: at borders and creases.
-struct RoundRims
+struct RimDiagnosis
 {
     int count = 0;
     double smallest_radius = 0.0, largest_radius = 0.0;  //!< mm
@@ -50,7 +50,7 @@ struct Diagnosis
     double size = 0.0;       //!< diagonal of the bounding box, mm
     double tolerance = 0.0;  //!< vertices nearer than this are one place, mm
     EdgeLengths edges;
-    RoundRims rims;
+    RimDiagnosis rims;
     int unused_vertices = 0;
     int duplicate_vertices = 0;       //!< in exactly the place of an earlier one
     int near_duplicate_vertices = 0;  //!< pairs of different places within the tolerance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/cholesky/front_builder.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 
 #include <algorithm>
@@ -12,11 +13,6 @@ namespace
 {
 
 constexpr int none = -1;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Memory of so many updates is kept for the next ones.
 constexpr std::size_t most_spare = 6;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/cholesky/front_solver.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <algorithm>
 #include <numeric>
 #include <thread>
@@ -16,11 +18,6 @@ constexpr double entries_for_two_threads = 2e6;
 
 // A subtree is split until it is at most this share of all entries.
 constexpr double smallest_share = 0.26;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/cholesky/frontal_cholesky.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/numerics/cholesky/front_builder.h"
 
@@ -21,11 +22,6 @@ constexpr double task_share = 1.0 / 7.0;
 
 // From so many rows on a second thread is worth its start.
 constexpr int rows_for_two_threads = 5000;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 //! What there is to do. Pieces of one list do not wait for each other.
 struct Plan

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/cholesky/nested_dissection.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <algorithm>
 #include <numeric>
 #include <thread>
@@ -16,11 +18,6 @@ constexpr std::ptrdiff_t smallest_set = 12;
 
 // From so many rows on a second thread takes one half.
 constexpr std::ptrdiff_t set_for_two_threads = 20000;
-
-std::size_t at(std::ptrdiff_t index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // What separates two halves ends here in the order; it begins where the set before it ends.
 struct Set

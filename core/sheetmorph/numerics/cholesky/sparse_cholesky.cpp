@@ -2,6 +2,7 @@
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/numerics/cholesky/front_solver.h"
 #include "sheetmorph/numerics/cholesky/frontal_cholesky.h"
 
@@ -19,11 +20,6 @@ namespace
 // Below this size a minimum-degree ordering fills no more than METIS does, which takes longer than
 // the factorisation.
 constexpr Eigen::Index metis_from = 100000;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 [[noreturn]] void refuse()
 {

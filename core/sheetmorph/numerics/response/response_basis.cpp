@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/response/response_basis.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -23,11 +25,6 @@ constexpr Eigen::Index rows_for_two_threads = 60000;
 
 // Patches handed to a thread at a time.
 constexpr std::size_t patches_at_once = 64;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Steps of 16 bits for a field, or 0 if they are too coarse for the columns that it is blended to.
 float narrow_step(const ResponseFields::Patch& patch, Eigen::Index field,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/response/response_fields.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/numerics/response/response_kernel.h"
 
@@ -21,11 +22,6 @@ constexpr double rounding = 1e-7;
 
 // Below so many rows the start of a second thread costs more than it saves.
 constexpr Eigen::Index rows_for_two_threads = 5000;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Takes off `wanted` what the fields (rows, f) blend to, twice, since in float32 they are not quite
 // orthonormal; adds how to the first rows of `shares`.

@@ -2,6 +2,7 @@
 #include "sheetmorph/recognise/thin/skin_cells.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 #include <map>
@@ -14,11 +15,6 @@ namespace
 
 constexpr double thinnest_skin = 0.5;
 constexpr double thickest_skin = 1.6;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 using WeightedDistances = std::vector<std::pair<double, double>>;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/thin/skin_pairs.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/recognise/thin/parity_sets.h"
 
 #include <algorithm>
@@ -20,11 +21,6 @@ constexpr double agreement = 0.9;
 
 // A smooth patch says less than a crease that is seen.
 constexpr double weight_of_patch = 1e-3;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // For which side, 0 or 1, of the sheet a group of cells speaks, by length.
 using Evidence = std::map<int, std::array<double, 2>>;

@@ -2,6 +2,7 @@
 #include "sheetmorph/recognise/thin/skin_walls.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
 
@@ -21,11 +22,6 @@ constexpr double thickest_of_skin = 1.8;  // more than sqrt(3): the corner of a 
 constexpr double across = 0.5;
 
 constexpr int on_both = 2;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 class Walls
 {

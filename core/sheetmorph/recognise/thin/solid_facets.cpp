@@ -2,6 +2,7 @@
 #include "sheetmorph/recognise/thin/solid_facets.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/quality/thinness.h"
 #include "sheetmorph/mesh/topology/edges.h"
 
@@ -12,11 +13,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 Vector3 corner(const TriangleMesh& mesh, int triangle, int k)
 {

@@ -2,6 +2,7 @@
 #include "sheetmorph/recognise/thin/solid_pieces.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 #include <map>
@@ -15,11 +16,6 @@ namespace
 // How much of its own length a wall must look inwards to be that of a hole: a slot 50 times as long
 // as wide still does.
 constexpr double looks_inwards = 0.02;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // The facets of every set, by the first vertex of its facets.
 std::vector<std::vector<int>> grouped(DisjointSets& sets, const std::vector<char>& is_member)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/thin/thickness_gauge.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
 
@@ -18,11 +19,6 @@ namespace
 // Outside these many thicknesses, what is nearest at rest is not the skin opposite.
 constexpr double nearest = 0.3;
 constexpr double farthest = 1.8;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::vector<char> flags(const TriangleMesh& mesh, const std::vector<VertexIds>& pieces)
 {

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/recognise/thin/skin_walls.h"
 #include "sheetmorph/recognise/thin/solid_pieces.h"
 
@@ -19,11 +20,6 @@ namespace
 
 // Beyond this many typical thicknesses, what a look finds is not the other skin.
 constexpr double farthest_skin = 1.8;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // What speaks against a skin of one component as the main one, the first that differs decides.
 struct Candidate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/bodies/allowed_motion.h"
 
+#include "sheetmorph/base/index.h"
+
 #include <Eigen/Geometry>
 
 namespace sheetmorph
@@ -8,11 +10,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Where a body is whose rotation is known and that takes the point `from` at rest to `to`.
 BodyState placed(const Body& body, const Matrix3& rotation, const Vector3& from, const Vector3& to)

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 
 #include <algorithm>
 
@@ -11,11 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 //! The vertices that move as one: those of a feature, or of a handle with a free rotation.
 struct Seed

@@ -2,6 +2,7 @@
 #include "sheetmorph/surface/bodies/body_motions.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/bodies/allowed_motion.h"
@@ -14,11 +15,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // The same motion, told about the body's centre.
 RigidMotion about(const Vector3& centre, const RigidMotion& motion)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/bodies/joints.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/bodies/allowed_motion.h"
 
@@ -13,11 +14,6 @@ namespace
 {
 
 constexpr int none = -1;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::vector<Vector3> every_axis()
 {

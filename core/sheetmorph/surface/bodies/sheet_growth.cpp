@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/bodies/sheet_growth.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/mesh/topology/edges.h"
 
@@ -13,11 +14,6 @@ namespace
 {
 
 constexpr double nearest = 1e-9;  // mm, keeps a distance from being zero
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // What no size moves: all that is known, borders, and the triangles of points.
 std::vector<char> held_vertices(const RotationFieldInput& input)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/live/driver_numbers.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 
@@ -21,11 +22,6 @@ constexpr std::size_t watched_places = 150;
 // The least extent of a contact, of the part's size, to which the motion of its vertices is
 // related: a tilt of it carries the whole part along.
 constexpr double least_reach = 0.02;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 VertexIds some_of(const VertexIds& vertices, std::size_t count)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/live/free_fields.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/rotation/turner_field.h"
 #include "sheetmorph/surface/solve/reduced_minimum.h"
 
@@ -14,11 +15,6 @@ namespace
 
 // Radians: Newton's steps square what is left, so that less than 1e-9 is.
 constexpr double live_precision = 1e-5;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

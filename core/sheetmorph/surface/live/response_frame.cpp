@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/live/surface_response.h"
 #include "sheetmorph/surface/operators/point_rows.h"
+
 #include <algorithm>
 
 namespace sheetmorph
@@ -11,11 +13,6 @@ namespace
 
 // By how much the polynomials may miss an entry of a rotation matrix.
 constexpr double largest_miss = 4e-7;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/live/sampled_response.h"
@@ -17,11 +18,6 @@ constexpr double largest_miss = 4e-7;
 // The field may turn by no more around a free feature, or it would begin to be held
 // (turner_field.h).
 constexpr double farthest_turn = 0.5;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

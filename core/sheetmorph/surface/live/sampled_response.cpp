@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/live/sampled_response.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/live/sampled_span.h"
@@ -24,11 +25,6 @@ constexpr double miss_a_size = 2e-8;
 
 // The vertices around a free feature that are watched.
 constexpr Eigen::Index watched_around = 8;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // The numbers of all samples, three columns each.
 template <typename Samples>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/live/surface_response.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/operators/point_rows.h"
 
 #include <algorithm>
@@ -16,11 +17,6 @@ constexpr Eigen::Index together = 4;
 
 // By how much the basis may miss what a polynomial moves, of the part's size; or a shift by one.
 constexpr double miss_a_size = 2e-8;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 SurfaceTargets no_motion(const SurfaceConstraints& constraints)
 {

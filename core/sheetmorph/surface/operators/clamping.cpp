@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/clamping.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 
 #include <map>
@@ -14,11 +15,6 @@ namespace
 
 // Carriers as near as this to the nearest one count like it: symmetric meshes have such pairs.
 constexpr double as_near = 1.0 + 1e-6;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // The carriers of each region that are nearest to the vertex, all with the same say.
 Clamp clamp_of(const TriangleMesh& mesh, const VertexRoles& roles, int vertex,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/natural_rows.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/geometry/fans.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 
@@ -13,11 +14,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Rows so much smaller than others of the same vertex are rounding.
 constexpr double nothing = 1e-13;

@@ -2,6 +2,7 @@
 #include "sheetmorph/surface/operators/vertex_roles.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/constraint_checks.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 void set_role(VertexRoles& roles, int vertex, Role role, int owner)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/operators/unknowns.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
@@ -9,11 +10,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Every rotation that is known gets a number; a vertex belongs to one source or to none.
 struct Sources

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/rotation/turner_field.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // How much a feature is held at the field's rotation, by the largest turn of the field between it
 // and what lies around it.

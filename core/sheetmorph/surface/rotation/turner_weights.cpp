@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/operators/unknowns.h"
 
 #include <algorithm>
@@ -12,11 +13,6 @@ namespace
 {
 
 constexpr int none = -1;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Which turner a vertex turns wholly with.
 std::vector<int> owners(int vertex_count, const std::vector<Turner>& turners)

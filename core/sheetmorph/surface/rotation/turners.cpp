@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/rotation/turners.h"
 
+#include "sheetmorph/base/index.h"
+
 namespace sheetmorph
 {
 
 namespace
 {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // A point turns the corners of its triangle that nothing else decides.
 Turner turner_of_point(const TriangleMesh& mesh, const SurfaceConstraints& constraints,

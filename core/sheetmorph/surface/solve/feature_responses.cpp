@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/solve/feature_responses.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ constexpr Eigen::Index block = 24;              // columns solved at once
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
 constexpr int refinements = 1;
 constexpr double miss_a_size = 5e-9;  // of the responses of live frames
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

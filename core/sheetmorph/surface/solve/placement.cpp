@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/solve/placement.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/operators/clamping.h"
 
 namespace sheetmorph
@@ -8,11 +9,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Calls place(vertex, position) for every vertex whose position the pose knows.
 template <typename Place>

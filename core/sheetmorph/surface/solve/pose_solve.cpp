@@ -2,6 +2,7 @@
 #include "sheetmorph/surface/solve/pose_solve.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
@@ -26,11 +27,6 @@ constexpr int most_refinements = 8;
 
 // From so many on a second thread is worth its start.
 constexpr int vertices_for_two_threads = 20000;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& displacements,
                         const Eigen::MatrixXd& wanted, Exactness level)

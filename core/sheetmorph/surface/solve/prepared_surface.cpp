@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/solve/prepared_surface.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/operators/clamping.h"
 #include "sheetmorph/surface/operators/point_rows.h"
 
@@ -9,11 +10,6 @@ namespace sheetmorph
 
 namespace
 {
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Free vertices have an unknown each, bodies whose translation is open share one.
 Unknowns position_unknowns(const VertexRoles& roles)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/solve/refinement.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
 
 namespace sheetmorph
@@ -12,11 +13,6 @@ namespace
 constexpr int most_rounds = 400;
 constexpr double settled = 1e-7;  // of the size: a round that changes less is the last
 constexpr double stretch_against_bending = 100.0;
-
-std::size_t at(Eigen::Index index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Weights of rows count areas; unweighted rows (`paper`) one each.
 double per_area(const RotationFieldInput& input)

@@ -16,10 +16,10 @@ double worth(const FaceVertex& a, const FaceVertex& b, const FaceVertex& c);
 double gap_at(const FaceSurface& surface, const Vector2& uv, const Vector3& on_mesh);
 
 //! One face on its way to the wanted sizes, see refine_face().
-class Refinement
+class FaceRefiner
 {
 public:
-    Refinement(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes);
+    FaceRefiner(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes);
 
     void run();
 
