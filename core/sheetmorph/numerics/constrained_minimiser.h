@@ -26,7 +26,7 @@ struct QuadraticProblem
     std::shared_ptr<const SeparatorTree> tree;
 };
 
-//! Minimises sum_r w_r |(B u - f)_r|^2 over u = S y + offset subject to C u = c.
+//! Minimises sum_r w_r |(B u - f)_r|^2 over u = S y + offset subject to C u = c (2.10).
 //! Constraints by elimination; the few rows of C through a Schur complement over the same factor.
 class ConstrainedMinimiser
 {

@@ -11,7 +11,7 @@ namespace sheetmorph
 
 //! Fits a control mesh to displaced samples (3.3), as a displacement d about a rigid motion:
 //! min_d sum_i a_i |u_i - (W d)_i|^2 + c (n / m) sum_j |(L d)_j|^2, L uniform, mean of a_i = 1.
-//! (3.3) as printed, about nothing, moves parts that nobody moved. The constructor factors.
+//! As printed it moves parts nobody moved; (3.2), without c, is noisy. The constructor factors.
 class ControlMeshFit
 {
 public:

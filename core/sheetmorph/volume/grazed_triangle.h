@@ -10,7 +10,7 @@ namespace sheetmorph
 struct GrazedTriangle
 {
     bool on_surface = false;            //!< the point lies on the triangle, to `tolerance`
-    Vector3 weights = Vector3::Zero();  //!< unnormalised, or barycentric if it lies on it
+    Vector3 weights = Vector3::Zero();  //!< unnormalised, or (2.14) if it lies on it
 };
 
 //! The mean value weights of one triangle in extended precision, with the limits where the vector

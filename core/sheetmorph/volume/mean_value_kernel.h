@@ -65,7 +65,7 @@ struct KernelBlock
     LaneValues finished;            //!< not 0 if the weights are normalised and affine
 };
 
-//! The vector form of the mean value weights (mathematics.md section 5) of block.points.
+//! The mean value weights (2.12, 2.13) of block.points, in vector form (mathematics.md, section 5).
 //! Uses the widest instructions the processor has.
 void run_kernel(const KernelMesh& mesh, KernelBlock& block);
 

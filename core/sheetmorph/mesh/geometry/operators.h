@@ -15,7 +15,7 @@ namespace sheetmorph
 //! vertex hangs on such triangles alone, they give zeros too and it belongs to no triangle.
 Points half_cotangents(const TriangleMesh& mesh);
 
-//! Cotangent stiffness K (n, n), positive semidefinite, no unit:
+//! Cotangent stiffness K (n, n) of (2.1), positive semidefinite, no unit:
 //! (K p)_i = 1/2 sum_j (cot a_ij + cot b_ij) (p_i - p_j); any number of triangles may share an
 //! edge.
 Eigen::SparseMatrix<double> cotangent_stiffness(const TriangleMesh& mesh,

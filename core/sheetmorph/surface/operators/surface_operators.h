@@ -8,7 +8,7 @@
 namespace sheetmorph
 {
 
-//! The rest shape as the energies see it: sum_r w_r |(D p)_r - R_at(r) (D p_hat)_r|^2.
+//! The rest shape as the energies see it: sum_r w_r |(D p)_r - R_at(r) (D p_hat)_r|^2 (2.2).
 struct SurfaceOperators
 {
     SparseMatrix rows;             //!< D (r, n): L of (2.1) for `paper` and `neumann`, 1/mm

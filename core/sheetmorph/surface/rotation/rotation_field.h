@@ -45,7 +45,7 @@ struct RotationFieldInput
 std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInput& input,
                                                          const RotationField* earlier = nullptr);
 
-//! `neumann`: harmonic weights of what is known, passed through 3 w^2 - 2 w^3 and renormalised:
+//! `neumann`: harmonic weights of what is known (2.7), passed through 3 w^2 - 2 w^3, renormalised:
 //! between the known rotations everywhere, flat where they are given, no overshoot.
 //! \param earlier  of the same operators under other constraints: what does not change is taken
 //! over

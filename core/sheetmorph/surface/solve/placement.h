@@ -15,7 +15,7 @@ Eigen::MatrixXd known_displacements(const PlacementInput& part, const SurfaceTar
 void complete_bodies(const PlacementInput& part, const Eigen::MatrixXd& displacements,
                      BodyMotions& bodies);
 
-//! (n, 3) positions: free vertices from the displacements, everything known exactly as told.
+//! (n, 3) positions: free vertices from the displacements, features as (2.4), the known as told.
 Points placed_positions(const PlacementInput& part, const SurfaceTargets& targets,
                         const BodyMotions& bodies, const Eigen::MatrixXd& displacements);
 
