@@ -1,19 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long picking takes on 20 parts of together a million facets. It is reported."""
+"""How long picking takes on 20 parts of together a million facets, and opening a document of 100
+form features on 100,000 vertices. It is reported."""
 
+import os
 import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_finding import press_ok
-from desk import activate, child, click_point, click_widget, draw_along, note, on_screen, picture
-from desk import press_tool, view, xdotool
+from desk import WORK, activate, child, click_point, click_widget, draw_along, note, on_screen
+from desk import picture, press_tool, view, xdotool
 from freecad.sheetmorph import api, conversion
 from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from shapes import grid_triangles
 
-__all__ = ["test_picking_on_20_parts_of_50000_facets_is_measured"]
+__all__ = [
+    "test_picking_on_20_parts_of_50000_facets_is_measured",
+    "test_opening_100_features_on_100000_vertices_is_measured",
+]
 
 
 class Stopwatch:
@@ -89,3 +94,40 @@ def test_picking_on_20_parts_of_50000_facets_is_measured():
         picture("picking-20-parts")
         yield from press_ok()
     note("picking on 20 parts of 50,562 facets, ms: " + "; ".join(told))
+
+
+def save_100_features(path: str) -> None:
+    """A document with a part of 100,489 vertices and 100 patches of 5 x 5 of them as features."""
+    side = 317
+    x, y = np.meshgrid(np.arange(side), np.arange(side), indexing="ij")
+    points = np.stack([x.ravel(), y.ravel(), 4.0 * np.sin(x.ravel() / 15.0)], axis=1)
+    document = App.newDocument("Hundred")
+    source = document.addObject("Mesh::Feature", "Sheet")
+    source.Mesh = conversion.MeshWriter(grid_triangles(side, side).astype(np.int32)).mesh(points)
+    morph = api.create_assembly(document)
+    part = api.add_part(morph, source)
+    index = np.arange(side * side).reshape(side, side)
+    for row in range(12, 312, 30):
+        for column in range(12, 312, 30):
+            api.add_feature(morph, part, index[row : row + 5, column : column + 5].ravel())
+    document.saveAs(path)
+    App.closeDocument(document.Name)
+
+
+def test_opening_100_features_on_100000_vertices_is_measured():
+    path = os.path.join(WORK, "hundred.FCStd")
+    yield from activate()
+    save_100_features(path)
+    yield 300
+    begin = (time.monotonic(), time.thread_time())
+    document = App.openDocument(path)
+    features = [o for o in document.Objects if getattr(o, "Role", "") == "form feature"]
+    yield 300
+    wall, own = time.monotonic() - begin[0] - 0.3, time.thread_time() - begin[1]
+    picture("hundred-features")
+    assert len(features) == 100
+    drawn = [feature.ViewObject.Proxy.is_drawn for feature in features]
+    assert all(drawn), f"{drawn.count(False)} of the regions are not drawn"
+    note(
+        f"opening 100 features on 100,489 vertices: {wall:.1f} s, {own:.1f} s without the renderer"
+    )

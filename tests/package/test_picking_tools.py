@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from freecad.sheetmorph.tools.part_mesh import PartMesh
+from freecad.sheetmorph.tools.part_mesh import PartMesh, meets_box
 from freecad.sheetmorph.tools.rims import Ray
 from freecad.sheetmorph.tools.picking import (
     ADD,
@@ -174,3 +174,23 @@ def test_without_a_closed_outline_every_rim_is_a_hole():
     points = np.vstack([points, [1.0, 8.0, -5.0]])
     mesh = PartMesh(_core, (points, np.vstack([triangles, fin])), points)
     assert [sorted(rim) for rim in mesh.hole_rims(0)] == [[22, 23, 31, 32]]
+
+
+def test_a_part_beside_the_ray_is_told_from_its_box_alone(mesh):
+    low, high = mesh._seen.min(axis=0), mesh._seen.max(axis=0)
+    rng = np.random.default_rng(5)
+    origins = rng.uniform(low - 8.0, high + 8.0, (400, 3))
+    towards = rng.uniform(low - 4.0, high + 4.0, (400, 3)) - origins
+    towards[:100, :2] = 0.0  # as rays of an orthographic view along an axis are
+    rays = [Ray(origin, direction) for origin, direction in zip(origins, towards)]
+    hits = [mesh._tree.nearest_hit(ray.origin, ray.direction) is not None for ray in rays]
+    meets = [meets_box(ray, low, high) for ray in rays]
+    assert not any(hit and not meet for hit, meet in zip(hits, meets))
+    assert 20 < sum(hits) <= sum(meets) < 380
+
+
+def test_a_part_that_the_mouse_is_never_on_builds_no_tree():
+    points, triangles = folded_grid()
+    far = PartMesh(_core, (points, triangles), points + 1000.0)
+    assert far.hit(down_at(1.0, 1.0)) is None and far.distance(down_at(1.0, 1.0)) == math.inf
+    assert "_tree" not in vars(far)

@@ -38,6 +38,11 @@ class Frame:
     base: np.ndarray  # (3,) mm, global position of the local origin
     origin: np.ndarray  # (3,) mm, file position of the local origin
 
+    @property
+    def key(self) -> tuple[bytes, bytes, bytes]:
+        """What differs where the frame does."""
+        return self.rotation.tobytes(), self.base.tobytes(), self.origin.tobytes()
+
     def to_global(self, points: np.ndarray) -> np.ndarray:
         """Return the global positions, (n, 3) mm, of file positions (n, 3).
 

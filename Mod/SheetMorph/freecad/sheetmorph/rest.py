@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from freecad.sheetmorph import conversion
+from freecad.sheetmorph.bridge.snapshots import Snapshot, snapshot_of
 from freecad.sheetmorph.conversion import Frame
 
 
@@ -56,10 +58,16 @@ def read_rest(part) -> RestPart:
         )
     if source.Mesh.CountFacets == 0:
         raise MorphError(f"The mesh '{source.Label}' of part '{part.Label}' has no triangles.")
-    kept = read_kept(part)
-    is_from_file = kept.is_exact and part.Original is None
-    points = kept.frame.to_global(kept.points)
-    return RestPart(part.Label, points, kept.triangles, kept.ids, kept.frame, is_from_file)
+    kept, is_original = read_kept(part), part.Original is None
+
+    def rest() -> RestPart:
+        points = kept.frame.to_global(kept.points)
+        points.setflags(write=False)
+        is_from_file = kept.is_exact and is_original
+        return RestPart(part.Label, points, kept.triangles, kept.ids, kept.frame, is_from_file)
+
+    key = (part.Label, version_of(part.RestData), kept.frame.key, is_original)
+    return snapshot_of(source).derived(f"rest of {part.Name}", key, rest)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,14 +96,31 @@ def read_original(part) -> Kept:
 
 def read_mesh_of(source, path: str) -> Kept:
     """Return the mesh of `source`, in double if `path`, from `write_rest_data`, still is of it."""
-    local, triangles = conversion.read_mesh(source.Mesh)
-    stored = read_rest_data(path)
-    if stored is None or not is_same_mesh(stored, local, triangles):
-        frame = conversion.frame_of(source, np.zeros(3))
-        return Kept(local.astype(float), triangles, None, frame, [], False)
+    snapshot = snapshot_of(source)
+    key = version_of(path)
+    stored = snapshot.derived("rest data", key, lambda: rest_data_of(snapshot, path))
     frame = conversion.frame_of(source, stored["origin"])
-    ids, features = stored["ids"], stored["features"]
-    return Kept(stored["points"], triangles, ids, frame, features, True)
+    known = (stored["ids"], frame, stored["features"], stored["is_exact"])
+    return Kept(stored["points"], snapshot.triangles, *known)
+
+
+def version_of(path: str) -> tuple | None:
+    """Return what changes when the file that a document includes at `path` is another one."""
+    if not path:
+        return None
+    state = os.stat(path)
+    return path, state.st_ino, state.st_mtime_ns, state.st_size
+
+
+def rest_data_of(snapshot: Snapshot, path: str) -> dict:
+    """Return points in double, ids, origin, features of a mesh, from the file if it is of it."""
+    stored = read_rest_data(path)
+    is_exact = stored is not None and is_same_mesh(stored, snapshot.points, snapshot.triangles)
+    if not is_exact:
+        stored = {"points": snapshot.points.astype(float), "ids": None, "features": []}
+        stored["origin"] = np.zeros(3)
+    stored["points"].setflags(write=False)
+    return {**stored, "is_exact": is_exact}
 
 
 def read_rest_data(path: str) -> dict | None:

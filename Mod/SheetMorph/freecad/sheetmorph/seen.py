@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts as they are seen now, for picking."""
 
-from freecad.sheetmorph import conversion
 from freecad.sheetmorph.api.picking import mesh_as_seen
+from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.part_mesh import PartMesh
 
@@ -20,4 +20,4 @@ def visible_meshes(assembly, part) -> dict[str, PartMesh]:
 
 def triangles(part):
     """The triangles (m, 3) of a part as they are drawn."""
-    return conversion.read_mesh(part.Mesh)[1]
+    return snapshot_of(part).triangles

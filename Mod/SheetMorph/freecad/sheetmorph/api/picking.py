@@ -9,6 +9,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from freecad.sheetmorph import conversion, kernel
+from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.api.checks import indices, number, require_kind, vertex_count
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.rest import read_rest
@@ -20,7 +21,7 @@ def rest_mesh(part) -> tuple[np.ndarray, np.ndarray]:
     """Return a part at rest: points (n, 3) float64, global, mm, and triangles (m, 3) int32."""
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
-    return rest.points, rest.triangles
+    return rest.points.copy(), rest.triangles.copy()
 
 
 def diagnose(part) -> dict:
@@ -40,8 +41,13 @@ def global_frame(part) -> tuple[np.ndarray, np.ndarray]:
     Local are the coordinates of its mesh as FreeCAD stores and draws it.
     """
     require_kind(part, model.PART, "part")
-    frame = conversion.frame_of(part.Source, np.zeros(3))
+    frame = frame_of(part)
     return frame.rotation, frame.base
+
+
+def frame_of(part) -> conversion.Frame:
+    """Return how the coordinates of a part's mesh become global ones."""
+    return conversion.frame_of(part.Source, np.zeros(3))
 
 
 def vertices_of_facets(part, facets: Iterable[int]) -> list[int]:
@@ -126,12 +132,22 @@ def checked(part, vertices: Iterable[int]) -> np.ndarray:
 
 def mesh_at_rest(part) -> PartMesh:
     """Return what can be picked on a part at rest; raises KernelError."""
-    rest = rest_mesh(part)
-    return PartMesh(kernel.core(), rest, rest[0])
+    require_kind(part, model.PART, "part")
+    rest = read_rest(part)
+
+    def mesh() -> PartMesh:
+        return PartMesh(kernel.core(), (rest.points, rest.triangles), rest.points)
+
+    return snapshot_of(part.Source).derived(f"picking at rest {part.Name}", rest, mesh)
 
 
 def mesh_as_seen(part) -> PartMesh:
     """Return what can be picked on a part where it is now, deformed and placed."""
-    rotation, base = global_frame(part)
-    local = conversion.read_mesh(part.Mesh)[0].astype(float)
-    return PartMesh(kernel.core(), rest_mesh(part), local @ rotation.T + base)
+    require_kind(part, model.PART, "part")
+    rest, frame, snapshot = read_rest(part), frame_of(part), snapshot_of(part)
+
+    def mesh() -> PartMesh:
+        seen = snapshot.points.astype(float) @ frame.rotation.T + frame.base
+        return PartMesh(kernel.core(), (rest.points, rest.triangles), seen)
+
+    return snapshot.derived("picking", (rest, frame.key), mesh)

@@ -4,14 +4,10 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION
+from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION, kind
+from freecad.sheetmorph.objects import model
 
-__all__ = ["ASSEMBLY", "PART", "POSE", "REGION"]
-
-
-def kind(obj) -> str:
-    """The type of one of our objects, else an empty string."""
-    return str(getattr(getattr(obj, "Proxy", None), "Type", ""))
+__all__ = ["ASSEMBLY", "PART", "POSE", "REGION", "kind"]
 
 
 def selected(wanted: str = "") -> list:
@@ -32,21 +28,20 @@ def shapes() -> list:
     return [o for o in selected() if o.isDerivedFrom("Part::Feature") and o.Shape.Faces]
 
 
-def all_of(wanted: str) -> list:
-    """Every object of one type of ours in the active document."""
+def assemblies() -> list:
+    """The morphs of the active document; FreeCAD asks for them all the time."""
     if App.ActiveDocument is None:
         return []
-    return [obj for obj in App.ActiveDocument.Objects if kind(obj) == wanted]
+    groups = App.ActiveDocument.findObjects("App::DocumentObjectGroupPython")
+    return [group for group in groups if kind(group) == ASSEMBLY]
 
 
 def assembly_of(obj):
-    """The morph an object of ours belongs to, or None."""
-    if kind(obj) == ASSEMBLY:
-        return obj
-    for parent in obj.InListRecursive:
-        if kind(parent) == ASSEMBLY:
-            return parent
-    return None
+    """The morph an object of ours, or the mesh of one of its parts, belongs to, or None."""
+    if kind(obj):
+        return model.assembly_of(obj)
+    users = (user for user in obj.InList if kind(user) == PART)
+    return next(filter(None, map(model.assembly_of, users)), None)
 
 
 def assembly():
@@ -55,24 +50,23 @@ def assembly():
         owner = assembly_of(obj)
         if owner is not None:
             return owner
-    found = all_of(ASSEMBLY)
+    found = assemblies()
     return found[0] if len(found) == 1 else None
 
 
 def parts(owner) -> list:
     """The parts of a morph."""
-    return [obj for obj in owner.Group if kind(obj) == PART]
+    return model.parts(owner)
 
 
 def regions(owner, role: str = "") -> list:
-    """The regions of a morph, those of one role if given, in the order of the document."""
-    mine = [o for o in owner.Document.Objects if kind(o) == REGION and assembly_of(o) == owner]
-    return [obj for obj in mine if not role or obj.Role == role]
+    """The regions of a morph, those of one role if given, in the order of its group."""
+    return [region for region in model.regions(owner) if not role or region.Role == role]
 
 
 def poses(owner) -> list:
     """The poses of a morph."""
-    return [obj for obj in owner.Group if kind(obj) == POSE]
+    return model.poses(owner)
 
 
 def part():
@@ -85,8 +79,7 @@ def part():
     owner = assembly()
     if owner is None:
         return None
-    found = parts(owner)
-    return owner.Primary or (found[0] if found else None)
+    return owner.Primary or next(members(owner, PART), None)
 
 
 def handle():
@@ -95,5 +88,10 @@ def handle():
         if obj.Role == "handle":
             return obj
     owner = assembly()
-    found = regions(owner, "handle") if owner else []
-    return found[0] if found else None
+    every = members(owner, REGION) if owner else ()
+    return next((region for region in every if region.Role == "handle"), None)
+
+
+def members(owner, wanted: str):
+    """What a morph has of one type, one after the other: who needs the first asks for no more."""
+    return (obj for obj in owner.Group if kind(obj) == wanted)

@@ -139,7 +139,7 @@ class ImportPart(Command):
 
     def possible(self) -> bool:
         """Unless it is not clear which of several morphs is meant."""
-        return context.assembly() is not None or not context.all_of(context.ASSEMBLY)
+        return context.assembly() is not None or not context.assemblies()
 
     def execute(self) -> None:
         """Asks for files and imports them in one undo step, into a new morph if there is none."""

@@ -138,7 +138,9 @@ def update_links(obj, name: str, wanted: list) -> None:
 
 def join_assembly(obj, part) -> None:
     """Let an object that was copied and pasted belong to the morph of its part, None for none."""
-    assembly = assembly_of(part) if part is not None else None
-    if assembly is not None and assembly_of(obj) is None:
+    if part is None or assembly_of(obj) is not None:
+        return
+    assembly = assembly_of(part)
+    if assembly is not None:
         assembly.addObject(obj)
         follow_group(assembly)

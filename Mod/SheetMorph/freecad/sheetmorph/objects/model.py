@@ -19,8 +19,12 @@ def assembly_of(obj):
 
 
 def is_member(obj, assembly) -> bool:
-    """Whether `obj` lies in the group of `assembly`, an object of any kind."""
-    return kind(assembly) == ASSEMBLY and obj in assembly.Group
+    """Whether `obj`, which `assembly`, an object of any kind, links to, lies in its group.
+
+    A group has one link besides its members: to its primary part. Looking for an object in a large
+    group takes long.
+    """
+    return kind(assembly) == ASSEMBLY and (obj != assembly.Primary or obj in assembly.Group)
 
 
 def parts(assembly) -> list:

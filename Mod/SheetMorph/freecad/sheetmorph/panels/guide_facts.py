@@ -11,7 +11,7 @@ def read():
     """The facts about the active document, and the regions or contacts that a failure names."""
     owner = context.assembly()
     if owner is None:
-        return Facts(morphs=len(context.all_of(context.ASSEMBLY))), []
+        return Facts(morphs=len(context.assemblies())), []
     roles = [region.Role for region in model.regions(owner)]
     failure = failure_of(owner)
     faulty = named_by(owner, failure)

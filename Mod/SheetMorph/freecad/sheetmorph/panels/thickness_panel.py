@@ -3,8 +3,9 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, api, conversion
+from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
@@ -58,7 +59,7 @@ class ThicknessPanel(Panel):
         form.high.setText(f"{span[1]:.3g} mm")
         form.mark.setEnabled(bool(solid.holes))
         say(form.message, summary(solid))
-        triangles = conversion.read_mesh(self._part.Source.Mesh)[1]
+        triangles = snapshot_of(self._part.Source).triangles
         view = Gui.ActiveDocument.ActiveView
         self._map = ValueMap(view, self._part, triangles, colour_scale.colours_of(values, span))
 

@@ -5,6 +5,7 @@ MODULES = tuple(
     f"freecad.sheetmorph.tests.test_{name}"
     for name in (
         "conversion",
+        "snapshots",
         "kernel",
         "objects",
         "regions",

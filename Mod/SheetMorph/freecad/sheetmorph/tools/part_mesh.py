@@ -31,18 +31,37 @@ def nearest_part(meshes: dict, ray: Ray) -> str:
     return nearest if gaps.get(nearest, math.inf) < math.inf else ""
 
 
+def meets_box(ray: Ray, low: np.ndarray, high: np.ndarray) -> bool:
+    """Whether a ray may meet what lies between two corners (3,); rounding included."""
+    slack = 1e-9 * (np.abs(low) + np.abs(high) + np.abs(ray.origin) + 1.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ends = (np.stack([low - slack, high + slack]) - ray.origin) / ray.direction
+    along = np.where(np.isnan(ends), 0.0, ends)  # 0 / 0: within the slab's own plane
+    return bool(along.min(axis=0).max() <= along.max(axis=0).min() and along.max() >= 0.0)
+
+
 class PartMesh:
     """A part as it is seen (for hits) and as it is at rest (for faces and rims)."""
 
     def __init__(self, core, rest: tuple, seen: np.ndarray):
         """``core``: sheetmorph._core; ``rest``: points and triangles; ``seen``: (n, 3) points."""
-        points, self.triangles = rest
+        self._rest, self.triangles = rest
         self._core = core
-        self._mesh = core.TriangleMesh(np.ascontiguousarray(points, float), self.triangles)
         self._seen = np.ascontiguousarray(seen, float)
-        self._tree = core.PickingTree(self._seen, self.triangles)
         self._edges: dict[float, Rims] = {}  # of the last crease angle
         self._last: tuple = ((), NOTHING, NOTHING)  # what was asked for, its triangles, vertices
+
+    @cached_property
+    def _mesh(self):
+        return self._core.TriangleMesh(np.ascontiguousarray(self._rest, float), self.triangles)
+
+    @cached_property
+    def _tree(self):
+        return self._core.PickingTree(self._seen, self.triangles)
+
+    @cached_property
+    def _box(self) -> tuple[np.ndarray, np.ndarray]:
+        return self._seen.min(axis=0), self._seen.max(axis=0)
 
     @cached_property
     def size(self) -> float:
@@ -72,12 +91,12 @@ class PartMesh:
 
     def hit(self, ray: Ray):
         """The triangle and point (3,) the ray meets first, or None."""
-        found = self._tree.nearest_hit(ray.origin, ray.direction)
+        found = self._nearest(ray)
         return None if found is None else (int(found.triangle), np.asarray(found.point))
 
     def distance(self, ray: Ray) -> float:
         """How far along a ray the part is, mm; infinite if the ray misses it."""
-        found = self._tree.nearest_hit(ray.origin, ray.direction)
+        found = self._nearest(ray)
         return math.inf if found is None else float(found.distance)
 
     def vertex(self, triangle: int, point: np.ndarray) -> np.ndarray:
@@ -148,6 +167,12 @@ class PartMesh:
     def groups(self, vertices) -> list[np.ndarray]:
         """The connected pieces of a set of vertices, in order of their first one."""
         return [np.asarray(piece) for piece in self._near.pieces(to_ids(vertices))]
+
+    def _nearest(self, ray: Ray):
+        """The kernel's hit; the tree of a part that the mouse is never on is never built."""
+        if not meets_box(ray, *self._box):
+            return None
+        return self._tree.nearest_hit(ray.origin, ray.direction)
 
     def _remembered(self, key: tuple, triangle: int, find) -> np.ndarray:
         """The vertices of the triangles that ``find()`` returns, the same array within them."""

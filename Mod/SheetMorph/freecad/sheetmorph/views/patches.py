@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the views of regions and contacts share: coloured vertices over parts as they are shown."""
 
-from freecad.sheetmorph import conversion
+from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.scene import nodes
 from freecad.sheetmorph.scene.patch import Patch, group
@@ -62,6 +62,11 @@ class PatchView(OwnerView):
             self._root.addChild(patch.node)
         self.fill(self._is_filled)
 
+    @property
+    def is_drawn(self) -> bool:
+        """Whether what is to be seen is in the scene."""
+        return bool(self._drawn) and not self._is_due
+
     def fill(self, is_on: bool) -> None:
         """Facets in their colour, or only their outline, so that other colours are seen."""
         self._is_filled = is_on
@@ -73,5 +78,5 @@ def drawn_patch(part, vertices, colour) -> Patch:
     """The coloured vertices of a part; they follow it."""
     view = part.ViewObject
     patch = Patch(nodes.coordinates(view), colour, transform=nodes.transform(view))
-    patch.show(conversion.read_mesh(part.Source.Mesh)[1], vertices.tolist())
+    patch.show(snapshot_of(part.Source).touching(vertices), vertices)
     return patch

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Meshes of the document as arrays: each read once, until it changes, for all who need it.
+
+FreeCAD gives its meshes away only through a file, which takes longer than most of what is done
+with them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property, lru_cache
+from typing import Any
+
+import FreeCAD
+import numpy as np
+
+from freecad.sheetmorph import conversion
+
+
+class Snapshot:
+    """A mesh as it is now; nobody may write into its arrays."""
+
+    def __init__(self, mesh):
+        """`mesh`: a FreeCAD mesh."""
+        self.points, self.triangles = conversion.read_mesh(mesh)  # (n, 3) float32 local, (m, 3)
+        self.triangles.setflags(write=False)
+        self._derived: dict[str, tuple[Any, Any]] = {}
+
+    def touching(self, vertices: np.ndarray) -> np.ndarray:
+        """Return the triangles (k, 3) with a corner among `vertices`, in their order."""
+        starts, triangles = self._around
+        inside = vertices[(vertices >= 0) & (vertices < len(starts) - 1)]
+        found = [triangles[starts[vertex] : starts[vertex + 1]] for vertex in inside]
+        return self.triangles[np.unique(np.concatenate(found)) if found else []]
+
+    def derived(self, name: str, key: Any, make: Callable[[], Any]) -> Any:
+        """Return what `make` makes of the mesh and of `key`; it is kept while both stay."""
+        kept = self._derived.get(name)
+        if kept is None or kept[0] != key:
+            kept = self._derived[name] = (key, make())
+        return kept[1]
+
+    @cached_property
+    def _around(self) -> tuple[np.ndarray, np.ndarray]:
+        """Where the triangles of each vertex begin in a list of all, and that list."""
+        corners = self.triangles.ravel()
+        counts = np.bincount(corners, minlength=len(self.points))
+        return np.concatenate([[0], np.cumsum(counts)]), np.argsort(corners, kind="stable") // 3
+
+
+class Snapshots:
+    """The snapshots of all documents; a document observer, so that none outlives its mesh."""
+
+    def __init__(self) -> None:
+        self._kept: dict[str, dict[str, Snapshot]] = {}
+
+    def of(self, feature) -> Snapshot:
+        """Return the mesh of a `Mesh::Feature`."""
+        mine = self._kept.setdefault(feature.Document.Name, {})
+        mesh = feature.Mesh
+        kept = mine.get(feature.Name)
+        if kept is None or not is_as_large(kept, mesh):
+            kept = mine[feature.Name] = Snapshot(mesh)
+        return kept
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        """FreeCAD calls this after every change of a property, also by undo."""
+        if name == "Mesh" and obj.Document.Name in self._kept:
+            self._kept[obj.Document.Name].pop(obj.Name, None)
+
+    def slotDeletedObject(self, obj) -> None:
+        """Another object may get its name."""
+        self._kept.get(obj.Document.Name, {}).pop(obj.Name, None)
+
+    def slotDeletedDocument(self, document) -> None:
+        """Another document may get its name."""
+        self._kept.pop(document.Name, None)
+
+
+def is_as_large(snapshot: Snapshot, mesh) -> bool:
+    """Whether a snapshot has the counts of a mesh: while a document opens meshes come late."""
+    counts = (len(snapshot.points), len(snapshot.triangles))
+    return counts == (mesh.CountPoints, mesh.CountFacets)
+
+
+@lru_cache(maxsize=1)
+def _all() -> Snapshots:
+    found = Snapshots()
+    FreeCAD.addDocumentObserver(found)
+    return found
+
+
+def snapshot_of(feature) -> Snapshot:
+    """Return the mesh of a `Mesh::Feature` as it is now, local."""
+    return _all().of(feature)
