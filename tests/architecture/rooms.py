@@ -57,3 +57,23 @@ def is_misplaced(test: Path, tests: Path, kernel: Path) -> bool:
     layer, name = folder.parts[0], test.name.removesuffix("_test.cpp")
     tested = [path.parent for path in (kernel / layer).rglob(f"{name}.h")]
     return kernel / folder not in tested if tested else not (kernel / folder).is_dir()
+
+
+def rooms_on_disk(kernel: Path) -> dict[str, set[str]]:
+    """The layers of the kernel with the names of their rooms."""
+    layers = [path for path in kernel.iterdir() if path.is_dir()]
+    return {layer.name: {p.name for p in layer.iterdir() if p.is_dir()} for layer in layers}
+
+
+def rooms_told(text: str) -> dict[str, set[str]]:
+    """The same as a page tells them: a table of layers whose last column names the rooms."""
+    told, is_inside = {}, False
+    for line in text.splitlines():
+        cells = [cell.strip() for cell in line.split("|")[1:-1]]
+        if cells and cells[-1] == "its rooms":
+            is_inside = True
+        elif not cells:
+            is_inside = False
+        elif is_inside and not set(cells[0]) <= set("-"):
+            told[cells[0].strip("`")] = set(re.findall(r"`(\w+)`", cells[-1]))
+    return told

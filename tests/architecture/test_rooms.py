@@ -3,7 +3,15 @@
 from pathlib import Path
 
 import pytest
-from rooms import FULLEST_FOLDER, classes_of, fullness_faults, is_misplaced, names_twice
+from rooms import (
+    FULLEST_FOLDER,
+    classes_of,
+    fullness_faults,
+    is_misplaced,
+    names_twice,
+    rooms_on_disk,
+    rooms_told,
+)
 from source_tree import BINDINGS, KERNEL, ROOT, files, label
 
 TESTS = ROOT / "tests" / "core"
@@ -22,6 +30,18 @@ def test_a_test_lies_where_its_source_does():
     tests = [path for path in files(".cpp", below=TESTS) if path.name.endswith("_test.cpp")]
     assert tests
     assert [label(test) for test in tests if is_misplaced(test, TESTS, KERNEL)] == []
+
+
+def test_the_readme_tells_the_layers_and_their_rooms():
+    assert rooms_told((ROOT / "README.md").read_text()) == rooms_on_disk(KERNEL)
+
+
+def test_a_room_that_the_readme_leaves_out_is_noticed(tmp_path):
+    (tmp_path / "mesh" / "quality").mkdir(parents=True)
+    (tmp_path / "base").mkdir()
+    table = "| layer | what | its rooms |\n|---|---|---|\n| `base` | a | |\n| `mesh` | b | ROOM |\n"
+    assert rooms_told(table) == {"base": set(), "mesh": set()} != rooms_on_disk(tmp_path)
+    assert rooms_told(table.replace("ROOM", "`quality`")) == rooms_on_disk(tmp_path)
 
 
 def test_a_crowded_folder_is_noticed():
