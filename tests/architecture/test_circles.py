@@ -4,9 +4,6 @@ import pytest
 from imports import circles, folder_graph, import_graph
 from source_tree import PACKAGE, WORKBENCH
 
-# Files of the workbench that stand in a circle today; it may only get less.
-IN_CIRCLES = 67
-
 
 def graph_of(folder, sources):
     """The import graph of a package made of these texts, by path."""
@@ -22,10 +19,10 @@ def test_the_package_imports_in_no_circle():
     assert circles(graph) == []
 
 
-def test_the_circles_of_the_workbench_only_shrink():
+def test_the_workbench_imports_in_no_circle():
     graph = import_graph(WORKBENCH, "freecad.sheetmorph")
-    assert len(graph) > 100 and graph["api.files"]
-    assert sum(map(len, circles(graph))) <= IN_CIRCLES, circles(graph)
+    assert len(graph) > 100 and graph["api"]
+    assert circles(graph) == []
 
 
 @pytest.mark.parametrize(

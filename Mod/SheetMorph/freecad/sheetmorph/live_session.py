@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from freecad.sheetmorph import kernel, recipes
-from freecad.sheetmorph.rest import MorphError, RestPart
+from freecad.sheetmorph.objects.errors import MorphError
+from freecad.sheetmorph.rest import RestPart
 from freecad.sheetmorph.session import (
     FAILURES,
     ControlMesh,

@@ -14,10 +14,7 @@ import numpy as np
 from freecad.sheetmorph import conversion
 from freecad.sheetmorph.bridge.snapshots import Snapshot, snapshot_of
 from freecad.sheetmorph.conversion import Frame
-
-
-class MorphError(ValueError):
-    """A morph that cannot be computed; one sentence: where, what, what to do."""
+from freecad.sheetmorph.objects.errors import MorphError
 
 
 @dataclass(frozen=True, eq=False)

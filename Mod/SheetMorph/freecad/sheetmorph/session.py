@@ -18,15 +18,17 @@ from typing import Any
 import numpy as np
 
 from freecad.sheetmorph import conversion, kernel, recipes
-from freecad.sheetmorph.findings import Findings, Step, findings_of, steps_of
+from freecad.sheetmorph.findings import Findings, Step, findings_of, show, steps_of
 from freecad.sheetmorph.objects import assembly_of, deformation_of, model
-from freecad.sheetmorph.rest import MorphError, RestPart, read_rest
+from freecad.sheetmorph.objects.errors import MorphError
+from freecad.sheetmorph.rest import RestPart, read_rest
 
 ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
 Progress = Callable[[float, str], bool]
 FAILURES = (ValueError, RuntimeError, OSError)
 """What the kernel, its package and the document raise for the person to read."""
+ORPHANED = "The morph of this part was deleted: undo that, or delete the part too."
 
 __all__ = ["MorphError", "Outcome", "SessionCache", "cache_of", "read_morph"]
 
@@ -123,6 +125,14 @@ class SessionCache:
         found = self.result(morph, exact).positions
         return {name: found[morph.names[name]] for name in morph.rests}
 
+    def recomputed(self, assembly) -> Outcome:
+        """Solve `assembly`, None for a deformation without, and show what was found at it."""
+        if assembly is None:
+            return Outcome(failure=ORPHANED)
+        outcome = self.solve(assembly)
+        show(assembly, outcome)
+        return outcome
+
     def solve(self, assembly) -> Outcome:
         """Read and solve `assembly`; what goes wrong is told in the outcome."""
         try:
@@ -170,7 +180,9 @@ class SessionCache:
         return " ".join(notes) or "Up to date."
 
     def mesh(self, outcome: Outcome, part):
-        """Return the FreeCAD mesh of `part` in an outcome without failure."""
+        """Return the FreeCAD mesh of `part` in an outcome; raises MorphError if it failed."""
+        if outcome.failure:
+            raise MorphError(outcome.failure)
         rest = outcome.morph.rests.get(part.Name)
         if rest is None:
             raise MorphError(f"Part '{part.Label}' is in no morph: drag it back into its group.")

@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph.commands import contacts, create, exchange, features, finding, guide
 from freecad.sheetmorph.commands import installation, motion, poses, regions, sheets
+from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 _TOOLBARS = {
@@ -56,7 +57,8 @@ def register() -> dict[str, list[str]]:
     """Registers all commands; returns command names by title of the toolbar."""
     for classes in _TOOLBARS.values():
         for command in classes:
-            Gui.addCommand(command.name, command())
+            Command.registered[command.name] = command()
+            Gui.addCommand(command.name, Command.registered[command.name])
     return {
         title: [command.name for command in classes]
         for title, classes in _TOOLBARS.items()
@@ -72,19 +74,3 @@ def menu() -> list[str]:
             names.append("Separator")
         names += [command.name for command in classes]
     return names
-
-
-def find(name: str):
-    """The class of a command by its registered name."""
-    every = (command for classes in _TOOLBARS.values() for command in classes)
-    return next(command for command in every if command.name == name)
-
-
-def resources(name: str) -> dict:
-    """Texts, as they are before translation, and icon of a command."""
-    return find(name)().GetResources()
-
-
-def is_possible(name: str) -> bool:
-    """Whether a command makes sense now, whatever panel is open."""
-    return find(name)().is_sensible()

@@ -15,6 +15,7 @@ class Command:
     tooltip = ""
     alters = True
     needs_kernel = True
+    registered: dict[str, "Command"] = {}
     _kernel_works: bool | None = None
 
     def GetResources(self) -> dict:

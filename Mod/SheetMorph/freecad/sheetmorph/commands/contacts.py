@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands about what makes one part follow another."""
 
-from freecad.sheetmorph import actions
+from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.commands import context
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 
@@ -23,16 +22,16 @@ class MarkContact(Command):
 
     def possible(self) -> bool:
         """With a morph of two parts or more."""
-        owner = context.assembly()
-        return owner is not None and len(context.parts(owner)) > 1
+        owner = subject.assembly()
+        return owner is not None and len(subject.parts(owner)) > 1
 
     def execute(self) -> None:
         """Opens the panel; the contact comes into being when the user says OK."""
         from freecad.sheetmorph.panels import contact_panel
 
-        owner = context.assembly()
-        mine = context.parts(owner)
-        contact_panel.create(owner, [p for p in context.selected(context.PART) if p in mine])
+        owner = subject.assembly()
+        mine = subject.parts(owner)
+        contact_panel.create(owner, [p for p in subject.selected(subject.PART) if p in mine])
 
 
 class Propagation(Command):
@@ -47,14 +46,14 @@ class Propagation(Command):
 
     def possible(self) -> bool:
         """With a part."""
-        owner = context.assembly()
-        return owner is not None and bool(context.parts(owner))
+        owner = subject.assembly()
+        return owner is not None and bool(subject.parts(owner))
 
     def execute(self) -> None:
         """Opens the panel."""
         from freecad.sheetmorph.panels import propagation_panel
 
-        propagation_panel.open_panel(context.assembly())
+        propagation_panel.open_panel(subject.assembly())
 
 
 class SetPrimary(Command):
@@ -69,12 +68,12 @@ class SetPrimary(Command):
 
     def possible(self) -> bool:
         """With one part selected that is not the primary."""
-        chosen = context.selected(context.PART)
-        owner = context.assembly_of(chosen[0]) if len(chosen) == 1 else None
+        chosen = subject.selected(subject.PART)
+        owner = subject.assembly_of(chosen[0]) if len(chosen) == 1 else None
         return owner is not None and owner.Primary != chosen[0]
 
     def execute(self) -> None:
         """One undo step."""
-        (chosen,) = context.selected(context.PART)
-        line = call("set_primary", name(context.assembly_of(chosen)), name(chosen))
+        (chosen,) = subject.selected(subject.PART)
+        line = call("set_primary", name(subject.assembly_of(chosen)), name(chosen))
         actions.attempt("Set as Primary", line)

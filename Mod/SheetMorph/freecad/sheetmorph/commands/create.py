@@ -4,9 +4,8 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions
+from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.commands import context
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
@@ -49,8 +48,8 @@ def meshed(edge: float) -> dict[str, str]:
 
 def source_lines(owner: str, edge: float) -> list[str]:
     """The API calls that add the selected meshes and shapes to a morph."""
-    lines = [added("add_part", owner, name(mesh)) for mesh in context.meshes()]
-    return lines + [call("add_shape", owner, name(s), **meshed(edge)) for s in context.shapes()]
+    lines = [added("add_part", owner, name(mesh)) for mesh in subject.meshes()]
+    return lines + [call("add_shape", owner, name(s), **meshed(edge)) for s in subject.shapes()]
 
 
 def import_lines(owner: str, files: list[str], edge: float) -> list[str]:
@@ -70,7 +69,7 @@ def look_at_new(before: set) -> None:
     from freecad.sheetmorph.panels import prepare_panel
 
     new = [o for o in App.ActiveDocument.Objects if o not in before]
-    prepare_panel.offer([o for o in new if context.kind(o) == context.PART])
+    prepare_panel.offer([o for o in new if subject.kind(o) == subject.PART])
 
 
 class CreateMorph(Command):
@@ -89,7 +88,7 @@ class CreateMorph(Command):
 
     def execute(self) -> None:
         """One undo step; the first mesh selected, else the first shape, becomes the primary."""
-        edge = ask_edge() if context.shapes() else 0.0
+        edge = ask_edge() if subject.shapes() else 0.0
         if edge is None:
             return
         ensure_document()
@@ -98,7 +97,7 @@ class CreateMorph(Command):
         if actions.attempt("Create Morph", *lines):
             Gui.Selection.clearSelection()
             made = [o for o in App.ActiveDocument.Objects if o not in before]
-            Gui.Selection.addSelection(next(o for o in made if context.kind(o) == context.ASSEMBLY))
+            Gui.Selection.addSelection(next(o for o in made if subject.kind(o) == subject.ASSEMBLY))
             look_at_new(before)
 
 
@@ -114,15 +113,15 @@ class AddPart(Command):
 
     def possible(self) -> bool:
         """With a morph and a mesh or a shape selected."""
-        is_any = bool(context.meshes() or context.shapes())
-        return is_any and context.assembly() is not None
+        is_any = bool(subject.meshes() or subject.shapes())
+        return is_any and subject.assembly() is not None
 
     def execute(self) -> None:
         """Adds all of them in one undo step."""
-        edge = ask_edge() if context.shapes() else 0.0
+        edge = ask_edge() if subject.shapes() else 0.0
         before = set(App.ActiveDocument.Objects)
         if edge is not None and actions.attempt(
-            "Add Part", *source_lines(name(context.assembly()), edge)
+            "Add Part", *source_lines(name(subject.assembly()), edge)
         ):
             look_at_new(before)
 
@@ -139,7 +138,7 @@ class ImportPart(Command):
 
     def possible(self) -> bool:
         """Unless it is not clear which of several morphs is meant."""
-        return context.assembly() is not None or not context.assemblies()
+        return subject.assembly() is not None or not subject.assemblies()
 
     def execute(self) -> None:
         """Asks for files and imports them in one undo step, into a new morph if there is none."""
@@ -150,7 +149,7 @@ class ImportPart(Command):
         if not files or edge is None:
             return
         ensure_document()
-        owner = context.assembly()
+        owner = subject.assembly()
         lines = [] if owner else [f"morph = {NEW}"]
         lines += import_lines(name(owner) if owner else "morph", files, edge)
         before = set(App.ActiveDocument.Objects)

@@ -6,9 +6,8 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, paths
+from freecad.sheetmorph import actions, paths, subject
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.commands import context
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
@@ -51,11 +50,11 @@ class ExportParts(Command):
 
     def possible(self) -> bool:
         """With a morph."""
-        return context.assembly() is not None
+        return subject.assembly() is not None
 
     def execute(self) -> None:
         """Asks for a folder and writes."""
-        owner = context.assembly()
+        owner = subject.assembly()
         window = Gui.getMainWindow()
         folder = QtWidgets.QFileDialog.getExistingDirectory(window, "Export Parts")
         if folder:
@@ -76,7 +75,7 @@ class ExportRecipe(Command):
 
     def possible(self) -> bool:
         """With a morph."""
-        return context.assembly() is not None
+        return subject.assembly() is not None
 
     def execute(self) -> None:
         """Asks for a file and writes."""
@@ -85,7 +84,7 @@ class ExportRecipe(Command):
             window, "Export Recipe", "recipe.json", RECIPES
         )
         if path:
-            actions.record(call("export_recipe", name(context.assembly()), repr(path)))
+            actions.record(call("export_recipe", name(subject.assembly()), repr(path)))
 
 
 class ImportRecipe(Command):

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands about form features: what they may do, and what they keep between them."""
 
-from freecad.sheetmorph import actions
+from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.commands import context
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 
@@ -12,7 +11,7 @@ QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
 def chosen_features() -> list:
     """The form features that are selected."""
-    return [region for region in context.selected(context.REGION) if region.Role == "form feature"]
+    return [region for region in subject.selected(subject.REGION) if region.Role == "form feature"]
 
 
 class FeatureSettings(Command):
@@ -52,7 +51,7 @@ class _Relate(Command):
         members = ", ".join(name(feature) for feature in features)
         if self.function == "group":
             members = f"[{members}]"
-        owner = name(context.assembly_of(features[0]))
+        owner = name(subject.assembly_of(features[0]))
         actions.attempt(self.text, call(self.function, owner, members))
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that propose what would be marked by hand otherwise."""
 
-from freecad.sheetmorph.commands import context
+from freecad.sheetmorph import subject
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 
@@ -20,14 +20,14 @@ class FindFeatures(Command):
 
     def possible(self) -> bool:
         """With a part."""
-        owner = context.assembly()
-        return owner is not None and bool(context.parts(owner))
+        owner = subject.assembly()
+        return owner is not None and bool(subject.parts(owner))
 
     def execute(self) -> None:
         """Opens the panel; the document changes when the user says OK."""
         from freecad.sheetmorph.panels import find_panel
 
-        find_panel.open_features(context.assembly())
+        find_panel.open_features(subject.assembly())
 
 
 class FindContacts(Command):
@@ -42,11 +42,11 @@ class FindContacts(Command):
 
     def possible(self) -> bool:
         """With a morph of two parts or more."""
-        owner = context.assembly()
-        return owner is not None and len(context.parts(owner)) > 1
+        owner = subject.assembly()
+        return owner is not None and len(subject.parts(owner)) > 1
 
     def execute(self) -> None:
         """Opens the panel; the document changes when the user says OK."""
         from freecad.sheetmorph.panels import find_panel
 
-        find_panel.open_contacts(context.assembly())
+        find_panel.open_contacts(subject.assembly())

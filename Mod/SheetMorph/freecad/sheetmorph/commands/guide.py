@@ -26,4 +26,4 @@ class OpenGuide(Command):
         """Opens the panel."""
         from freecad.sheetmorph.panels.guide import Guide
 
-        Guide.open()
+        Guide.open(Command.registered)

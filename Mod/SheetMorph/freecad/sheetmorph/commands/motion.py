@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that move handles."""
 
-from freecad.sheetmorph import actions
+from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.commands import context
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 
@@ -22,13 +21,13 @@ class MoveHandle(Command):
 
     def possible(self) -> bool:
         """With a handle."""
-        return context.handle() is not None
+        return subject.handle() is not None
 
     def execute(self) -> None:
         """Opens the panel."""
         from freecad.sheetmorph.panels import move_panel
 
-        move_panel.open_panel(context.handle())
+        move_panel.open_panel(subject.handle())
 
 
 class ResetMotion(Command):
@@ -43,10 +42,10 @@ class ResetMotion(Command):
 
     def possible(self) -> bool:
         """With a handle."""
-        return context.handle() is not None
+        return subject.handle() is not None
 
     def execute(self) -> None:
         """One undo step for all of them."""
-        chosen = [r for r in context.selected(context.REGION) if r.Role == "handle"]
-        handles = chosen or context.regions(context.assembly(), "handle")
+        chosen = [r for r in subject.selected(subject.REGION) if r.Role == "handle"]
+        handles = chosen or subject.regions(subject.assembly(), "handle")
         actions.attempt("Reset Motion", *[call("reset_motion", name(h)) for h in handles])

@@ -3,9 +3,8 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions
+from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.commands import context
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
@@ -23,12 +22,12 @@ class SavePose(Command):
 
     def possible(self) -> bool:
         """With a handle."""
-        return context.handle() is not None
+        return subject.handle() is not None
 
     def execute(self) -> None:
         """Asks for a name; one undo step."""
-        owner = context.assembly()
-        number = len(context.poses(owner)) + 1
+        owner = subject.assembly()
+        number = len(subject.poses(owner)) + 1
         window = Gui.getMainWindow()
         label, is_given = QtWidgets.QInputDialog.getText(
             window, "Save Pose", "Name of the pose", QtWidgets.QLineEdit.Normal, f"Pose {number}"
@@ -49,15 +48,15 @@ class BlendPoses(Command):
 
     def possible(self) -> bool:
         """With a pose."""
-        owner = context.assembly()
-        return owner is not None and bool(context.poses(owner))
+        owner = subject.assembly()
+        return owner is not None and bool(subject.poses(owner))
 
     def execute(self) -> None:
         """Opens the panel at the selected pose, else at the last one."""
         from freecad.sheetmorph.panels import pose_panel
 
-        owner = context.assembly()
-        chosen = context.selected(context.POSE) or context.poses(owner)
+        owner = subject.assembly()
+        chosen = subject.selected(subject.POSE) or subject.poses(owner)
         pose_panel.open_panel(owner, chosen[-1])
 
 
@@ -73,11 +72,11 @@ class CopyInPose(Command):
 
     def possible(self) -> bool:
         """With one pose selected."""
-        return len(context.selected(context.POSE)) == 1
+        return len(subject.selected(subject.POSE)) == 1
 
     def execute(self) -> None:
         """One undo step."""
-        (chosen,) = context.selected(context.POSE)
+        (chosen,) = subject.selected(subject.POSE)
         line = call("copy_in_pose", name(chosen))
         actions.attempt("Copy in Pose", line, document=chosen.Document)
 
@@ -94,11 +93,11 @@ class CopyAsMeshes(Command):
 
     def possible(self) -> bool:
         """With a part."""
-        return context.part() is not None
+        return subject.part() is not None
 
     def execute(self) -> None:
         """One undo step."""
-        owner, chosen = context.assembly(), context.selected(context.POSE)
+        owner, chosen = subject.assembly(), subject.selected(subject.POSE)
         poses = [name(chosen[0])] if chosen else []
         line = call("copy_as_meshes", name(owner), *poses)
         actions.attempt("Copy as Meshes", line, document=owner.Document)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that mark regions of a part by picking in the 3D view."""
 
-from freecad.sheetmorph.commands import context
+from freecad.sheetmorph import subject
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 
@@ -15,13 +15,13 @@ class _Mark(Command):
 
     def possible(self) -> bool:
         """With a part to pick on."""
-        return context.part() is not None
+        return subject.part() is not None
 
     def execute(self) -> None:
         """Opens the panel; the region comes into being when the user says OK."""
         from freecad.sheetmorph.panels import region_panel
 
-        region_panel.create(context.part(), self.role)
+        region_panel.create(subject.part(), self.role)
 
 
 class MarkFixed(_Mark):

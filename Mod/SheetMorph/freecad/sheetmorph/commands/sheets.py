@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands about the sheet a part is made of."""
 
-from freecad.sheetmorph.commands import context
+from freecad.sheetmorph import subject
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 
@@ -20,13 +20,13 @@ class ThicknessMap(Command):
 
     def possible(self) -> bool:
         """With a part."""
-        return context.part() is not None
+        return subject.part() is not None
 
     def execute(self) -> None:
         """Opens the panel."""
         from freecad.sheetmorph.panels import thickness_panel
 
-        thickness_panel.open_panel(context.part())
+        thickness_panel.open_panel(subject.part())
 
 
 class PrepareMesh(Command):
@@ -41,10 +41,10 @@ class PrepareMesh(Command):
 
     def possible(self) -> bool:
         """With a part."""
-        return context.part() is not None
+        return subject.part() is not None
 
     def execute(self) -> None:
         """Opens the panel; the document changes when the user says OK."""
         from freecad.sheetmorph.panels import prepare_panel
 
-        prepare_panel.open_panel(context.part())
+        prepare_panel.open_panel(subject.part())

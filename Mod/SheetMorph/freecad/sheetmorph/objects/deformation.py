@@ -3,15 +3,12 @@
 
 from __future__ import annotations
 
-from freecad.sheetmorph import findings
+from typing import Any
+
+from freecad.sheetmorph import doors
 from freecad.sheetmorph.objects.model import DEFORMATION, assembly_of
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
-from freecad.sheetmorph.rest import MorphError
-from freecad.sheetmorph.session import Outcome, SessionCache
-
-
-ORPHANED = "The morph of this part was deleted: undo that, or delete the part too."
 
 
 class DeformationProxy(ObjectProxy):
@@ -24,13 +21,13 @@ class DeformationProxy(ObjectProxy):
         Property("LinkList", "Relations", "Morph", "Relations of form features", mode=HIDDEN),
         Property("LinkList", "Contacts", "Morph", "Contacts of all parts", mode=HIDDEN),
     )
-    _cache: SessionCache | None = None
-    _outcome: Outcome | None = None
+    _cache: Any = None
+    _outcome: Any = None
 
-    def cache(self) -> SessionCache:
-        """Return what is kept between two recomputes; a restored proxy starts without it."""
+    def cache(self):
+        """Return what solves and is kept between two recomputes; a restored proxy has none yet."""
         if self._cache is None:
-            self._cache = SessionCache()
+            self._cache = doors.new_solver()
         return self._cache
 
     def execute(self, obj) -> None:
@@ -38,12 +35,7 @@ class DeformationProxy(ObjectProxy):
 
         Raising it here would only make FreeCAD skip the parts without a word.
         """
-        assembly = assembly_of(obj)
-        if assembly is None:
-            self._outcome = Outcome(failure=ORPHANED)
-            return
-        self._outcome = self.cache().solve(assembly)
-        findings.show(assembly, self._outcome)
+        self._outcome = self.cache().recomputed(assembly_of(obj))
 
     def mesh_of(self, obj, part):
         """Return the deformed mesh of `part`, a FreeCAD mesh seen where its source is seen.
@@ -52,6 +44,4 @@ class DeformationProxy(ObjectProxy):
         """
         if self._outcome is None:
             self.execute(obj)
-        if self._outcome.failure:
-            raise MorphError(self._outcome.failure)
         return self.cache().mesh(self._outcome, part)

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
+from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.objects.model import PART
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy, make_due
-from freecad.sheetmorph.rest import MorphError
 
 
 MODES = ["automatic", "1 all by control mesh", "2 regions", "3 boundaries"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freecad.sheetmorph import appearance
+from freecad.sheetmorph import doors
 from freecad.sheetmorph.objects.properties import SCHEMA_VERSION, Property, apply_properties
 
 
@@ -19,7 +19,7 @@ class ObjectProxy:
         """Make `obj` one of ours: properties, proxy, and a view provider where there is a GUI."""
         obj.Proxy = self
         apply_properties(obj, [SCHEMA_VERSION, *self.PROPERTIES])
-        appearance.give(obj)
+        doors.give_looks(obj)
 
     def onDocumentRestored(self, obj) -> None:
         """Give an object of an earlier version the properties it lacks."""

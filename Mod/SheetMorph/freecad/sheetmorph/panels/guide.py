@@ -17,8 +17,9 @@ class Guide:
 
     _open = None
 
-    def __init__(self):
+    def __init__(self, commands):
         self._panel = None
+        self._commands = commands
         self._changes = _Changes(self._change)
         self._calm = _timer(CALM, True, self._refresh)
         self._look = _timer(LOOK, False, self._come_back)
@@ -26,9 +27,9 @@ class Guide:
         Gui.Selection.addObserver(self._changes)
 
     @classmethod
-    def open(cls) -> None:
-        """Opens the guide."""
-        cls._open = cls._open or cls()
+    def open(cls, commands) -> None:
+        """Opens the guide; ``commands``: all of the workbench by name, for its buttons."""
+        cls._open = cls._open or cls(commands)
         cls._open._come_back()
 
     @classmethod
@@ -71,7 +72,7 @@ class Guide:
 
     def _refresh(self) -> None:
         if Guide.is_shown():
-            self._panel.refresh()
+            self._panel.refresh(self._commands)
 
     def _end(self) -> None:
         """Nothing is left behind."""

@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the guide has to know about the active document."""
 
-from freecad.sheetmorph import recipes
-from freecad.sheetmorph.commands import context
+from freecad.sheetmorph import recipes, subject
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.guide import Facts, named_in
 
 
 def read():
     """The facts about the active document, and the regions or contacts that a failure names."""
-    owner = context.assembly()
+    owner = subject.assembly()
     if owner is None:
-        return Facts(morphs=len(context.assemblies())), []
+        return Facts(morphs=len(subject.assemblies())), []
     roles = [region.Role for region in model.regions(owner)]
     failure = failure_of(owner)
     faulty = named_by(owner, failure)

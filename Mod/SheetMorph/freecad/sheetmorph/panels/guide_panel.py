@@ -3,8 +3,7 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import seen
-from freecad.sheetmorph.commands import context
+from freecad.sheetmorph import seen, subject
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import guide_facts
 from freecad.sheetmorph.panels.base import Panel, say
@@ -38,13 +37,13 @@ class GuidePanel(Panel):
         for step in self._steps.values():
             step.connect(run)
 
-    def refresh(self) -> None:
-        """Shows what the document says now."""
+    def refresh(self, commands) -> None:
+        """Shows what the document says now; ``commands``: all of the workbench by name."""
         facts, faulty = guide_facts.read()
-        owner = context.assembly()
+        owner = subject.assembly()
         say(self.form.morph, f"<b>{owner.Label}</b>" if owner else "")
         for step in guide.steps(facts):
-            self._steps[step.key].show(step)
+            self._steps[step.key].show(step, commands)
         if faulty != self._faulty:
             self._faulty = faulty
             self._show_faulty()

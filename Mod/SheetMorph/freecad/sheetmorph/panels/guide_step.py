@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One step in the guide: a mark, a title, what is missing in words, and buttons for commands."""
 
-from freecad.sheetmorph import commands
 from freecad.sheetmorph.panels.base import say
 from freecad.sheetmorph.qt import QtCore, QtGui, translate
 from freecad.sheetmorph.tools import guide
@@ -31,11 +30,13 @@ class StepView:
             press = _Press(f"SheetMorph_{name}", run)
             self._presses.append(press)
             for button in self._buttons(name):
-                dress(button, press.name)
                 button.clicked.connect(press.pressed)
 
-    def show(self, step: guide.Step) -> None:
-        """Shows the state of the step; where to press now the buttons have words."""
+    def show(self, step: guide.Step, commands) -> None:
+        """Shows the state of the step; where to press now the buttons have words.
+
+        ``commands``: all of the workbench by name.
+        """
         mark, colour = MARKS[step.state]
         is_here = step.state in (guide.NEXT, guide.AFTER, guide.FAULTY)
         self._widget("mark").setText(f'<b style="color:{colour}">{mark}</b>')
@@ -43,8 +44,10 @@ class StepView:
         words = translate("Guide", step.text).format(**step.values)
         say(self._widget("text"), words, step.state == guide.FAULTY)
         for name in self._names:
-            is_possible = commands.is_possible(f"SheetMorph_{name}")
+            command = commands[f"SheetMorph_{name}"]
+            is_possible = command.is_sensible()
             worded, small = self._buttons(name)
+            dress((worded, small), command)
             worded.setVisible(is_here and is_possible)
             small.setVisible(not is_here)
             small.setEnabled(is_possible)
@@ -70,9 +73,12 @@ class _Press:
         self._run(self.name)
 
 
-def dress(button, name: str) -> None:
-    """Gives a button the icon and the words of a command."""
-    resources = commands.resources(name)
-    button.setIcon(QtGui.QIcon(resources["Pixmap"]))
-    button.setText(translate(name, resources["MenuText"]))
-    button.setToolTip(translate(name, resources["ToolTip"]))
+def dress(buttons, command) -> None:
+    """Gives buttons the icon and the words of a command, unless they have them."""
+    resources = command.GetResources()
+    words = [translate(command.name, resources[key]) for key in ("MenuText", "ToolTip")]
+    for button in buttons:
+        if [button.text(), button.toolTip()] != words:
+            button.setIcon(QtGui.QIcon(resources["Pixmap"]))
+            button.setText(words[0])
+            button.setToolTip(words[1])

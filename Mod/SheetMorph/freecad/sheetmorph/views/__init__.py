@@ -3,7 +3,7 @@
 
 
 def attach(obj) -> None:
-    """Gives one of our objects its view provider; the objects call it through ``appearance``."""
+    """Gives one of our objects its view provider; the objects call it through ``doors``."""
     from freecad.sheetmorph.views import assembly, contact, part, pose, region, relation
 
     providers = {
