@@ -74,4 +74,5 @@ def folder_graph(graph: Graph) -> Graph:
     for module, found in graph.items():
         room = module.split(".")[0]
         rooms.setdefault(room, set()).update(other.split(".")[0] for other in found)
-    return {room: found - {room, ""} for room, found in rooms.items() if room}
+    inner = set(rooms) - {""}
+    return {room: (rooms[room] & inner) - {room} for room in inner}

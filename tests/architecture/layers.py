@@ -82,7 +82,7 @@ def workbench_faults(place: str, text: str) -> list[str]:
         top, local = module.split(".")[0], local_part(module)
         if place in ("api", "objects", "tools") and (top in GUI_MODULES or local in GUI_FOLDERS):
             faults.append(f"{place} imports the GUI ({module})")
-        if place == "tools" and (top in FREECAD_MODULES - {"freecad"} or local == "conversion"):
+        if place == "tools" and (top in FREECAD_MODULES - {"freecad"} or local == "bridge"):
             faults.append(f"tools import FreeCAD ({module})")
         if place != "scene" and (top == "pivy" or module.endswith("._coin")):
             faults.append(f"{place} touches Coin ({module}); only scene may")

@@ -2,6 +2,7 @@
 """No source imports itself by way of others."""
 import pytest
 from imports import circles, folder_graph, import_graph
+from workbench_rooms import MAY_IMPORT, room_faults
 from source_tree import PACKAGE, WORKBENCH
 
 
@@ -23,6 +24,29 @@ def test_the_workbench_imports_in_no_circle():
     graph = import_graph(WORKBENCH, "freecad.sheetmorph")
     assert len(graph) > 100 and graph["api"]
     assert circles(graph) == []
+
+
+def rooms_of_the_workbench():
+    """What the rooms of the workbench import of each other; its tests know all of them."""
+    graph = import_graph(WORKBENCH, "freecad.sheetmorph")
+    return folder_graph({name: found for name, found in graph.items() if "tests" not in name})
+
+
+def test_the_rooms_of_the_workbench_stand_in_no_circle():
+    rooms = rooms_of_the_workbench()
+    assert len(rooms) > 10 and rooms["api"]
+    assert circles(rooms) == []
+
+
+def test_a_room_that_sees_little_imports_no_more():
+    rooms = rooms_of_the_workbench()
+    assert set(MAY_IMPORT) <= set(rooms)
+    assert [fault for room, found in rooms.items() for fault in room_faults(room, found)] == []
+
+
+def test_an_arrow_the_wrong_way_is_noticed():
+    assert room_faults("objects", {"kinds", "bridge"}) == ["objects imports bridge"]
+    assert room_faults("panels", {"api", "scene"}) == []
 
 
 @pytest.mark.parametrize(

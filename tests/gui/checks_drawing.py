@@ -7,7 +7,8 @@ import FreeCADGui as Gui
 import numpy as np
 from desk import child, click_point, click_widget, colour_at, draw_along, enter, on_screen
 from desk import picture, press, press_tool, tick, until, view, xdotool
-from freecad.sheetmorph import api, kernel
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene.viewport import Listener, Viewport
 from PySide import QtCore, QtGui

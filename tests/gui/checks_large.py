@@ -11,7 +11,8 @@ import numpy as np
 from checks_finding import press_ok
 from desk import WORK, activate, child, click_point, click_widget, draw_along, note, on_screen
 from desk import picture, press_tool, view, xdotool
-from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from shapes import grid_triangles
 

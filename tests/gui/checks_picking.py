@@ -5,7 +5,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from desk import child, click_point, picture, press, press_tool, until, xdotool
-from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.objects import model
 from scenes import assembly, new_document, part, regions
 from shapes import HOLES, sheet

@@ -14,7 +14,7 @@ def replay() -> None:
     path = os.environ["SHEETMORPH_MACRO"]
     with open(path, encoding="utf-8") as file:
         exec(compile(file.read(), path, "exec"), {"__name__": "__main__"})  # noqa: S102
-    from freecad.sheetmorph import conversion
+    from freecad.sheetmorph.bridge import conversion
     from freecad.sheetmorph.objects import model
 
     parts = [o for o in App.ActiveDocument.Objects if model.kind(o) == model.PART]

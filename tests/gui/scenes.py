@@ -7,7 +7,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from desk import WORK, activate, view
-from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import nodes
 from shapes import sheet, strip, write_ply

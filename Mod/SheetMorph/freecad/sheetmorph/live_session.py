@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from freecad.sheetmorph import kernel, recipes
+from freecad.sheetmorph.bridge import kernel, recipes
 from freecad.sheetmorph.objects.errors import MorphError
-from freecad.sheetmorph.rest import RestPart
+from freecad.sheetmorph.bridge.rest import RestPart
 from freecad.sheetmorph.session import (
     FAILURES,
     ControlMesh,

@@ -17,11 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from freecad.sheetmorph import conversion, kernel, recipes
-from freecad.sheetmorph.findings import Findings, Step, findings_of, show, steps_of
+from freecad.sheetmorph.bridge import conversion, kernel, recipes
+from freecad.sheetmorph.bridge.findings import Findings, Step, findings_of, show, steps_of
 from freecad.sheetmorph.objects import assembly_of, deformation_of, model
 from freecad.sheetmorph.objects.errors import MorphError
-from freecad.sheetmorph.rest import RestPart, read_rest
+from freecad.sheetmorph.bridge.rest import RestPart, read_rest
 
 ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freecad.sheetmorph import conversion
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.api.checks import direction, require_assembly, require_part_of, vector
 from freecad.sheetmorph.objects import (
     assembly_of,

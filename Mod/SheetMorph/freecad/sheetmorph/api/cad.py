@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.files import add_mesh
-from freecad.sheetmorph.rest import read_kept
+from freecad.sheetmorph.bridge.rest import read_kept
 
 
 def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> list:

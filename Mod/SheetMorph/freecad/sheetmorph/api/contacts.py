@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.checks import (
     indices,
     number,

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api import checks
 from freecad.sheetmorph.api.checks import (
     number,

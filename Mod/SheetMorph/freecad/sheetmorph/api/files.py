@@ -8,7 +8,8 @@ import os
 from pathlib import Path
 
 
-from freecad.sheetmorph import conversion, kernel, session, written
+from freecad.sheetmorph import session
+from freecad.sheetmorph.bridge import conversion, kernel, written
 from freecad.sheetmorph.api.assemblies import (
     add_part,
     create_assembly,
@@ -30,7 +31,7 @@ from freecad.sheetmorph.api.loading import (
 from freecad.sheetmorph.api.poses import add_named_poses, named_poses
 from freecad.sheetmorph.api.propagations import set_mode
 from freecad.sheetmorph.api.thin import set_thin
-from freecad.sheetmorph.rest import write_rest_data
+from freecad.sheetmorph.bridge.rest import write_rest_data
 
 
 def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, mesh=None):

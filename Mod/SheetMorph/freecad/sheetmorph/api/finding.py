@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.cad import known_features
 from freecad.sheetmorph.api.checks import require_assembly, require_part_of
 from freecad.sheetmorph.api.contacts import add_contact

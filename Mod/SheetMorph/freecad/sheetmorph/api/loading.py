@@ -15,7 +15,7 @@ from freecad.sheetmorph.api.regions import add_feature, add_fixed, add_follower,
 from freecad.sheetmorph.objects.assembly import LOCAL
 from freecad.sheetmorph.objects.contact import CONTROL_MESH
 from freecad.sheetmorph.objects.region import AXIS, FREE, LINE, PLANE
-from freecad.sheetmorph.recipes import RELATION_KEYS
+from freecad.sheetmorph.bridge.recipes import RELATION_KEYS
 
 
 WORDS = (

@@ -12,7 +12,7 @@ from freecad.sheetmorph import session
 from freecad.sheetmorph.api.checks import direction, number, require_assembly, require_role, vector
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import FORM_FEATURE, FREE, HANDLE, INTERPOLATED, PRESCRIBED
-from freecad.sheetmorph.rest import read_rest
+from freecad.sheetmorph.bridge.rest import read_rest
 
 
 def set_motion(

@@ -8,11 +8,11 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from freecad.sheetmorph import conversion, kernel
+from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.api.checks import indices, number, require_kind, vertex_count
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.rest import read_rest
+from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.tools.figures import Camera
 from freecad.sheetmorph.tools.part_mesh import PartMesh
 

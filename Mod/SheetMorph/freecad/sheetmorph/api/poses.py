@@ -8,7 +8,8 @@ from dataclasses import asdict, replace
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import conversion, session
+from freecad.sheetmorph import session
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
 from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.api.motions import rest_centroid, set_motion, set_rotation

@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from freecad.sheetmorph import conversion, kernel
+from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.api.checks import number, require_kind
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.assembly import follow_group
-from freecad.sheetmorph.rest import Kept, read_kept, read_original, write_rest_data
+from freecad.sheetmorph.bridge.rest import Kept, read_kept, read_original, write_rest_data
 
 
 def prepare(part, **cures) -> dict:

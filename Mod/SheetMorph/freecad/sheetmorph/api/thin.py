@@ -7,12 +7,12 @@ from typing import Any
 
 import FreeCAD
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.checks import number, require_kind, require_part_of
 from freecad.sheetmorph.api.regions import add_feature
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.part import THIN_AUTOMATIC, THIN_GIVEN, THIN_NO
-from freecad.sheetmorph.rest import read_rest
+from freecad.sheetmorph.bridge.rest import read_rest
 
 
 def set_thin(part, thin: str | bool | float) -> None:

@@ -14,7 +14,7 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import conversion
+from freecad.sheetmorph.bridge import conversion
 
 
 class Snapshot:

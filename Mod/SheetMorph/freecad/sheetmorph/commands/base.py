@@ -4,7 +4,8 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, kernel, paths
+from freecad.sheetmorph import actions, paths
+from freecad.sheetmorph.bridge import kernel
 
 
 class Command:

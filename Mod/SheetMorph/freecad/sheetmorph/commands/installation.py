@@ -3,7 +3,7 @@
 
 import FreeCAD as App
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 

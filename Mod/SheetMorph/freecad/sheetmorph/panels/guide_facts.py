@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the guide has to know about the active document."""
 
-from freecad.sheetmorph import recipes, subject
+from freecad.sheetmorph import subject
+from freecad.sheetmorph.bridge import recipes
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.guide import Facts, named_in
 

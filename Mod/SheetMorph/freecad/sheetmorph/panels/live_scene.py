@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is drawn while a morph moves: the parts, and on demand what tells more about the motion."""
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import control_meshes
 from freecad.sheetmorph.scene import preview

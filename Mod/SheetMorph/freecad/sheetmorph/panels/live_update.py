@@ -3,7 +3,8 @@
 
 import time
 
-from freecad.sheetmorph import kernel, live_session
+from freecad.sheetmorph import live_session
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.frame_worker import FrameWorker
 from freecad.sheetmorph.panels.live_scene import LiveScene

@@ -3,7 +3,7 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.qt import QtGui, QtWidgets
 
 

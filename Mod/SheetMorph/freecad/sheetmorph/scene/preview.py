@@ -10,7 +10,7 @@ import importlib
 import numpy as np
 from pivy import coin
 
-from freecad.sheetmorph import kernel
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.scene import nodes
 from freecad.sheetmorph.scene.surface import Surface
 

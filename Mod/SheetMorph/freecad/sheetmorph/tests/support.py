@@ -10,7 +10,8 @@ import unittest
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.objects import model
 
 LENGTH, WIDTH = 300.0, 100.0

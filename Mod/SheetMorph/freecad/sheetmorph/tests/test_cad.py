@@ -10,7 +10,8 @@ import Import
 import numpy as np
 import Part
 
-from freecad.sheetmorph import api, kernel
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.tests import support
 
 SIZES = {"edge": 6.0, "deflection": 0.1, "angle": 20.0}

@@ -7,7 +7,7 @@ import FreeCAD
 import Mesh
 import numpy as np
 
-from freecad.sheetmorph import conversion
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.tests import support
 
 AWKWARD = np.array([[0, 1, 2], [0, 1, 2], [1, 1, 3], [1, 0, 3], [0, 1, 4]], np.int32)

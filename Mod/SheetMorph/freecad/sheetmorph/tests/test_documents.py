@@ -8,7 +8,8 @@ import unittest
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import api, objects, recipes, session
+from freecad.sheetmorph import api, objects, session
+from freecad.sheetmorph.bridge import recipes
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tests import support
 

@@ -9,7 +9,8 @@ from pathlib import Path
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import api, kernel, objects
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.tests import support
 
 NAMES = ("door_mirror", "body_panels", "welded_frame")

@@ -5,7 +5,8 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.objects import deformation_of, model
 from freecad.sheetmorph.tests import support
 

@@ -5,7 +5,8 @@ import os
 
 import numpy as np
 
-from freecad.sheetmorph import api, kernel, objects, recipes, session
+from freecad.sheetmorph import api, objects, session
+from freecad.sheetmorph.bridge import kernel, recipes
 from freecad.sheetmorph.objects.region import ROTATIONS
 from freecad.sheetmorph.tests import support
 

@@ -7,7 +7,8 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, kernel, objects
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.tests import support
 
 FAR = np.array([2.0e5 + 1 / 3, -1.0e5 + 1 / 7, 3.0e5])

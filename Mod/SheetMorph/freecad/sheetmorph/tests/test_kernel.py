@@ -8,7 +8,8 @@ import tempfile
 import unittest
 from importlib.machinery import EXTENSION_SUFFIXES
 
-from freecad.sheetmorph import api, kernel
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.tests import support
 
 

@@ -6,7 +6,8 @@ import unittest
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.tests import support
 
 

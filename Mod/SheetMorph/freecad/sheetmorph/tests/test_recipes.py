@@ -8,7 +8,8 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, kernel, objects, recipes, session
+from freecad.sheetmorph import api, objects, session
+from freecad.sheetmorph.bridge import kernel, recipes
 from freecad.sheetmorph.tests import support
 
 

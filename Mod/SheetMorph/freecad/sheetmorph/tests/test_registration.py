@@ -8,9 +8,9 @@ from pathlib import Path
 
 import FreeCAD
 
-from freecad.sheetmorph import kernel, tests
+from freecad.sheetmorph import tests
 
-PACKAGE = Path(kernel.__file__).parent
+PACKAGE = Path(tests.__file__).resolve().parent.parent
 QUIET_START = """
 import sys
 import freecad.sheetmorph

@@ -6,9 +6,10 @@ from unittest import mock
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import api, conversion
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.bridge.snapshots import Snapshot, snapshot_of
-from freecad.sheetmorph.rest import read_rest
+from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.tests import support
 
 

@@ -11,9 +11,9 @@ from functools import cached_property
 
 import numpy as np
 
-from freecad.sheetmorph import conversion
+from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.bridge.snapshots import Snapshot, snapshot_of
-from freecad.sheetmorph.conversion import Frame
+from freecad.sheetmorph.bridge.conversion import Frame
 from freecad.sheetmorph.objects.errors import MorphError
 
 

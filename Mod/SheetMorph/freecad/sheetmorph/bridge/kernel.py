@@ -116,7 +116,7 @@ def report() -> str:
         f"Python: {sys.version.split()[0]} ({sys.implementation.cache_tag})",
         f"Platform: {platform.platform()}",
         f"FreeCAD: {freecad_version()}",
-        f"Workbench: {Path(__file__).resolve().parent}",
+        f"Workbench: {Path(__file__).resolve().parent.parent}",
         f"Workbench needs kernel interface: {KERNEL_API}",
         f"Package: {folder if folder else 'not found'}",
         f"Compiled kernels found: {', '.join(compiled_kernels(folder)) or 'none'}",

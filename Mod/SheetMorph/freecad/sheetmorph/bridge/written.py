@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad.sheetmorph import kernel, recipes
+from freecad.sheetmorph.bridge import kernel, recipes
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.rest import RestPart
+from freecad.sheetmorph.bridge.rest import RestPart
 
 
 def write_parts(assembly, morph, positions: dict[str, np.ndarray], place: tuple) -> list[Path]:
