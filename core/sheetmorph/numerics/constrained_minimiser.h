@@ -22,7 +22,7 @@ struct QuadraticProblem
     //! B^T diag(w) B (n, n); computed if it is not there.
     std::shared_ptr<const SparseMatrix> stiffness;
 
-    //! Of the stiffness, for the order of elimination; may be none.
+    //! Of the stiffness: the order of elimination.
     std::shared_ptr<const SeparatorTree> tree;
 };
 

@@ -32,22 +32,6 @@ std::vector<int> sorted_by(const std::vector<int>& keys, int count, std::vector<
 
 }  // namespace
 
-SparseMatrix MergedMatrix::merged() const
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(at(whole->nonZeros()));
-    for (Eigen::Index column = 0; column < whole->outerSize(); ++column)
-        for (SparseMatrix::InnerIterator entry(*whole, column); entry; ++entry)
-        {
-            const int row = unknown_of[at(entry.row())];
-            if (row >= 0 && unknown_of[at(column)] >= 0)
-                entries.emplace_back(row, unknown_of[at(column)], entry.value());
-        }
-    SparseMatrix matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
 Elimination::Elimination(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree)
     : matrix_(std::move(matrix)), tree_(std::move(tree))
 {

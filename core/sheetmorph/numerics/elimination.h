@@ -17,8 +17,6 @@ struct MergedMatrix
     std::shared_ptr<const SparseMatrix> whole;  //!< M (n, n), both triangles
     std::vector<int> unknown_of;                //!< (n) 0 .. count - 1; negative: none
     int count = 0;
-
-    SparseMatrix merged() const;
 };
 
 //! Where in a tree of the whole matrix every unknown is eliminated: at the lowest node that has

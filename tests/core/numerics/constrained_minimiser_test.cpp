@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/constrained_minimiser.h"
 
+#include "numerics/cholesky/cholmod_oracle.h"
+
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -34,7 +36,8 @@ struct Small
 
     QuadraticProblem problem() const
     {
-        return {sparse(rows), weights, sparse(basis), sparse(constraints), {}, nullptr, nullptr};
+        return {sparse(rows), weights, sparse(basis), sparse(constraints),
+                {},           nullptr, one_node(12)};
     }
 
     // The same minimum from the dense KKT system.

@@ -67,9 +67,10 @@ SheetGrowth::SheetGrowth(const RotationFieldInput& input, const FeatureShapes& s
     { return shape.has_value(); };
     if (std::none_of(shapes.begin(), shapes.end(), is_resizable))
         return;
-    coupling_ = even_stiffness(input, shapes);
+    stiffness_ = std::make_shared<const SparseMatrix>(even_stiffness(input, shapes));
     find_unknowns(held_vertices(input));
-    factorise();
+    if (unknowns_.count > 0)
+        factor_.emplace(unknowns_.merged(stiffness_), input.operators.harmonic_tree);
 }
 
 // All that the sheet joins to a resizable feature without passing what is held.
@@ -85,7 +86,7 @@ void SheetGrowth::find_unknowns(const std::vector<char>& is_held)
     {
         const int vertex = open.back();
         open.pop_back();
-        for (SparseMatrix::InnerIterator entry(coupling_, vertex); entry; ++entry)
+        for (SparseMatrix::InnerIterator entry(*stiffness_, vertex); entry; ++entry)
         {
             const auto next = at(entry.row());
             if (entry.value() == 0.0 || is_held[next] || is_reached[next])
@@ -94,21 +95,8 @@ void SheetGrowth::find_unknowns(const std::vector<char>& is_held)
             open.push_back(static_cast<int>(next));
         }
     }
-    for (std::size_t i = 0; i < is_reached.size(); ++i)
-        if (is_reached[i])
-            unknowns_.push_back(static_cast<int>(i));
-}
-
-void SheetGrowth::factorise()
-{
-    const auto count = static_cast<Eigen::Index>(unknowns_.size());
-    SparseMatrix chosen(mesh_.vertex_count(), count);
-    chosen.reserve(Eigen::VectorXi::Constant(count, 1));
-    for (Eigen::Index k = 0; k < count; ++k)
-        chosen.insert(unknowns_[at(k)], k) = 1.0;
-    coupling_ = SparseMatrix(chosen.transpose() * coupling_);
-    if (count > 0)
-        factor_ = std::make_unique<const SparseCholesky>(SparseMatrix(coupling_ * chosen));
+    for (const char reached : is_reached)
+        unknowns_.of_vertex.push_back(reached != 0 ? unknowns_.count++ : Unknowns::known);
 }
 
 Points SheetGrowth::field(const SizeChanges& sizes) const
@@ -126,15 +114,17 @@ Points SheetGrowth::field(const SizeChanges& sizes) const
         }
     }
     if (factor_)
-        moves(unknowns_, Eigen::all) = factor_->solve(-(coupling_ * moves));
+        moves -= unknowns_.basis() * factor_->solve(unknowns_.sums(*stiffness_ * moves));
     return moves;
 }
 
 void SheetGrowth::lay(const SizeChanges& sizes, Deformation& deformation) const
 {
     const Points growth = field(sizes);
-    for (const int vertex : unknowns_)
+    for (int vertex = 0; vertex < static_cast<int>(unknowns_.of_vertex.size()); ++vertex)
     {
+        if (unknowns_.of_vertex[at(vertex)] == Unknowns::known)
+            continue;
         const Matrix3 turn = rotation_from_log(deformation.rotation_logs.row(vertex));
         deformation.positions.row(vertex) += (turn * growth.row(vertex).transpose()).transpose();
     }

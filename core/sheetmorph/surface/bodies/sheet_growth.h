@@ -2,8 +2,11 @@
 #pragma once
 
 #include "sheetmorph/surface/bodies/sizes.h"
+#include "sheetmorph/surface/operators/unknowns.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
 #include "sheetmorph/surface/surface_deformer.h"
+
+#include <optional>
 
 namespace sheetmorph
 {
@@ -26,15 +29,14 @@ public:
 
 private:
     void find_unknowns(const std::vector<char>& is_held);
-    void factorise();
 
     const TriangleMesh& mesh_;
     const SurfaceConstraints& constraints_;
     const VertexRoles& roles_;
     const FeatureShapes& shapes_;
-    VertexIds unknowns_;     // (u)
-    SparseMatrix coupling_;  // (u, n) of unknowns to all others
-    std::unique_ptr<const SparseCholesky> factor_;
+    std::shared_ptr<const SparseMatrix> stiffness_;  // (n, n)
+    Unknowns unknowns_;
+    std::optional<SparseCholesky> factor_;
 };
 
 }  // namespace sheetmorph
