@@ -3,8 +3,8 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/search/near_vertices.h"
+#include "sheetmorph/mesh/topology/orientation.h"
 #include "sheetmorph/repair/inner_walls.h"
-#include "sheetmorph/repair/soup.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -148,9 +148,9 @@ void put_together(const Points& points, const Facets& facets, const std::vector<
     found.triangle_of.clear();
     found.vertex_of.clear();
     number_vertices(points, facets, first, found);
-    OrientedSoup soup = oriented(found.mesh);
-    found.turned = soup.turned;
-    found.mesh = TriangleMesh(found.mesh.points(), std::move(soup.triangles));
+    const Orientation orientation = consistent_orientation(found.mesh, EdgeTable(found.mesh));
+    found.turned = static_cast<int>(orientation.flipped.size());
+    found.mesh = oriented(found.mesh, orientation);
 }
 
 // Leaves out the walls that two pieces have in common; returns how many facets.

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// Of CGAL only its kernel, which is LGPL: exact predicates.
 #include "sheetmorph/repair/self_intersections.h"
 
-#include "sheetmorph/base/errors.h"
-#include "sheetmorph/repair/soup.h"
+#include "sheetmorph/mesh/search/picking.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/intersections.h>
 
 #include <algorithm>
+#include <array>
 
 namespace sheetmorph
 {
@@ -17,54 +17,90 @@ namespace
 {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-SurfaceMesh surface_of(const TriangleMesh& mesh, const OrientedSoup& soup)
+// Two triangles, turned so that the corners they share come first.
+class Pair
 {
-    SurfaceMesh surface;
-    for (const int vertex : soup.original)
+public:
+    Pair(const TriangleMesh& mesh, int one, int other)
     {
-        const Vector3 place = mesh.points().row(vertex);
-        surface.add_vertex({place.x(), place.y(), place.z()});
+        for (int k = 0; k < 3; ++k)
+            for (int j = 0; j < 3; ++j)
+                if (mesh.triangles()(one, k) == mesh.triangles()(other, j))
+                {
+                    put(one_, shared_, k);
+                    put(other_, shared_, j);
+                    ++shared_;
+                }
+        for (int k = 0; k < 3; ++k)
+        {
+            p_[k] = place(mesh, mesh.triangles()(one, one_[k]));
+            q_[k] = place(mesh, mesh.triangles()(other, other_[k]));
+        }
     }
-    for (Eigen::Index t = 0; t < soup.manifold_triangles.rows(); ++t)
-    {
-        const auto corner = [&](int k) {
-            return SurfaceMesh::Vertex_index(
-                static_cast<std::uint32_t>(soup.manifold_triangles(t, k)));
-        };
-        if (surface.add_face(corner(0), corner(1), corner(2)) == SurfaceMesh::null_face())
-            throw SolverError("triangle " + std::to_string(t) + " fits in no manifold mesh");
-    }
-    return surface;
-}
 
-bool share_a_vertex(const Triangles& triangles, int one, int other)
+    bool meet_elsewhere() const
+    {
+        if (CGAL::collinear(p_[0], p_[1], p_[2]) || CGAL::collinear(q_[0], q_[1], q_[2]))
+            return false;
+        if (shared_ == 0)
+            return CGAL::do_intersect(triangle(p_), triangle(q_));
+        if (shared_ == 1)
+            return CGAL::do_intersect(Kernel::Segment_3(p_[1], p_[2]), triangle(q_))
+                   || CGAL::do_intersect(Kernel::Segment_3(q_[1], q_[2]), triangle(p_));
+        // Over one side they meet elsewhere only where one lies folded onto the other.
+        return shared_ == 3
+               || (CGAL::coplanar(p_[0], p_[1], p_[2], q_[2])
+                   && CGAL::coplanar_orientation(p_[0], p_[1], p_[2], q_[2]) == CGAL::POSITIVE);
+    }
+
+private:
+    using Places = std::array<Kernel::Point_3, 3>;
+    using Order = std::array<int, 3>;
+
+    static void put(Order& order, int where, int k)
+    {
+        std::swap(order[where], *std::find(order.begin(), order.end(), k));
+    }
+    static Kernel::Point_3 place(const TriangleMesh& mesh, int vertex)
+    {
+        return {mesh.points()(vertex, 0), mesh.points()(vertex, 1), mesh.points()(vertex, 2)};
+    }
+    static Kernel::Triangle_3 triangle(const Places& places)
+    {
+        return {places[0], places[1], places[2]};
+    }
+
+    Order one_{0, 1, 2}, other_{0, 1, 2};
+    int shared_ = 0;
+    Places p_, q_;
+};
+
+// The inside of the box around a triangle.
+Planes box_around(const TriangleMesh& mesh, int t)
 {
-    for (int k = 0; k < 3; ++k)
-        if ((triangles.row(other).array() == triangles(one, k)).any())
-            return true;
-    return false;
+    const Points corners = mesh.points()(mesh.triangles().row(t), Eigen::all);
+    Planes planes = Planes::Zero(6, 4);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        planes(2 * axis, axis) = 1.0;
+        planes(2 * axis, 3) = -corners.col(axis).minCoeff();
+        planes(2 * axis + 1, axis) = -1.0;
+        planes(2 * axis + 1, 3) = corners.col(axis).maxCoeff();
+    }
+    return planes;
 }
 
 }  // namespace
 
 std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh)
 {
-    const OrientedSoup soup = oriented(mesh);
-    const SurfaceMesh surface = surface_of(mesh, soup);
-    std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> crossing;
-    CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(crossing));
+    const PickingTree tree(mesh);
     std::vector<std::pair<int, int>> found;
-    for (const auto& [a, b] : crossing)
-    {
-        const auto [one, other] = std::minmax({static_cast<int>(a), static_cast<int>(b)});
-        // Copies of one vertex are no neighbours to CGAL.
-        const bool is_copied = share_a_vertex(mesh.triangles(), one, other)
-                               && !share_a_vertex(soup.manifold_triangles, one, other);
-        if (!is_copied)
-            found.emplace_back(one, other);
-    }
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (const int other : tree.triangles_between(box_around(mesh, t)))
+            if (other > t && Pair(mesh, t, other).meet_elsewhere())
+                found.emplace_back(t, other);
     std::sort(found.begin(), found.end());
     return found;
 }

@@ -8,10 +8,8 @@
 namespace sheetmorph
 {
 
-//! The pairs of triangles, smaller index first, that meet anywhere but in what they share (CGAL,
-//! Polygon Mesh Processing, exact predicates); ascending. Of triangles that more than two share an
-//! edge of, those that are no neighbours there do not count.
-//! \param mesh  no triangle repeats a vertex or stands twice
+//! The pairs of triangles, smaller index first, that meet anywhere but in the corners and sides
+//! they share, told exactly; ascending. Triangles without area do not count.
 std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh);
 
 }  // namespace sheetmorph

@@ -33,7 +33,7 @@ void lock_sides(FaceNodes& nodes, const Poly_PolygonOnTriangulation& polygon,
     for (int i = 1; i < polygon.NbNodes(); ++i)
     {
         const int a = polygon.Node(i) - 1, b = polygon.Node(i + 1) - 1;
-        nodes.locked.push_back({a, b});
+        nodes.locked.emplace_back(a, b);
         FaceVertex& one = nodes.vertices[static_cast<std::size_t>(a)];
         FaceVertex& other = nodes.vertices[static_cast<std::size_t>(b)];
         one.is_fixed = other.is_fixed = true;

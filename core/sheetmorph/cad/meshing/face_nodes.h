@@ -42,9 +42,9 @@ struct FaceNodes
 {
     std::vector<FaceVertex> vertices;
     std::vector<std::array<int, 3>> triangles;
-    std::vector<std::array<int, 2>> locked;  //!< the sides on edges of the face
-    std::vector<std::array<int, 2>> shared;  //!< (vertex, its number in SharedVertices)
-    bool has_parameters = false;             //!< whether uv is known
+    std::vector<std::pair<int, int>> locked;  //!< the sides on edges of the face
+    std::vector<std::array<int, 2>> shared;   //!< (vertex, its number in SharedVertices)
+    bool has_parameters = false;              //!< whether uv is known
 };
 
 //! \returns no triangles if the face has none

@@ -52,7 +52,7 @@ Vector3 surface_normal(const FaceSurface& surface, const Vector2& uv)
 double deviation(const FaceMesh& mesh, const FaceSurface& surface)
 {
     double largest = 0.0;
-    for (const FaceTriangle& triangle : mesh.triangles())
+    for (const FaceMesh::Triangle& triangle : mesh.triangles())
     {
         if (!triangle.is_alive())
             continue;

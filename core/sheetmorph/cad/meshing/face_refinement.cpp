@@ -13,11 +13,6 @@ namespace sheetmorph
 namespace
 {
 
-constexpr int next(int k)
-{
-    return (k + 1) % 3;
-}
-
 // The vertices beside every vertex, each as often as a triangle has both.
 class Neighbours
 {
@@ -46,7 +41,7 @@ private:
     template <typename Work>
     static void for_each_pair(const FaceMesh& mesh, Work&& work)
     {
-        for (const FaceTriangle& triangle : mesh.triangles())
+        for (const FaceMesh::Triangle& triangle : mesh.triangles())
             for (std::size_t k = 0; k < 3 && triangle.is_alive(); ++k)
             {
                 work(triangle.corner[k], triangle.corner[(k + 1) % 3]);
@@ -113,7 +108,7 @@ void FaceRefiner::spread_sizes()
 {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    for (int v = 0; v < vertex_count(); ++v)
+    for (int v = 0; v < mesh_.vertex_count(); ++v)
         if (mesh_.vertex(v).is_fixed)
             queue.emplace(mesh_.vertex(v).size, v);
         else
@@ -140,7 +135,7 @@ void FaceRefiner::spread_sizes()
 void FaceRefiner::split_all()
 {
     constexpr int most_rounds = 40;
-    for (int round = 0; round < most_rounds && vertex_count() < sizes_.most_vertices; ++round)
+    for (int round = 0; round < most_rounds && mesh_.vertex_count() < sizes_.most_vertices; ++round)
     {
         spread_sizes();
         if (!split_round())
@@ -154,11 +149,9 @@ bool FaceRefiner::split_round()
     for_each_side(
         [&](int t, int k)
         {
-            const double found = excess(corner(t, k), corner(t, next(k)));
-            const auto& corners = mesh_.triangle(t).corner;
+            const double found = excess(corner(t, k), corner(t, k + 1));
             if (found > 1.0)
-                sides.push_back({found, t, k, corners[static_cast<std::size_t>(k)],
-                                 corners[static_cast<std::size_t>(next(k))]});
+                sides.push_back({found, t, k, mesh_.corner(t, k), mesh_.corner(t, k + 1)});
         });
     std::stable_sort(sides.begin(), sides.end(),
                      [](const Side& one, const Side& other) { return one.excess > other.excess; });
@@ -170,12 +163,10 @@ bool FaceRefiner::split_round()
 
 bool FaceRefiner::try_split(const Side& side)
 {
-    const auto& corners = mesh_.triangle(side.t).corner;
-    if (corners[static_cast<std::size_t>(side.k)] != side.a
-        || corners[static_cast<std::size_t>(next(side.k))] != side.b)
+    if (mesh_.corner(side.t, side.k) != side.a || mesh_.corner(side.t, side.k + 1) != side.b)
         return false;  // gone since the list was made
     const FaceVertex &a = mesh_.vertex(side.a), &b = mesh_.vertex(side.b);
-    const FaceVertex& c = corner(side.t, next(next(side.k)));
+    const FaceVertex& c = corner(side.t, side.k + 2);
     const FaceVertex& d = mesh_.vertex(mesh_.opposite(side.t, side.k));
     FaceVertex middle = vertex_at(0.5 * (a.uv + b.uv));
     middle.size = 0.5 * (a.size + b.size);
@@ -199,7 +190,7 @@ bool FaceRefiner::flip_if_better(int t, int k)
 {
     if (!mesh_.is_free_side(t, k))
         return false;
-    const FaceVertex &a = corner(t, k), &b = corner(t, next(k)), &c = corner(t, next(next(k)));
+    const FaceVertex &a = corner(t, k), &b = corner(t, k + 1), &c = corner(t, k + 2);
     const FaceVertex& d = mesh_.vertex(mesh_.opposite(t, k));
     const Vector3 ca = a.point - c.point, cb = b.point - c.point;
     const Vector3 da = a.point - d.point, db = b.point - d.point;
@@ -235,12 +226,10 @@ void FaceRefiner::legalise(int v)
     for (std::size_t done = 0; done < open.size() && done < most; ++done)
     {
         const int t = open[done];
-        const auto& corners = mesh_.triangle(t).corner;
-        const auto at = std::find(corners.begin(), corners.end(), v);
-        if (at == corners.end())
+        if (mesh_.corner_of(t, v) < 0)
             continue;
-        const int k = next(static_cast<int>(at - corners.begin()));
-        const int other = mesh_.triangle(t).across[static_cast<std::size_t>(k)];
+        const int k = (mesh_.corner_of(t, v) + 1) % 3;
+        const int other = mesh_.across(t, k);
         if (flip_if_better(t, k))
         {
             open.push_back(t);

@@ -30,22 +30,17 @@ private:
         int t, k, a, b;
     };
 
-    const FaceVertex& corner(int t, int k) const
-    {
-        return mesh_.vertex(mesh_.triangle(t).corner[static_cast<std::size_t>(k)]);
-    }
-    int triangle_count() const { return static_cast<int>(mesh_.triangles().size()); }
-    int vertex_count() const { return static_cast<int>(mesh_.vertices().size()); }
+    const FaceVertex& corner(int t, int k) const { return mesh_.vertex(mesh_.corner(t, k)); }
 
     template <typename Work>
     void for_each_side(Work&& work) const
     {
-        const int count = triangle_count();
-        for (int t = 0; t < count; ++t)
-            for (int k = 0; k < 3 && mesh_.triangle(t).is_alive(); ++k)
-                if (mesh_.triangle(t).across[static_cast<std::size_t>(k)] < t
-                    && mesh_.is_free_side(t, k))
+        mesh_.for_each_side(
+            [&](int t, int k)
+            {
+                if (mesh_.is_free_side(t, k))
                     work(t, k);
+            });
     }
 
     FaceVertex vertex_at(const Vector2& uv) const

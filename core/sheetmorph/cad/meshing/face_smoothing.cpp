@@ -8,16 +8,6 @@
 namespace sheetmorph
 {
 
-namespace
-{
-
-constexpr int next(int k)
-{
-    return (k + 1) % 3;
-}
-
-}  // namespace
-
 double FaceRefiner::worth_around(int v, const FaceVertex& moved, int without) const
 {
     double least = std::numeric_limits<double>::infinity();
@@ -35,8 +25,8 @@ double FaceRefiner::worth_around(int v, const FaceVertex& moved, int without) co
 
 void FaceRefiner::collapse_all()
 {
-    for (int v = 0; v < vertex_count(); ++v)
-        if (!mesh_.vertex(v).is_fixed && mesh_.vertex(v).triangle >= 0)
+    for (int v = 0; v < mesh_.vertex_count(); ++v)
+        if (!mesh_.vertex(v).is_fixed && mesh_.triangle_at(v) >= 0)
             try_collapse(v);
 }
 
@@ -79,8 +69,8 @@ void FaceRefiner::smooth_all()
 {
     constexpr int sweeps = 3;
     for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (int v = 0; v < vertex_count(); ++v)
-            if (!mesh_.vertex(v).is_fixed && mesh_.vertex(v).triangle >= 0)
+        for (int v = 0; v < mesh_.vertex_count(); ++v)
+            if (!mesh_.vertex(v).is_fixed && mesh_.triangle_at(v) >= 0)
                 smooth(v);
 }
 
@@ -92,12 +82,10 @@ void FaceRefiner::smooth(int v)
     Vector3 sum = Vector3::Zero();
     int count = 0;
     for (const int t : mesh_.around(v))
-        for (int k = 0; k < 3; ++k)
-            if (mesh_.triangle(t).corner[static_cast<std::size_t>(k)] == v)
-            {
-                sum += corner(t, next(k)).point;
-                ++count;
-            }
+    {
+        sum += corner(t, mesh_.corner_of(t, v) + 1).point;
+        ++count;
+    }
     const Vector3 step = sum / count - here.point;
     const auto tangents = surface_.tangents(here.uv);
     const Eigen::Matrix2d metric = tangents.transpose() * tangents;
@@ -109,7 +97,6 @@ void FaceRefiner::smooth(int v)
     {
         FaceVertex moved = vertex_at(here.uv + part * shift);
         moved.size = here.size;
-        moved.triangle = here.triangle;
         constexpr double good = 0.25;  // 30 degrees
         if (worth_around(v, moved, -1) < std::min(before, good) + 1e-9)
             continue;

@@ -41,7 +41,7 @@ void take(MeshedFace& face, const FaceMesh& mesh)
     face.triangles.clear();
     for (const FaceVertex& vertex : mesh.vertices())
         face.points.push_back(vertex.point);
-    for (const FaceTriangle& triangle : mesh.triangles())
+    for (const FaceMesh::Triangle& triangle : mesh.triangles())
         if (triangle.is_alive())
             face.triangles.push_back(triangle.corner);
 }

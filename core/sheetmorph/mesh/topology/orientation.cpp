@@ -2,6 +2,7 @@
 #include "sheetmorph/mesh/topology/orientation.h"
 
 #include <Eigen/Geometry>
+#include <utility>
 
 namespace sheetmorph
 {
@@ -57,6 +58,14 @@ Orientation consistent_orientation(const TriangleMesh& mesh, const EdgeTable& ta
         if (orientation.sign[t] < 0)
             orientation.flipped.push_back(t);
     return orientation;
+}
+
+TriangleMesh oriented(const TriangleMesh& mesh, const Orientation& orientation)
+{
+    Triangles triangles = mesh.triangles();
+    for (const int t : orientation.flipped)
+        std::swap(triangles(t, 1), triangles(t, 2));
+    return TriangleMesh(mesh.points(), std::move(triangles));
 }
 
 double signed_volume(const TriangleMesh& mesh, const std::vector<int>& triangles,

@@ -19,6 +19,9 @@ struct Orientation
 //! whole are not turned: signed_volume tells them.
 Orientation consistent_orientation(const TriangleMesh& mesh, const EdgeTable& table);
 
+//! The triangles as `orientation` turns them.
+TriangleMesh oriented(const TriangleMesh& mesh, const Orientation& orientation);
+
 //! The volume some triangles enclose, mm^3, as `sign` turns them: positive if they face outwards.
 double signed_volume(const TriangleMesh& mesh, const std::vector<int>& triangles,
                      const std::vector<int>& sign);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/topology/submesh.h"
 
+#include "sheetmorph/base/vertex_sets.h"
+
 #include <algorithm>
 
 namespace sheetmorph
@@ -13,9 +15,7 @@ Submesh submesh(const TriangleMesh& mesh, const std::vector<int>& triangles)
     for (const int t : triangles)
         for (int k = 0; k < 3; ++k)
             part.vertices.push_back(mesh.triangles()(t, k));
-    std::sort(part.vertices.begin(), part.vertices.end());
-    part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()),
-                        part.vertices.end());
+    make_set(part.vertices);
     part.index_of.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
     for (std::size_t k = 0; k < part.vertices.size(); ++k)
         part.index_of[static_cast<std::size_t>(part.vertices[k])] = static_cast<int>(k);

@@ -2,6 +2,7 @@
 #include "sheetmorph/repair/remeshing/patches.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/mesh/quality/thinness.h"
 
 #include <Eigen/Geometry>
@@ -16,13 +17,6 @@ namespace
 
 constexpr double flatness = 2e-7;         // of the size: distance from the plane of a group
 constexpr double same_direction = 0.999;  // cosine between the normals inside a group
-
-Vector3 area_vector(const TriangleMesh& mesh, int triangle)
-{
-    const auto corner = [&](int k) -> Vector3
-    { return mesh.points().row(mesh.triangles()(triangle, k)).transpose(); };
-    return 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0));
-}
 
 // Groups of coplanar triangles, begun with the largest, whose plane is the surest.
 class PlaneFlood
@@ -40,7 +34,7 @@ public:
     {
         std::vector<double> area(plane_.size());
         for (int t = 0; t < mesh_.triangle_count(); ++t)
-            area[t] = area_vector(mesh_, t).norm();
+            area[t] = doubled_area(mesh_, t).norm();
         std::vector<int> order(plane_.size());
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(),
@@ -54,7 +48,7 @@ public:
 private:
     void grow(int seed, int group)
     {
-        const Vector3 normal = area_vector(mesh_, seed).normalized();
+        const Vector3 normal = doubled_area(mesh_, seed).normalized();
         const Vector3 origin = mesh_.points().row(mesh_.triangles()(seed, 0));
         std::vector<int> front{seed};
         plane_[seed] = group;
@@ -82,7 +76,7 @@ private:
                 return false;
         }
         return is_thin(mesh_.points(), mesh_.triangles(), triangle)
-               || area_vector(mesh_, triangle).normalized().dot(normal) > same_direction;
+               || doubled_area(mesh_, triangle).normalized().dot(normal) > same_direction;
     }
 
     const TriangleMesh& mesh_;
@@ -99,7 +93,7 @@ std::vector<char> wide_groups(const TriangleMesh& mesh, const EdgeTable& table,
     const int count = plane.empty() ? 0 : *std::max_element(plane.begin(), plane.end()) + 1;
     std::vector<double> area(count, 0.0), border(count, 0.0);
     for (int t = 0; t < mesh.triangle_count(); ++t)
-        area[plane[t]] += area_vector(mesh, t).norm();
+        area[plane[t]] += 0.5 * doubled_area(mesh, t).norm();
     for (int edge = 0; edge < table.count(); ++edge)
     {
         const EdgeUses uses = table.uses(edge);

@@ -13,10 +13,6 @@ namespace sheetmorph
 namespace
 {
 
-using Vertex = WorkingMesh::Vertex;
-using Face = WorkingMesh::Face;
-using Halfedge = WorkingMesh::Halfedge;
-
 class ResultBuilder
 {
 public:
@@ -39,8 +35,7 @@ public:
     }
 
 private:
-    // A vertex of the result. A frozen one is known by its place in the cut mesh; its copies are
-    // one again.
+    // A vertex of the result. A frozen one is known by its place in the cut mesh.
     struct Placed
     {
         Vector3 point;
@@ -53,17 +48,14 @@ private:
         return vertex.origin >= 0 && vertex.origin < old_count_;
     }
 
-    int patch_at(Vertex v) const
-    {
-        return work_.patch[work_.surface.face(work_.surface.halfedge(v))];
-    }
+    int patch_at(int v) const { return work_.patch[work_.triangle_at(v)]; }
 
     void number_vertices()
     {
         std::vector<int> old;
-        std::vector<Vertex> others;
-        for (const Vertex v : work_.surface.vertices())
-            if (work_.surface.is_isolated(v))
+        std::vector<int> others;
+        for (int v = 0; v < work_.vertex_count(); ++v)
+            if (work_.triangle_at(v) < 0)
                 continue;
             else if (work_.is_frozen[v] && work_.origin[v] < old_count_)
                 old.push_back(work_.origin[v]);
@@ -76,7 +68,7 @@ private:
         std::sort(old.begin(), old.end());
         for (const int vertex : old)
             number_of_cut(vertex);
-        for (const Vertex v : others)
+        for (const int v : others)
             number_of(v);
     }
 
@@ -89,18 +81,18 @@ private:
         return found->second;
     }
 
-    int number_of(Vertex v)
+    int number_of(int v)
     {
         if (work_.is_frozen[v])
             return number_of_cut(work_.origin[v]);
         const auto [found, is_new] = of_free_.emplace(v, static_cast<int>(vertices_.size()));
         if (is_new)
-            vertices_.push_back({work_.point(v), -1, patch_at(v)});
+            vertices_.push_back({work_.point[v], -1, patch_at(v)});
         return found->second;
     }
 
     // A vertex of a flat on its twin.
-    int number_on_twin(Vertex v, const TwinFlats& pair)
+    int number_on_twin(int v, const TwinFlats& pair)
     {
         const auto on_outline = pair.vertex_of.find(work_.origin[v]);
         if (work_.is_frozen[v] && on_outline != pair.vertex_of.end())
@@ -109,17 +101,10 @@ private:
             of_twin_.emplace(std::pair(v, pair.twin), static_cast<int>(vertices_.size()));
         if (is_new)
         {
-            const Hit hit = source_.trees.nearest(pair.twin, work_.point(v) + pair.way);
+            const Hit hit = source_.trees.nearest(pair.twin, work_.point[v] + pair.way);
             vertices_.push_back({hit.point, -1, pair.twin});
         }
         return found->second;
-    }
-
-    std::array<Vertex, 3> corners(Face face) const
-    {
-        const Halfedge h = work_.surface.halfedge(face);
-        return {work_.surface.source(h), work_.surface.target(h),
-                work_.surface.target(work_.surface.next(h))};
     }
 
     void collect_triangles()
@@ -133,17 +118,18 @@ private:
             triangles.push_back(triangle);
             found_.patch.push_back(patch);
         };
-        for (const Face face : work_.surface.faces())
+        for (int t = 0; t < work_.count(); ++t)
+            if (work_.triangle(t).is_alive())
+            {
+                const auto [a, b, c] = work_.triangle(t).corner;
+                add({number_of(a), number_of(b), number_of(c)}, work_.patch[t]);
+            }
+        for (int t = 0; t < work_.count(); ++t)
         {
-            const auto [a, b, c] = corners(face);
-            add({number_of(a), number_of(b), number_of(c)}, work_.patch[face]);
-        }
-        for (const Face face : work_.surface.faces())
-        {
-            const auto pair = pair_of.find(work_.patch[face]);
-            if (pair == pair_of.end())
+            const auto pair = pair_of.find(work_.patch[t]);
+            if (pair == pair_of.end() || !work_.triangle(t).is_alive())
                 continue;
-            const auto [a, b, c] = corners(face);
+            const auto [a, b, c] = work_.triangle(t).corner;
             const TwinFlats& twins = *pair->second;
             add({number_on_twin(c, twins), number_on_twin(b, twins), number_on_twin(a, twins)},
                 twins.twin);
@@ -281,9 +267,9 @@ private:
     const RemeshSource& source_;
     int old_count_;
     std::vector<Placed> vertices_;
-    std::map<int, int> of_cut_;      // the number of a vertex of the cut mesh
-    std::map<Vertex, int> of_free_;  // of the working mesh
-    std::map<std::pair<Vertex, int>, int> of_twin_;
+    std::map<int, int> of_cut_;   // the number of a vertex of the cut mesh
+    std::map<int, int> of_free_;  // of the working mesh
+    std::map<std::pair<int, int>, int> of_twin_;
     RemeshedMesh found_;
 };
 

@@ -2,6 +2,7 @@
 #include "sheetmorph/repair/remeshing/remeshing.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/repair/remeshing/remesh_result.h"
 #include "sheetmorph/repair/remeshing/round_rims.h"
 #include "sheetmorph/repair/remeshing/twin_flats.h"
@@ -29,11 +30,7 @@ void check(const TriangleMesh& mesh, const RemeshOptions& options)
                            + " mm; give a positive one");
     double area = 0.0;
     for (int t = 0; t < mesh.triangle_count(); ++t)
-    {
-        const auto corner = [&](int k) -> Vector3
-        { return mesh.points().row(mesh.triangles()(t, k)).transpose(); };
-        area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    }
+        area += 0.5 * doubled_area(mesh, t).norm();
     const double equilateral = 0.433 * options.edge * options.edge;
     if (area > most_triangles * equilateral)
         throw InvalidInput("edges of " + std::to_string(options.edge) + " mm would need "
@@ -74,12 +71,9 @@ TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const EdgeTable& table,
     WorkingMesh work({mesh, folds, patches.patch, sizes, patches.is_flat});
     flip_to_delaunay(work);
     Triangles triangles(mesh.triangle_count(), 3);
-    for (const WorkingMesh::Face face : work.surface.faces())
-    {
-        WorkingMesh::Halfedge h = work.surface.halfedge(face);
-        for (int k = 0; k < 3; ++k, h = work.surface.next(h))
-            triangles(static_cast<int>(face), k) = work.origin[work.surface.source(h)];
-    }
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+            triangles(t, k) = work.corner(t, k);
     return TriangleMesh(mesh.points(), std::move(triangles));
 }
 
@@ -123,16 +117,16 @@ PatchTriangles without_twins(const PatchTriangles& given, const std::vector<Twin
 
 void project(WorkingMesh& work, const PatchTrees& trees)
 {
-    std::vector<WorkingMesh::Vertex> moving;
-    for (const WorkingMesh::Vertex v : work.surface.vertices())
-        if (!work.is_frozen[v])
+    std::vector<int> moving;
+    for (int v = 0; v < work.vertex_count(); ++v)
+        if (work.is_movable(v))
             moving.push_back(v);
     const int count = static_cast<int>(moving.size());
 #pragma omp parallel for schedule(dynamic, 256)
     for (int k = 0; k < count; ++k)
     {
-        const int patch = work.patch[work.surface.face(work.surface.halfedge(moving[k]))];
-        work.move(moving[k], trees.nearest(patch, work.point(moving[k])).point);
+        Vector3& place = work.point[moving[k]];
+        place = trees.nearest(work.patch[work.triangle_at(moving[k])], place).point;
     }
 }
 

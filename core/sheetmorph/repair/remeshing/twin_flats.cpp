@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/repair/remeshing/twin_flats.h"
 
+#include "sheetmorph/mesh/geometry/areas.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
@@ -36,9 +38,7 @@ std::map<int, Outline> outlines(const PatchedMesh& given, const std::vector<int>
         if (own == found.end())
             continue;
         Outline& outline = own->second;
-        const auto corner = [&](int k) -> Vector3
-        { return given.mesh.points().row(triangles(t, k)).transpose(); };
-        outline.area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        outline.area += 0.5 * doubled_area(given.mesh, t);
         for (int k = 0; k < 3; ++k)
         {
             const int from = triangles(t, k), to = triangles(t, (k + 1) % 3);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/repair/remeshing/working_mesh.h"
 
-#include "sheetmorph/base/errors.h"
-#include "sheetmorph/repair/soup.h"
+#include "sheetmorph/mesh/topology/orientation.h"
+#include "sheetmorph/repair/remeshing/sizes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,67 +11,36 @@ namespace sheetmorph
 {
 
 WorkingMesh::WorkingMesh(const WorkingInput& input)
-    : is_flat_(input.is_flat), largest_(input.largest)
+    : EditableTriangles(
+        oriented(input.mesh, consistent_orientation(input.mesh, EdgeTable(input.mesh))),
+        input.ridges),
+      is_frozen(static_cast<std::size_t>(vertex_count()), 0),
+      size(input.sizes),
+      patch(input.patch),
+      is_flat_(input.is_flat),
+      largest_(input.largest)
 {
-    origin = surface.add_property_map<Vertex, int>("v:origin", -1).first;
-    is_frozen = surface.add_property_map<Vertex, bool>("v:is_frozen", false).first;
-    size = surface.add_property_map<Vertex, double>("v:size", 0.0).first;
-    is_ridge = surface.add_property_map<Edge, bool>("e:is_ridge", false).first;
-    patch = surface.add_property_map<Face, int>("f:patch", -1).first;
-    const OrientedSoup soup = oriented(input.mesh);
-    for (const int vertex : soup.original)
+    for (int v = 0; v < vertex_count(); ++v)
     {
-        const Vector3 place = input.mesh.points().row(vertex);
-        const Vertex v = surface.add_vertex({place.x(), place.y(), place.z()});
-        origin[v] = vertex;
-        size[v] = input.sizes[vertex];
+        point.emplace_back(input.mesh.points().row(v));
+        origin.push_back(v);
     }
-    for (int t = 0; t < soup.manifold_triangles.rows(); ++t)
-    {
-        const auto corner = [&](int k)
-        { return Vertex(static_cast<std::uint32_t>(soup.manifold_triangles(t, k))); };
-        const Face face = surface.add_face(corner(0), corner(1), corner(2));
-        if (face == SurfaceMesh::null_face())
-            throw SolverError("triangle " + std::to_string(t) + " fits in no manifold mesh");
-        patch[face] = input.patch[t];
-    }
-    mark_ridges(input.ridges);
-    freeze_vertices(soup.original);
+    freeze_vertices();
 }
 
-void WorkingMesh::mark_ridges(const std::vector<std::pair<int, int>>& ridges)
+void WorkingMesh::freeze_vertices()
 {
-    for (const Edge e : surface.edges())
-    {
-        const int a = origin[surface.vertex(e, 0)], b = origin[surface.vertex(e, 1)];
-        is_ridge[e] = surface.is_border(e)
-                      || std::binary_search(ridges.begin(), ridges.end(),
-                                            std::pair(std::min(a, b), std::max(a, b)));
-    }
-}
-
-// A vertex that had to be copied holds pieces together in one place: it stays there too.
-void WorkingMesh::freeze_vertices(const std::vector<int>& original)
-{
-    std::vector<int> copies(original.size(), 0);
-    for (const int vertex : original)
-        ++copies[vertex];
-    for (const Vertex v : surface.vertices())
-        is_frozen[v] = copies[origin[v]] > 1 || surface.is_isolated(v);
-    for (const Edge e : surface.edges())
-        if (is_ridge[e])
-            is_frozen[surface.vertex(e, 0)] = is_frozen[surface.vertex(e, 1)] = true;
-}
-
-Vector3 WorkingMesh::point(Vertex v) const
-{
-    const auto& p = surface.point(v);
-    return Vector3(p.x(), p.y(), p.z());
-}
-
-void WorkingMesh::move(Vertex v, const Vector3& place)
-{
-    surface.point(v) = {place.x(), place.y(), place.z()};
+    std::vector<std::size_t> triangles(is_frozen.size(), 0);
+    for (int t = 0; t < count(); ++t)
+        for (int k = 0; k < 3; ++k)
+        {
+            ++triangles[corner(t, k)];
+            if (!is_free_side(t, k))
+                is_frozen[corner(t, k)] = is_frozen[corner(t, k + 1)] = 1;
+        }
+    for (int v = 0; v < vertex_count(); ++v)
+        if (is_movable(v))
+            is_frozen[v] = around(v).size() != triangles[v];
 }
 
 Vector3 WorkingMesh::area_vector(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -79,29 +48,23 @@ Vector3 WorkingMesh::area_vector(const Vector3& a, const Vector3& b, const Vecto
     return (b - a).cross(c - a);
 }
 
-Vector3 WorkingMesh::area_vector(Face face) const
+Vector3 WorkingMesh::area_vector(int t) const
 {
-    const Halfedge h = surface.halfedge(face);
-    return area_vector(point(surface.source(h)), point(surface.target(h)),
-                       point(surface.target(surface.next(h))));
+    return area_vector(at(t, 0), at(t, 1), at(t, 2));
 }
 
-double WorkingMesh::length(Edge e) const
+void WorkingMesh::split(int t, int k)
 {
-    return (point(surface.vertex(e, 0)) - point(surface.vertex(e, 1))).norm();
-}
-
-double WorkingMesh::largest_size(Edge e) const
-{
-    for (const Halfedge h : {surface.halfedge(e), surface.opposite(surface.halfedge(e))})
-        if (!surface.is_border(h) && !is_flat_[patch[surface.face(h)]])
-            return std::max(size[surface.vertex(e, 0)], size[surface.vertex(e, 1)]);
-    return largest_;
-}
-
-double WorkingMesh::wanted_length(Edge e) const
-{
-    return 0.5 * (size[surface.vertex(e, 0)] + size[surface.vertex(e, 1)]);
+    const int a = corner(t, k), b = corner(t, k + 1);
+    const double grown = size_growth * 0.5 * length(t, k);
+    // On a bend it is as curved in the middle as at the ends.
+    const double largest = is_flat_[patch[t]] ? largest_ : std::max(size[a], size[b]);
+    size.push_back(std::min({size[a] + grown, size[b] + grown, largest}));
+    point.push_back(0.5 * (point[a] + point[b]));
+    origin.push_back(-1);
+    is_frozen.push_back(0);
+    patch.insert(patch.end(), 2, patch[t]);
+    EditableTriangles::split(t, k);
 }
 
 }  // namespace sheetmorph

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/triangle_mesh.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <utility>
+#include "sheetmorph/mesh/topology/editable_triangles.h"
 
 namespace sheetmorph
 {
@@ -22,42 +17,40 @@ struct WorkingInput
     double largest = 0.0;                            //!< edge length wanted far from all ridges, mm
 };
 
-//! A manifold copy of a mesh that can be flipped, split and collapsed (CGAL, Surface_mesh). Ridges
-//! and the vertices on them stay as they are.
-class WorkingMesh
+//! A copy of a mesh, turned so that neighbours face the same way, that can be flipped, split and
+//! collapsed. Ridges and the vertices on them stay as they are; so do vertices at which triangles
+//! meet that do not go round them.
+class WorkingMesh : public EditableTriangles
 {
 public:
-    using SurfaceMesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-    using Vertex = SurfaceMesh::Vertex_index;
-    using Halfedge = SurfaceMesh::Halfedge_index;
-    using Edge = SurfaceMesh::Edge_index;
-    using Face = SurfaceMesh::Face_index;
-
     explicit WorkingMesh(const WorkingInput& input);
 
-    Vector3 point(Vertex v) const;
-    void move(Vertex v, const Vector3& place);
-
-    //! Twice the area of a face along its normal, or of the triangle over three places.
-    Vector3 area_vector(Face face) const;
+    //! Twice the area of a triangle along its normal, or of the one over three places.
+    Vector3 area_vector(int t) const;
     static Vector3 area_vector(const Vector3& a, const Vector3& b, const Vector3& c);
 
-    double length(Edge e) const;
-    double wanted_length(Edge e) const;
+    double length(int t, int k) const { return (at(t, k) - at(t, k + 1)).norm(); }
+    double wanted_length(int t, int k) const
+    {
+        return 0.5 * (size[corner(t, k)] + size[corner(t, k + 1)]);
+    }
 
-    //! The largest size in the middle of an edge: on a bend it is as curved as at the ends.
-    double largest_size(Edge e) const;
+    //! Where a corner of a triangle is.
+    const Vector3& at(int t, int k) const { return point[corner(t, k)]; }
 
-    SurfaceMesh surface;
-    SurfaceMesh::Property_map<Vertex, int> origin;      //!< vertex of the input, -1 if it is new
-    SurfaceMesh::Property_map<Vertex, bool> is_frozen;  //!< on a ridge
-    SurfaceMesh::Property_map<Vertex, double> size;     //!< edge length wanted, mm
-    SurfaceMesh::Property_map<Edge, bool> is_ridge;
-    SurfaceMesh::Property_map<Face, int> patch;
+    bool is_movable(int v) const { return triangle_at(v) >= 0 && !is_frozen[v]; }
+
+    //! Puts a vertex on the middle of a free side.
+    void split(int t, int k);
+
+    std::vector<Vector3> point;   //!< (n) mm
+    std::vector<int> origin;      //!< (n) vertex of the input, -1 if it is new
+    std::vector<char> is_frozen;  //!< (n)
+    std::vector<double> size;     //!< (n) edge length wanted, mm
+    std::vector<int> patch;       //!< (m)
 
 private:
-    void mark_ridges(const std::vector<std::pair<int, int>>& ridges);
-    void freeze_vertices(const std::vector<int>& original);
+    void freeze_vertices();
 
     std::vector<char> is_flat_;
     double largest_;

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The steps of adaptive isotropic remeshing (Botsch, Kobbelt 2004; Dunyach et al. 2013), with the
-// topological operations of CGAL.
+// The steps of adaptive isotropic remeshing (Botsch, Kobbelt 2004; Dunyach et al. 2013).
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/repair/remeshing/sizes.h"
 #include "sheetmorph/repair/remeshing/working_mesh.h"
-
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/graph_traits_Surface_mesh.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,11 +14,6 @@ namespace sheetmorph
 
 namespace
 {
-
-using Vertex = WorkingMesh::Vertex;
-using Halfedge = WorkingMesh::Halfedge;
-using Edge = WorkingMesh::Edge;
-using Face = WorkingMesh::Face;
 
 constexpr double too_long = 4.0 / 3.0;
 constexpr double too_short = 4.0 / 5.0;
@@ -49,14 +40,11 @@ double cotangent_at(const Vector3& apex, const Vector3& a, const Vector3& b)
     return to_a.dot(to_b) / std::max(to_a.cross(to_b).norm(), 1e-300);
 }
 
-bool flip_if_better(WorkingMesh& work, Edge e)
+bool flip_if_better(WorkingMesh& work, int t, int k)
 {
-    auto& surface = work.surface;
-    const Halfedge h = surface.halfedge(e), o = surface.opposite(h);
-    const Vertex from = surface.source(h), to = surface.target(h);
-    const Vertex left = surface.target(surface.next(h)), right = surface.target(surface.next(o));
-    const Vector3 a = work.point(from), b = work.point(to);
-    const Vector3 c = work.point(left), d = work.point(right);
+    const int right = work.opposite(t, k), left = work.corner(t, k + 2);
+    const Vector3 &a = work.at(t, k), &b = work.at(t, k + 1);
+    const Vector3 &c = work.point[left], &d = work.point[right];
     // Two angles sum up to more than pi where their cotangents sum up to less than 0.
     if (!(cotangent_at(c, a, b) + cotangent_at(d, a, b) < -1e-7) || left == right)
         return false;
@@ -65,120 +53,147 @@ bool flip_if_better(WorkingMesh& work, Edge e)
     if (!is_sound(pair, WorkingMesh::area_vector(a, d, c))
         || !is_sound(pair, WorkingMesh::area_vector(d, b, c)))
         return false;
-    if (surface.halfedge(left, right) != WorkingMesh::SurfaceMesh::null_halfedge())
-        return false;
-    CGAL::Euler::flip_edge(h, surface);
+    for (const int other : work.fan(t, left))
+        if (work.corner_of(other, right) >= 0)
+            return false;
+    work.flip(t, k);
     return true;
-}
-
-void split(WorkingMesh& work, Edge e)
-{
-    auto& surface = work.surface;
-    const Halfedge h = surface.halfedge(e);
-    const Vertex a = surface.source(h), b = surface.target(h);
-    const Vector3 middle = 0.5 * (work.point(a) + work.point(b));
-    const double half = 0.5 * work.length(e);
-    const double size = std::min({work.size[a] + size_growth * half,
-                                  work.size[b] + size_growth * half, work.largest_size(e)});
-    const Halfedge fresh = CGAL::Euler::split_edge(h, surface);
-    const Vertex v = surface.target(fresh);
-    work.move(v, middle);
-    work.size[v] = size;
-    const Halfedge back = surface.opposite(fresh);
-    const auto cut = [&](Halfedge one, Halfedge other)
-    {
-        const Halfedge inner = CGAL::Euler::split_face(one, other, surface);
-        const Face p = surface.face(inner), q = surface.face(surface.opposite(inner));
-        work.patch[p] = work.patch[q] = std::max(work.patch[p], work.patch[q]);
-    };
-    cut(fresh, surface.next(surface.next(fresh)));
-    cut(surface.prev(back), surface.next(back));
 }
 
 // Whether the triangles around a vertex keep their sides when it goes to a place; those that
 // `gone` also has vanish.
-bool may_move(const WorkingMesh& work, Vertex v, Vertex gone, const Vector3& place)
+bool may_move(const WorkingMesh& work, int v, int gone, const Vector3& place)
 {
-    const auto& surface = work.surface;
-    for (const Halfedge h : CGAL::halfedges_around_target(surface.halfedge(v), surface))
+    for (const int t : work.around(v))
     {
-        const Vertex a = surface.source(h), b = surface.target(surface.next(h));
-        if (surface.is_border(h) || a == gone || b == gone)
+        const int k = work.corner_of(t, v);
+        if (work.corner(t, k + 1) == gone || work.corner(t, k + 2) == gone)
             continue;
-        const Vector3 p = work.point(a), q = work.point(b), now = work.point(v);
+        const Vector3 &p = work.at(t, k + 1), &q = work.at(t, k + 2), &now = work.point[v];
         // A triangle without height may become any that has one.
-        const double height = height_ratio(p, now, q);
+        const double height = height_ratio(now, p, q);
         if (height > 1e-4
-            && (height_ratio(p, place, q) < std::min(least_height, height)
-                || !is_sound(WorkingMesh::area_vector(p, now, q),
-                             WorkingMesh::area_vector(p, place, q))))
+            && (height_ratio(place, p, q) < std::min(least_height, height)
+                || !is_sound(WorkingMesh::area_vector(now, p, q),
+                             WorkingMesh::area_vector(place, p, q))))
             return false;
     }
     return true;
 }
 
-bool grows_too_long(const WorkingMesh& work, Vertex v, Vertex gone, const Vector3& place)
+bool grows_too_long(const WorkingMesh& work, int v, const std::vector<int>& ring,
+                    const Vector3& place)
 {
-    const auto& surface = work.surface;
-    for (const Vertex other : CGAL::vertices_around_target(surface.halfedge(v), surface))
-        if (other != gone
-            && (work.point(other) - place).norm()
-                   > too_long * 0.5 * (work.size[other] + work.size[v]))
-            return true;
-    return false;
+    return std::any_of(ring.begin(), ring.end(),
+                       [&](int other)
+                       {
+                           return (work.point[other] - place).norm()
+                                  > too_long * 0.5 * (work.size[other] + work.size[v]);
+                       });
 }
 
-void collapse_if_sound(WorkingMesh& work, Edge e)
+// The neighbours of a vertex but one, sorted.
+std::vector<int> neighbours(const WorkingMesh& work, const std::vector<int>& fan, int v, int but)
 {
-    auto& surface = work.surface;
-    Vertex a = surface.vertex(e, 0), b = surface.vertex(e, 1);
+    std::vector<int> found;
+    for (const int t : fan)
+        for (const int other : work.triangle(t).corner)
+            if (other != v && other != but)
+                found.push_back(other);
+    make_set(found);
+    return found;
+}
+
+// One end of a side goes onto the other, or both to the middle, if nothing speaks against it.
+void collapse_if_sound(WorkingMesh& work, int t, int k)
+{
+    int a = work.corner(t, k), b = work.corner(t, k + 1);
     if (work.is_frozen[a] && work.is_frozen[b])
         return;
     if (work.is_frozen[b])
         std::swap(a, b);
+    const std::vector<int> beside_a = neighbours(work, work.fan(t, a), a, b);
+    const std::vector<int> beside_b = neighbours(work, work.fan(t, b), b, a);
+    std::vector<int> common;
+    std::set_intersection(beside_a.begin(), beside_a.end(), beside_b.begin(), beside_b.end(),
+                          std::back_inserter(common));
+    // Else the triangles would no longer be a surface.
+    if (common.size() != 2 || (beside_a == common && beside_b == common))
+        return;
     const auto is_sound_at = [&](const Vector3& place)
     {
         return may_move(work, b, a, place) && (work.is_frozen[a] || may_move(work, a, b, place))
-               && !grows_too_long(work, b, a, place) && !grows_too_long(work, a, b, place);
+               && !grows_too_long(work, b, beside_b, place)
+               && !grows_too_long(work, a, beside_a, place);
     };
-    std::vector<Vector3> places{work.point(a)};
+    std::vector<Vector3> places{work.point[a]};
     if (!work.is_frozen[a])
-        places = {0.5 * (work.point(a) + work.point(b)), work.point(a), work.point(b)};
+        places = {0.5 * (work.point[a] + work.point[b]), work.point[a], work.point[b]};
     const auto place = std::find_if(places.begin(), places.end(), is_sound_at);
-    if (place == places.end() || !CGAL::Euler::does_satisfy_link_condition(e, surface))
+    if (place == places.end())
         return;
-    const int origin = work.origin[a];
-    const bool is_frozen = work.is_frozen[a];
-    const double size = is_frozen ? work.size[a] : 0.5 * (work.size[a] + work.size[b]);
-    const Vertex kept = CGAL::Euler::collapse_edge(e, surface, work.is_ridge);
-    work.move(kept, *place);
-    work.origin[kept] = origin;
-    work.is_frozen[kept] = is_frozen;
-    work.size[kept] = size;
+    work.collapse(b, a);
+    work.point[a] = *place;
+    if (!work.is_frozen[a])
+        work.size[a] = 0.5 * (work.size[a] + work.size[b]);
 }
 
 // The mean of the middles of the triangles around, by area and the size wanted there, moved back
 // into the plane of the vertex.
-Vector3 smoothed_place(const WorkingMesh& work, Vertex v)
+Vector3 smoothed_place(const WorkingMesh& work, int v)
 {
-    const auto& surface = work.surface;
     Vector3 sum = Vector3::Zero(), normal = Vector3::Zero();
     double weight = 0.0;
-    for (const Halfedge h : CGAL::halfedges_around_target(surface.halfedge(v), surface))
+    for (const int t : work.around(v))
     {
-        const Vertex a = surface.source(h), b = surface.target(surface.next(h));
-        const Vector3 area = WorkingMesh::area_vector(work.point(a), work.point(v), work.point(b));
-        const double size = (work.size[a] + work.size[v] + work.size[b]) / 3.0;
+        const Vector3 area = work.area_vector(t);
+        double size = 0.0;
+        Vector3 middle = Vector3::Zero();
+        for (const int other : work.triangle(t).corner)
+        {
+            size += work.size[other] / 3.0;
+            middle += work.point[other] / 3.0;
+        }
         const double share = area.norm() / (size * size);
-        sum += share / 3.0 * (work.point(a) + work.point(v) + work.point(b));
+        sum += share * middle;
         weight += share;
         normal += area;
     }
     if (weight <= 0.0)
-        return work.point(v);
-    const Vector3 step = sum / weight - work.point(v);
+        return work.point[v];
+    const Vector3 step = sum / weight - work.point[v];
     normal.normalize();
-    return work.point(v) + step - normal * normal.dot(step);
+    return work.point[v] + step - normal * normal.dot(step);
+}
+
+// A free side on a list. Work on the list may have moved it, or made it another one.
+struct Side
+{
+    double excess;
+    int t, k, from, to;
+
+    bool is_there(const WorkingMesh& work) const
+    {
+        return work.triangle(t).is_alive() && work.corner(t, k) == from
+               && work.corner(t, k + 1) == to;
+    }
+};
+
+// The free sides whose length over the one wanted is chosen, those that are off by most first.
+template <typename Choice>
+std::vector<Side> sides_where(const WorkingMesh& work, Choice excess_of)
+{
+    std::vector<Side> sides;
+    work.for_each_side(
+        [&](int t, int k)
+        {
+            const double excess = excess_of(work.length(t, k) / work.wanted_length(t, k));
+            if (excess > 1.0 && work.is_free_side(t, k))
+                sides.push_back({excess, t, k, work.corner(t, k), work.corner(t, k + 1)});
+        });
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& one, const Side& other) { return one.excess > other.excess; });
+    return sides;
 }
 
 }  // namespace
@@ -189,9 +204,12 @@ int flip_to_delaunay(WorkingMesh& work, int most_rounds)
     for (int round = 0, flipped = 1; round < most_rounds && flipped > 0; ++round, count += flipped)
     {
         flipped = 0;
-        for (const Edge e : work.surface.edges())
-            if (!work.is_ridge[e])
-                flipped += flip_if_better(work, e);
+        work.for_each_side(
+            [&](int t, int k)
+            {
+                if (work.is_free_side(t, k))
+                    flipped += flip_if_better(work, t, k);
+            });
     }
     return count;
 }
@@ -200,53 +218,49 @@ void even_sizes(WorkingMesh& work)
 {
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round)
-        for (const Edge e : work.surface.edges())
-        {
-            double& a = work.size[work.surface.vertex(e, 0)];
-            double& b = work.size[work.surface.vertex(e, 1)];
-            const double growth = size_growth * work.length(e);
-            a = std::min(a, b + growth);
-            b = std::min(b, a + growth);
-        }
+        work.for_each_side(
+            [&](int t, int k)
+            {
+                double &a = work.size[work.corner(t, k)], &b = work.size[work.corner(t, k + 1)];
+                const double growth = size_growth * work.length(t, k);
+                a = std::min(a, b + growth);
+                b = std::min(b, a + growth);
+            });
 }
 
 void split_long_edges(WorkingMesh& work)
 {
-    constexpr int most_rounds = 20;
+    constexpr int most_rounds = 40;
     for (int round = 0; round < most_rounds; ++round)
     {
         even_sizes(work);
-        std::vector<Edge> edges;
-        for (const Edge e : work.surface.edges())
-            if (!work.is_ridge[e] && work.length(e) > too_long * work.wanted_length(e))
-                edges.push_back(e);
-        for (const Edge e : edges)
-            split(work, e);
-        if (edges.empty())
+        const std::vector<Side> sides =
+            sides_where(work, [](double length) { return length / too_long; });
+        for (const Side& side : sides)
+            if (side.is_there(work))
+                work.split(side.t, side.k);
+        if (sides.empty())
             return;
     }
 }
 
 void collapse_short_edges(WorkingMesh& work)
 {
-    std::vector<Edge> edges;
-    for (const Edge e : work.surface.edges())
-        if (!work.is_ridge[e] && work.length(e) < too_short * work.wanted_length(e))
-            edges.push_back(e);
-    for (const Edge e : edges)
-        if (!work.surface.is_removed(e) && work.length(e) < too_short * work.wanted_length(e))
-            collapse_if_sound(work, e);
+    for (const Side& side : sides_where(work, [](double length) { return too_short / length; }))
+        if (side.is_there(work)
+            && work.length(side.t, side.k) < too_short * work.wanted_length(side.t, side.k))
+            collapse_if_sound(work, side.t, side.k);
 }
 
 void smooth(WorkingMesh& work)
 {
-    for (const Vertex v : work.surface.vertices())
+    for (int v = 0; v < work.vertex_count(); ++v)
     {
-        if (work.is_frozen[v])
+        if (!work.is_movable(v))
             continue;
         const Vector3 place = smoothed_place(work, v);
-        if (may_move(work, v, WorkingMesh::SurfaceMesh::null_vertex(), place))
-            work.move(v, place);
+        if (may_move(work, v, -1, place))
+            work.point[v] = place;
     }
 }
 

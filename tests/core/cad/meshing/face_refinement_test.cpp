@@ -69,7 +69,7 @@ FaceMesh rectangle(const FaceSurface& surface, const Vector2& size, int pieces, 
 double area(const FaceMesh& mesh)
 {
     double sum = 0.0;
-    for (const FaceTriangle& t : mesh.triangles())
+    for (const FaceMesh::Triangle& t : mesh.triangles())
         if (t.is_alive())
         {
             const Vector2 ab = mesh.vertex(t.corner[1]).uv - mesh.vertex(t.corner[0]).uv;
@@ -84,7 +84,7 @@ double area(const FaceMesh& mesh)
 double smallest_angle(const FaceMesh& mesh)
 {
     double smallest = M_PI;
-    for (const FaceTriangle& t : mesh.triangles())
+    for (const FaceMesh::Triangle& t : mesh.triangles())
         for (std::size_t k = 0; k < 3 && t.is_alive(); ++k)
         {
             const Vector3 p = mesh.vertex(t.corner[k]).point;
@@ -146,7 +146,7 @@ TEST(FaceMesh, splits_flips_and_collapses_back_to_what_it_was)
     mesh.collapse(added, 0);
     EXPECT_NEAR(area(mesh), 1.0, 1e-15);
     int alive = 0;
-    for (const FaceTriangle& triangle : mesh.triangles())
+    for (const FaceMesh::Triangle& triangle : mesh.triangles())
         alive += triangle.is_alive();
     EXPECT_EQ(alive, 2);
 }
