@@ -54,7 +54,11 @@ SparseMatrix even_stiffness(const RotationFieldInput& input, const FeatureShapes
             entry.valueRef() *= nearness;
             sums(column) -= entry.value();
         }
-    stiffness.diagonal() = sums;
+    // Columns of unused nodes are empty: there is no entry to write to.
+    for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
+        for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
+            if (entry.row() == column)
+                entry.valueRef() = sums(column);
     return stiffness;
 }
 

@@ -9,17 +9,40 @@
 namespace sheetmorph
 {
 
+namespace
+{
+
+// The triangles that a vertex may follow: none with a corner that follows itself.
+std::vector<int> leading_triangles(const TriangleMesh& rest, const VertexRoles& roles)
+{
+    std::vector<int> leading;
+    for (int t = 0; t < rest.triangle_count(); ++t)
+    {
+        const auto corners = rest.triangles().row(t);
+        if (std::none_of(corners.begin(), corners.end(),
+                         [&](int corner) {
+                             return roles.role[static_cast<std::size_t>(corner)] == Role::follower;
+                         }))
+            leading.push_back(t);
+    }
+    return leading;
+}
+
+}  // namespace
+
 Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles)
 {
     if (std::find(roles.role.begin(), roles.role.end(), Role::follower) == roles.role.end())
         return;
-    const PickingTree tree(rest);
+    const std::vector<int> leading = leading_triangles(rest, roles);
+    const PickingTree tree(TriangleMesh(rest.points(), rest.triangles()(leading, Eigen::all)));
     for (int i = 0; i < rest.vertex_count(); ++i)
         if (roles.role[static_cast<std::size_t>(i)] == Role::follower)
         {
             const std::optional<Hit> nearest = tree.nearest_point(rest.points().row(i).transpose());
             if (nearest)
-                anchors_.push_back({i, nearest->triangle, nearest->barycentric});
+                anchors_.push_back({i, leading[static_cast<std::size_t>(nearest->triangle)],
+                                    nearest->barycentric});
         }
 }
 

@@ -7,7 +7,8 @@
 namespace sheetmorph
 {
 
-//! Vertices of no triangle keep their place relative to the nearest triangle and its rotations:
+//! Vertices of no triangle of some extent keep their place relative to the nearest triangle that
+//! has no such vertex, and its rotations:
 //! p = sum_j beta_j (p_j + R_j (p_hat - p_hat_j)).
 class Followers
 {
