@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/parallel.h"
 
+#include "sheetmorph/base/threads/thread_pool.h"
+
 #include <algorithm>
-#include <exception>
-#include <thread>
-#include <vector>
+#include <atomic>
 
 namespace sheetmorph
 {
@@ -12,50 +12,87 @@ namespace sheetmorph
 namespace
 {
 
-// Below this many items a range, starting a thread costs more than it saves.
-constexpr Eigen::Index smallest_range = 4;
+// Enough that threads which are slower for a while leave work to the others.
+constexpr Eigen::Index most_ranges = 64;
 
-constexpr Eigen::Index short_items_for_two_threads = 2000;
-
-Eigen::Index thread_count(Eigen::Index count, int threads)
+void run_in_turn(const std::vector<Task>& tasks, const Progress& progress)
 {
-    const Eigen::Index wanted =
-        threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return std::clamp<Eigen::Index>(count / smallest_range, 1, wanted);
+    const auto count = static_cast<double>(tasks.size());
+    for (std::size_t k = 0; k < tasks.size(); ++k)
+        tasks[k].work(
+            progress.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count));
 }
 
 }  // namespace
 
-int threads_for(Eigen::Index count)
+int thread_count()
 {
-    return count < short_items_for_two_threads ? 1 : 0;
+    return ThreadPool::common().threads();
 }
 
-void parallel_ranges(Eigen::Index count, int threads,
+ThreadCount::ThreadCount(int threads) : before_(thread_count())
+{
+    ThreadPool::common().set_threads(threads);
+}
+
+ThreadCount::~ThreadCount()
+{
+    ThreadPool::common().set_threads(before_);
+}
+
+void parallel_items(Eigen::Index count, const std::function<void(Eigen::Index item)>& work)
+{
+    ThreadPool::common().run(count, work);
+}
+
+void parallel_ranges(Eigen::Index count, Eigen::Index least,
                      const std::function<void(Eigen::Index begin, Eigen::Index end)>& work)
 {
-    const Eigen::Index parts = thread_count(count, threads);
-    std::vector<std::exception_ptr> failures(parts);
-    const auto run = [&](Eigen::Index part)
+    const Eigen::Index ranges =
+        std::clamp<Eigen::Index>(count / std::max<Eigen::Index>(least, 1), 1, most_ranges);
+    if (ranges == 1)
+        work(0, count);
+    else
+        parallel_items(ranges, [&](Eigen::Index range)
+                       { work(count * range / ranges, count * (range + 1) / ranges); });
+}
+
+void parallel_pair(const std::function<void()>& one, const std::function<void()>& other)
+{
+    parallel_items(2, [&](Eigen::Index item) { item == 0 ? one() : other(); });
+}
+
+void run_tasks(const std::vector<Task>& tasks, const Progress& progress)
+{
+    ThreadPool& pool = ThreadPool::common();
+    if (tasks.size() == 1 || !pool.can_watch())
+    {
+        run_in_turn(tasks, progress);
+        return;
+    }
+    const auto count = static_cast<Eigen::Index>(tasks.size());
+    std::atomic<bool> is_wanted{true};
+    std::atomic<std::size_t> latest{0};
+    const Progress asked([&](double, const std::string&) { return is_wanted.load(); });
+    const auto work = [&](Eigen::Index k)
+    {
+        latest = static_cast<std::size_t>(k);
+        tasks[static_cast<std::size_t>(k)].work(asked);
+    };
+    const auto watch = [&](Eigen::Index done)
     {
         try
         {
-            work(count * part / parts, count * (part + 1) / parts);
+            progress.report(static_cast<double>(done) / static_cast<double>(count),
+                            "preparing " + tasks[latest].name);
         }
         catch (...)
         {
-            failures[part] = std::current_exception();
+            is_wanted = false;
+            throw;
         }
     };
-    std::vector<std::thread> others;
-    for (Eigen::Index part = 1; part < parts; ++part)
-        others.emplace_back(run, part);
-    run(0);
-    for (std::thread& other : others)
-        other.join();
-    for (const std::exception_ptr& failure : failures)
-        if (failure)
-            std::rethrow_exception(failure);
+    pool.run_watched(count, work, watch);
 }
 
 }  // namespace sheetmorph

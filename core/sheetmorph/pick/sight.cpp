@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/pick/sight.h"
 
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/regions/flags.h"
 #include "sheetmorph/pick/vertex_cells.h"
 
 #include <algorithm>
-#include <functional>
-#include <future>
 
 namespace sheetmorph
 {
@@ -14,7 +13,7 @@ namespace sheetmorph
 namespace
 {
 
-constexpr std::size_t few = 5000;  // vertices that a second thread is not worth while for
+constexpr std::size_t few = 5000;  // vertices that are looked at in one go
 
 // The pictures of the vertices of one shape, each computed when it is first asked for.
 class Picture
@@ -89,19 +88,22 @@ VertexIds visible_vertices(const PickingTree& tree, const VertexIds& vertices, c
     for (const int vertex : ids_of(flags_of(vertices, count, "vertices")))
         if (const Vector3 place = screen.seen(tree.points().row(vertex)); place.allFinite())
             seen.push_back({place, vertex});
-    // Each thread looks at a band of the screen of its own.
+    // Two bands of the screen, each with cells of its own.
     const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
     std::nth_element(seen.begin(), middle, seen.end(),
                      [](const Seen& a, const Seen& b) { return a.place.y() < b.place.y(); });
-    std::future<VertexIds> upper;
+    VertexIds visible, upper;
     if (seen.size() > few)
-        upper = std::async(std::launch::async, not_hidden, std::vector<Seen>(middle, seen.end()),
-                           std::cref(screen), std::cref(shapes));
-    seen.erase(upper.valid() ? middle : seen.end(), seen.end());
-    VertexIds visible = not_hidden(seen, screen, shapes);
-    if (upper.valid())
-        for (const int vertex : upper.get())
-            visible.push_back(vertex);
+        parallel_pair(
+            [&] {
+                visible = not_hidden({seen.begin(), middle}, screen, shapes);
+            },
+            [&] {
+                upper = not_hidden({middle, seen.end()}, screen, shapes);
+            });
+    else
+        visible = not_hidden(seen, screen, shapes);
+    visible.insert(visible.end(), upper.begin(), upper.end());
     std::sort(visible.begin(), visible.end());
     return visible;
 }

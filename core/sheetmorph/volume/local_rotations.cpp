@@ -99,7 +99,7 @@ LocalRotations LocalRotationMeter::measure(const Points& deformed, const Points&
 {
     LocalRotations result{matrices(deformed, references), references};
     const auto count = static_cast<Eigen::Index>(rings_.size());
-    parallel_ranges(count, threads_for(count),
+    parallel_ranges(count, microsecond_items,
                     [&](Eigen::Index begin, Eigen::Index end)
                     {
                         for (Eigen::Index k = begin; k < end; ++k)
@@ -121,7 +121,7 @@ std::vector<Matrix3> LocalRotationMeter::matrices(const Points& deformed,
             "measuring rotations needs a position for every vertex of the mesh and a "
             "reference for every measured vertex");
     std::vector<Matrix3> found(rings_.size());
-    parallel_ranges(count, threads_for(count),
+    parallel_ranges(count, microsecond_items,
                     [&](Eigen::Index begin, Eigen::Index end)
                     {
                         for (Eigen::Index k = begin; k < end; ++k)

@@ -44,11 +44,11 @@ MeanValueCoordinates::MeanValueCoordinates(const Points& vertices, const Triangl
         }
 }
 
-Weights MeanValueCoordinates::weights(const Points& points, int threads) const
+Weights MeanValueCoordinates::weights(const Points& points) const
 {
     Weights weights(points.rows(), vertices_.rows());
     const Eigen::Index blocks = (points.rows() + lanes - 1) / lanes;
-    parallel_ranges(blocks, threads,
+    parallel_ranges(blocks, 1,
                     [&](Eigen::Index begin, Eigen::Index end)
                     {
                         KernelBlock block(mesh_);

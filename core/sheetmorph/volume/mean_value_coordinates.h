@@ -21,12 +21,9 @@ public:
     //! \throws InvalidInput if an edge is not shared by two triangles in opposite directions
     MeanValueCoordinates(const Points& vertices, const Triangles& triangles);
 
-    //! \param points   (n, 3) mm, finite
-    //! \param threads  at most so many; 0 for as many as the machine has. The result does not
-    //! depend
-    //!                 on it.
-    //! \returns        (n, m)
-    Weights weights(const Points& points, int threads = 0) const;
+    //! \param points  (n, 3) mm, finite
+    //! \returns       (n, m)
+    Weights weights(const Points& points) const;
 
 private:
     void fill_block(const Points& points, Eigen::Index first, KernelBlock& block,

@@ -58,9 +58,8 @@ ControlMeshFit fit_of(const ControlMesh& control, const MeanValueCoordinates& co
     if (source.areas.size() == count && source.areas.sum() > 0.0)
         areas = source.areas;
     const Points all = samples(source.points, offsets_of(source, options));
-    return ControlMeshFit(coordinates.weights(all, options.threads),
-                          areas.replicate(all.rows() / count, 1), control.shape.laplacian(),
-                          options.smoothness);
+    return ControlMeshFit(coordinates.weights(all), areas.replicate(all.rows() / count, 1),
+                          control.shape.laplacian(), options.smoothness);
 }
 
 // A sample at +-h n is displaced by a +- b, a the displacement of its point and b that of its
@@ -141,7 +140,7 @@ void VolumeLink::compose(const MeanValueCoordinates& coordinates)
     rows_ = Weights::Zero(each * count, columns);
     for (Eigen::Index first = 0; first < count; first += chunk)
     {
-        Weights rows = target_rows(coordinates, first, options_.threads);
+        Weights rows = target_rows(coordinates, first);
         auto place = rows_.middleRows(each * first, rows.rows());
         if (is_composed_)
             add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0, place);
@@ -152,13 +151,12 @@ void VolumeLink::compose(const MeanValueCoordinates& coordinates)
 
 // For a chunk of targets a row for the position of each and, with rotations, one for each
 // derivative along the box's axes: along these the answer for a turned model is the turned answer.
-Weights VolumeLink::target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first,
-                                int threads) const
+Weights VolumeLink::target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first) const
 {
     const Eigen::Index count = std::min(chunk, targets_.rows() - first);
     const auto targets = targets_.middleRows(first, count);
     if (!options_.rotations)
-        return coordinates.weights(targets, threads);
+        return coordinates.weights(targets);
     Points around(7 * count, 3);
     for (Eigen::Index i = 0; i < count; ++i)
     {
@@ -169,7 +167,7 @@ Weights VolumeLink::target_rows(const MeanValueCoordinates& coordinates, Eigen::
             around.row(7 * i + 2 * a + 2) = targets.row(i) - steps_.col(a).transpose();
         }
     }
-    const Weights all = coordinates.weights(around, threads);
+    const Weights all = coordinates.weights(around);
     Weights rows(4 * count, all.cols());
     for (Eigen::Index i = 0; i < count; ++i)
     {
@@ -223,7 +221,7 @@ Points VolumeLink::displacements(const Points& inputs) const
     Points moved(each * targets_.rows(), 3);
     for (Eigen::Index first = 0; first < targets_.rows(); first += chunk)
     {
-        const Weights rows = target_rows(*coordinates_, first, 0);
+        const Weights rows = target_rows(*coordinates_, first);
         moved.middleRows(each * first, rows.rows()) = narrow_product(rows, control);
     }
     return moved;

@@ -25,7 +25,6 @@ struct LinkOptions
     double smoothness = 0.05;  //!< c of (3.3)
     double offset = 0.0;       //!< h, mm: samples at +-h along the normals too; 0 for none
     bool rotations = true;     //!< also how the targets turn; four times the memory
-    int threads = 0;           //!< for the mean value coordinates; 0 for all
     double most_kept = 4.0 * 1024 * 1024 * 1024;  //!< bytes of the targets' weights
 };
 
@@ -77,8 +76,7 @@ private:
     Points inputs(const SourceState& state) const;
     Points control_displacements(const Points& inputs) const;
     void compose(const MeanValueCoordinates& coordinates);
-    Weights target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first,
-                        int threads) const;
+    Weights target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first) const;
     Points displacements(const Points& inputs) const;
 
     LinkOptions options_;

@@ -76,7 +76,6 @@ LinkOptions link_options(const MotionLinkInput& input, const ControlMeshOptions&
     LinkOptions chosen;
     chosen.smoothness = options.smoothness;
     chosen.offset = median_edge(input.source_mesh, input.source);
-    chosen.threads = 1;  // the session builds several links at once
     return chosen;
 }
 

@@ -2,10 +2,9 @@
 #include "sheetmorph/assembly/session/wave.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 namespace sheetmorph
 {
@@ -13,8 +12,8 @@ namespace sheetmorph
 namespace
 {
 
-// Parts are placed on two threads if they have this many vertices together.
-constexpr int vertices_for_two_threads = 200000;
+// Parts are placed at the same time if they have this many vertices together.
+constexpr int many_vertices = 10000;
 
 }  // namespace
 
@@ -112,18 +111,13 @@ void Wave::place_answers() const
     int vertices = 0;
     for (const Answer& answer : answers_)
         vertices += prepared_.assembly.parts[at(answer.part)].mesh.vertex_count();
-    std::atomic<std::size_t> next{0};
-    const auto place = [&]
+    const auto place = [&](Eigen::Index begin, Eigen::Index end)
     {
-        for (std::size_t k = next++; k < answers_.size(); k = next++)
+        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
             answers_[k].place(result_->parts[at(answers_[k].part)]);
     };
-    std::thread other;
-    if (answers_.size() > 1 && vertices >= vertices_for_two_threads)
-        other = std::thread(place);
-    place();
-    if (other.joinable())
-        other.join();
+    const auto count = static_cast<Eigen::Index>(answers_.size());
+    parallel_ranges(count, vertices < many_vertices ? count : 1, place);
 }
 
 }  // namespace sheetmorph

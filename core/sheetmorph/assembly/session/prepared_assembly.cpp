@@ -6,9 +6,9 @@
 #include "sheetmorph/assembly/links/link_blending.h"
 #include "sheetmorph/assembly/links/patch_anchors.h"
 #include "sheetmorph/assembly/session/reuse.h"
-#include "sheetmorph/assembly/session/task_pool.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 
 #include <algorithm>
 #include <chrono>

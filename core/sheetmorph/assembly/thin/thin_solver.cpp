@@ -272,7 +272,7 @@ Deformation ThinSolver::expand(const Deformation& middle, const SurfaceTargets& 
     for (std::size_t k = 0; k < middle.features.size(); ++k)
         whole.features.push_back(about(middle.features[k], centres_[k]));
     const Sheet sheet{middle, turned, handles, rest};
-    parallel_ranges(mesh.vertex_count(), threads_for(mesh.vertex_count()),
+    parallel_ranges(mesh.vertex_count(), microsecond_items,
                     [&](Eigen::Index begin, Eigen::Index end)
                     {
                         for (Eigen::Index vertex = begin; vertex < end; ++vertex)

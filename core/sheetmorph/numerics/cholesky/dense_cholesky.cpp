@@ -32,12 +32,16 @@ void finish_columns(const Weights& inverse_blocks, Eigen::Index first, WeightsTa
                 rows.middleCols(first, wide));
 }
 
-// Work in multiplications from which on a second thread is worth its start.
-constexpr double work_for_two_threads = 2e6;
+// Multiplications that are worth a range of their own, and most ranges: each reads the other factor
+// of its product anew.
+constexpr double least_work = 1e6;
+constexpr Eigen::Index most_ranges = 16;
 
-int threads_for(double work, int threads)
+// The least of `items` that are a range, where all are so much work.
+Eigen::Index least_items(Eigen::Index items, double work)
 {
-    return work < work_for_two_threads ? 1 : threads;
+    const double ranges = std::clamp(work / least_work, 1.0, static_cast<double>(most_ranges));
+    return static_cast<Eigen::Index>(std::ceil(static_cast<double>(items) / ranges));
 }
 
 // Cholesky factor of one diagonal block, and its inverse.
@@ -54,7 +58,7 @@ void factorise_block(WeightsTarget diagonal, WeightsTarget inverse)
 
 }  // namespace
 
-void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads)
+void factorise_columns(WeightsTarget panel, Weights& inverse_blocks)
 {
     const Eigen::Index columns = panel.cols(), block = block_rows(columns);
     inverse_blocks.setZero(columns, block);
@@ -69,7 +73,7 @@ void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads
         };
         before(j, wide);
         factorise_block(panel.block(j, j, wide, wide), inverse_blocks.block(j, 0, wide, wide));
-        parallel_ranges(below, threads_for(work, threads),
+        parallel_ranges(below, least_items(below, work),
                         [&](Eigen::Index begin, Eigen::Index end)
                         {
                             const Eigen::Index first = j + wide + begin;
@@ -79,7 +83,7 @@ void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads
     }
 }
 
-void subtract_own_product(const WeightsView& rows, WeightsTarget result, int threads)
+void subtract_own_product(const WeightsView& rows, WeightsTarget result)
 {
     // Ranges of rows with as much of the triangle each.
     constexpr Eigen::Index shares = 1024;
@@ -87,7 +91,7 @@ void subtract_own_product(const WeightsView& rows, WeightsTarget result, int thr
     const auto row_at = [count](Eigen::Index share)
     { return static_cast<Eigen::Index>(count * std::sqrt(1.0 * share / shares)); };
     const double work = 0.5 * count * count * static_cast<double>(rows.cols());
-    parallel_ranges(shares, threads_for(work, threads),
+    parallel_ranges(shares, least_items(shares, work),
                     [&](Eigen::Index begin, Eigen::Index end)
                     {
                         const Eigen::Index first = row_at(begin), high = row_at(end) - first;
@@ -100,7 +104,7 @@ void subtract_own_product(const WeightsView& rows, WeightsTarget result, int thr
 
 DenseCholesky::DenseCholesky(Weights matrix) : lower_(std::move(matrix))
 {
-    factorise_columns(lower_, inverse_blocks_, 1);
+    factorise_columns(lower_, inverse_blocks_);
 }
 
 Points DenseCholesky::solve(const Points& right) const

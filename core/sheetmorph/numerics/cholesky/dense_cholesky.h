@@ -11,12 +11,12 @@ namespace sheetmorph
 //! \param panel           (r, k), lower triangle used; above it the result is undefined
 //! \param inverse_blocks  of the factor's diagonal blocks, one below the other
 //! \throws SolverError if the matrix is not positive definite
-void factorise_columns(WeightsTarget panel, Weights& inverse_blocks, int threads);
+void factorise_columns(WeightsTarget panel, Weights& inverse_blocks);
 
 //! result -= rows rows^T, in its lower triangle; above it the result is undefined.
 //! \param rows    (r, k)
 //! \param result  (r, r)
-void subtract_own_product(const WeightsView& rows, WeightsTarget result, int threads);
+void subtract_own_product(const WeightsView& rows, WeightsTarget result);
 
 //! Cholesky factor N = L L^T of a dense symmetric positive definite matrix of a few hundred rows.
 class DenseCholesky

@@ -24,11 +24,10 @@ Eigen::Map<Weights> square(Update& update, int rows)
 
 }  // namespace
 
-FrontBuilder::FrontBuilder(FrontWork& work, int threads)
+FrontBuilder::FrontBuilder(FrontWork& work)
     : work_(work),
       elimination_(work.elimination),
       tree_(elimination_.tree()),
-      threads_(threads),
       local_(at(elimination_.slots()), none)
 {
 }
@@ -44,9 +43,8 @@ void FrontBuilder::build(int node)
     for (const int child : children(node))
         add_update(child, *front, update);
     forget_rows(*front);
-    factorise_columns(front->panel(), inverse_blocks_, threads_);
-    subtract_own_product(front->panel().bottomRows(front->below()), square(update, front->below()),
-                         threads_);
+    factorise_columns(front->panel(), inverse_blocks_);
+    subtract_own_product(front->panel().bottomRows(front->below()), square(update, front->below()));
     work_.updates[at(node)] = std::move(update);
     work_.factor.fronts[at(node)] = std::move(front);
 }
@@ -68,7 +66,7 @@ void FrontBuilder::gather(int node)
         if (count == 0)
             continue;
         Weights product = Weights::Zero(count, count);
-        subtract_own_product(front.panel().bottomRows(count), product, 1);
+        subtract_own_product(front.panel().bottomRows(count), product);
         for (Eigen::Index i = 0; i < count; ++i)
             for (Eigen::Index j = 0; j <= i; ++j)
                 sum(local_[at(first[i])], local_[at(first[j])]) += product(i, j);

@@ -26,7 +26,7 @@ struct FrontWork
 class FrontBuilder
 {
 public:
-    FrontBuilder(FrontWork& work, int threads);
+    explicit FrontBuilder(FrontWork& work);
 
     //! The node's front and its update; its children are done.
     void build(int node);
@@ -50,7 +50,6 @@ private:
     FrontWork& work_;
     const Elimination& elimination_;
     const SeparatorTree& tree_;
-    int threads_;
     std::vector<int> local_;  // by slot: row of the front in hand
     std::vector<int> ranks_, targets_;
     Weights inverse_blocks_;

@@ -3,9 +3,11 @@
 
 #include "sheetmorph/base/index.h"
 
+#include "sheetmorph/base/parallel.h"
+
 #include <algorithm>
+#include <array>
 #include <numeric>
-#include <thread>
 
 namespace sheetmorph
 {
@@ -13,29 +15,33 @@ namespace sheetmorph
 namespace
 {
 
-// Below so many entries a second thread's start costs more than it saves.
-constexpr double entries_for_two_threads = 2e6;
+// Smaller factors are read before another thread is awake.
+constexpr double fewest_entries = 5e5;
 
-// A subtree is split until it is at most this share of all entries.
-constexpr double smallest_share = 0.26;
+// Four shares: fronts above them are read by one thread, and each further level of them costs what
+// more shares gain.
+constexpr int share_count = 4;
+
+// A subtree is split until it is at most this part of all entries.
+constexpr double largest_subtree = 0.26;
 
 }  // namespace
 
 FrontSolver::FrontSolver(FrontList factor)
-    : factor_(std::move(factor)), is_top_(at(factor_.slots), 0)
+    : factor_(std::move(factor)), top_row_(at(factor_.slots), -1)
 {
     for (const auto& own : factor_.fronts)
         widest_ = std::max(widest_, own->height());
-    if (factor_.count() >= entries_for_two_threads && std::thread::hardware_concurrency() > 1)
-        share_subtrees();
-    else
+    if (factor_.count() >= fewest_entries)
     {
-        mine_.resize(factor_.fronts.size());
-        std::iota(mine_.begin(), mine_.end(), 0);
+        share_subtrees();
+        return;
     }
+    shares_.emplace_back(factor_.fronts.size());
+    std::iota(shares_.front().begin(), shares_.front().end(), 0);
 }
 
-// Large subtrees are opened from the root down; what is left goes to the thread with less to do.
+// Large subtrees are opened from the root down; what is left goes to the share with least.
 void FrontSolver::share_subtrees()
 {
     const auto count = static_cast<int>(factor_.fronts.size());
@@ -47,9 +53,10 @@ void FrontSolver::share_subtrees()
         if (parent[at(s)] >= 0)
             below[at(parent[at(s)])] += below[at(s)];
     }
-    const double limit = smallest_share * factor_.count();
+    const double limit = largest_subtree * factor_.count();
+    shares_.resize(share_count);
     std::vector<Nodes*> owner(at(count), &top_);
-    double load[2] = {0.0, 0.0};
+    std::array<double, share_count> load{};
     for (int s = count - 1; s >= 0; --s)
     {
         const int up = parent[at(s)];
@@ -57,24 +64,27 @@ void FrontSolver::share_subtrees()
             owner[at(s)] = owner[at(up)];
         else if (below[at(s)] <= limit)
         {
-            const bool is_mine = load[0] <= load[1];
-            owner[at(s)] = is_mine ? &mine_ : &theirs_;
-            load[is_mine ? 0 : 1] += below[at(s)];
+            const auto least = std::min_element(load.begin(), load.end());
+            owner[at(s)] = &shares_[static_cast<std::size_t>(least - load.begin())];
+            *least += below[at(s)];
         }
     }
     for (int s = 0; s < count; ++s)
     {
         owner[at(s)]->push_back(s);
-        if (owner[at(s)] == &top_)
-            for (int row = 0; row < front(s).columns; ++row)
-                is_top_[at(front(s).rows[at(row)])] = 1;
+        for (int row = 0; row < front(s).columns && owner[at(s)] == &top_; ++row)
+        {
+            const int slot = front(s).rows[at(row)];
+            top_row_[at(slot)] = static_cast<int>(top_rows_.size());
+            top_rows_.push_back(slot);
+        }
     }
 }
 
-// What a front takes off rows above all subtrees goes to `above`.
-void FrontSolver::forward(const Nodes& nodes, Buffers buffers) const
+// What a front takes off rows above all shares goes to `above`, if there is one.
+void FrontSolver::forward(const Nodes& nodes, RightSides& x, RightSides* above) const
 {
-    auto& [x, above, w] = buffers;
+    RightSides w(widest_, right_sides_at_once);
     for (const int s : nodes)
     {
         const Front& own = front(s);
@@ -86,13 +96,16 @@ void FrontSolver::forward(const Nodes& nodes, Buffers buffers) const
         for (int k = 0; k < own.columns; ++k)
             x.row(rows[k]) = w.row(k);
         for (int k = own.columns; k < own.height(); ++k)
-            (is_top_[at(rows[k])] ? above : x).row(rows[k]) += w.row(k);
+            if (const int top = top_row_[at(rows[k])]; top >= 0 && above != nullptr)
+                above->row(top) += w.row(k);
+            else
+                x.row(rows[k]) += w.row(k);
     }
 }
 
-void FrontSolver::backward(const Nodes& nodes, Buffers buffers) const
+void FrontSolver::backward(const Nodes& nodes, RightSides& x) const
 {
-    auto& [x, above, w] = buffers;
+    RightSides w(widest_, right_sides_at_once);
     for (auto s = nodes.rbegin(); s != nodes.rend(); ++s)
     {
         const Front& own = front(*s);
@@ -107,28 +120,24 @@ void FrontSolver::backward(const Nodes& nodes, Buffers buffers) const
 
 void FrontSolver::solve(RightSides& x) const
 {
-    RightSides w(widest_, right_sides_at_once);
-    const Buffers own{x, x, w};
-    if (theirs_.empty())
-    {
-        forward(mine_, own);
-        backward(mine_, own);
-        return;
-    }
-    RightSides above = RightSides::Zero(factor_.slots, right_sides_at_once);
-    RightSides other_w(widest_, right_sides_at_once);
-    const Buffers others{x, above, other_w};
-    std::thread helper([&] { forward(theirs_, others); });
-    forward(mine_, own);
-    helper.join();
-    for (const int s : top_)
-        for (int k = 0; k < front(s).columns; ++k)
-            x.row(front(s).rows[at(k)]) += above.row(front(s).rows[at(k)]);
-    forward(top_, own);
-    backward(top_, own);
-    helper = std::thread([&] { backward(theirs_, others); });
-    backward(mine_, own);
-    helper.join();
+    const auto count = static_cast<Eigen::Index>(shares_.size());
+    const auto share = [this](Eigen::Index k) -> const Nodes&
+    { return shares_[static_cast<std::size_t>(k)]; };
+    std::vector<RightSides> above(shares_.size());
+    parallel_items(count,
+                   [&](Eigen::Index k)
+                   {
+                       RightSides& own = above[static_cast<std::size_t>(k)];
+                       own.setZero(static_cast<Eigen::Index>(top_rows_.size()),
+                                   right_sides_at_once);
+                       forward(share(k), x, &own);
+                   });
+    for (const RightSides& part : above)
+        for (std::size_t row = 0; row < top_rows_.size(); ++row)
+            x.row(top_rows_[row]) += part.row(static_cast<Eigen::Index>(row));
+    forward(top_, x, nullptr);
+    backward(top_, x);
+    parallel_items(count, [&](Eigen::Index k) { backward(share(k), x); });
 }
 
 }  // namespace sheetmorph

@@ -9,8 +9,8 @@
 namespace sheetmorph
 {
 
-//! Triangular solves that read the factor once each way, at the speed of the memory; large factors
-//! on two threads, each with its own subtrees of the elimination tree.
+//! Triangular solves that read the factor once each way, at the speed of the memory; of large
+//! factors some shares at the same time, each subtrees of the elimination tree.
 class FrontSolver
 {
 public:
@@ -26,22 +26,16 @@ public:
 private:
     using Nodes = std::vector<int>;
     const Front& front(int index) const { return *factor_.fronts[static_cast<std::size_t>(index)]; }
-    struct Buffers
-    {
-        RightSides& x;
-        RightSides& above;  // takes what one thread adds to rows above the subtrees
-        RightSides& w;      // (widest, 4)
-    };
-    void forward(const Nodes& nodes, Buffers buffers) const;
-    void backward(const Nodes& nodes, Buffers buffers) const;
+    void forward(const Nodes& nodes, RightSides& x, RightSides* above) const;
+    void backward(const Nodes& nodes, RightSides& x) const;
     void share_subtrees();
 
     FrontList factor_;
-    Nodes mine_;                // fronts of one thread, ascending
-    Nodes theirs_;              // of the other; empty where one thread does
-    Nodes top_;                 // above both
-    std::vector<char> is_top_;  // (slots)
-    int widest_ = 0;            // most rows of a front
+    std::vector<Nodes> shares_;  // fronts, ascending; one share where they are few
+    Nodes top_;                  // above all shares
+    std::vector<int> top_rows_;  // slots of the fronts above
+    std::vector<int> top_row_;   // (slots) row among these or -1
+    int widest_ = 0;             // most rows of a front
 };
 
 }  // namespace sheetmorph

@@ -6,7 +6,6 @@
 #include "sheetmorph/numerics/cholesky/front_builder.h"
 
 #include <algorithm>
-#include <atomic>
 
 namespace sheetmorph
 {
@@ -14,14 +13,9 @@ namespace sheetmorph
 namespace
 {
 
-constexpr int most_threads = 2;
-
 // A subtree of at most this share of all rows is one task: what each takes off the rows above it is
 // kept until all are done.
-constexpr double task_share = 1.0 / 7.0;
-
-// From so many rows on a second thread is worth its start.
-constexpr int rows_for_two_threads = 5000;
+constexpr double task_share = 1.0 / 16.0;
 
 //! What there is to do. Pieces of one list do not wait for each other.
 struct Plan
@@ -58,19 +52,16 @@ Plan plan_of(const FrontWork& work)
     return plan;
 }
 
-// run(builder, node) for all nodes, on several threads as they come free.
+// run(builder, node) for all nodes.
 template <typename Run>
 void run_all(const std::vector<int>& nodes, FrontWork& work, const Run& run)
 {
-    std::atomic<std::size_t> next{0};
-    const bool is_small = work.elimination.slots() < rows_for_two_threads;
-    parallel_ranges(static_cast<Eigen::Index>(4 * nodes.size()), is_small ? 1 : most_threads,
-                    [&](Eigen::Index, Eigen::Index)
-                    {
-                        FrontBuilder builder(work, 1);
-                        for (std::size_t k = next++; k < nodes.size(); k = next++)
-                            run(builder, nodes[k]);
-                    });
+    parallel_items(static_cast<Eigen::Index>(nodes.size()),
+                   [&](Eigen::Index k)
+                   {
+                       FrontBuilder builder(work);
+                       run(builder, nodes[static_cast<std::size_t>(k)]);
+                   });
 }
 
 }  // namespace
@@ -96,7 +87,7 @@ FrontList frontal_cholesky(const Elimination& elimination, const EarlierFactor* 
                     if (!work.is_kept[at(node)])
                         builder.build(node);
             });
-    FrontBuilder builder(work, most_threads);
+    FrontBuilder builder(work);
     for (const int node : plan.top)
         builder.build(node);
     return factor;

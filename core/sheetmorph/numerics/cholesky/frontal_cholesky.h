@@ -15,7 +15,7 @@ struct EarlierFactor
 };
 
 //! Cholesky factor of a merged matrix by the multifrontal method, a front for every node of its
-//! tree, on two threads.
+//! tree, subtrees at the same time.
 //! \param earlier  of the same whole matrix and tree: fronts that are still right are shared
 //! \throws SolverError if the matrix is not positive definite
 FrontList frontal_cholesky(const Elimination& elimination, const EarlierFactor* earlier = nullptr);

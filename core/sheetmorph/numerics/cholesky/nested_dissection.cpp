@@ -3,9 +3,10 @@
 
 #include "sheetmorph/base/index.h"
 
+#include "sheetmorph/base/parallel.h"
+
 #include <algorithm>
 #include <numeric>
-#include <thread>
 
 namespace sheetmorph
 {
@@ -16,8 +17,8 @@ namespace
 // Sets this small are eliminated as they come: their fill is one dense block.
 constexpr std::ptrdiff_t smallest_set = 12;
 
-// From so many rows on a second thread takes one half.
-constexpr std::ptrdiff_t set_for_two_threads = 20000;
+// From so many rows on the halves of a set are cut at the same time.
+constexpr std::ptrdiff_t large_set = 20000;
 
 // What separates two halves ends here in the order; it begins where the set before it ends.
 struct Set
@@ -35,21 +36,7 @@ public:
         std::iota(order_.begin(), order_.end(), 0);
     }
 
-    SeparatorTree run()
-    {
-        const Place begin = order_.begin(), end = order_.end();
-        if (end - begin < set_for_two_threads)
-            return tree_of(dissect(begin, end));
-        const auto [coupled, right_end] = cut(begin, end);
-        std::vector<Set> left, right;
-        std::thread helper([&, middle = coupled] { left = dissect(begin, middle); });
-        right = dissect(coupled, right_end);
-        helper.join();
-        std::vector<Set> all = {set_of(end, -1)};
-        append(right, all);
-        append(left, all);
-        return tree_of(all);
-    }
+    SeparatorTree run() { return tree_of(dissect_large(order_.begin(), order_.end())); }
 
 private:
     using Place = std::vector<int>::iterator;
@@ -65,6 +52,21 @@ private:
             set.parent = set.parent < 0 ? 0 : set.parent + before;
             all.push_back(set);
         }
+    }
+
+    // As dissect(); no vertex of one half touches one of the other.
+    std::vector<Set> dissect_large(Place begin, Place end)
+    {
+        if (end - begin < large_set)
+            return dissect(begin, end);
+        const std::pair<Place, Place> right_half = cut(begin, end);
+        std::vector<Set> left, right;
+        parallel_pair([&] { left = dissect_large(begin, right_half.first); },
+                      [&] { right = dissect_large(right_half.first, right_half.second); });
+        std::vector<Set> all = {set_of(end, -1)};
+        append(right, all);
+        append(left, all);
+        return all;
     }
 
     // All sets in begin .. end, every one before those below it. Not recursive, so that a

@@ -3,10 +3,10 @@
 
 #include "sheetmorph/base/index.h"
 
+#include "sheetmorph/base/parallel.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 namespace sheetmorph
 {
@@ -20,11 +20,8 @@ constexpr float largest_narrow = 32767.0F;
 // By how much the steps of a narrow field may miss, in units of the tolerances.
 constexpr double narrow_miss = 0.25;
 
-// The least rows for which a second thread is started: its start costs some 50 microseconds.
-constexpr Eigen::Index rows_for_two_threads = 60000;
-
-// Patches handed to a thread at a time.
-constexpr std::size_t patches_at_once = 64;
+// Rows whose patches are worth a range of their own: some 30 microseconds.
+constexpr Eigen::Index least_rows = 8000;
 
 // Steps of 16 bits for a field, or 0 if they are too coarse for the columns that it is blended to.
 float narrow_step(const ResponseFields::Patch& patch, Eigen::Index field,
@@ -120,23 +117,17 @@ void ResponseBasis::add_to(const Points& start, const Coefficients& coefficients
 {
     result.resize(rows_, 3);
     const std::size_t whole = at(rows_ / rows_a_patch_);
-    std::atomic<std::size_t> next{0};
-    const auto take = [&]
+    const auto add_some = [&](Eigen::Index begin, Eigen::Index end)
     {
-        for (std::size_t first = next.fetch_add(patches_at_once); first < whole;
-             first = next.fetch_add(patches_at_once))
-            for (std::size_t k = first; k < std::min(first + patches_at_once, whole); ++k)
-            {
-                ResponseProduct work = product(k, coefficients);
-                work.start = start.data() + 3 * static_cast<Eigen::Index>(k) * rows_a_patch_;
-                work.result = result.data() + 3 * static_cast<Eigen::Index>(k) * rows_a_patch_;
-                run_response_kernel(work);
-            }
+        for (Eigen::Index k = begin; k < end; ++k)
+        {
+            ResponseProduct work = product(at(k), coefficients);
+            work.start = start.data() + 3 * k * rows_a_patch_;
+            work.result = result.data() + 3 * k * rows_a_patch_;
+            run_response_kernel(work);
+        }
     };
-    std::thread other;
-    if (rows_ >= rows_for_two_threads && std::thread::hardware_concurrency() > 1)
-        other = std::thread(take);
-    take();
+    parallel_ranges(static_cast<Eigen::Index>(whole), least_rows / rows_a_patch_, add_some);
     if (whole < places_.size())
     {
         // The last patch is not full: through copies of its rows.
@@ -149,8 +140,6 @@ void ResponseBasis::add_to(const Points& start, const Coefficients& coefficients
         run_response_kernel(work);
         result.bottomRows(rows) = to.topRows(rows);
     }
-    if (other.joinable())
-        other.join();
 }
 
 double ResponseBasis::bytes() const

@@ -20,7 +20,7 @@ public:
     //! One row of Phi c.
     Vector3 row(Eigen::Index row, const Coefficients& coefficients) const;
 
-    //! result = start + Phi c, both (n, 3); large ones on two threads.
+    //! result = start + Phi c, both (n, 3).
     void add_to(const Points& start, const Coefficients& coefficients, Points& result) const;
 
     Eigen::Index rows() const { return rows_; }

@@ -20,8 +20,8 @@ constexpr Eigen::Index fewest_blocks = 2;
 // Of a column's largest entry: less than float32 can tell.
 constexpr double rounding = 1e-7;
 
-// Below so many rows the start of a second thread costs more than it saves.
-constexpr Eigen::Index rows_for_two_threads = 5000;
+// Rows whose patches are worth a range of their own.
+constexpr Eigen::Index least_rows = 2000;
 
 // Takes off `wanted` what the fields (rows, f) blend to, twice, since in float32 they are not quite
 // orthonormal; adds how to the first rows of `shares`.
@@ -94,8 +94,8 @@ void ResponseFields::append(const Eigen::MatrixXd& columns, const Eigen::VectorX
                    tolerances);
         }
     };
-    parallel_ranges(static_cast<Eigen::Index>(patches_.size()),
-                    rows_ >= rows_for_two_threads ? 2 : 1, extend_some);
+    parallel_ranges(static_cast<Eigen::Index>(patches_.size()), least_rows / rows_a_patch_,
+                    extend_some);
 }
 
 Points ResponseFields::times(const Coefficients& coefficients) const

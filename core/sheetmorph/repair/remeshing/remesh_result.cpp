@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/repair/remeshing/remesh_result.h"
 
+#include "sheetmorph/base/parallel.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -12,6 +14,20 @@ namespace sheetmorph
 
 namespace
 {
+
+// value(k) for 0 .. count - 1, each a search in a tree or some.
+template <typename Value>
+Eigen::VectorXd measured(int count, const Value& value)
+{
+    Eigen::VectorXd values(count);
+    parallel_ranges(count, microsecond_items,
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (Eigen::Index k = begin; k < end; ++k)
+                            values(k) = value(static_cast<int>(k));
+                    });
+    return values;
+}
 
 class ResultBuilder
 {
@@ -197,27 +213,29 @@ private:
     // How far the new triangles are from the facets of their patch.
     void measure()
     {
-        double all = 0.0, flat = 0.0;
-        const int count = found_.mesh.triangle_count();
-#pragma omp parallel for reduction(max : all, flat) schedule(dynamic, 256)
-        for (int t = 0; t < count; ++t)
+        const Eigen::VectorXd distances =
+            measured(found_.mesh.triangle_count(), [this](int t) { return distance_of(t); });
+        for (int t = 0; t < found_.mesh.triangle_count(); ++t)
         {
-            const auto corner = [&](int k) -> Vector3
-            { return found_.mesh.points().row(found_.mesh.triangles()(t, k % 3)).transpose(); };
-            const Vector3 middle = (corner(0) + corner(1) + corner(2)) / 3.0;
-            double most = source_.trees.nearest(found_.patch[t], middle).distance;
-            for (int k = 0; k < 3; ++k)
-            {
-                const Vector3 half = 0.5 * (corner(k) + corner(k + 1));
-                most = std::max({most, source_.trees.nearest(found_.patch[t], half).distance,
-                                 source_.trees.nearest(found_.patch[t], corner(k)).distance});
-            }
-            all = std::max(all, most);
+            found_.deviation = std::max(found_.deviation, distances(t));
             if (source_.patches.is_flat[found_.patch[t]])
-                flat = std::max(flat, most);
+                found_.flat_deviation = std::max(found_.flat_deviation, distances(t));
         }
-        found_.deviation = all;
-        found_.flat_deviation = flat;
+    }
+
+    double distance_of(int t) const
+    {
+        const auto corner = [&](int k) -> Vector3
+        { return found_.mesh.points().row(found_.mesh.triangles()(t, k % 3)).transpose(); };
+        const Vector3 middle = (corner(0) + corner(1) + corner(2)) / 3.0;
+        double most = source_.trees.nearest(found_.patch[t], middle).distance;
+        for (int k = 0; k < 3; ++k)
+        {
+            const Vector3 half = 0.5 * (corner(k) + corner(k + 1));
+            most = std::max({most, source_.trees.nearest(found_.patch[t], half).distance,
+                             source_.trees.nearest(found_.patch[t], corner(k)).distance});
+        }
+        return most;
     }
 
     // Old vertices off the ridges are gone: the nearest new one of their patch stands for each,
@@ -235,18 +253,19 @@ private:
             }
         const PatchTrees trees(found_.mesh, found_.patch);
         const std::vector<int> patches = patches_of_gone_vertices();
-        double most = 0.0;
-#pragma omp parallel for reduction(max : most) schedule(dynamic, 256)
-        for (int i = 0; i < old_count_; ++i)
-            if (patches[i] >= 0)
-            {
-                const Hit hit = trees.nearest(patches[i], source_.mesh.points().row(i).transpose());
-                int nearest = 0;
-                hit.barycentric.maxCoeff(&nearest);
-                found_.vertex_of[i] = found_.mesh.triangles()(hit.triangle, nearest);
-                most = std::max(most, hit.distance);
-            }
-        found_.deviation = std::max(found_.deviation, most);
+        const auto follow = [&](int i)
+        {
+            if (patches[i] < 0)
+                return 0.0;
+            const Hit hit = trees.nearest(patches[i], source_.mesh.points().row(i).transpose());
+            int nearest = 0;
+            hit.barycentric.maxCoeff(&nearest);
+            found_.vertex_of[i] = found_.mesh.triangles()(hit.triangle, nearest);
+            return hit.distance;
+        };
+        const Eigen::VectorXd distances = measured(old_count_, follow);
+        found_.deviation = distances.size() > 0 ? std::max(found_.deviation, distances.maxCoeff())
+                                                : found_.deviation;
     }
 
     // By vertex given: a patch around it that is still there, -1 if it is kept or unused.

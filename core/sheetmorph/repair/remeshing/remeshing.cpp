@@ -2,6 +2,8 @@
 #include "sheetmorph/repair/remeshing/remeshing.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/repair/remeshing/remesh_result.h"
 #include "sheetmorph/repair/remeshing/round_rims.h"
@@ -121,13 +123,16 @@ void project(WorkingMesh& work, const PatchTrees& trees)
     for (int v = 0; v < work.vertex_count(); ++v)
         if (work.is_movable(v))
             moving.push_back(v);
-    const int count = static_cast<int>(moving.size());
-#pragma omp parallel for schedule(dynamic, 256)
-    for (int k = 0; k < count; ++k)
+    const auto project_some = [&](Eigen::Index begin, Eigen::Index end)
     {
-        Vector3& place = work.point[moving[k]];
-        place = trees.nearest(work.patch[work.triangle_at(moving[k])], place).point;
-    }
+        for (Eigen::Index k = begin; k < end; ++k)
+        {
+            const int vertex = moving[at(k)];
+            Vector3& place = work.point[vertex];
+            place = trees.nearest(work.patch[work.triangle_at(vertex)], place).point;
+        }
+    };
+    parallel_ranges(static_cast<Eigen::Index>(moving.size()), microsecond_items, project_some);
 }
 
 void improve(WorkingMesh& work, const PatchTrees& trees, const Progress& progress)

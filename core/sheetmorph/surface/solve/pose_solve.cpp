@@ -25,8 +25,8 @@ namespace
 // Clean meshes settle after one or two; a few needles in the mesh need more.
 constexpr int most_refinements = 8;
 
-// From so many on a second thread is worth its start.
-constexpr int vertices_for_two_threads = 20000;
+// Vertices or rows whose turning is worth a range of its own.
+constexpr Eigen::Index least_turned = 1000;
 
 void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& displacements,
                         const Eigen::MatrixXd& wanted, Exactness level)
@@ -72,7 +72,6 @@ Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
     const Weights weights =
         part.responses ? Weights(part.responses->weights()) : Weights(part.rest.vertex_count(), 0);
     std::vector<Matrix3> turn(at(part.rest.vertex_count()));
-    const int threads = part.rest.vertex_count() < vertices_for_two_threads ? 1 : 2;
     const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
     {
         for (Eigen::Index i = begin; i < end; ++i)
@@ -87,7 +86,7 @@ Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
                 change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
         }
     };
-    parallel_ranges(part.rest.vertex_count(), threads, turn_vertices);
+    parallel_ranges(part.rest.vertex_count(), least_turned, turn_vertices);
     Eigen::MatrixXd rows(operators.rest_rows.rows(), 3);
     const auto turn_rows = [&](Eigen::Index begin, Eigen::Index end)
     {
@@ -96,7 +95,7 @@ Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
                              * operators.rest_rows.row(row).transpose())
                                 .transpose();
     };
-    parallel_ranges(rows.rows(), threads, turn_rows);
+    parallel_ranges(rows.rows(), least_turned, turn_rows);
     return rows;
 }
 

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/base/threads/thread_pool.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <pthread.h>
+#include <sched.h>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Who has just had something to do, or waits for something short, looks so long before it sleeps:
+// to be woken takes about as long.
+constexpr std::chrono::microseconds looking{30};
+
+constexpr std::chrono::milliseconds between_looks{100};
+
+thread_local bool is_of_pool = false;
+
+int cores_of_process()
+{
+    cpu_set_t cores;
+    CPU_ZERO(&cores);
+    return sched_getaffinity(0, sizeof cores, &cores) == 0 ? CPU_COUNT(&cores) : 1;
+}
+
+int threads_wanted()
+{
+    const char* const told = std::getenv("SHEETMORPH_THREADS");
+    const int threads = told != nullptr ? std::atoi(told) : 0;
+    return threads > 0 ? threads : cores_of_process();
+}
+
+// Whether the condition holds before long.
+template <typename Condition>
+bool holds_soon(const Condition& condition)
+{
+    const auto end = std::chrono::steady_clock::now() + looking;
+    while (!condition())
+    {
+        if (std::chrono::steady_clock::now() > end)
+            return false;
+        std::this_thread::yield();
+    }
+    return true;
+}
+
+}  // namespace
+
+//! Items of one call. Items begin in their order, so all before one that failed have begun too.
+struct ThreadPool::Job
+{
+    Job(Eigen::Index items, const Work& done_by, int places)
+        : count(items), work(done_by), free_places(places)
+    {
+    }
+
+    void give_up() { next = count; }
+    bool has_begun() const { return next >= count; }
+
+    void work_on()
+    {
+        for (Eigen::Index item = next++; item < count; item = next++)
+            try
+            {
+                work(item);
+                ++done;
+            }
+            catch (...)
+            {
+                give_up();
+                const std::lock_guard<std::mutex> lock(failing);
+                if (!failure || item < failed)
+                {
+                    failure = std::current_exception();
+                    failed = item;
+                }
+            }
+    }
+
+    void tell() const
+    {
+        if (failure)
+            std::rethrow_exception(failure);
+    }
+
+    const Eigen::Index count;
+    const Work& work;
+    std::atomic<Eigen::Index> next{0}, done{0};
+    std::atomic<int> helpers{0};  // at it
+    int free_places;              // for further ones
+    std::mutex failing;
+    std::exception_ptr failure;
+    Eigen::Index failed = 0;
+};
+
+//! What the threads share; each keeps it alive.
+struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
+{
+    //! The newest that has items and places: it is inside of others, or somebody's frame.
+    std::shared_ptr<Job> take()
+    {
+        for (auto job = open.rbegin(); job != open.rend(); ++job)
+            if ((*job)->free_places > 0 && !(*job)->has_begun())
+            {
+                --(*job)->free_places;
+                ++(*job)->helpers;
+                return *job;
+            }
+        return nullptr;
+    }
+
+    //! How many threads there are for it; none if the machine gives none.
+    int offer(const std::shared_ptr<Job>& job)
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        grow(job->free_places);
+        open.push_back(job);
+        ++opened;
+        for (int helper = 0; helper < job->free_places; ++helper)
+            offered.notify_one();
+        return threads;
+    }
+
+    void grow(int wanted)
+    {
+        try
+        {
+            for (; threads < wanted; ++threads)
+                std::thread([own = shared_from_this()] { own->serve(); }).detach();
+        }
+        catch (const std::system_error&)
+        {
+            // With those there are, or the caller alone.
+        }
+    }
+
+    void close(const std::shared_ptr<Job>& job)
+    {
+        const std::lock_guard<std::mutex> lock(mutex);
+        open.erase(std::remove(open.begin(), open.end(), job), open.end());
+    }
+
+    //! Whether all items have ended, which it waits for a while.
+    bool is_over(const Job& job)
+    {
+        std::unique_lock<std::mutex> lock(mutex);
+        return left.wait_for(lock, between_looks,
+                             [&] { return job.has_begun() && job.helpers == 0; });
+    }
+
+    //! Waits for those who help with a job that nobody joins any more.
+    void finish(const std::shared_ptr<Job>& job)
+    {
+        close(job);
+        const auto is_left = [&] { return job->helpers == 0; };
+        if (holds_soon(is_left))
+            return;
+        std::unique_lock<std::mutex> lock(mutex);
+        left.wait(lock, is_left);
+    }
+
+    //! The life of a thread; it sleeps until the process ends.
+    void serve()
+    {
+        is_of_pool = true;
+        std::unique_lock<std::mutex> lock(mutex);
+        while (true)
+            if (const std::shared_ptr<Job> job = take())
+            {
+                lock.unlock();
+                job->work_on();
+                lock.lock();
+                if (--job->helpers == 0)
+                    left.notify_all();
+            }
+            else
+                await(lock);
+    }
+
+    //! Returns when a further job was opened.
+    void await(std::unique_lock<std::mutex>& lock)
+    {
+        const long seen = opened;
+        const auto is_further = [&] { return opened != seen; };
+        lock.unlock();
+        const bool is_soon = holds_soon(is_further);
+        lock.lock();
+        if (!is_soon)
+            offered.wait(lock, is_further);
+    }
+
+    std::mutex mutex;
+    std::condition_variable offered, left;
+    std::vector<std::shared_ptr<Job>> open;
+    std::atomic<long> opened{0};  // jobs, ever
+    int threads = 0;
+};
+
+ThreadPool& ThreadPool::common()
+{
+    static ThreadPool pool;
+    return pool;
+}
+
+// A process that was forked has none of the threads: it starts its own.
+ThreadPool::ThreadPool() : threads_(threads_wanted()), shared_(std::make_shared<Shared>())
+{
+    pthread_atfork(nullptr, nullptr, [] { common().shared_ = std::make_shared<Shared>(); });
+}
+
+void ThreadPool::set_threads(int threads)
+{
+    threads_ = std::max(threads, 1);
+}
+
+bool ThreadPool::can_watch() const
+{
+    return !is_of_pool && threads_ > 1;
+}
+
+void ThreadPool::run(Eigen::Index count, const Work& work)
+{
+    const auto helpers = static_cast<int>(std::min<Eigen::Index>(count, threads_) - 1);
+    if (helpers < 1)
+    {
+        for (Eigen::Index item = 0; item < count; ++item)
+            work(item);
+        return;
+    }
+    const auto job = std::make_shared<Job>(count, work, helpers);
+    const std::shared_ptr<Shared> shared = shared_;
+    shared->offer(job);
+    job->work_on();
+    shared->finish(job);
+    job->tell();
+}
+
+void ThreadPool::run_watched(Eigen::Index count, const Work& work, const Watch& watch)
+{
+    const auto helpers = static_cast<int>(std::min<Eigen::Index>(count, threads_));
+    const auto job = std::make_shared<Job>(count, work, helpers);
+    const std::shared_ptr<Shared> shared = shared_;
+    if (shared->offer(job) == 0)
+        job->work_on();
+    try
+    {
+        while (!shared->is_over(*job))
+            watch(job->done);
+    }
+    catch (...)
+    {
+        job->give_up();
+        shared->finish(job);
+        throw;
+    }
+    shared->finish(job);
+    job->tell();
+}
+
+}  // namespace sheetmorph
