@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Finite element decks have nodes of no triangle: they change nothing, wherever they stand.
 #include "shapes/unused_nodes.h"
-#include "sheetmorph/surface/sampled_response.h"
-#include "sheetmorph/surface/surface_response.h"
+#include "sheetmorph/surface/live/sampled_response.h"
+#include "sheetmorph/surface/live/surface_response.h"
 #include "surface/all_cases.h"
 #include "surface/free_strip.h"
 

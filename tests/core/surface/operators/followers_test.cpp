@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/surface/followers.h"
+#include "sheetmorph/surface/operators/followers.h"
 
 #include "surface/free_strip.h"
 
