@@ -35,9 +35,27 @@ void bind_result(py::module_& module)
             "centre", [](const FeatureResult& feature) { return to_numpy(feature.motion.pivot); });
 }
 
+std::vector<int> previews(const Deformed& pose)
+{
+    std::vector<int> parts;
+    for (std::size_t part = 0; part < pose.parts.size(); ++part)
+        if (pose.parts[part].is_preview)
+            parts.push_back(static_cast<int>(part));
+    return parts;
+}
+
+std::vector<std::pair<int, std::string>> unsettled(const Deformed& pose)
+{
+    std::vector<std::pair<int, std::string>> found;
+    for (std::size_t part = 0; part < pose.parts.size(); ++part)
+        if (!pose.parts[part].convergence.is_converged)
+            found.emplace_back(static_cast<int>(part), pose.parts[part].convergence.sentence());
+    return found;
+}
+
 void bind_deformed(py::module_& module)
 {
-    py::class_<Deformed>(module, "Deformed", "Every part in one pose.")
+    py::class_<Deformed, std::shared_ptr<Deformed>>(module, "Deformed", "Every part in one pose.")
         .def(
             "positions",
             [](const py::object& self, std::size_t part)
@@ -46,7 +64,11 @@ void bind_deformed(py::module_& module)
         .def_readonly("features", &Deformed::features)
         .def_readonly("contacts", &Deformed::contacts)
         .def_readonly("spread", &Deformed::spread,
-                      "mm: how far apart, at most, several contacts want one vertex");
+                      "mm: how far apart, at most, several contacts want one vertex")
+        .def_property_readonly("previews", &previews,
+                               "indices of the parts whose exact answer is refined besides")
+        .def_property_readonly("unsettled", &unsettled,
+                               "(part index, sentence) of what was not solved to its end");
 
     py::class_<ContactFidelity>(module, "ContactFidelity", "How well one contact was kept, mm.")
         .def_readonly("contact", &ContactFidelity::contact)
@@ -109,10 +131,11 @@ Deformed deform(const DeformationSession& session, const Pose& pose, bool exact)
     return session.deform(pose, exact ? Exactness::exact : Exactness::live);
 }
 
-const Deformed& frame(LiveDrag& drag, const Pose& pose)
+// The array of a frame holds it, so that its memory is not used again before.
+std::shared_ptr<Deformed> frame(LiveDrag& drag, const Pose& pose)
 {
     const py::gil_scoped_release without_gil;
-    return drag.frame(pose);
+    return std::const_pointer_cast<Deformed>(drag.frame(pose));
 }
 
 void bind_drag(py::module_& module)
@@ -120,8 +143,9 @@ void bind_drag(py::module_& module)
     py::class_<LiveDrag>(module, "LiveDrag",
                          "Live frames while some handles are dragged; how the parts answer to them "
                          "is worked out in the background.")
-        .def("frame", &frame, py::arg("pose"), py::return_value_policy::reference_internal,
-             "Every part in one pose, within 1e-6 of the size; the next frame overwrites it.")
+        .def("frame", &frame, py::arg("pose"), "Every part in one pose, within 1e-6 of the size.")
+        .def_property_readonly("failure", &LiveDrag::failure,
+                               "What the background work has failed with, empty if it has not.")
         .def("wait", &LiveDrag::wait, py::call_guard<py::gil_scoped_release>(),
              "Returns when the background work is done.")
         .def_property_readonly("is_ready", &LiveDrag::is_ready)

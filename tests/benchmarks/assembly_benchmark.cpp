@@ -123,7 +123,7 @@ void drag_frames(benchmark::State& state, ContactType type)
     for (auto pass : state)
     {
         (void)pass;
-        benchmark::DoNotOptimize(&drag->frame(poses[step++ % poses.size()]));
+        benchmark::DoNotOptimize(drag->frame(poses[step++ % poses.size()]).get());
     }
     state.counters["vertices"] = vertices_of(session.assembly());
     state.counters["parts_by_response"] =

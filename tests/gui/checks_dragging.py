@@ -10,6 +10,8 @@ import numpy as np
 from checks_moving import lifted, open_panel
 from desk import child, click_widget, enter, on_screen, picture, press, tick, until, xdotool
 from freecad.sheetmorph import live_session, preferences
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.tools.updating import ON_OK, ON_PAUSE
 from scenes import drawn, handle_vertices, largest, new_morph, regions, stored
 from shapes import sheet
 
@@ -21,6 +23,7 @@ __all__ = [
     "test_a_point_of_a_handle_drags_the_handle",
     "test_apply_is_an_undo_step_and_cancel_goes_back_to_it",
     "test_a_slow_frame_blocks_nothing_and_the_last_event_wins",
+    "test_a_preview_that_is_refined_on_release_says_so",
 ]
 
 
@@ -199,3 +202,21 @@ def test_a_slow_frame_blocks_nothing_and_the_last_event_wins():
     finally:
         live_session.LiveSession.answer = quick
     assert np.array_equal(stored(), rest)
+
+
+def test_a_preview_that_is_refined_on_release_says_so():
+    yield from new_morph()
+    model.assembly_of(regions("handle")[0]).Refine = True
+    App.ActiveDocument.recompute()
+    with preferring(UpdateResults=ON_OK):
+        yield from open_panel()
+        yield from enter(child("translation_z"), "20")
+        yield from until(lambda: "Preview" in child("status").text(), "the word for a preview")
+        assert "refined on release" in child("status").text(), child("status").text()
+        yield from press("Cancel")
+    with preferring(UpdateResults=ON_PAUSE):
+        yield from open_panel()
+        yield from enter(child("translation_z"), "20")
+        yield from until(lambda: "Computed" in child("status").text(), "a frame")
+        yield from until(lambda: "Preview" not in child("status").text(), "the exact shape")
+        yield from press("Cancel")

@@ -10,13 +10,18 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+import jsonschema
 import pytest
 
 from plates import plate, recipe_of, save_recipe, write_plate
 import sheetmorph
+from sheetmorph import Result, Session
 from sheetmorph.cli import main
+from sheetmorph.report import report_schema
 
 
 @pytest.fixture
@@ -156,6 +161,29 @@ def test_a_failed_certificate_exits_with_3_and_writes_the_report_only(
     assert "form features are not rigid" in capsys.readouterr().err
     assert not (folder / "out").exists()
     assert json.loads((folder / "report.json").read_text())["certificate"]["passed"] is False
+
+
+def test_a_part_that_is_not_solved_to_its_end_exits_with_3_and_is_named(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys
+):
+    solve = Session.deform
+
+    def give_up(self: Session, *arguments: Any, **options: Any) -> Result:
+        found = solve(self, *arguments, **options)
+        assert found.unsettled == {}
+        text = "refined rotations have not settled after 400 rounds (the last still changed 3 mm)"
+        return replace(found, unsettled={"plate": text})
+
+    monkeypatch.setattr(Session, "deform", give_up)
+    assert main(["run", "recipe.json", "-o", "out", "--report", "report.json"]) == 3
+    error = capsys.readouterr().err
+    assert '"plate": refined rotations have not settled after 400 rounds' in error
+    assert error.count("\n") == 1 and "not rigid" not in error
+    assert not (folder / "out").exists()
+    report = json.loads((folder / "report.json").read_text())
+    jsonschema.validate(report, report_schema())
+    assert report["parts"][0]["unsettled"].startswith("refined rotations")
+    assert len(report["certificate"]["failures"]) == 1
 
 
 def test_a_full_disk_leaves_no_folder_and_no_half_file(

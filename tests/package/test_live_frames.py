@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from plates import plate, recipe_of
-from sheetmorph import LiveFrames, PartMesh, RecipeError, Session
+from sheetmorph import Drag, LiveFrames, PartMesh, RecipeError, Session
 
 
 @pytest.fixture(name="session")
@@ -41,13 +41,57 @@ def test_a_drag_gives_the_exact_shape(session: Session, degrees: float):
     assert np.abs(late - exact).max() < 1e-6 * session.size
 
 
-def test_the_next_frame_overwrites_the_last_one(session: Session):
+@pytest.mark.parametrize("is_ready", [False, True])
+def test_a_frame_that_is_kept_stays_as_it_is(session: Session, is_ready: bool):
+    drag = session.begin_drag([handle_of(session)])
+    if is_ready:
+        drag.wait()
+    kept = [drag.deform(pose(session, 5.0 * k)).positions["plate"] for k in range(6)]
+    copies = [np.array(positions) for positions in kept]
+    for k in range(6):
+        drag.deform(pose(session, 100.0 + 5.0 * k))
+    for positions, copy in zip(kept, copies):
+        np.testing.assert_array_equal(positions, copy)
+    assert np.abs(kept[5] - kept[0]).max() > 1.0
+
+
+def test_the_memory_of_frames_that_were_dropped_is_used_again(session: Session):
     drag = session.begin_drag([handle_of(session)])
     drag.wait()
-    first = drag.deform(pose(session, 10.0)).positions["plate"]
-    kept = np.array(first)
-    second = drag.deform(pose(session, 50.0)).positions["plate"]
-    assert np.abs(second - kept).max() > 1.0
+    places = set()
+    for k in range(10):
+        frame = drag.deform(pose(session, 5.0 * k)).positions["plate"]
+        places.add(frame.ctypes.data)
+    assert len(places) <= 2
+
+
+def test_a_frame_of_a_refined_part_says_that_it_is_a_preview():
+    part = plate()
+    recipe = {**recipe_of(part, "plate.obj"), "refine": True}
+    session = Session(recipe, {"plate": PartMesh(part.points, part.triangles)})
+    wanted = pose(session, -90.0)
+    drag = session.begin_drag([handle_of(session)])
+    assert drag.deform(wanted).previews == ("plate",)
+    drag.wait()
+    assert drag.deform(wanted).previews == ("plate",)
+    assert session.deform(wanted, exact=False).previews == ("plate",)
+    assert session.deform(wanted).previews == ()
+
+
+def test_a_frame_of_another_part_is_none(session: Session):
+    drag = session.begin_drag([handle_of(session)])
+    assert drag.deform(pose(session, 10.0)).previews == ()
+    drag.wait()
+    assert drag.failure == ""
+    assert LiveFrames(session).failure == ""
+
+
+def test_what_the_learning_failed_with_is_told_without_waiting(session: Session):
+    class Failed:
+        failure = "not enough memory"
+        is_ready = True
+
+    assert Drag(session, Failed()).failure == "not enough memory"
 
 
 def test_live_frames_begin_a_drag_by_themselves(session: Session):

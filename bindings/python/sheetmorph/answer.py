@@ -18,7 +18,9 @@ class Answer:
 
     positions: part name -> (n, 3) float64 mm, read-only; contacts: empty if not exact; spread: the
     largest distance between two places where contacts want one vertex, mm, 0 if not exact;
-    deformed: the kernel's own result; lumps: where thin solids are not thin, each a rigid feature.
+    deformed: the kernel's own result; lumps: where thin solids are not thin, each a rigid feature;
+    previews: parts that an exact answer refines besides, so that it may differ; unsettled: part
+    name -> what was not solved to its end, and how far it got.
     """
 
     session: Preprocessed
@@ -29,4 +31,6 @@ class Answer:
     pose: dict[str, Any]
     deformed: Any
     lumps: list[FeatureResult] = field(default_factory=list)
+    previews: tuple[str, ...] = ()
+    unsettled: dict[str, str] = field(default_factory=dict)
     crossings: dict[str, tuple[int, ...]] = field(default_factory=dict)  # counted when asked for

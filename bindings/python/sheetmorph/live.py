@@ -18,6 +18,11 @@ class LiveFrames:
         self._moved: frozenset[str] = frozenset()
         self._drag: Drag | None = None
 
+    @property
+    def failure(self) -> str:
+        """What the learning of the present drag has failed with, empty if it has not."""
+        return "" if self._drag is None else self._drag.failure
+
     def deform(self, pose: dict[str, Any], moved: Collection[str]) -> Result:
         """All parts in a pose; `moved`: names of what differs from one frame to the next.
 

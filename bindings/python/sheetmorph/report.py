@@ -54,7 +54,7 @@ def make_report(
     failures = [
         f"{e['name']} on {e['part']}: {_worst_error(e):.3g} mm"
         for e in features if not _worst_error(e) <= tol
-    ] + thin_failures(result, tol)  # fmt: skip
+    ] + thin_failures(result, tol) + unsettled_failures({"parts": parts})  # fmt: skip
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
@@ -78,6 +78,15 @@ def make_report(
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
+
+
+def unsettled_failures(report: Mapping[str, Any]) -> list[str]:
+    """A sentence for every part of a report that is not solved to its end."""
+    return [
+        f'"{part["name"]}": {part["unsettled"]}; turn its handles less, or take a finer mesh'
+        for part in report["parts"]
+        if part["unsettled"] is not None
+    ]
 
 
 def _symmetry(plane: SymmetryEntry | None) -> dict[str, list[float]] | None:
@@ -131,6 +140,7 @@ def _part(result: Answer, name: str, written: WrittenPart | None) -> dict[str, A
         "quality": _quality(result.session.core, mesh, positions),
         "thin": thin_report(result, name),
         "preparation": mesh.preparation,
+        "unsettled": result.unsettled.get(name),
         "file": None,
     }
     if written is not None:

@@ -16,17 +16,20 @@ from .files import FileSet
 from .places import Places
 from .recipe import prepare, read_json
 from .recipe.parts import Source
-from .report import WrittenPart, make_report
+from .report import WrittenPart, make_report, unsettled_failures
 from .session import Result, Session
 
 
 class CertificateError(RuntimeError):
-    """A form feature did not keep its form within the tolerance; ``report`` has the figures."""
+    """A form feature lost its form, or a part is not solved to its end; ``report`` tells more."""
 
     def __init__(self, report: dict[str, Any]):
-        failures = "; ".join(report["certificate"]["failures"])
-        tol = report["tolerance"]
-        super().__init__(f"form features are not rigid to {tol:.3g} mm: {failures}")
+        unsettled = unsettled_failures(report)
+        rigid = [text for text in report["certificate"]["failures"] if text not in unsettled]
+        if rigid:
+            tol = report["tolerance"]
+            unsettled.append(f"form features are not rigid to {tol:.3g} mm: {'; '.join(rigid)}")
+        super().__init__("; ".join(unsettled))
         self.report = report
 
 

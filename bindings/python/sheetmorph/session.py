@@ -79,6 +79,8 @@ class Session(Preprocessed):
             spread=float(deformed.spread),
             pose=dict(wanted),
             deformed=deformed,
+            previews=tuple(self.parts[part] for part in deformed.previews),
+            unsettled={self.parts[part]: text for part, text in deformed.unsettled},
         )
 
     def _features(self, found: list[Any]) -> list[FeatureResult]:
@@ -129,13 +131,18 @@ class Drag:
         """Whether the background work is done."""
         return bool(self._drag.is_ready)
 
+    @property
+    def failure(self) -> str:
+        """What the background work has failed with, empty if it has not; frames go on, slower."""
+        return str(self._drag.failure)
+
     def wait(self) -> None:
-        """Return when the background work is done."""
+        """Return when the background work is done; raises what it failed with."""
         self._drag.wait()
 
     def deform(self, pose: dict[str, Any]) -> Result:
-        """All parts in a pose, from rest; its positions are overwritten by the next frame.
+        """All parts in a pose, from rest. Raises RecipeError.
 
-        Raises RecipeError.
+        Memory of results that nobody holds any more is used again.
         """
         return self._session.dragged(self._drag, pose)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/progress.h"
 #include "sheetmorph/surface/targets.h"
 
 #include <map>
@@ -24,6 +25,9 @@ struct DragOptions
     //! Vertices of the assembly from which parts behind contacts learn how they answer: smaller
     //! ones are substituted in less time than their answers take to put together.
     int least_to_learn = 20000;
+
+    //! Reported to by the background thread; what it throws ends the learning, as any error there.
+    Progress progress = {};
 };
 
 }  // namespace sheetmorph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/constrained_minimiser.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sheetmorph
@@ -12,6 +13,9 @@ namespace
 // Refinement ends when the next step would change the answer by less than this, relatively, or one
 // changed it more than half as much as the one before: then rounding is all that is left.
 constexpr double settled = 1e-15;
+
+// Left to change, relatively, of an answer that counts as found.
+constexpr double found_to = 1e-9;
 
 double largest(const Eigen::MatrixXd& matrix)
 {
@@ -138,6 +142,7 @@ ConstrainedMinimiser::Solution ConstrainedMinimiser::minimum(const Targets& targ
     Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(problem_.basis.cols(), columns);
     Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(problem_.constraints.rows(), columns);
     double last_change = 0.0;
+    Convergence convergence{"the positions", refinements < 2, 0, 0.0};
     for (int step = 0; step <= refinements; ++step)
     {
         const Eigen::MatrixXd residual =
@@ -156,11 +161,14 @@ ConstrainedMinimiser::Solution ConstrainedMinimiser::minimum(const Targets& targ
         u = targets.offset + problem_.basis * unknowns;
         const double changed = largest(change.unknowns);
         const double expected_next = step > 0 ? changed * changed / last_change : changed;
+        convergence.rounds = step;
+        convergence.miss = std::min(changed, expected_next);
         if (expected_next <= settled * largest(u) || (step > 1 && changed > 0.5 * last_change))
             break;
         last_change = changed;
     }
-    return {std::move(u), std::move(multipliers)};
+    convergence.is_converged |= convergence.miss <= found_to * largest(u);
+    return {std::move(u), std::move(multipliers), convergence};
 }
 
 Eigen::VectorXd ConstrainedMinimiser::constraint_error(const Eigen::MatrixXd& u,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 
 #include <Eigen/QR>
@@ -46,8 +47,9 @@ public:
 
     struct Solution
     {
-        Eigen::MatrixXd u;            //!< (n, k)
-        Eigen::MatrixXd multipliers;  //!< (c, k) of C u = c
+        Eigen::MatrixXd u;             //!< (n, k)
+        Eigen::MatrixXd multipliers;   //!< (c, k) of C u = c
+        Convergence convergence = {};  //!< of more refinements than one
     };
 
     //! What is left at a minimum: forces vanish on everything the basis can move.

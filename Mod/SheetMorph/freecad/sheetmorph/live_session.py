@@ -25,6 +25,7 @@ from freecad.sheetmorph.session import (
     one_sentence,
     read_morph,
     shown_control_mesh,
+    unsettled_words,
 )
 
 
@@ -41,13 +42,22 @@ class Question:
 class Frame:
     """All parts in one pose, by document object name: (n, 3) mm, global.
 
-    `result`: the sheetmorph.Result, None at rest. The positions of a frame that is not exact are
-    overwritten by the next answer.
+    `result`: the sheetmorph.Result, None at rest. Positions stay as they are while they are held.
     """
 
     question: Question
     positions: dict[str, np.ndarray]
     result: Any = None
+
+    @property
+    def is_preview(self) -> bool:
+        """Whether the exact shape is refined besides, so that it may differ."""
+        return self.result is not None and bool(self.result.previews)
+
+    @property
+    def unsettled(self) -> str:
+        """What was not solved to its end, in sentences; empty if everything was."""
+        return "" if self.result is None else unsettled_words(self.result)
 
 
 class LiveSession:
@@ -80,6 +90,11 @@ class LiveSession:
         """Return the question for the pose of the document; `moved`: document object names."""
         pose = recipes.pose_of(self._assembly, self.names)
         return Question(pose, tuple(self.names[name] for name in moved), exact)
+
+    @property
+    def learning_failure(self) -> str:
+        """What the learning of the present drag failed with, empty if it has not."""
+        return "" if self._session is None else self._live.failure
 
     def answer(self, question: Question) -> Frame:
         """Return all parts in a pose; not exact is 1e-6 of the size. Raises MorphError."""

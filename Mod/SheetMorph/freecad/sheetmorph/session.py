@@ -177,6 +177,9 @@ class SessionCache:
         unreached = list(self.session(morph).unreached)
         if unreached:
             notes.append(f"Not reached from the primary, left at rest: {', '.join(unreached)}.")
+        unsettled = unsettled_words(self.result(morph))
+        if unsettled:
+            notes.append(f"Not solved to its end: {unsettled} Turn handles less.")
         return " ".join(notes) or "Up to date."
 
     def mesh(self, outcome: Outcome, part):
@@ -220,6 +223,11 @@ def deform_in(assembly, entries: dict[str, dict]) -> dict[str, np.ndarray]:
     except FAILURES as error:
         raise MorphError(one_sentence(error)) from error
     return {name: np.array(points) for name, points in found.items()}
+
+
+def unsettled_words(result) -> str:
+    """What of a sheetmorph.Result was not solved to its end, in sentences; empty if all was."""
+    return " ".join(f"'{part}': {text}." for part, text in result.unsettled.items())
 
 
 def shown_control_mesh(result, morph: Morph, contact: str | None) -> ControlMesh | None:

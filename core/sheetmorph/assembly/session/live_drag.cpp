@@ -5,7 +5,10 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 
+#include <algorithm>
+#include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -21,6 +24,9 @@ namespace
 // handle, to 100 degrees for two.
 constexpr int degree_for_one = 8;
 constexpr int degree_for_two = 7;
+
+// Frames whose memory is kept for further ones: what is shown, what is on its way, what is made.
+constexpr std::size_t frames_kept = 3;
 
 bool turns_or_moves(const RigidMotion& motion)
 {
@@ -50,6 +56,26 @@ ResponseOptions options_of(const PreparedAssembly& prepared, int part,
     return options;
 }
 
+std::string words_of(const std::exception_ptr& failure)
+{
+    try
+    {
+        std::rethrow_exception(failure);
+    }
+    catch (const std::bad_alloc&)
+    {
+        return "not enough memory";
+    }
+    catch (const std::exception& error)
+    {
+        return error.what();
+    }
+    catch (...)
+    {
+        return "unknown error";
+    }
+}
+
 int vertices_of(const Assembly& assembly)
 {
     int count = 0;
@@ -66,16 +92,16 @@ class LiveDrag::Background
 public:
     Background(const PreparedAssembly& prepared, std::set<std::string> dragged, const Pose& start,
                const DragOptions& options)
-        : prepared_(prepared), responses_(prepared.parts.size())
+        : prepared_(prepared), told_(options.progress), responses_(prepared.parts.size())
     {
         for (const int part : prepared.plan.order)
         {
             const PreparedPart& ready = prepared.parts[at(part)];
             if (!ready.deformer || !ready.deformer->can_respond())
                 continue;
-            ResponseOptions options = options_of(prepared, part, dragged, start);
-            if (!options.turning.empty() && options.turning.size() <= 2)
-                wanted_.emplace(part, std::move(options));
+            ResponseOptions wanted = options_of(prepared, part, dragged, start);
+            if (!wanted.turning.empty() && wanted.turning.size() <= 2)
+                wanted_.emplace(part, std::move(wanted));
         }
         const bool learns = vertices_of(prepared.assembly) >= options.least_to_learn;
         thread_ = std::thread([this, learns, dragged = std::move(dragged), start]
@@ -103,6 +129,12 @@ public:
         return is_done_;
     }
 
+    std::string failure() const
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return failure_ ? words_of(failure_) : "";
+    }
+
     void wait()
     {
         std::unique_lock<std::mutex> lock(mutex_);
@@ -115,8 +147,9 @@ private:
     void build(bool learns, const std::set<std::string>& dragged, const Pose& start)
     {
         const Progress progress(
-            [this](double, const std::string&)
+            [this](double fraction, const std::string& task)
             {
+                told_.report(fraction, task);
                 const std::lock_guard<std::mutex> lock(mutex_);
                 return !is_stopped_;
             });
@@ -132,10 +165,9 @@ private:
         {
             // The drag has ended.
         }
-        catch (const std::exception&)
+        catch (...)
         {
-            failure = std::current_exception();  // out of memory: frames go on by
-                                                 // substitution
+            failure = std::current_exception();  // frames go on by substitution
         }
         const std::lock_guard<std::mutex> lock(mutex_);
         failure_ = failure;
@@ -164,6 +196,7 @@ private:
     }
 
     const PreparedAssembly& prepared_;
+    const Progress told_;
     std::optional<DragSamples> samples_;  // of the thread alone
     std::map<int, ResponseOptions> wanted_;
     mutable std::mutex mutex_;
@@ -184,12 +217,35 @@ LiveDrag::LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<st
 
 LiveDrag::~LiveDrag() = default;
 
-const Deformed& LiveDrag::frame(const Pose& pose)
+// One that nobody holds, or a new one.
+std::shared_ptr<Deformed> LiveDrag::unheld_frame()
+{
+    const auto unheld = std::find_if(frames_.begin(), frames_.end(),
+                                     [](const auto& frame) { return frame.use_count() == 1; });
+    if (unheld != frames_.end())
+    {
+        // What another thread has read of it before it let go was read before.
+        std::atomic_thread_fence(std::memory_order_acquire);
+        return *unheld;
+    }
+    if (frames_.size() == frames_kept)
+        frames_.erase(frames_.begin());
+    frames_.push_back(std::make_shared<Deformed>());
+    return frames_.back();
+}
+
+std::shared_ptr<const Deformed> LiveDrag::frame(const Pose& pose)
 {
     const Pose told = told_pose(*prepared_, pose);
+    std::shared_ptr<Deformed> result = unheld_frame();
     answered_ =
-        Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), read_, result_);
-    return result_;
+        Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), read_, *result);
+    return result;
+}
+
+std::string LiveDrag::failure() const
+{
+    return background_->failure();
 }
 
 void LiveDrag::wait()

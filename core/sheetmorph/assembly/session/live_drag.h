@@ -27,23 +27,29 @@ public:
     LiveDrag& operator=(const LiveDrag&) = delete;
 
     //! Any pose, always from rest; those that turn no more than two handles of a
-    //! part are fast. Rotation logs need not be there. \returns a buffer that the next frame
-    //! overwrites \throws InvalidInput as DeformationSession::deform()
-    const Deformed& frame(const Pose& pose);
+    //! part are fast. Rotation logs need not be there. \returns a frame that stays as it is while
+    //! somebody holds it; the memory of one that nobody holds is used again
+    //! \throws InvalidInput as DeformationSession::deform()
+    std::shared_ptr<const Deformed> frame(const Pose& pose);
 
-    //! Returns when the background work is done.
+    //! Returns when the background work is done. \throws what it failed with
     void wait();
 
     bool is_ready() const;
+
+    //! What the background work has failed with, in words, empty if it has not: frames go on by
+    //! substitution. Does not wait.
+    std::string failure() const;
 
     //! By part: whether the last frame took its response.
     const std::vector<char>& answered() const;
 
 private:
     class Background;
+    std::shared_ptr<Deformed> unheld_frame();
     std::shared_ptr<const PreparedAssembly> prepared_;
     std::unique_ptr<Background> background_;
-    Deformed result_;
+    std::vector<std::shared_ptr<Deformed>> frames_;
     std::vector<Deformation> read_;  // by part: what later parts read of a frame
     std::vector<char> answered_;
 };

@@ -34,7 +34,12 @@ std::vector<char> Wave::run_live(const PartResponses& responses, std::vector<Def
         set_at_rest(part);
     place_answers();
     for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
+    {
+        if (answered[at(part)])
+            result.parts[at(part)].convergence = {};
+        mark_preview(part);
         report_features(part);
+    }
     return answered;
 }
 

@@ -42,7 +42,10 @@ Deformed Wave::run()
     for (const int part : prepared_.plan.unreached)
         set_at_rest(part);
     for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
+    {
+        mark_preview(part);
         report_features(part);
+    }
     if (exactness_ == Exactness::exact)
         report_contacts();
     return result;
@@ -168,6 +171,14 @@ void Wave::report_feature(int part, std::size_t own, const Points& rest)
     if (const std::optional<SizedForm> form = sized_form(global))
         result.outline_error = outline_error(*form, rows_of(shape.positions, feature.vertices),
                                              result.motion.rotation());
+}
+
+// What is shown live of a part whose exact answer is refined besides.
+void Wave::mark_preview(int index)
+{
+    const PreparedPart& part = prepared_.parts[at(index)];
+    result_->parts[at(index)].is_preview =
+        exactness_ == Exactness::live && part.deformer && part.problem.own.surface.is_refined;
 }
 
 void Wave::report_features(int index)

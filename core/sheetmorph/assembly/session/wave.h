@@ -61,6 +61,7 @@ private:
     void place_answers() const;
     Points sized_rest(int part) const;
     std::optional<SizedForm> sized_form(int feature) const;
+    void mark_preview(int part);
     void report_features(int part);
     void report_feature(int part, std::size_t own, const Points& rest);
     void report_contacts();

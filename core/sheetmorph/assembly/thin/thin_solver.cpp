@@ -18,6 +18,9 @@ namespace
 // A point moves nearly as the middle under it does, so that a handful of rounds is enough.
 constexpr int most_rounds = 30;
 
+// Of the size: a miss that does not show in anything that is measured.
+constexpr double negligible = 1e-10;
+
 VertexIds all_vertices(const TriangleMesh& mesh)
 {
     VertexIds ids(at(mesh.vertex_count()));
@@ -136,22 +139,38 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
     const double size = part_->mesh().size();
     const double allowed =
         level == Exactness::exact ? exactness(part_->mesh().points(), size) : 1e-6 * size;
-    for (int round = 0; round < most_rounds && has_points(); ++round)
+    Convergence found{"the points of the thin solid", !has_points(), 0, 0.0};
+    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
-        const Deformation whole = expand(middle, targets, Exactness::live);
-        double worst = 0.0;
-        for (const PlacedPoint& point : points_)
-        {
-            const Vector3 missing =
-                targets.points[point.index].position - point.place.on(whole.positions);
-            asked.points[point.index].position += missing;
-            worst = std::max(worst, missing.norm());
-        }
-        if (worst <= allowed)
+        const double last = found.miss;
+        found.miss = ask_for_missing(expand(middle, targets, Exactness::live), targets, asked);
+        // As near as asked for; or nearer than counts, and rounding brings it no nearer.
+        found.is_converged =
+            found.miss <= allowed
+            || (found.rounds > 0 && found.miss > 0.5 * last && found.miss <= negligible * size);
+        if (found.is_converged)
             break;
+        const Convergence before = middle.convergence;
         middle = deformer.deform(asked, level);
+        middle.convergence.join(before);
     }
+    middle.convergence.join(found);
     return middle;
+}
+
+// Moves what is asked for by what the points miss; the farthest miss, mm.
+double ThinSolver::ask_for_missing(const Deformation& whole, const SurfaceTargets& targets,
+                                   SurfaceTargets& asked) const
+{
+    double worst = 0.0;
+    for (const PlacedPoint& point : points_)
+    {
+        const Vector3 missing =
+            targets.points[point.index].position - point.place.on(whole.positions);
+        asked.points[point.index].position += missing;
+        worst = std::max(worst, missing.norm());
+    }
+    return worst;
 }
 
 LocalRotations ThinSolver::rotations(const Deformation& middle,
@@ -266,7 +285,7 @@ Deformation ThinSolver::expand(const Deformation& middle, const SurfaceTargets& 
     const std::vector<RigidMotion> handles = known_handles(middle, targets.handles);
     const Points rest = sizes_.laid(mesh.points(), targets.sizes);
     const LocalRotations turned = rotations(middle, handles, level);
-    Deformation whole{mesh.points(), {}, {}};
+    Deformation whole{mesh.points(), {}, {}, middle.convergence};
     if (level == Exactness::exact)
         whole.rotation_logs = Points::Zero(mesh.vertex_count(), 3);
     for (std::size_t k = 0; k < middle.features.size(); ++k)

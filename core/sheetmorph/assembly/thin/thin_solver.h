@@ -87,6 +87,8 @@ private:
     Hung hung(int vertex, const PatchAnchor& anchor, const Sheet& sheet) const;
     void hang(int vertex, const Sheet& sheet, Deformation& whole) const;
     void place(int vertex, const Sheet& sheet, Deformation& whole) const;
+    double ask_for_missing(const Deformation& whole, const SurfaceTargets& targets,
+                           SurfaceTargets& asked) const;
 
     std::shared_ptr<const ThinPart> part_;
     Movers movers_, middle_movers_;        // by vertex of the whole part, of the middle

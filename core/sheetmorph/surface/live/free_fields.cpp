@@ -91,8 +91,9 @@ std::vector<double> FreeFields::farthest(const std::vector<Vector3>& logs) const
     return farthest_turns(*responses_, field);
 }
 
-Eigen::MatrixXd FreeFields::turn(const Pose& pose, const Eigen::MatrixXd& fields,
-                                 BodyMotions& bodies, std::vector<BodyState>& states) const
+std::optional<Eigen::MatrixXd> FreeFields::turn(const Pose& pose, const Eigen::MatrixXd& fields,
+                                                BodyMotions& bodies,
+                                                std::vector<BodyState>& states) const
 {
     if (responses_ == nullptr)
         return Eigen::MatrixXd(0, 3);
@@ -100,7 +101,8 @@ Eigen::MatrixXd FreeFields::turn(const Pose& pose, const Eigen::MatrixXd& fields
     ReducedEnergy energy{stiffness_, slopes_ * fields};
     Joints joints(pose.part, pose.targets, turners, bodies);
     hold_far_turned(*responses_, farthest(pose.logs), joints, energy);
-    minimise(joints, {pose.part, *responses_, energy}, live_precision);
+    if (!minimise(joints, {pose.part, *responses_, energy}, live_precision).is_converged)
+        return std::nullopt;
     states = joints.states();
     for (std::size_t k = 0; k < turners.size(); ++k)
     {

@@ -46,9 +46,10 @@ public:
     //! Turns the bodies to the minimum of the energy, from where the field has them.
     //! \param fields  (k, 3) numbers of the fields
     //! \param states  filled: where the turners are
-    //! \returns       (count, 3) numbers of their own columns
-    Eigen::MatrixXd turn(const Pose& pose, const Eigen::MatrixXd& fields, BodyMotions& bodies,
-                         std::vector<BodyState>& states) const;
+    //! \returns       (count, 3) numbers of their own columns; nothing if Newton's steps do not
+    //! settle
+    std::optional<Eigen::MatrixXd> turn(const Pose& pose, const Eigen::MatrixXd& fields,
+                                        BodyMotions& bodies, std::vector<BodyState>& states) const;
 
     //! Changes the field's logs (n, 3) where the turners turn the sheet.
     void blend(const std::vector<BodyState>& states, Points& logs) const;

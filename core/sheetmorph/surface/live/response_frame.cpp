@@ -95,9 +95,11 @@ std::optional<SurfaceResponse::Frame> SurfaceResponse::frame(const SurfaceTarget
     frame.bodies = known_body_motions(input_.part, targets);
     turn_bodies(frame);
     const FreeFields::Pose pose{input_.part, targets, frame.logs};
-    const Eigen::MatrixXd turns = free_.turn(pose, fields, frame.bodies, frame.free);
+    const auto turns = free_.turn(pose, fields, frame.bodies, frame.free);
+    if (!turns)
+        return std::nullopt;
     frame.coefficients.setZero(basis_.columns(), 3);
-    frame.coefficients.topRows(turns.rows()) = turns;
+    frame.coefficients.topRows(turns->rows()) = *turns;
     frame.coefficients.bottomRows(fields.rows()) = fields;
     shift_bodies(frame);
     frame.features = feature_motions(input_.part, frame.bodies);

@@ -94,9 +94,12 @@ std::optional<SampledResponse::Frame> SampledResponse::frame(const SurfaceTarget
     if (free_.count() > 0)
     {
         const std::vector<Vector3> none;
-        numbers.bottomRows(free_.count()) =
+        const auto turns =
             free_.turn({input_.part, targets, none}, narrow_product(turning_, pose.numbers),
                        frame.bodies, frame.free);
+        if (!turns)
+            return std::nullopt;
+        numbers.bottomRows(free_.count()) = *turns;
     }
     frame.coefficients = narrow_product(blend_, numbers);
     const Points missed = narrow_product(numbers_, frame.coefficients) - numbers;

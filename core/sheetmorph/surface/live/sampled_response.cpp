@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/live/sampled_response.h"
 
+#include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
@@ -236,10 +237,11 @@ void SampledResponse::learn_turns(std::vector<Sample>& samples, const Progress& 
                 sample.logs.row(static_cast<Eigen::Index>(k)).transpose();
         const std::vector<Vector3> none;
         const FreeFields::Pose pose{input_.part, *sample.targets, none};
-        const Eigen::MatrixXd turns =
-            free_.turn(pose, turning_ * sample.numbers, sample.bodies, sample.free);
-        sample.numbers.conservativeResize(sample.numbers.rows() + turns.rows(), Eigen::NoChange);
-        sample.numbers.bottomRows(turns.rows()) = turns;
+        const auto turns = free_.turn(pose, turning_ * sample.numbers, sample.bodies, sample.free);
+        if (!turns)
+            throw SolverError("the turns of form features do not settle in a pose to learn from");
+        sample.numbers.conservativeResize(sample.numbers.rows() + turns->rows(), Eigen::NoChange);
+        sample.numbers.bottomRows(turns->rows()) = *turns;
     }
 }
 

@@ -117,6 +117,7 @@ struct Solving
     BodyMotions bodies;
     Field field;
     ConstrainedMinimiser::Targets asked;
+    Convergence convergence = {};
 
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
 };
@@ -135,7 +136,7 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
     Joints joints(placement, pose.targets, part.responses->turners(), pose.bodies);
     hold_far_turned(*part.responses, farthest_turns(*part.responses, pose.field.logs), joints,
                     energy);
-    minimise(joints, {placement, *part.responses, energy});
+    pose.convergence.join(minimise(joints, {placement, *part.responses, energy}));
     for (std::size_t k = 0; k < joints.states().size(); ++k)
     {
         const int body = part.responses->turners()[k].body;
@@ -160,7 +161,7 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
 {
     check_targets(part.constraints, targets);
     const PlacementInput placement = part.placement();
-    Solving pose{targets, exactness, known_body_motions(placement, targets), {}, {}};
+    Solving pose{targets, exactness, known_body_motions(placement, targets), {}, {}, {}};
     pose.field = field_of(part, given_rotations(placement, targets, pose.bodies));
     turn_open_bodies(placement, pose.field.logs, pose.field.tilts, pose.bodies);
     pose.asked.constraints =
@@ -173,14 +174,19 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
     if (!displacements)
     {
         pose.asked.offset = known_displacements(placement, targets, pose.bodies);
-        displacements = part.minimiser.solve(pose.asked, pose.refinements());
+        ConstrainedMinimiser::Solution found =
+            part.minimiser.minimum(pose.asked, pose.refinements());
+        pose.convergence.join(found.convergence);
         if (part.refinement && exactness == Exactness::exact)
-            displacements = part.refinement->refined(pose.asked, *displacements);
+            pose.convergence.join(part.refinement->refine(pose.asked, found.u));
+        displacements = std::move(found.u);
     }
     require_met_points(part, *displacements, pose.asked.constraints, exactness);
     complete_bodies(placement, *displacements, pose.bodies);
     Deformation result;
     result.rotation_logs = pose.field.logs;
+    result.convergence = pose.convergence;
+    result.is_preview = part.refinement && exactness == Exactness::live;
     result.positions = placed_positions(placement, targets, pose.bodies, *displacements);
     part.followers.place(part.rest, result.positions, result.rotation_logs);
     result.features = feature_motions(placement, pose.bodies);

@@ -19,6 +19,7 @@ constexpr int none = -1;
 constexpr int most_steps = 100;
 constexpr double smallest_step = 1e-14;  // radians, or of the size of the feature
 constexpr double rounding = 1e-9;        // steps below it that shrink no more are noise
+constexpr double unseen_gain = 1e-10;    // of the energy: what rounding hides
 constexpr double unfelt = 1e-11;         // of the stiffest freedom: the energy does not feel it
 constexpr double barely_convex = 1e-6;   // likewise: what this makes convex some do not feel
 constexpr double first_shift = 0.02;     // likewise, where the energy is not convex
@@ -118,15 +119,17 @@ Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
     return entries;
 }
 
-void minimise(Joints& joints, const Measure& measure, double precision)
+Convergence minimise(Joints& joints, const Measure& measure, double precision)
 {
+    Convergence found{"the turns of form features", joints.freedoms() == 0, 0, 0.0, "radians"};
     double last = std::numeric_limits<double>::infinity();
-    for (int count = 0; count < most_steps && joints.freedoms() > 0; ++count)
+    for (; found.rounds < most_steps && !found.is_converged; ++found.rounds)
     {
         const Expansion here = expand(joints, measure);
         Eigen::VectorXd step = newton_step(here);
         step *= shortened(step, joints);
         const double noise = 1e-14 * std::abs(here.value);
+        const double gain = std::abs(here.gradient.dot(step));
         const std::vector<BodyState> start = joints.states();
         bool is_lower = false;
         for (int halving = 0; halving < 40 && !is_lower; ++halving, step *= 0.5)
@@ -135,14 +138,19 @@ void minimise(Joints& joints, const Measure& measure, double precision)
             joints.step(step);
             is_lower = measure.value(joints) <= here.value + noise;
         }
-        const double length = step.cwiseAbs().maxCoeff();
+        found.miss = step.cwiseAbs().maxCoeff();
         if (!is_lower)
+        {
+            // No step is lower: at the minimum, but for the rounding of what there is to gain.
             joints.restore(start);
-        if (!is_lower || length <= std::max(precision, smallest_step)
-            || (last < rounding && length > 0.5 * last))
-            return;
-        last = length;
+            found.is_converged = gain <= unseen_gain * std::abs(here.value);
+            return found;
+        }
+        found.is_converged = found.miss <= std::max(precision, smallest_step)
+                             || (last < rounding && found.miss > 0.5 * last);
+        last = found.miss;
     }
+    return found;
 }
 
 }  // namespace sheetmorph

@@ -25,6 +25,6 @@ Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
 //! freedoms, with the full second derivative, made positive where it is not, and step halving.
 //! Directions the energy does not feel stay as they are.
 //! \param precision  radians: the first step this small is the last. Steps square what is left.
-void minimise(Joints& joints, const Measure& measure, double precision = 0.0);
+[[nodiscard]] Convergence minimise(Joints& joints, const Measure& measure, double precision = 0.0);
 
 }  // namespace sheetmorph

@@ -98,21 +98,19 @@ Eigen::MatrixXd Refinement::turned(const std::vector<Matrix3>& rotations) const
     return wanted;
 }
 
-Eigen::MatrixXd Refinement::refined(const ConstrainedMinimiser::Targets& asked,
-                                    const Eigen::MatrixXd& u) const
+Convergence Refinement::refine(const ConstrainedMinimiser::Targets& asked, Eigen::MatrixXd& u) const
 {
     ConstrainedMinimiser::Targets problem = asked;
-    Eigen::MatrixXd now = u;
-    for (int round = 0; round < most_rounds; ++round)
+    Convergence found{"refined rotations", false, 0, 0.0};
+    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
-        problem.rows = turned(fitted_rotations(mesh_.points() + now));
+        problem.rows = turned(fitted_rotations(mesh_.points() + u));
         Eigen::MatrixXd next = minimiser_->solve(problem, 1);
-        const double change = (next - now).rowwise().norm().maxCoeff();
-        now = std::move(next);
-        if (change <= settled * mesh_.size())
-            break;
+        found.miss = (next - u).rowwise().norm().maxCoeff();
+        found.is_converged = found.miss <= settled * mesh_.size();
+        u = std::move(next);
     }
-    return now;
+    return found;
 }
 
 }  // namespace sheetmorph

@@ -24,9 +24,8 @@ public:
 
     //! \param asked   offset and constraint targets of the linear answer
     //! \param u       (n, 3) the linear answer's displacements
-    //! \returns       (n, 3) the refined ones
-    Eigen::MatrixXd refined(const ConstrainedMinimiser::Targets& asked,
-                            const Eigen::MatrixXd& u) const;
+    //! \returns       how it ended; u (n, 3): the refined ones
+    Convergence refine(const ConstrainedMinimiser::Targets& asked, Eigen::MatrixXd& u) const;
 
 private:
     struct Edge

@@ -5,6 +5,7 @@
 #include "assembly/all_frames.h"
 
 #include <gtest/gtest.h>
+#include <set>
 
 namespace sheetmorph
 {
@@ -14,7 +15,7 @@ namespace
 using frames::Frame;
 
 // However small the assembly is.
-constexpr DragOptions learning{0};
+const DragOptions learning{0, {}};
 
 double worst_share(const Frame& frame, const Deformed& a, const Deformed& b)
 {
@@ -38,13 +39,13 @@ TEST_P(LiveDragContacts, FramesAreThoseOfTheExactSolveBeforeAndAfterTheResponses
     const DeformationSession session(frame.assembly);
     const Deformed exact = session.deform(frame.pose);
     const auto drag = session.begin_drag({"tip"}, {}, learning);
-    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
+    EXPECT_LT(worst_share(frame, *drag->frame(frame.pose), exact), 1e-6);
     drag->wait();
     ASSERT_TRUE(drag->is_ready());
-    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
+    EXPECT_LT(worst_share(frame, *drag->frame(frame.pose), exact), 1e-6);
     EXPECT_TRUE(drag->answered()[0]);
     for (std::size_t k = 0; k < exact.features.size(); ++k)
-        EXPECT_LT((drag->frame(frame.pose).features[k].motion.translation
+        EXPECT_LT((drag->frame(frame.pose)->features[k].motion.translation
                    - exact.features[k].motion.translation)
                       .norm(),
                   1e-3);
@@ -56,11 +57,11 @@ TEST_P(LiveDragContacts, FramesDoNotDependOnThoseBefore)
     const DeformationSession session(frame.assembly);
     const auto drag = session.begin_drag({"tip"}, {}, learning);
     drag->wait();
-    const Deformed first = drag->frame(frame.pose);
+    const Deformed first = *drag->frame(frame.pose);
     Pose other = frame.pose;
     other.handles["tip"].translation *= 2.0;
     drag->frame(other);
-    EXPECT_EQ(worst_share(frame, drag->frame(frame.pose), first), 0.0);
+    EXPECT_EQ(worst_share(frame, *drag->frame(frame.pose), first), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LiveDragContacts,
@@ -74,9 +75,9 @@ TEST_P(LiveDragContacts, ThinSolidsAnswerWithBothSkins)
     const DeformationSession session(frame.assembly);
     const Deformed exact = session.deform(frame.pose);
     const auto drag = session.begin_drag({"tip"}, {}, learning);
-    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), exact), 1e-6);
+    EXPECT_LT(worst_share(frame, *drag->frame(frame.pose), exact), 1e-6);
     drag->wait();
-    const Deformed live = drag->frame(frame.pose);
+    const Deformed live = *drag->frame(frame.pose);
     EXPECT_LT(worst_share(frame, live, exact), 1e-6);
     for (std::size_t part = 0; part < live.parts.size(); ++part)
     {
@@ -108,7 +109,7 @@ TEST_P(LearntDrag, PartsBehindContactsAnswerWithoutSubstitution)
         pose.handles["tip"] =
             frames::motion(20.0 * Vector3(std::cos(k), std::sin(2.0 * k), 1.0), axis.normalized(),
                            7.0 * k, frame.pose.handles.at("tip").pivot);
-        const Deformed live = drag->frame(pose);
+        const Deformed live = *drag->frame(pose);
         EXPECT_LT(worst_share(frame, live, session.deform(pose)), 1e-6) << k;
         EXPECT_EQ(drag->answered(), (std::vector<char>{1, 1, 1, 1})) << k;
     }
@@ -120,7 +121,7 @@ TEST(LiveDrag, SmallAssembliesAreSubstitutedBehindContacts)
     const DeformationSession session(frame.assembly);
     const auto drag = session.begin_drag({"tip"});
     drag->wait();
-    EXPECT_LT(worst_share(frame, drag->frame(frame.pose), session.deform(frame.pose)), 1e-6);
+    EXPECT_LT(worst_share(frame, *drag->frame(frame.pose), session.deform(frame.pose)), 1e-6);
     EXPECT_EQ(drag->answered(), (std::vector<char>{1, 0, 0, 0}));
 }
 
@@ -137,7 +138,7 @@ TEST(LiveDrag, SubstitutesWhereAPoseIsFarFromThoseLearntFrom)
     drag->wait();
     Pose pose = frame.pose;
     pose.handles["tip"].rotation_log = rotation_log(Vector3::UnitX(), 3.5);
-    const Deformed far = drag->frame(pose);
+    const Deformed far = *drag->frame(pose);
     EXPECT_FALSE(drag->answered()[0]);
     EXPECT_LT(worst_share(frame, far, session.deform(pose)), 1e-6);
 }
@@ -160,9 +161,81 @@ TEST(LiveDrag, TakesTheExactPathWhereAPoseIsNotOfItsForm)
     drag->wait();
     Pose pose = frame.pose;
     pose.handles["tip"].rotation_log *= 10.0;
-    const Deformed far = drag->frame(pose);
+    const Deformed far = *drag->frame(pose);
     EXPECT_FALSE(drag->answered()[0]);
     EXPECT_LT(worst_share(frame, far, session.deform(pose)), 1e-6);
+}
+
+TEST_P(LiveDragContacts, AFrameThatIsHeldStaysAsItIs)
+{
+    const Frame frame = frames::ring(GetParam());
+    const auto drag = DeformationSession(frame.assembly).begin_drag({"tip"}, {}, learning);
+    std::vector<std::shared_ptr<const Deformed>> held;
+    std::vector<Deformed> copies;
+    Pose pose = frame.pose;
+    // Some by substitution, more by what is learnt.
+    for (int step = 0; step < 8; ++step)
+    {
+        if (step == 4)
+            drag->wait();
+        pose.handles["tip"].translation.z() += 3.0;
+        held.push_back(drag->frame(pose));
+        copies.push_back(*held.back());
+    }
+    for (std::size_t step = 0; step < held.size(); ++step)
+        EXPECT_EQ(worst_share(frame, *held[step], copies[step]), 0.0) << step;
+}
+
+TEST(LiveDrag, TheMemoryOfFramesThatNobodyHoldsIsUsedAgain)
+{
+    const Frame frame = frames::ring(ContactType::rigid);
+    const auto drag = DeformationSession(frame.assembly).begin_drag({"tip"}, {}, learning);
+    drag->wait();
+    std::set<const Deformed*> seen;
+    std::shared_ptr<const Deformed> shown;
+    for (int step = 0; step < 10; ++step)
+    {
+        shown = drag->frame(frame.pose);
+        seen.insert(shown.get());
+    }
+    EXPECT_LE(seen.size(), 2U);
+}
+
+TEST(LiveDrag, AnErrorOfTheLearningIsToldWithoutWaitingAndFramesGoOn)
+{
+    const Frame frame = frames::ring(ContactType::rigid);
+    const DeformationSession session(frame.assembly);
+    DragOptions failing = learning;
+    failing.progress =
+        Progress([](double, const std::string&) -> bool { throw SolverError("no unique answer"); });
+    const auto drag = session.begin_drag({"tip"}, {}, failing);
+    EXPECT_THROW(drag->wait(), SolverError);
+    EXPECT_EQ(drag->failure(), "no unique answer");
+    EXPECT_LT(worst_share(frame, *drag->frame(frame.pose), session.deform(frame.pose)), 1e-6);
+    const auto sound = session.begin_drag({"tip"}, {}, learning);
+    sound->wait();
+    EXPECT_EQ(sound->failure(), "");
+}
+
+TEST(LiveDrag, FramesOfRefinedPartsArePreviews)
+{
+    Frame frame = frames::ring(ContactType::tied);
+    for (const bool is_refined : {false, true})
+    {
+        frame.assembly.is_refined = is_refined;
+        const DeformationSession session(frame.assembly);
+        const auto drag = session.begin_drag({"tip"}, {}, learning);
+        const auto early = drag->frame(frame.pose);
+        drag->wait();
+        const auto late = drag->frame(frame.pose);
+        const Deformed exact = session.deform(frame.pose);
+        for (std::size_t part = 0; part < exact.parts.size(); ++part)
+        {
+            EXPECT_EQ(early->parts[part].is_preview, is_refined);
+            EXPECT_EQ(late->parts[part].is_preview, is_refined);
+            EXPECT_FALSE(exact.parts[part].is_preview);
+        }
+    }
 }
 
 TEST(LiveDrag, MayEndBeforeItsResponsesAreThere)

@@ -28,7 +28,7 @@ std::vector<Points> all_shapes(const Frame& frame, int threads)
     };
     add(session.deform(frame.pose));
     add(session.deform(frame.pose, Exactness::live));
-    add(drag->frame(frame.pose));
+    add(*drag->frame(frame.pose));
     return found;
 }
 

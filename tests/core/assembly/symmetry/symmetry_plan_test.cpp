@@ -96,9 +96,9 @@ TEST(SymmetryPlan, ADragOnOneSideActsOnBothFromTheFirstFrame)
     const DeformationSession session(frame.assembly);
     const std::unique_ptr<LiveDrag> drag = session.begin_drag({"corner"}, frame.pose);
     const TriangleMesh& rest = frame.assembly.parts[0].mesh;
-    EXPECT_LT(asymmetry(rest, drag->frame(frame.pose).parts[0].positions), 1e-6 * rest.size());
+    EXPECT_LT(asymmetry(rest, drag->frame(frame.pose)->parts[0].positions), 1e-6 * rest.size());
     drag->wait();
-    EXPECT_LT(asymmetry(rest, drag->frame(frame.pose).parts[0].positions), 1e-6 * rest.size());
+    EXPECT_LT(asymmetry(rest, drag->frame(frame.pose)->parts[0].positions), 1e-6 * rest.size());
     Pose wrong = frame.pose;
     wrong.sizes["patch"] = 3.0;
     EXPECT_THROW(drag->frame(wrong), InvalidInput);

@@ -22,7 +22,6 @@ class FrameWorker(QtCore.QObject):
         self._compute, self._listener = compute, listener
         self._latest = Latest()
         self._thread = futures.ThreadPoolExecutor(max_workers=1)
-        self._running = None
         self._computed.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     @property
@@ -39,11 +38,6 @@ class FrameWorker(QtCore.QObject):
         """Begins, or lets the question wait in place of another one."""
         self._begin(self._latest.ask(question))
 
-    def wait(self) -> None:
-        """Returns when nothing is computed any more; what was is delivered later."""
-        if self._running is not None:
-            futures.wait([self._running])
-
     def stop(self) -> None:
         """Returns when the thread has ended; nothing is delivered any more."""
         self._latest.drop()
@@ -52,7 +46,7 @@ class FrameWorker(QtCore.QObject):
 
     def _begin(self, question) -> None:
         if question is not None:
-            self._running = self._thread.submit(self._run, question)
+            self._thread.submit(self._run, question)
 
     def _run(self, question) -> None:
         try:

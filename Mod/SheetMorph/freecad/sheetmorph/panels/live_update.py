@@ -3,6 +3,8 @@
 
 import time
 
+import FreeCAD as App
+
 from freecad.sheetmorph import live_session
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
@@ -30,6 +32,7 @@ class LiveUpdate(QtCore.QObject):
         self._live = live_session.live(assembly)
         self._worker = FrameWorker(self._compute, self)
         self._frame = self._valuer = None
+        self._warned = ""
         self.scene = LiveScene(assembly, self._live, view)
         self.legend = None
         self.kernel_ms = self.draw_ms = 0.0
@@ -45,7 +48,6 @@ class LiveUpdate(QtCore.QObject):
 
     def grab(self, ray):
         """The grabbing.Grabbed vertex that a ray meets first on the parts as they are seen."""
-        self._worker.wait()  # a frame under way is written where the last one is
         parts = self._live.parts
         seen = {name: rest.points for name, rest in parts.items()}
         if self._frame is not None:
@@ -78,6 +80,7 @@ class LiveUpdate(QtCore.QObject):
         self.draw_ms = 1000.0 * (time.perf_counter() - start)
         self.count += 1
         self.drawn.emit()
+        self._warn_of_learning()
         question = self._frame.question
         if question.is_exact:
             self._commit()
@@ -94,6 +97,16 @@ class LiveUpdate(QtCore.QObject):
         part = self._assembly.Document.getObject(self.legend.part).Label
         return f"{self._valuer.worst} {self.legend.extreme:.3g} {self._valuer.unit} on {part}"
 
+    @property
+    def is_preview(self) -> bool:
+        """Whether what is in the view is refined on release, and may jump then."""
+        return self._frame is not None and self._frame.is_preview
+
+    @property
+    def unsettled(self) -> str:
+        """What of the shape in the view was not solved to its end, in sentences."""
+        return "" if self._frame is None else self._frame.unsettled
+
     def on_fault(self, text: str) -> None:
         """Tells what went wrong."""
         self.failed.emit(text)
@@ -105,6 +118,13 @@ class LiveUpdate(QtCore.QObject):
         values = None if valuer is None else valuer(frame.positions)
         legend = None if valuer is None else live_values.legend_of(valuer, values)
         return frame, values, legend, 1000.0 * (time.perf_counter() - start)
+
+    def _warn_of_learning(self) -> None:
+        """Once: frames go on without what was to be learnt, slower."""
+        text = self._live.learning_failure
+        if text and text != self._warned:
+            App.Console.PrintWarning(f"SheetMorph: frames stay slow in this drag: {text}\n")
+        self._warned = text
 
     def _commit(self) -> None:
         """Recomputes the document; what was solved in the thread is found there."""

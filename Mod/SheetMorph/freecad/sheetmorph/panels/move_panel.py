@@ -220,9 +220,11 @@ class MovePanel(Panel):
                 self._pause.start()
 
     def _on_drawn(self) -> None:
-        say(self.form.message, "")
+        say(self.form.message, self._live.unsettled, True)
         computed, drawn = self._live.kernel_ms, self._live.draw_ms
         text = translate("panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
+        if self._live.is_preview:
+            text = translate("panels", "Preview: refined on release. {0}").format(text)
         say(self.form.status, text.format(computed, drawn))
         self._shown.tell()
 

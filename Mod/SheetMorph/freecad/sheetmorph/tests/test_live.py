@@ -58,6 +58,28 @@ class TestLive(support.DocumentTest):
             quick.positions[self.part.Name], frame.positions[self.part.Name], atol=1e-3
         )
 
+    def test_a_frame_that_is_held_stays_as_it_is(self):
+        held = [self._frame_lifted_by(height) for height in (5.0, 10.0, 15.0)]
+        copies = [np.array(frame.positions[self.part.Name]) for frame in held]
+        for height in (20.0, 25.0, 30.0):
+            self._frame_lifted_by(height)
+        for frame, copy in zip(held, copies):
+            np.testing.assert_array_equal(frame.positions[self.part.Name], copy)
+
+    def test_a_frame_of_a_refined_morph_is_a_preview_until_it_is_exact(self):
+        self.assertFalse(self._frame_lifted_by(10.0).is_preview)
+        self.assembly.Refine = True
+        self.live = live_session.live(self.assembly)
+        self.assertTrue(self._frame_lifted_by(10.0).is_preview)
+        exact = self.live.answer(self.live.ask([self.handle.Name], exact=True))
+        self.assertFalse(exact.is_preview)
+        self.assertEqual(exact.unsettled, "")
+        self.assertEqual(self.live.learning_failure, "")
+
+    def _frame_lifted_by(self, height: float):
+        api.set_motion(self.handle, (0, 0, height))
+        return self.live.answer(self.live.ask([self.handle.Name]))
+
     def test_the_rest_is_known_in_global_coordinates(self):
         points, triangles = api.rest_mesh(self.part)
         rest = self.live.parts[self.part.Name]
