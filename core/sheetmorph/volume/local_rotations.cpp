@@ -2,6 +2,7 @@
 #include "sheetmorph/volume/local_rotations.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
@@ -50,39 +51,68 @@ std::vector<int> same_sided(const Points& points, int vertex, std::vector<int> o
     return others;
 }
 
-std::vector<std::vector<int>> rings_of(const TriangleMesh& mesh)
+// By vertex asked for, its neighbours in every triangle around.
+std::vector<std::vector<int>> rings_of(const TriangleMesh& mesh, const VertexIds& vertices)
 {
-    std::vector<std::vector<int>> others(mesh.vertex_count());
+    std::vector<int> place(at(mesh.vertex_count()), -1);
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        place[at(vertices[k])] = static_cast<int>(k);
+    std::vector<std::vector<int>> others(vertices.size());
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k)
-            for (int step = 1; step < 3; ++step)
-                others[mesh.triangles()(t, k)].push_back(mesh.triangles()(t, (k + step) % 3));
+            if (const int row = place[at(mesh.triangles()(t, k))]; row >= 0)
+                for (int step = 1; step < 3; ++step)
+                    others[at(row)].push_back(mesh.triangles()(t, (k + step) % 3));
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        others[k] = others[at(place[at(vertices[k])])];
     return others;
 }
 
 }  // namespace
 
 LocalRotationMeter::LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices)
-    : rest_(rest.points())
+    : vertex_count_(rest.vertex_count())
 {
     std::vector<int> missing;
     std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(missing),
                  [&](int v) { return v < 0 || v >= rest.vertex_count(); });
     if (!missing.empty())
         throw InvalidInput("vertices that the mesh does not have: " + list_ids(missing));
-    const std::vector<std::vector<int>> others = rings_of(rest);
-    for (int vertex : vertices)
-        rings_.push_back(rest_ring(vertex, others[vertex]));
+    const std::vector<std::vector<int>> others = rings_of(rest, vertices);
+    rings_.reserve(vertices.size());
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        rings_.push_back(rest_ring(rest.points(), vertices[k], others[k]));
+    keep_rest(rest.points());
 }
 
-LocalRotationMeter::Ring LocalRotationMeter::rest_ring(int vertex,
-                                                       const std::vector<int>& others) const
+// Contacts measure few vertices of a large part: they keep no copy of its points.
+void LocalRotationMeter::keep_rest(const Points& rest)
 {
-    Ring ring{vertex, same_sided(rest_, vertex, others), Vector3::Zero(), 0.0, Matrix3::Zero()};
+    const VertexIds used = reads();
+    if (2 * static_cast<Eigen::Index>(used.size()) > rest.rows())
+    {
+        rest_ = rest;
+        return;
+    }
+    rest_ = rest(used, Eigen::all);
+    const auto row_of = [&](int vertex)
+    { return static_cast<int>(std::lower_bound(used.begin(), used.end(), vertex) - used.begin()); };
+    for (Ring& ring : rings_)
+    {
+        ring.rows.push_back(row_of(ring.vertex));
+        std::transform(ring.others.begin(), ring.others.end(), std::back_inserter(ring.rows),
+                       row_of);
+    }
+}
+
+LocalRotationMeter::Ring LocalRotationMeter::rest_ring(const Points& rest, int vertex,
+                                                       const std::vector<int>& others)
+{
+    Ring ring{vertex, same_sided(rest, vertex, others), {}, Vector3::Zero(), 0.0, Matrix3::Zero()};
     Matrix3 moments = Matrix3::Zero();
     for (int other : others)
-        moments += arm(rest_, vertex, other) * arm(rest_, vertex, other).transpose();
-    const Vector3 area = area_vector(rest_, vertex, ring.others);
+        moments += arm(rest, vertex, other) * arm(rest, vertex, other).transpose();
+    const Vector3 area = area_vector(rest, vertex, ring.others);
     const double squares = moments.trace();
     if (area.norm() > no_area * squares)
     {
@@ -116,7 +146,7 @@ std::vector<Matrix3> LocalRotationMeter::matrices(const Points& deformed,
                                                   const Points& references) const
 {
     const auto count = static_cast<Eigen::Index>(rings_.size());
-    if (deformed.rows() != rest_.rows() || references.rows() != count)
+    if (deformed.rows() != vertex_count_ || references.rows() != count)
         throw InvalidInput(
             "measuring rotations needs a position for every vertex of the mesh and a "
             "reference for every measured vertex");
@@ -151,9 +181,11 @@ Matrix3 LocalRotationMeter::ring_rotation(const Ring& ring, const Points& deform
                                           const Matrix3& reference) const
 {
     Matrix3 unexplained = Matrix3::Zero();
-    for (int other : ring.others)
+    for (std::size_t k = 0; k < ring.others.size(); ++k)
     {
-        const Vector3 edge = arm(rest_, ring.vertex, other);
+        const int other = ring.others[k];
+        const Vector3 edge = ring.rows.empty() ? arm(rest_, ring.vertex, other)
+                                               : arm(rest_, ring.rows.front(), ring.rows[k + 1]);
         unexplained += (arm(deformed, ring.vertex, other) - reference * edge) * edge.transpose();
     }
     if (unexplained.isZero(0.0) || ring.inverse_moments.isZero(0.0))

@@ -41,16 +41,19 @@ private:
     {
         int vertex;
         std::vector<int> others;  // two a triangle, in its order
+        std::vector<int> rows;    // of rest_: the vertex, then the others; empty: their own
         Vector3 normal;           // unit; zero if the ring has none
         double normal_weight;
         Matrix3 inverse_moments;  // of the rest ring; zero if the ring determines no rotation
     };
 
-    Ring rest_ring(int vertex, const std::vector<int>& others) const;
+    static Ring rest_ring(const Points& rest, int vertex, const std::vector<int>& others);
+    void keep_rest(const Points& rest);
     Matrix3 ring_rotation(const Ring& ring, const Points& deformed, const Matrix3& reference) const;
 
-    Points rest_;  // rows used by the rings
+    int vertex_count_;
     std::vector<Ring> rings_;
+    Points rest_;  // of all vertices, or of those that few rings have
 };
 
 //! The motion of a whole region: its rotation is that of the mean of the local logs, so that it

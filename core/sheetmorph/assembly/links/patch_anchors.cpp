@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/patch_anchors.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/mesh/topology/submesh.h"
 
 #include <limits>
 
@@ -12,22 +14,20 @@ namespace sheetmorph
 namespace
 {
 
-Triangles triangles_inside(const TriangleMesh& mesh, const VertexIds& region)
+// The triangles with all corners in the region.
+std::vector<int> triangles_inside(const TriangleMesh& mesh, const VertexIds& region)
 {
-    std::vector<char> inside(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    std::vector<char> inside(at(mesh.vertex_count()), 0);
     for (const int vertex : region)
-        inside[static_cast<std::size_t>(vertex)] = 1;
-    Triangles found(mesh.triangle_count(), 3);
-    Eigen::Index count = 0;
+        inside[at(vertex)] = 1;
+    std::vector<int> found;
     for (int t = 0; t < mesh.triangle_count(); ++t)
     {
-        bool whole = true;
-        for (int k = 0; k < 3; ++k)
-            whole = whole && inside[static_cast<std::size_t>(mesh.triangles()(t, k))];
-        if (whole)
-            found.row(count++) = mesh.triangles().row(t);
+        const auto corners = mesh.triangles().row(t);
+        if (inside[at(corners(0))] && inside[at(corners(1))] && inside[at(corners(2))])
+            found.push_back(t);
     }
-    return found.topRows(count);
+    return found;
 }
 
 PatchAnchor nearest_vertex(const TriangleMesh& mesh, const VertexIds& region, const Vector3& point)
@@ -60,20 +60,22 @@ std::vector<PatchAnchor> nearest_anchors(const TriangleMesh& mesh, const VertexI
                                          const Points& targets)
 {
     std::vector<PatchAnchor> anchors;
-    const TriangleMesh patch(mesh.points(), triangles_inside(mesh, region));
-    const PickingTree tree(patch);
+    const Submesh patch = submesh(mesh, triangles_inside(mesh, region));
+    const PickingTree tree(patch.mesh);
     for (Eigen::Index row = 0; row < targets.rows(); ++row)
     {
         const Vector3 point = targets.row(row).transpose();
         const std::optional<Hit> hit =
-            patch.triangle_count() > 0 ? tree.nearest_point(point) : std::nullopt;
+            patch.mesh.triangle_count() > 0 ? tree.nearest_point(point) : std::nullopt;
         if (!hit)
         {
             anchors.push_back(nearest_vertex(mesh, region, point));
             continue;
         }
-        const auto corners = patch.triangles().row(hit->triangle);
-        anchors.push_back({{corners(0), corners(1), corners(2)}, hit->barycentric});
+        PatchAnchor anchor{{}, hit->barycentric};
+        for (int k = 0; k < 3; ++k)
+            anchor.corners[at(k)] = patch.vertices[at(patch.mesh.triangles()(hit->triangle, k))];
+        anchors.push_back(anchor);
     }
     return anchors;
 }

@@ -21,14 +21,14 @@ public:
           corners_(corners_of(anchors_)),
           meter_(input.source_mesh, corners_),
           targets_(input.targets),
-          arms_(input.targets.rows(), 3)
+          arms_(input.targets.rows(), 3),
+          rest_corners_(rows_of(input.source_mesh.points(), corners_))
     {
         for (Eigen::Index row = 0; row < arms_.rows(); ++row)
             arms_.row(row) = targets_.row(row)
                              - anchors_[static_cast<std::size_t>(row)]
                                    .on(input.source_mesh.points())
                                    .transpose();
-        source_rest_ = input.source_mesh.points();
     }
 
     LinkedTargets transfer(const Deformation& source) const override
@@ -63,7 +63,8 @@ private:
         Vector3 sum = Vector3::Zero();
         for (std::size_t k = 0; k < 3; ++k)
             sum += anchor.weights(static_cast<Eigen::Index>(k))
-                   * (source.positions.row(anchor.corners[k]) - source_rest_.row(anchor.corners[k]))
+                   * (source.positions.row(anchor.corners[k])
+                      - rest_corners_.row(corner_row(anchor.corners[k])))
                          .transpose();
         return sum;
     }
@@ -74,13 +75,17 @@ private:
                                         - corners_.begin());
     }
 
+    Eigen::Index corner_row(int vertex) const
+    {
+        return static_cast<Eigen::Index>(corner_index(vertex));
+    }
+
     Vector3 mean_log(const PatchAnchor& anchor, const LocalRotations& turned) const
     {
         Vector3 log = Vector3::Zero();
         for (std::size_t k = 0; k < 3; ++k)
             log += anchor.weights(static_cast<Eigen::Index>(k))
-                   * turned.logs.row(static_cast<Eigen::Index>(corner_index(anchor.corners[k])))
-                         .transpose();
+                   * turned.logs.row(corner_row(anchor.corners[k])).transpose();
         return log;
     }
 
@@ -110,7 +115,7 @@ private:
     LocalRotationMeter meter_;
     Points targets_;
     Points arms_;
-    Points source_rest_;
+    Points rest_corners_;  // rows as corners_
 };
 
 }  // namespace

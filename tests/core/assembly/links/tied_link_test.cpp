@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/links/motion_link.h"
+#include "shapes.h"
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+namespace sheetmorph
+{
+namespace
+{
+
+// Bytes that are in use on the heap.
+double used_bytes()
+{
+    const struct mallinfo2 heap = mallinfo2();
+    return static_cast<double>(heap.uordblks + heap.hblkhd);
+}
+
+TEST(TiedLink, ManyContactsKeepNoCopyOfTheLargePartTheyAreOn)
+{
+    const TriangleMesh mesh = shapes::grid(200, 200, 400.0, 400.0);
+    const double bytes_of_points = 24.0 * mesh.vertex_count();
+    const auto link_at = [&](int k)
+    {
+        const VertexIds region =
+            shapes::vertices_where(mesh, [&](const Vector3& p)
+                                   { return (p - Vector3(15.0 * k, 200.0, 0.0)).norm() < 6.0; });
+        Points targets(region.size(), 3);
+        for (std::size_t row = 0; row < region.size(); ++row)
+            targets.row(static_cast<Eigen::Index>(row)) =
+                mesh.points().row(region[row]) + Eigen::RowVector3d(0.3, 0.2, 1.0);
+        return tied_link({mesh, region, targets});
+    };
+    const auto first = link_at(1);
+    const double before = used_bytes();
+    std::vector<std::unique_ptr<MotionLink>> links;
+    for (int k = 2; k < 22; ++k)
+        links.push_back(link_at(k));
+    EXPECT_LT(used_bytes() - before, bytes_of_points);
+    EXPECT_GT(used_bytes(), before);
+}
+
+TEST(TiedLink, AFewVerticesOfAPartTurnAsTheyDoAmongAll)
+{
+    const TriangleMesh mesh = shapes::jittered_grid(12, 9, 5.0, 3);
+    const RigidMotion motion{{1.0, -2.0, 3.0}, {0.3, 0.9, -0.2}, {5.0, 4.0, 3.0}};
+    const VertexIds region = {40, 41, 42, 53, 54, 55};
+    const Points targets =
+        mesh.points()({40, 54}, Eigen::all).rowwise() + Eigen::RowVector3d(0.4, 0.3, 1.5);
+    const auto link = tied_link({mesh, region, targets});
+    Deformation shape{motion.apply(mesh.points()),
+                      motion.rotation_log.transpose().replicate(mesh.vertex_count(), 1),
+                      {}};
+    const LinkedTargets found = link->transfer(shape);
+    EXPECT_LT((found.positions - motion.apply(targets)).norm(), 1e-11);
+}
+
+}  // namespace
+}  // namespace sheetmorph
