@@ -1243,6 +1243,10 @@
    <translation>Noch ist nichts bewegt.</translation>
   </message>
   <message>
+   <source>Preview: refined on release. {0}</source>
+   <translation>Vorschau: wird beim Loslassen verfeinert. {0}</translation>
+  </message>
+  <message>
    <source>At rest</source>
    <translation>In Ruhe</translation>
   </message>

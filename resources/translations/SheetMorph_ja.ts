@@ -1243,6 +1243,10 @@
    <translation>まだ何も動いていません。</translation>
   </message>
   <message>
+   <source>Preview: refined on release. {0}</source>
+   <translation>プレビュー: 離すと精密な形状になります。{0}</translation>
+  </message>
+  <message>
    <source>At rest</source>
    <translation>静止</translation>
   </message>
