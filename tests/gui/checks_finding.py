@@ -6,19 +6,23 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, choose_below, enter, picture, press, press_tool, tick
-from desk import within_reach, xdotool
-from freecad.sheetmorph import api
+from desk import until, within_reach, xdotool
+from checks_propagation import cancel, dialog
+from freecad.sheetmorph import api, progress_dialog
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
 from PySide import QtCore
-from scenes import assembly, contacts, drawn, largest, look, new_assembly, part, regions
+from scenes import assembly, contacts, drawn, labelled, largest, look, new_assembly, part
+from scenes import regions
 
 __all__ = [
     "test_holes_found_become_form_features_in_one_step",
     "test_proposals_are_filtered_by_kind_and_size",
     "test_bends_are_offered_and_not_checked",
     "test_contacts_found_light_up_and_become_contacts",
+    "test_what_takes_long_is_cancelled_and_nothing_has_changed",
+    "test_only_selected_parts_are_searched",
     "test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle",
 ]
 
@@ -92,6 +96,36 @@ def test_holes_found_become_form_features_in_one_step():
     assert regions("form feature") == []
     App.ActiveDocument.redo()
     assert len(regions("form feature")) == 2
+
+
+def test_what_takes_long_is_cancelled_and_nothing_has_changed():
+    yield from new_assembly()
+    for region in regions("form feature"):
+        App.ActiveDocument.removeObject(region.Name)
+    App.ActiveDocument.clearUndos()
+    yield from press_tool("Find Features…")
+    patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
+    QtCore.QTimer.singleShot(0, cancel)
+    yield from press("OK")
+    yield from until(lambda: "Cancelled" in child("message").text(), "the panel to say so")
+    progress_dialog.PATIENCE = patience
+    picture("find-cancelled")
+    assert dialog() is None or not dialog().isVisible()
+    assert regions("form feature") == [] and App.ActiveDocument.UndoNames == []
+    yield from press_ok()
+    assert len(regions("form feature")) == 2
+
+
+def test_only_selected_parts_are_searched():
+    yield from new_assembly()
+    Gui.Selection.addSelection(labelled("bracket"))
+    yield from press_tool("Find Features…")
+    assert rows_shown() == 0
+    yield from press("Cancel")
+    Gui.Selection.clearSelection()
+    yield from press_tool("Find Features…")
+    assert rows_shown() == 2
+    yield from press("Cancel")
 
 
 def test_proposals_are_filtered_by_kind_and_size():

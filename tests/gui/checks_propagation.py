@@ -9,7 +9,8 @@ from desk import xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import move_panel, progress
+from freecad.sheetmorph import progress_dialog
+from freecad.sheetmorph.panels import move_panel
 from freecad.sheetmorph.scene import wireframe
 from pivy import coin
 from PySide import QtCore, QtGui
@@ -172,10 +173,10 @@ def test_another_part_becomes_the_primary():
 def test_a_cancelled_set_up_opens_no_panel():
     yield from new_assembly(is_joined=True)
     api.set_energy(assembly(), "paper")  # so that there is something to set up
-    patience, progress.PATIENCE = progress.PATIENCE, -1.0
+    patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
     QtCore.QTimer.singleShot(0, cancel)
     opened = move_panel.open_panel(regions("handle")[0])
-    progress.PATIENCE = patience
+    progress_dialog.PATIENCE = patience
     assert opened is None and not Gui.Control.activeDialog()
     yield from until(lambda: dialog() is None, "the dialog to close")
     assert App.ActiveDocument.UndoNames == []

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One user action = one transaction = one line in the recorded macro, a call of the public API."""
 
+from contextlib import contextmanager
+
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph import reporting
+from freecad.sheetmorph.progress_dialog import Progress
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 API = "freecad.sheetmorph.api"
 FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
@@ -32,7 +36,10 @@ def record(*lines: str) -> None:
     The imports are written every time: FreeCAD's addModule does so once a session, too early for
     a macro whose recording starts later.
     """
-    for line in ("import FreeCAD as App", f"import {API}", *lines):
+    told = reporting.progress()
+    for number, line in enumerate(("import FreeCAD as App", f"import {API}", *lines)):
+        if told is not None and not told(number / (2.0 + len(lines)), ""):
+            return
         Gui.doCommand(line)
 
 
@@ -42,7 +49,7 @@ def run(title: str, *lines: str, document=None) -> None:
     App.setActiveDocument(document.Name)
     document.openTransaction(title)
     try:
-        with waiting():
+        with followed(title):
             record(*lines, "App.ActiveDocument.recompute()")
     except FAULTS:
         document.abortTransaction()
@@ -54,6 +61,8 @@ def attempt(title: str, *lines: str, document=None) -> bool:
     """As :func:`run`; an error is told to the user, and False is returned."""
     try:
         run(title, *lines, document=document)
+    except Cancelled:
+        return False
     except FAULTS as error:
         tell(title, error)
         return False
@@ -64,6 +73,31 @@ def tell(title: str, error) -> None:
     """Tells the user what went wrong, in the report view and in a box."""
     App.Console.PrintError(f"SheetMorph: {error}\n")
     QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, str(error))
+
+
+class Cancelled(RuntimeError):
+    """The user did not want to wait any longer."""
+
+
+@contextmanager
+def followed(title: str):
+    """Context with the waiting cursor; what takes long shows how far it is, with Cancel.
+
+    Raises Cancelled if the user has pressed that.
+    """
+    progress = Progress(title)
+    cancelled = Cancelled(translate("actions", "Cancelled; nothing was changed."))
+    try:
+        with waiting(), reporting.told_to(progress):
+            yield
+    except FAULTS as error:
+        if progress.is_cancelled:
+            raise cancelled from error
+        raise
+    finally:
+        progress.close()
+    if progress.is_cancelled:
+        raise cancelled
 
 
 class waiting:

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, kernel, recipes
 from freecad.sheetmorph.bridge.findings import Findings, Step, findings_of, show, steps_of
 from freecad.sheetmorph.objects import assembly_of, deformation_of, model
@@ -100,7 +101,8 @@ class SessionCache:
             }
             recipe = {**morph.recipe, "pose": {}}
             previous = next(reversed(self._sessions.values()), None)
-            found = package.Session(recipe, meshes, progress, previous=previous)
+            told = progress or reporting.progress()
+            found = package.Session(recipe, meshes, told, previous=previous)
             self._keep(self._sessions, key, found)
         self._sessions.move_to_end(key)
         return self._sessions[key]

@@ -82,6 +82,12 @@ def part():
     return owner.Primary or next(members(owner, PART), None)
 
 
+def chosen_parts(least: int = 1) -> list | None:
+    """The selected parts of the morph, None for all if there are fewer than ``least``."""
+    mine = [chosen for chosen in selected(PART) if model.assembly_of(chosen) == assembly()]
+    return mine if len(mine) >= least else None
+
+
 def handle():
     """The selected handle, else the first handle of the morph, else None."""
     for obj in selected(REGION):

@@ -45,10 +45,15 @@ def output_name(path: str | Path) -> str:
     return f"{place.stem}.obj" if is_cad(place) else place.name
 
 
-def read_part(path: str | Path, meshing: Mapping[str, float] | None = None) -> PartFile:
+def read_part(
+    path: str | Path,
+    meshing: Mapping[str, float] | None = None,
+    progress: Callable[[float, str], bool] | None = None,
+) -> PartFile:
     """A part from a file: ``.mesh`` (PartMesh, doubles) and ``.write(path, positions)``.
 
-    meshing: how finely a CAD file is meshed, `edge` and `deflection` in mm, `angle` in degrees.
+    meshing: how finely a CAD file is meshed, `edge` and `deflection` in mm, `angle` in degrees;
+    progress(fraction, task), called while one is, may return False to cancel (RuntimeError).
     Raises FileError if the file is missing, empty, cut short, corrupt or of an unknown format.
     """
     place = Path(path)
@@ -62,7 +67,7 @@ def read_part(path: str | Path, meshing: Mapping[str, float] | None = None) -> P
     if not place.is_file():
         raise FileError(place, "there is no such file", "check the path")
     if is_cad(place):
-        return read_cad(place, meshing)
+        return read_cad(place, meshing, progress)
     if meshing:
         raise FileError(place, "only CAD files are meshed", "leave the meshing out")
     return _READERS[suffix](place)

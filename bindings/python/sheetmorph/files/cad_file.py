@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from ..part_mesh import PartMesh
 from .obj import ObjFile
 from .part_file import PartFile
 
+Progress = Callable[[float, str], bool]
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 
 
@@ -26,8 +27,13 @@ class CadFile(PartFile):
     CadModel, with the surface under every triangle.
     """
 
-    def __init__(self, path: Path, meshing: Mapping[str, float] | None = None):
-        self.model = _read(path, meshing or {})
+    def __init__(
+        self,
+        path: Path,
+        meshing: Mapping[str, float] | None = None,
+        progress: Progress | None = None,
+    ):
+        self.model = _read(path, meshing or {}, progress)
         parts = self.model.parts
         first = np.cumsum([0, *(len(part.points) for part in parts)])
         points = np.concatenate([part.points for part in parts])
@@ -58,13 +64,15 @@ class CadFile(PartFile):
         return ObjFile.read(path).mesh.points
 
 
-def read_cad(path: Path, meshing: Mapping[str, float] | None = None) -> CadFile:
+def read_cad(
+    path: Path, meshing: Mapping[str, float] | None = None, progress: Progress | None = None
+) -> CadFile:
     """The parts of a CAD file. Raises FileError.
 
     meshing: `edge` and `deflection` in mm, `angle` in degrees; what is left out follows from the
-    size of what is in the file.
+    size of what is in the file; progress(fraction, task) may return False to cancel (RuntimeError).
     """
-    return CadFile(path, meshing)
+    return CadFile(path, meshing, progress)
 
 
 def read_shape(text: str, name: str, meshing: Mapping[str, float] | None = None) -> Any:
@@ -102,12 +110,12 @@ def _sizes(meshing: Mapping[str, float]) -> dict[str, float]:
     return {**sizes, "angle": math.radians(sizes["angle"])} if "angle" in sizes else sizes
 
 
-def _read(path: Path, meshing: Mapping[str, float]) -> Any:
+def _read(path: Path, meshing: Mapping[str, float], progress: Progress | None) -> Any:
     core = load_cad()
     if path.stat().st_size == 0:
         raise FileError(path, "the file is empty", "export it again")
     try:
-        return core.read_cad(str(path.absolute()), _sizes(meshing))
+        return core.read_cad(str(path.absolute()), _sizes(meshing), progress)
     except ValueError as error:
         what, _, todo = str(error).partition("; ")
         raise FileError(path, what, todo) from None

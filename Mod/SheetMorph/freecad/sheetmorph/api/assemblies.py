@@ -32,6 +32,7 @@ def create_assembly(document, label: str = "Morph"):
     assembly.Label = label
     deformation = document.addObject("App::FeaturePython", "Deformation")
     DeformationProxy(deformation)
+    deformation.Label = "Shapes of all parts"  # FreeCAD names it where a deletion has consequences
     assembly.addObject(deformation)
     return assembly
 

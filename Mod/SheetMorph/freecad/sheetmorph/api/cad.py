@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.files import add_mesh
@@ -27,7 +28,7 @@ def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> l
     package = kernel.load()
     if not package.files.is_cad(path):
         raise ValueError(f"{Path(path).name} is no CAD file; use import_part.")
-    return add_model(assembly, package.read_part(path, mesh).model)
+    return add_model(assembly, package.read_part(path, mesh, reporting.progress()).model)
 
 
 def add_shape(assembly, source, label: str | None = None, mesh: dict | None = None) -> list:

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.cad import known_features
 from freecad.sheetmorph.api.checks import require_assembly, require_part_of
@@ -177,7 +178,7 @@ def _find(parts: list, options: dict, *, contacts: bool):
         FindPart(part.Name, PartMesh(*rest_mesh(part)), exact=known_features(part))
         for part in parts
     ]
-    return find(meshes, wanted, with_contacts=contacts)
+    return find(meshes, wanted, progress=reporting.progress(), with_contacts=contacts)
 
 
 def _feature(part, entry: dict, marked: dict[str, set[int]]) -> FoundFeature:

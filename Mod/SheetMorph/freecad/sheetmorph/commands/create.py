@@ -154,5 +154,6 @@ class ImportPart(Command):
         lines += import_lines(name(owner) if owner else "morph", files, edge)
         before = set(App.ActiveDocument.Objects)
         if actions.attempt("Import Part", *lines):
-            Gui.SendMsgToActiveView("ViewFit")
             look_at_new(before)
+            # Later: a panel that has opened makes the view smaller.
+            QtCore.QTimer.singleShot(0, lambda: Gui.SendMsgToActiveView("ViewFit"))

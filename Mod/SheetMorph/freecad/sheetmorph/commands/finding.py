@@ -27,7 +27,7 @@ class FindFeatures(Command):
         """Opens the panel; the document changes when the user says OK."""
         from freecad.sheetmorph.panels import find_panel
 
-        find_panel.open_features(subject.assembly())
+        find_panel.open_features(subject.assembly(), subject.chosen_parts())
 
 
 class FindContacts(Command):
@@ -49,4 +49,4 @@ class FindContacts(Command):
         """Opens the panel; the document changes when the user says OK."""
         from freecad.sheetmorph.panels import find_panel
 
-        find_panel.open_contacts(subject.assembly())
+        find_panel.open_contacts(subject.assembly(), subject.chosen_parts(2))

@@ -13,14 +13,14 @@ from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 ANY = QT_TRANSLATE_NOOP("panels", "all kinds")
 
 
-def open_features(assembly):
-    """Opens the panel with the features found on a morph; returns the panel."""
-    return _opened(FindPanel(assembly, FEATURES))
+def open_features(assembly, parts=None):
+    """Opens the panel with the features found on a morph, or on some parts; returns the panel."""
+    return _opened(FindPanel(assembly, FEATURES, parts))
 
 
-def open_contacts(assembly):
-    """Opens the panel with the contacts found in a morph; returns the panel."""
-    return _opened(FindPanel(assembly, CONTACTS))
+def open_contacts(assembly, parts=None):
+    """Opens the panel with the contacts found in a morph, or of some parts; returns the panel."""
+    return _opened(FindPanel(assembly, CONTACTS, parts))
 
 
 def _opened(panel):
@@ -33,9 +33,10 @@ class FindPanel(Panel):
 
     width = 540  # for the columns of the list
 
-    def __init__(self, assembly, what):
+    def __init__(self, assembly, what, parts=None):
         super().__init__("find", what.icon, what.title)
         self._assembly, self._what = assembly, what
+        self._parts = parts
         self._found = []
         self._meshes = {}
         self._highlight = Highlight()
@@ -48,8 +49,8 @@ class FindPanel(Panel):
         """Finds anew with the tolerances of the panel."""
         say(self.form.message, "")
         try:
-            with actions.waiting():
-                options = self._what.options(self.form)
+            with actions.followed(self._what.title):
+                options = {**self._what.options(self.form), "parts": self._parts}
                 self._found = self._what.find(api, self._assembly, options)
         except actions.FAULTS as error:
             self._found = []

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that prepares a mesh: what is wrong with it, the cures, and a preview of them."""
 
+import html
+
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api
@@ -14,6 +16,8 @@ from freecad.sheetmorph.tools import cures
 def open_panel(part):
     """Opens the panel for a part; returns the panel."""
     with actions.waiting():
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(part)
         panel = PreparePanel(part)
     panel.present()
     return panel
@@ -83,7 +87,8 @@ class PreparePanel(Panel):
         if scale != 1.0:
             with actions.waiting():
                 found = cures.with_unit_of(api.diagnose_original(self._part, scale), found)
-        form.findings.setText(cures.as_text(found))
+        name_of_part = html.escape(self._part.Label)
+        form.findings.setText(f"<b>{name_of_part}</b><br>{cures.as_text(found)}")
         form.tolerance.setProperty("rawValue", cures.tolerance_of(found))
         form.edge.setProperty("rawValue", found["suggested_edge"] or 1.0)
         self._refresh()

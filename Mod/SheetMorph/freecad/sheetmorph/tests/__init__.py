@@ -30,5 +30,6 @@ MODULES = tuple(
         "live",
         "poses",
         "scripting",
+        "reporting",
     )
 )

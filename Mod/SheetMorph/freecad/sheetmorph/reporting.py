@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""To whom long work tells how far it is, and who may stop it: set by whoever waits for it.
+
+A macro line has no room for a function, so what it calls asks here. Without a window nobody waits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+Progress = Callable[[float, str], bool]
+"""Called with the share that is done, 0..1, and what is next; returns whether to go on."""
+
+_WAITING: ContextVar[Progress | None] = ContextVar("waiting", default=None)
+
+
+def progress() -> Progress | None:
+    """Return whom to tell, None for nobody."""
+    return _WAITING.get()
+
+
+@contextmanager
+def told_to(listener: Progress) -> Iterator[None]:
+    """Let long work in this context tell `listener`."""
+    before = _WAITING.set(listener)
+    try:
+        yield
+    finally:
+        _WAITING.reset(before)
