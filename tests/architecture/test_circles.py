@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """No source imports itself by way of others."""
+import re
+
+import draw_workbench
 import pytest
 from imports import circles, folder_graph, import_graph
 from workbench_rooms import MAY_IMPORT, room_faults
-from source_tree import PACKAGE, WORKBENCH
+from source_tree import PACKAGE, ROOT, WORKBENCH
 
 
 def graph_of(folder, sources):
@@ -42,6 +45,21 @@ def test_a_room_that_sees_little_imports_no_more():
     rooms = rooms_of_the_workbench()
     assert set(MAY_IMPORT) <= set(rooms)
     assert [fault for room, found in rooms.items() for fault in room_faults(room, found)] == []
+
+
+def test_the_readme_tells_rooms_that_there_are():
+    text = (ROOT / "README.md").read_text().split("from the top down:")[1].split("A new")[0]
+    told = re.findall(r"^- `(\w+)`|; `(\w+)`", text, re.MULTILINE)
+    names = {name for pair in told for name in pair if name}
+    assert len(names) > 10 and names <= set(rooms_of_the_workbench())
+
+
+def test_the_picture_of_the_workbench_shows_every_room_above_what_it_imports():
+    graph = {"panels": {"api", "tools"}, "api": {"tools"}, "tools": set()}
+    at = draw_workbench.places(graph)
+    assert at["panels"][1] < at["api"][1] < at["tools"][1]
+    assert draw_workbench.direct(graph, "panels") == ["api"]
+    assert all(f">{room}<" in draw_workbench.svg(graph) for room in graph)
 
 
 def test_an_arrow_the_wrong_way_is_noticed():
