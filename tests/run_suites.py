@@ -22,6 +22,25 @@ LINES_OF_A_FAILURE = 400
 # How the runners name a test that failed: ctest, pytest, unittest, the GUI tests.
 FAILURE = re.compile(r"^\s*\d+ - .*\((Failed|SEGFAULT|Timeout)|^(FAILED|ERROR|FAIL)[ :]")
 LONGEST_SUITE = 1800  # seconds, then it hangs
+LONGEST_SANITIZED = 4 * 3600
+# What of the package's tests goes through the whole kernel: its files, CAD, picking, live frames.
+SANITIZED_PYTEST = ("tests/bindings",) + tuple(
+    f"tests/package/test_{name}.py"
+    for name in ("cad_features", "cad_files", "features", "finding", "live_frames")
+    + ("malformed_files", "mesh_details", "picking_tools", "solids", "thin_solids")
+)
+# The first report ends the program with a failure, whatever the test would have said.
+ADDRESS_SANITIZER = {
+    "ASAN_OPTIONS": "detect_leaks=1:detect_stack_use_after_return=1:check_initialization_order=1",
+    "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
+}
+# libgomp and OpenBLAS are not instrumented, their barriers are invisible: one thread each. The
+# threads of the kernel itself are what is watched.
+THREAD_SANITIZER = {
+    "TSAN_OPTIONS": "halt_on_error=1:second_deadlock_stack=1",
+    "OMP_NUM_THREADS": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+}
 
 
 @dataclass
@@ -52,27 +71,28 @@ class Suites:
 
     def core(self) -> Count:
         """The C++ tests, through ctest."""
-        report = self.results / "core.xml"
-        report.unlink(missing_ok=True)
-        self._call(
-            ["ctest", "--test-dir", str(self.build), "--output-on-failure", "--output-junit"]
-            + [str(report), "-j", str(os.cpu_count() or 1), "--progress"]
-        )
-        return read_junit(report, "no C++ test ran")
+        return self._ctest(self.build, "core")
 
     def python(self) -> Count:
         """Architecture, bindings and package, through pytest."""
         total = Count()
         for folder in PYTEST_FOLDERS:
-            report = self.results / (folder.replace("/", "-") + ".xml")
-            report.unlink(missing_ok=True)
-            self._call(
-                [PYTHON, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-ra"]
-                + [f"--junitxml={report}", folder],
-                PYTHONPATH=str(self.staged),
-            )
-            total += read_junit(report, f"no test ran in {folder}")
+            total += self._pytest(folder.replace("/", "-"), [folder], self.staged)
         return total
+
+    def sanitize(self) -> Count:
+        """C++ tests and Python tests of the kernel in builds that watch memory and threads."""
+        address = self.build / "sanitize" / "address"
+        total = self._ctest(address, "sanitize-core", **ADDRESS_SANITIZER)
+        total += self._pytest(
+            "sanitize-python",
+            list(SANITIZED_PYTEST),
+            address / "Mod" / "SheetMorph",
+            **python_with_sanitizers(),
+        )
+        return total + self._ctest(
+            self.build / "sanitize" / "thread", "sanitize-threads", **THREAD_SANITIZER
+        )
 
     def workbench(self) -> Count:
         """The staged tests, inside FreeCAD without a window."""
@@ -107,6 +127,29 @@ class Suites:
         """clang-tidy over the kernel and the bindings: minutes, so not among the default suites."""
         return self._checked([[PYTHON, "-B", "tests/style/tidy.py", str(self.build)]])
 
+    def _ctest(self, build: Path, name: str, **settings: str) -> Count:
+        """The C++ tests of a build; a test counts as failed if its program reports anything."""
+        report = self.results / f"{name}.xml"
+        report.unlink(missing_ok=True)
+        self._call(
+            ["ctest", "--test-dir", str(build), "--output-on-failure", "--output-junit"]
+            + [str(report), "-j", str(os.cpu_count() or 1), "--progress"],
+            **settings,
+        )
+        return read_junit(report, f"no C++ test ran in {build}")
+
+    def _pytest(self, name: str, paths: list[str], staged: Path, **settings: str) -> Count:
+        """Python tests with a staged package; an interpreter that died wrote no report."""
+        report = self.results / f"{name}.xml"
+        report.unlink(missing_ok=True)
+        self._call(
+            [PYTHON, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-ra"]
+            + [f"--junitxml={report}", *paths],
+            PYTHONPATH=str(staged),
+            **settings,
+        )
+        return read_junit(report, f"no test ran in {paths[0]}")
+
     def _checked(self, checks: list[list[str]]) -> Count:
         total = Count()
         for check in checks:
@@ -118,10 +161,15 @@ class Suites:
         """Runs a command in the repository, shows and returns what it says."""
         print("+", " ".join(command[:8]), "..." if len(command) > 8 else "", flush=True)
         environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
+        longest = (
+            LONGEST_SANITIZED
+            if settings.keys() & {"ASAN_OPTIONS", "TSAN_OPTIONS"}
+            else LONGEST_SUITE
+        )
         environment |= {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1"} | settings
         try:
             done = subprocess.run(
-                ["timeout", "--kill-after=10", str(LONGEST_SUITE), *command],
+                ["timeout", "--kill-after=10", str(longest), *command],
                 cwd=ROOT,
                 env=environment,
                 stdin=subprocess.DEVNULL,
@@ -141,6 +189,26 @@ class Suites:
         print("\n".join(shown), flush=True)
         self.failures += [line[:300] for line in lines if FAILURE.match(line)]
         return done.returncode, output
+
+
+def python_with_sanitizers() -> dict[str, str]:
+    """Settings under which an interpreter without sanitizers loads modules that have them.
+
+    Their libraries must come first, and the C++ library with them, or no exception is seen. What
+    the interpreter itself keeps until its end would be reported as leaks.
+    """
+    libraries = []
+    for name in ("libasan.so", "libubsan.so", "libstdc++.so"):
+        found = subprocess.run(
+            ["g++", f"-print-file-name={name}"], capture_output=True, text=True, check=True
+        )
+        libraries.append(str(Path(found.stdout.strip()).resolve()))
+    options = ADDRESS_SANITIZER["ASAN_OPTIONS"].replace("detect_leaks=1", "detect_leaks=0")
+    return ADDRESS_SANITIZER | {
+        "ASAN_OPTIONS": options,
+        "LD_PRELOAD": " ".join(libraries),
+        "PYTHONMALLOC": "malloc",
+    }
 
 
 def sources(endings: tuple[str, ...], folders: tuple[str, ...]) -> list[str]:
@@ -209,7 +277,7 @@ def closing_line(counts: dict[str, Count]) -> str:
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy"]
+    names = [*default, "tidy", "sanitize"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The runner behind `./sheetmorph test` counts honestly: what is missing or silent has failed."""
 import importlib.util
+import json
 import sys
 
 import pytest
@@ -77,3 +78,37 @@ def test_an_unknown_suite_is_refused(runner, tmp_path):
     with pytest.raises(SystemExit) as error:
         runner.main(["--build", str(tmp_path), "everything"])
     assert error.value.code == 2
+
+
+def test_sanitize_counts_every_part_and_a_dead_interpreter_as_a_failure(
+    runner, tmp_path, monkeypatch
+):
+    written = {"sanitize-core": "<testcase/>", "sanitize-threads": "<testcase/><testcase/>"}
+    seen = {}
+
+    def call(self, command, **settings):
+        name = next(part for part in command if "sanitize-" in part).split("/")[-1]
+        name = name.removesuffix(".xml")
+        seen[name] = settings
+        if name in written:
+            (self.results / f"{name}.xml").write_text(f"<testsuite>{written[name]}</testsuite>")
+        return 0, ""
+
+    monkeypatch.setattr(runner.Suites, "_call", call)
+    assert runner.Suites(tmp_path).sanitize() == runner.Count(3, 1, 0)
+    assert "halt_on_error=1" in seen["sanitize-threads"]["TSAN_OPTIONS"]
+    assert "libasan" in seen["sanitize-python"]["LD_PRELOAD"].split()[0]
+    assert "detect_leaks=1" in seen["sanitize-core"]["ASAN_OPTIONS"]
+
+
+def test_the_python_tests_that_are_sanitized_exist(runner):
+    assert [path for path in runner.SANITIZED_PYTEST if not (ROOT / path).exists()] == []
+
+
+def test_the_sanitized_builds_keep_assertions(runner):
+    presets = json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
+    kinds = {preset["name"]: preset for preset in presets}
+    assert kinds["sanitize"]["cacheVariables"]["CMAKE_BUILD_TYPE"] == "Debug"
+    folders = {kinds[name]["binaryDir"] for name in ("asan", "tsan")}
+    assert folders == {f"${{sourceDir}}/build/sanitize/{name}" for name in ("address", "thread")}
+    assert kinds["asan"]["inherits"] == kinds["tsan"]["inherits"] == "sanitize"
