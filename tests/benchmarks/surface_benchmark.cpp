@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/live/drawn_motions.h"
+#include "sheetmorph/surface/live/response.h"
 #include "panel_cases.h"
 
-#include "sheetmorph/surface/live/surface_response.h"
+#include <numeric>
 
 namespace sheetmorph::benchmarks
 {
@@ -75,29 +77,48 @@ void frame(benchmark::State& state, Exactness exactness)
     state.counters["vertices"] = panel.mesh.vertex_count();
 }
 
-// Into one buffer, as a drag does; the response was built when the drag began.
-void run_live(benchmark::State& state, const Panel& panel, const SurfaceDeformer& deformer)
+std::unique_ptr<Response> learnt(const SurfaceDeformer& deformer, SurfaceTargets start,
+                                 const std::vector<int>& turning)
 {
-    const auto response = deformer.response({{0}, {}, 8});
+    for (const int handle : turning)
+        start.handles[static_cast<std::size_t>(handle)] = {};
+    return deformer.response(own_poses(deformer.rest(), deformer.constraints(), start, turning),
+                             {});
+}
+
+// Into one buffer, as a drag does; the response was built when the drag began.
+void run_live(benchmark::State& state, const SurfaceDeformer& deformer,
+              const std::vector<SurfaceTargets>& poses)
+{
+    std::vector<int> turning(poses.front().handles.size());
+    std::iota(turning.begin(), turning.end(), 0);
+    const auto response = learnt(deformer, poses.front(), turning);
     Deformation shape;
-    std::vector<SurfaceTargets> poses;
-    for (int step = 0; step < 10; ++step)
-        poses.push_back(drag(panel, step));
     std::size_t step = 0;
     for (auto pass : state)
     {
         (void)pass;
-        response->place(*response->frame(poses[step++ % poses.size()]), false, shape);
+        response->place(response->frame(poses[step++ % poses.size()]).value(), shape);
         benchmark::DoNotOptimize(shape.positions.data());
     }
-    state.counters["vertices"] = panel.mesh.vertex_count();
-    state.counters["bytes_a_vertex"] = response->bytes() / panel.mesh.vertex_count();
+    const int vertices = deformer.rest().vertex_count();
+    state.counters["vertices"] = vertices;
+    state.counters["bytes_a_vertex"] = response->bytes() / vertices;
+    state.counters["fields"] = static_cast<double>(response->fields());
+}
+
+std::vector<SurfaceTargets> drags(const Panel& panel)
+{
+    std::vector<SurfaceTargets> poses;
+    for (int step = 0; step < 10; ++step)
+        poses.push_back(drag(panel, step));
+    return poses;
 }
 
 void live_frame(benchmark::State& state)
 {
     const auto size = static_cast<int>(state.range(0));
-    run_live(state, panel_of(size), deformer_of(size));
+    run_live(state, deformer_of(size), drags(panel_of(size)));
 }
 
 // The same panel with so many free features: its holes cut into pieces.
@@ -128,7 +149,7 @@ void live_frame_50_free_features(benchmark::State& state)
 {
     const Panel panel = with_free_features(panel_of(static_cast<int>(state.range(0))), 50);
     const SurfaceDeformer deformer(panel.mesh, panel.constraints);
-    run_live(state, panel, deformer);
+    run_live(state, deformer, drags(panel));
 }
 
 // The same panel with its handle cut into three that turn about different axes.
@@ -138,33 +159,30 @@ void three_handles_frame(benchmark::State& state)
     SurfaceConstraints constraints = panel.constraints;
     const VertexIds whole = constraints.handles[0].vertices;
     constraints.handles.clear();
-    SurfaceTargets pose = drag(panel, 0);
-    pose.handles.clear();
     const auto third = static_cast<std::ptrdiff_t>(whole.size() / 3);
+    std::vector<SurfaceTargets> poses = drags(panel);
+    for (SurfaceTargets& pose : poses)
+        pose.handles.assign(3, pose.handles.front());
     for (int k = 0; k < 3; ++k)
     {
         const auto first = whole.begin() + k * third;
         constraints.handles.push_back({"handle " + std::to_string(k), {first, first + third}});
-        RigidMotion motion = drag_motion(panel, 2);
-        motion.rotation_log = 0.1 * Vector3::Unit(k);
-        pose.handles.push_back(motion);
+        for (std::size_t step = 0; step < poses.size(); ++step)
+            poses[step].handles[static_cast<std::size_t>(k)].rotation_log =
+                0.01 * static_cast<double>(step + 1) * Vector3::Unit(k);
     }
     const SurfaceDeformer deformer(panel.mesh, constraints);
-    for (auto pass : state)
-    {
-        (void)pass;
-        benchmark::DoNotOptimize(deformer.deform(pose, Exactness::live));
-    }
-    state.counters["vertices"] = panel.mesh.vertex_count();
+    run_live(state, deformer, poses);
 }
 
 void response_set_up(benchmark::State& state)
 {
     const SurfaceDeformer& deformer = deformer_of(static_cast<int>(state.range(0)));
+    const SurfaceTargets start = drag(panel_of(static_cast<int>(state.range(0))), 0);
     for (auto pass : state)
     {
         (void)pass;
-        benchmark::DoNotOptimize(deformer.response({{0}, {}, 8}));
+        benchmark::DoNotOptimize(learnt(deformer, start, {0}));
     }
     state.counters["vertices"] = panel_of(static_cast<int>(state.range(0))).mesh.vertex_count();
 }

@@ -207,7 +207,9 @@ void add_lower_product(const WeightsView& left, const WeightsView& right, double
 
 Points narrow_product(const Weights& left, const Points& right)
 {
-    Points result(left.rows(), 3);
+    Points result = Points::Zero(left.rows(), 3);
+    if (left.cols() == 0)
+        return result;
     const Weights columns = right.transpose();
     const Rows rows{columns.data(), columns.cols()};
     if (instructions() != Instructions::portable)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/surface_deformer.h"
 
-#include "sheetmorph/surface/live/sampled_response.h"
+#include "sheetmorph/surface/live/response.h"
 #include "sheetmorph/surface/solve/pose_solve.h"
 
 namespace sheetmorph
@@ -11,17 +11,6 @@ struct SurfaceDeformer::Precomputed : PreparedSurface
 {
     using PreparedSurface::PreparedSurface;
 };
-
-namespace
-{
-
-ResponseInput response_input(const PreparedSurface& part)
-{
-    return {part.placement(), part.operators, *part.field,
-            part.minimiser,   part.followers, part.responses.get()};
-}
-
-}  // namespace
 
 SurfaceDeformer::SurfaceDeformer(const TriangleMesh& rest, const SurfaceConstraints& constraints,
                                  const Progress& progress, const SurfaceDeformer* earlier)
@@ -39,27 +28,16 @@ Deformation SurfaceDeformer::deform(const SurfaceTargets& targets, Exactness exa
     return solve_pose(*data_, targets, exactness);
 }
 
-std::unique_ptr<SurfaceResponse> SurfaceDeformer::response(const ResponseOptions& options,
-                                                           const Progress& progress) const
+std::unique_ptr<Response> SurfaceDeformer::response(const std::vector<SurfaceTargets>& samples,
+                                                    const ResponseReaders& readers,
+                                                    const Progress& progress) const
 {
-    return std::make_unique<SurfaceResponse>(response_input(*data_), options, progress);
+    return std::make_unique<Response>(*data_, samples, readers, progress);
 }
 
 bool SurfaceDeformer::can_respond() const
 {
-    return SurfaceResponse::is_possible(response_input(*data_));
-}
-
-std::unique_ptr<SampledResponse> SurfaceDeformer::sampled_response(
-    const std::vector<SurfaceTargets>& samples, const VertexIds& reads,
-    const Progress& progress) const
-{
-    return std::make_unique<SampledResponse>(response_input(*data_), samples, reads, progress);
-}
-
-bool SurfaceDeformer::can_be_sampled() const
-{
-    return SampledResponse::is_possible(response_input(*data_));
+    return Response::is_possible(*data_);
 }
 
 const TriangleMesh& SurfaceDeformer::rest() const

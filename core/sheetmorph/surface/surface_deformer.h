@@ -30,9 +30,8 @@ struct Deformation
     bool is_preview = false;            //!< live, and an exact answer is refined besides
 };
 
-class SampledResponse;
-class SurfaceResponse;
-struct ResponseOptions;
+class Response;
+struct ResponseReaders;
 
 //! Deforms one part as a thin plate whose form features stay rigid (2.9, 2.10).
 //! The constructor factorises (pre-processing phase), deform() only substitutes (interactive
@@ -54,26 +53,15 @@ public:
     //! \throws InvalidInput if point targets contradict each other or what is rigid or fixed
     Deformation deform(const SurfaceTargets& targets, Exactness exactness = Exactness::exact) const;
 
-    //! How the part answers to one or two turning handles, for live frames without substitution
-    //! (surface_response.h). The deformer must outlive it.
+    //! How the part answers to whatever drives it, learnt from poses, for live frames without
+    //! substitution (response.h). The deformer must outlive it.
     //! \throws Cancelled if the progress callback asks for it
-    std::unique_ptr<SurfaceResponse> response(const ResponseOptions& options,
-                                              const Progress& progress = {}) const;
+    std::unique_ptr<Response> response(const std::vector<SurfaceTargets>& samples,
+                                       const ResponseReaders& readers,
+                                       const Progress& progress = {}) const;
 
-    //! Whether response() knows the part: nothing of it is driven by other parts' shapes or bound
-    //! to a motion or a link.
+    //! Whether response() knows the part.
     bool can_respond() const;
-
-    //! How the part answers to whatever drives it, learnt from poses (sampled_response.h). The
-    //! deformer must outlive it.
-    //! \param reads  vertices that other parts read
-    //! \throws Cancelled if the progress callback asks for it
-    std::unique_ptr<SampledResponse> sampled_response(const std::vector<SurfaceTargets>& samples,
-                                                      const VertexIds& reads,
-                                                      const Progress& progress = {}) const;
-
-    //! Whether sampled_response() knows the part.
-    bool can_be_sampled() const;
 
     const TriangleMesh& rest() const;
     const SurfaceConstraints& constraints() const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Finite element decks have nodes of no triangle: they change nothing, wherever they stand.
 #include "shapes/unused_nodes.h"
-#include "sheetmorph/surface/live/sampled_response.h"
-#include "sheetmorph/surface/live/surface_response.h"
+#include "sheetmorph/surface/live/drawn_motions.h"
+#include "sheetmorph/surface/live/response.h"
 #include "surface/all_cases.h"
 #include "surface/free_strip.h"
 
@@ -62,7 +62,7 @@ TEST_P(UnusedNodes, ChangeNoShapeWhereverTheyStand)
     }
 }
 
-// The shape that responses give without substitution, nothing where there is none.
+// The shape that the response gives without substitution, nothing where there is none.
 std::vector<Points> frames_of(const Case& one)
 {
     const SurfaceDeformer deformer(one.mesh, one.constraints);
@@ -70,16 +70,8 @@ std::vector<Points> frames_of(const Case& one)
     Deformation shape;
     if (deformer.can_respond())
     {
-        const auto response = deformer.response({{0}, {}, 8});
-        if (const auto frame = response->frame(one.targets))
-        {
-            response->place(*frame, true, shape);
-            found.push_back(shape.positions);
-        }
-    }
-    if (deformer.can_be_sampled())
-    {
-        const auto response = deformer.sampled_response({one.targets}, {});
+        const auto response = deformer.response(
+            own_poses(one.mesh, one.constraints, one.targets, {0}), {});
         if (const auto frame = response->frame(one.targets))
         {
             response->place(*frame, shape);

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/drag_samples.h"
 
-#include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/surface/live/drawn_motions.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace sheetmorph
 {
@@ -16,42 +14,10 @@ namespace sheetmorph
 namespace
 {
 
-constexpr int pose_count = 128;
-constexpr double farthest_turn = 75.0 / 360.0 * M_PI;  // as a logarithm (2.6)
-constexpr double farthest_shift = 0.35;                // of the part's size
+// Poses that pass through the parts.
+constexpr int passed_poses = 128;
 
-//! Points in a ball, the same ones every time.
-class Ball
-{
-public:
-    Vector3 operator()(double radius)
-    {
-        Vector3 point;
-        do
-            point = Vector3(share(), share(), share());
-        while (point.squaredNorm() > 1.0);
-        return radius * point;
-    }
-
-private:
-    double share()
-    {
-        return 2.0 * static_cast<double>(bits_()) / static_cast<double>(std::mt19937::max()) - 1.0;
-    }
-    std::mt19937 bits_{1};
-};
-
-// About the middle of the handle.
-RigidMotion sampled(const TriangleMesh& mesh, const PartHandle& handle, const RigidMotion& start,
-                    Ball& ball)
-{
-    RigidMotion motion;
-    motion.pivot = rows_of(mesh.points(), handle.vertices).colwise().mean().transpose();
-    motion.rotation_log = start.rotation_log + ball(farthest_turn);
-    motion.translation =
-        start.apply(motion.pivot) - motion.pivot + ball(farthest_shift * mesh.size());
-    return motion;
-}
+constexpr double farthest_passed = 75.0 / 180.0 * M_PI;
 
 // With a plane of symmetry the pose of one of two mirrored handles tells that of the other.
 std::set<std::string> mirrored(const PreparedAssembly& prepared)
@@ -69,8 +35,8 @@ std::vector<Pose> sampled_poses(const PreparedAssembly& prepared,
 {
     const std::set<std::string> others = mirrored(prepared);
     std::vector<Pose> poses;
-    Ball ball;
-    for (int k = 0; k < pose_count; ++k)
+    DrawnMotions drawn;
+    for (int k = 0; k < passed_poses; ++k)
     {
         Pose pose = start;
         for (const std::string& name : others)
@@ -79,24 +45,35 @@ std::vector<Pose> sampled_poses(const PreparedAssembly& prepared,
             if (dragged.count(handle.name) > 0 && others.count(handle.name) == 0)
             {
                 RigidMotion& motion = pose.handles[handle.name];
-                motion =
-                    sampled(prepared.assembly.parts[at(handle.part)].mesh, handle, motion, ball);
+                motion = drawn.next(prepared.assembly.parts[at(handle.part)].mesh, handle.vertices,
+                                    motion, farthest_passed);
             }
         poses.push_back(told_pose(prepared, pose));
     }
     return poses;
 }
 
+// Whether links drive a part: then it learns from what earlier parts pass on.
+bool needs_waves(const PartProblem& problem)
+{
+    return !problem.propagated.empty();
+}
+
 }  // namespace
 
 DragSamples::DragSamples(const PreparedAssembly& prepared, const std::set<std::string>& dragged,
-                         const Pose& start)
+                         const Pose& start, bool passes)
     : prepared_(prepared),
-      is_needed_(prepared.parts.size(), 0),
+      dragged_(dragged),
+      start_(start),
+      at_start_(prepared, start_, Exactness::live),
       is_learnt_(prepared.parts.size(), 0)
 {
-    find_needed();
-    if (std::none_of(is_needed_.begin(), is_needed_.end(), [](char needed) { return needed != 0; }))
+    at_start_.run();
+    const bool any =
+        std::any_of(prepared.parts.begin(), prepared.parts.end(),
+                    [](const PreparedPart& part) { return needs_waves(part.problem); });
+    if (!passes || !any)
         return;
     poses_ = sampled_poses(prepared, dragged, start);
     for (const Pose& pose : poses_)
@@ -106,38 +83,34 @@ DragSamples::DragSamples(const PreparedAssembly& prepared, const std::set<std::s
     }
 }
 
-// Parts that links or several welds drive - one weld alone takes fewer fields (surface_response.h)
-// -, and all parts before them.
-void DragSamples::find_needed()
+// Whether every part that drives this one is learnt, so that the waves have reached it.
+bool DragSamples::is_passed_on(int part) const
 {
-    for (auto part = prepared_.plan.order.rbegin(); part != prepared_.plan.order.rend(); ++part)
-    {
-        const PartProblem& problem = prepared_.parts[at(*part)].problem;
-        if (problem.propagated.empty() && problem.carried.size() < 2 && !is_needed_[at(*part)])
-            continue;
-        is_needed_[at(*part)] = 1;
-        for (const PlannedLink& link : prepared_.planned)
-            for (const LinkTarget& target : link.targets)
-                if (target.part == *part)
-                    is_needed_[at(link.source_part)] = 1;
-        for (const RigidWeld& weld : prepared_.welds)
-            if (weld.target_part == *part)
-                is_needed_[at(weld.source_part)] = 1;
-    }
-}
-
-bool DragSamples::can_learn(int part) const
-{
-    const PreparedPart& ready = prepared_.parts[at(part)];
-    if (!is_needed_[at(part)] || ready.thin || !ready.deformer || !ready.deformer->can_be_sampled())
+    if (waves_.empty())
         return false;
     for (const PlannedLink& link : prepared_.planned)
         for (const LinkTarget& target : link.targets)
             if (target.part == part && !is_learnt_[at(link.source_part)])
                 return false;
-    return std::all_of(ready.problem.carried.begin(), ready.problem.carried.end(),
+    const std::vector<int>& carried = prepared_.parts[at(part)].problem.carried;
+    return std::all_of(carried.begin(), carried.end(),
                        [&](int weld)
                        { return is_learnt_[at(prepared_.welds[at(weld)].source_part)] != 0; });
+}
+
+// The part's own dragged handles and the welds that carry it, on their own.
+void DragSamples::add_own(int part, std::vector<SurfaceTargets>& samples) const
+{
+    const PartProblem& problem = prepared_.parts[at(part)].problem;
+    const SurfaceTargets start = at_start_.targets_of(part);
+    std::vector<int> turning;
+    for (std::size_t k = 0; k < start.handles.size(); ++k)
+        if (k >= problem.own.handles.size()
+            || dragged_.count(prepared_.assembly.handles[at(problem.own.handles[k])].name) != 0)
+            turning.push_back(static_cast<int>(k));
+    const SurfaceDeformer& deformer = *prepared_.parts[at(part)].deformer;
+    for (SurfaceTargets& pose : own_poses(deformer.rest(), deformer.constraints(), start, turning))
+        samples.push_back(std::move(pose));
 }
 
 VertexIds DragSamples::reads_of(int part) const
@@ -149,19 +122,27 @@ VertexIds DragSamples::reads_of(int part) const
     return reads;
 }
 
-std::shared_ptr<const SampledResponse> DragSamples::learn(int part, const Progress& progress)
+std::shared_ptr<const Response> DragSamples::learn(int part, const Progress& progress)
 {
-    if (!can_learn(part))
+    const PreparedPart& ready = prepared_.parts[at(part)];
+    if (!ready.deformer || !ready.deformer->can_respond())
         return nullptr;
+    const bool passes = is_passed_on(part);
     std::vector<SurfaceTargets> samples;
-    for (const Wave& wave : waves_)
-        samples.push_back(wave.targets_of(part));
-    std::shared_ptr<const SampledResponse> response =
-        prepared_.parts[at(part)].deformer->sampled_response(samples, reads_of(part), progress);
-    waves_.remove_if([&](Wave& wave) { return !wave.read(part, *response); });
-    if (waves_.empty())
+    if (passes)
+        for (const Wave& wave : waves_)
+            samples.push_back(wave.targets_of(part));
+    if (ready.problem.propagated.empty())
+        add_own(part, samples);
+    if (samples.empty())
         return nullptr;
-    is_learnt_[at(part)] = 1;
+    std::shared_ptr<const Response> response =
+        ready.deformer->response(samples, {reads_of(part), ready.thin != nullptr}, progress);
+    if (!response->is_learnt())
+        return nullptr;
+    if (passes)
+        waves_.remove_if([&](Wave& wave) { return !wave.read(part, *response); });
+    is_learnt_[at(part)] = passes;
     return response;
 }
 

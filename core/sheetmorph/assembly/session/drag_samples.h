@@ -9,27 +9,31 @@
 namespace sheetmorph
 {
 
-//! Poses of a drag on their way through the parts: handles turned by up to 75 degrees and moved by
-//! up to a third of their part from where they stand. From them parts that control meshes and ties
-//! drive, and those that drive them, learn how they answer (sampled_response.h).
+//! Poses of a drag, from which the parts learn how they answer (response.h). Handles of a part and
+//! the welds that carry it turn on their own (own_poses()). What control meshes and ties drive
+//! learns from poses that went through all parts before it: there handles turn by up to 75 degrees.
 class DragSamples
 {
 public:
-    //! \param start  told_pose()
+    //! \param start   told_pose()
+    //! \param passes  whether parts learn what earlier parts pass on to them
     DragSamples(const PreparedAssembly& prepared, const std::set<std::string>& dragged,
-                const Pose& start);
+                const Pose& start, bool passes);
 
-    //! To be asked part by part in their order. Nothing for parts that need not learn, or cannot:
-    //! what a part before them became must be learnt too.
-    std::shared_ptr<const SampledResponse> learn(int part, const Progress& progress);
+    //! To be asked part by part in their order. Nothing for parts that cannot learn: what drives
+    //! them must be learnt too.
+    std::shared_ptr<const Response> learn(int part, const Progress& progress);
 
 private:
-    void find_needed();
-    bool can_learn(int part) const;
+    bool is_passed_on(int part) const;
+    void add_own(int part, std::vector<SurfaceTargets>& samples) const;
     VertexIds reads_of(int part) const;
 
     const PreparedAssembly& prepared_;
-    std::vector<char> is_needed_, is_learnt_;  // by part
+    std::set<std::string> dragged_;
+    Pose start_;
+    Wave at_start_;
+    std::vector<char> is_learnt_;  // by part: all waves have passed it
     std::vector<Pose> poses_;
     std::vector<Deformation> read_;
     std::list<Wave> waves_;  // those that every part so far has answered

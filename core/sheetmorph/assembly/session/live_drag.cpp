@@ -9,9 +9,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
-#include <map>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 namespace sheetmorph
@@ -20,41 +18,8 @@ namespace sheetmorph
 namespace
 {
 
-// Polynomials of the rotation weights: exact to 4e-7 up to 165 degrees for one
-// handle, to 100 degrees for two.
-constexpr int degree_for_one = 8;
-constexpr int degree_for_two = 7;
-
 // Frames whose memory is kept for further ones: what is shown, what is on its way, what is made.
 constexpr std::size_t frames_kept = 3;
-
-bool turns_or_moves(const RigidMotion& motion)
-{
-    return !motion.rotation_log.isZero(0.0) || !motion.translation.isZero(0.0);
-}
-
-// Own handles that are dragged or stand displaced, then every weld that another
-// part moves.
-ResponseOptions options_of(const PreparedAssembly& prepared, int part,
-                           const std::set<std::string>& dragged, const Pose& start)
-{
-    const PartProblem& problem = prepared.parts[at(part)].problem;
-    ResponseOptions options;
-    for (std::size_t k = 0; k < problem.own.handles.size(); ++k)
-    {
-        const std::string& name = prepared.assembly.handles[at(problem.own.handles[k])].name;
-        const auto motion = start.handles.find(name);
-        const bool is_displaced = motion != start.handles.end() && turns_or_moves(motion->second);
-        if (dragged.count(name) != 0 || (is_displaced && !motion->second.rotation_log.isZero(0.0)))
-            options.turning.push_back(static_cast<int>(k));
-        else if (is_displaced)
-            options.moving.push_back(static_cast<int>(k));
-    }
-    for (std::size_t k = 0; k < problem.carried.size(); ++k)
-        options.turning.push_back(static_cast<int>(problem.own.handles.size() + k));
-    options.degree = options.turning.size() > 1 ? degree_for_two : degree_for_one;
-    return options;
-}
 
 std::string words_of(const std::exception_ptr& failure)
 {
@@ -94,15 +59,6 @@ public:
                const DragOptions& options)
         : prepared_(prepared), told_(options.progress), responses_(prepared.parts.size())
     {
-        for (const int part : prepared.plan.order)
-        {
-            const PreparedPart& ready = prepared.parts[at(part)];
-            if (!ready.deformer || !ready.deformer->can_respond())
-                continue;
-            ResponseOptions wanted = options_of(prepared, part, dragged, start);
-            if (!wanted.turning.empty() && wanted.turning.size() <= 2)
-                wanted_.emplace(part, std::move(wanted));
-        }
         const bool learns = vertices_of(prepared.assembly) >= options.least_to_learn;
         thread_ = std::thread([this, learns, dragged = std::move(dragged), start]
                               { build(learns, dragged, start); });
@@ -156,10 +112,9 @@ private:
         std::exception_ptr failure;
         try
         {
-            if (learns)
-                samples_.emplace(prepared_, dragged, start);
+            DragSamples samples(prepared_, dragged, start, learns);
             for (const int part : prepared_.plan.order)
-                build(part, progress);
+                keep(part, samples.learn(part, progress));
         }
         catch (const Cancelled&)
         {
@@ -175,30 +130,14 @@ private:
         finished_.notify_all();
     }
 
-    void build(int part, const Progress& progress)
-    {
-        const auto options = wanted_.find(part);
-        PartResponse built;
-        if (options != wanted_.end())
-            built.to_handles =
-                prepared_.parts[at(part)].deformer->response(options->second, progress);
-        keep(part, built);
-        if (!samples_)
-            return;
-        built.to_samples = samples_->learn(part, progress);
-        keep(part, built);
-    }
-
-    void keep(int part, const PartResponse& built)
+    void keep(int part, std::shared_ptr<const Response> built)
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        responses_[at(part)] = built;
+        responses_[at(part)] = std::move(built);
     }
 
     const PreparedAssembly& prepared_;
     const Progress told_;
-    std::optional<DragSamples> samples_;  // of the thread alone
-    std::map<int, ResponseOptions> wanted_;
     mutable std::mutex mutex_;
     std::condition_variable finished_;
     PartResponses responses_;

@@ -10,9 +10,8 @@ namespace sheetmorph
 
 struct PreparedAssembly;
 
-//! Live frames while some handles are dragged. Begun, it works out in the background how the parts
-//! answer: to one or two handles or rigid welds (surface_response.h), to control meshes and ties
-//! (sampled_response.h). A frame takes what is ready and substitutes the rest, so the first frame
+//! Live frames while some handles are dragged. Begun, it learns in the background how the parts
+//! answer (response.h). A frame takes what is ready and substitutes the rest, so the first frame
 //! does not wait. Either way it is within 1e-6 of the size of the exact shape. One thread at a time
 //! asks for frames.
 class LiveDrag
@@ -26,8 +25,8 @@ public:
     LiveDrag(const LiveDrag&) = delete;
     LiveDrag& operator=(const LiveDrag&) = delete;
 
-    //! Any pose, always from rest; those that turn no more than two handles of a
-    //! part are fast. Rotation logs need not be there. \returns a frame that stays as it is while
+    //! Any pose, always from rest; those of the dragged handles are fast (drag_samples.h). Rotation
+    //! logs need not be there. \returns a frame that stays as it is while
     //! somebody holds it; the memory of one that nobody holds is used again
     //! \throws InvalidInput as DeformationSession::deform()
     std::shared_ptr<const Deformed> frame(const Pose& pose);

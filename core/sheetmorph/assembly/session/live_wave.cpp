@@ -25,9 +25,7 @@ std::vector<char> Wave::run_live(const PartResponses& responses, std::vector<Def
     std::vector<char> answered(result.parts.size(), 0);
     for (const int part : prepared_.plan.order)
     {
-        answered[at(part)] = respond(part, responses[at(part)]);
-        if (!answered[at(part)])
-            substitute(part);
+        answered[at(part)] = answer(part, responses[at(part)]);
         pass_on(part);
     }
     for (const int part : prepared_.plan.unreached)
@@ -50,9 +48,9 @@ void Wave::begin_reading(std::vector<Deformation>& read)
     is_in_read_.assign(prepared_.parts.size(), 0);
 }
 
-bool Wave::read(int part, const SampledResponse& response)
+bool Wave::read(int part, const Response& response)
 {
-    const std::optional<SampledResponse::Frame> frame = response.frame(targets_of(part));
+    const std::optional<Response::Frame> frame = response.frame(targets_of(part));
     if (!frame)
         return false;
     is_in_read_[at(part)] = 1;
@@ -61,53 +59,27 @@ bool Wave::read(int part, const SampledResponse& response)
     return true;
 }
 
-bool Wave::is_read(int part) const
-{
-    return std::any_of(prepared_.planned.begin(), prepared_.planned.end(),
-                       [part](const PlannedLink& link) { return link.source_part == part; });
-}
-
-bool Wave::respond(int part, const PartResponse& response)
-{
-    return (response.to_samples && respond_to_samples(part, response.to_samples))
-           || (response.to_handles && respond_to_handles(part, response.to_handles));
-}
-
-// What later parts read at once, everything when all parts are.
-bool Wave::respond_to_samples(int part, const std::shared_ptr<const SampledResponse>& response)
-{
-    auto frame =
-        std::make_shared<std::optional<SampledResponse::Frame>>(response->frame(targets_of(part)));
-    if (!*frame)
-        return false;
-    is_in_read_[at(part)] = 1;
-    response->place_reads(**frame, (*read_)[at(part)]);
-    answers_.push_back(
-        {part, [response, frame](Deformation& shape) { response->place(**frame, shape); }});
-    return true;
-}
-
-// Rigid motions at once, since later parts need them; vertices too if a link
-// reads them, else when all parts are.
-bool Wave::respond_to_handles(int part, const std::shared_ptr<const SurfaceResponse>& response)
+// What later parts read at once, everything when all parts are; a thin solid hangs on the whole of
+// its middle, and later parts read sizes too.
+bool Wave::respond(int part, const std::shared_ptr<const Response>& response)
 {
     const auto& thin = prepared_.parts[at(part)].thin;
     if (thin && thin->has_points())
         return false;
     const SurfaceTargets targets = targets_of(part);
-    std::optional<SurfaceResponse::Frame> frame = response->frame(targets);
-    if (!frame)
+    auto frame = std::make_shared<std::optional<Response::Frame>>(response->frame(targets));
+    if (!*frame)
         return false;
-    Deformation& shape = solved(part);
-    shape.features = frame->features;
-    if (thin || is_read(part))
+    if (thin || (*frame)->has_sizes())
     {
-        response->place(*frame, true, shape);
+        response->place(**frame, solved(part));
         expand(part, targets);
+        return true;
     }
-    else
-        answers_.push_back({part, [response, placed = std::move(*frame)](Deformation& whole)
-                            { response->place(placed, false, whole); }});
+    is_in_read_[at(part)] = 1;
+    response->place_reads(**frame, (*read_)[at(part)]);
+    answers_.push_back(
+        {part, [response, frame](Deformation& shape) { response->place(**frame, shape); }});
     return true;
 }
 

@@ -36,7 +36,7 @@ Deformed Wave::run()
     start(result);
     for (const int part : prepared_.plan.order)
     {
-        substitute(part);
+        answer(part, nullptr);
         pass_on(part);
     }
     for (const int part : prepared_.plan.unreached)
@@ -90,26 +90,40 @@ SurfaceTargets Wave::targets_of(int part) const
                             {links_, welds_, motions_});
 }
 
-void Wave::substitute(int index)
+// The one place that chooses how a part is answered (resources/docs/answers.md).
+// \returns whether its response was taken
+bool Wave::answer(int index, const std::shared_ptr<const Response>& response)
 {
     const PreparedPart& part = prepared_.parts[at(index)];
     if (!part.deformer)
-        return set_at_rest(index);
+    {
+        set_at_rest(index);
+        return false;
+    }
     try
     {
-        if (exactness_ == Exactness::exact)
-            result_->spread = std::max(result_->spread,
-                                       spread_of_targets(part.problem, {links_, welds_, motions_}));
-        const SurfaceTargets targets = targets_of(index);
-        solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_)
-                                  : part.deformer->deform(targets, exactness_);
-        expand(index, targets);
+        if (exactness_ == Exactness::live && response && respond(index, response))
+            return true;
+        substitute(index);
+        return false;
     }
     catch (const InvalidInput& fault)
     {
         const Part& named = prepared_.assembly.parts[at(index)];
         throw fault.in_part(named.name, named.ids);
     }
+}
+
+void Wave::substitute(int index)
+{
+    const PreparedPart& part = prepared_.parts[at(index)];
+    if (exactness_ == Exactness::exact)
+        result_->spread =
+            std::max(result_->spread, spread_of_targets(part.problem, {links_, welds_, motions_}));
+    const SurfaceTargets targets = targets_of(index);
+    solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_)
+                              : part.deformer->deform(targets, exactness_);
+    expand(index, targets);
 }
 
 // What later parts need of this one.

@@ -2,22 +2,15 @@
 #pragma once
 
 #include "sheetmorph/assembly/session/prepared_assembly.h"
-#include "sheetmorph/surface/live/sampled_response.h"
+#include "sheetmorph/surface/live/response.h"
 
 #include <functional>
 
 namespace sheetmorph
 {
 
-//! How a part answers in live frames; it is substituted where neither knows a pose.
-struct PartResponse
-{
-    std::shared_ptr<const SurfaceResponse> to_handles;  //!< one or two
-    std::shared_ptr<const SampledResponse> to_samples;  //!< asked first
-};
-
-//! By part.
-using PartResponses = std::vector<PartResponse>;
+//! How parts answer in live frames, by part; nothing: by substitution.
+using PartResponses = std::vector<std::shared_ptr<const Response>>;
 
 //! One pose on its way through the propagation order.
 class Wave
@@ -39,7 +32,7 @@ public:
     //! a part, in buffers that the poses share.
     void begin_reading(std::vector<Deformation>& read);
     SurfaceTargets targets_of(int part) const;
-    bool read(int part, const SampledResponse& response);
+    bool read(int part, const Response& response);
 
 private:
     struct Answer
@@ -52,11 +45,9 @@ private:
     Deformation& solved(int part) const;
     void set_at_rest(int part) const;
     void expand(int part, const SurfaceTargets& targets) const;
+    bool answer(int part, const std::shared_ptr<const Response>& response);
     void substitute(int part);
-    bool respond(int part, const PartResponse& response);
-    bool respond_to_samples(int part, const std::shared_ptr<const SampledResponse>& response);
-    bool respond_to_handles(int part, const std::shared_ptr<const SurfaceResponse>& response);
-    bool is_read(int part) const;
+    bool respond(int part, const std::shared_ptr<const Response>& response);
     void pass_on(int part);
     void place_answers() const;
     Points sized_rest(int part) const;

@@ -98,6 +98,12 @@ void ResponseFields::append(const Eigen::MatrixXd& columns, const Eigen::VectorX
                     extend_some);
 }
 
+Eigen::RowVectorXd ResponseFields::row(Eigen::Index row) const
+{
+    const Patch& patch = patches_[at(row / rows_a_patch_)];
+    return patch.fields.row(row % rows_a_patch_).cast<double>() * patch.shares;
+}
+
 Points ResponseFields::times(const Coefficients& coefficients) const
 {
     Points product(rows_, 3);

@@ -32,6 +32,9 @@ public:
     //! Phi c, (n, 3).
     Points times(const Coefficients& coefficients) const;
 
+    //! (1, k) one row of Phi.
+    Eigen::RowVectorXd row(Eigen::Index row) const;
+
     Eigen::Index rows() const { return rows_; }
     Eigen::Index columns() const { return tolerances_.size(); }
     Eigen::Index rows_a_patch() const { return rows_a_patch_; }

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 #include <algorithm>
 
@@ -44,6 +45,16 @@ Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles)
                 anchors_.push_back({i, leading[static_cast<std::size_t>(nearest->triangle)],
                                     nearest->barycentric});
         }
+}
+
+VertexIds Followers::corners(const TriangleMesh& rest) const
+{
+    VertexIds corners;
+    for (const Anchor& anchor : anchors_)
+        for (int k = 0; k < 3; ++k)
+            corners.push_back(rest.triangles()(anchor.triangle, k));
+    make_set(corners);
+    return corners;
 }
 
 void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const

@@ -20,6 +20,9 @@ public:
 
     bool is_empty() const { return anchors_.empty(); }
 
+    //! The vertices that they hang on, ascending: place() reads their rows.
+    VertexIds corners(const TriangleMesh& rest) const;
+
 private:
     struct Anchor
     {

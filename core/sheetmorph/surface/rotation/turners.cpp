@@ -54,4 +54,12 @@ std::vector<Turner> turners_of(const TriangleMesh& mesh, const SurfaceConstraint
     return turners;
 }
 
+BodyMotions unmoved_turners(const std::vector<Turner>& turners, BodyMotions bodies)
+{
+    for (const Turner& turner : turners)
+        if (turner.body >= 0 && turner.turns)
+            bodies.motions[at(turner.body)].rotation_log.setZero();
+    return bodies;
+}
+
 }  // namespace sheetmorph

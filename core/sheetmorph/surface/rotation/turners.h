@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/triangle_mesh.h"
-#include "sheetmorph/surface/operators/vertex_roles.h"
+#include "sheetmorph/surface/bodies/body_motions.h"
 
 namespace sheetmorph
 {
@@ -21,5 +21,8 @@ struct Turner
 //! Bodies first, leaders of links before their followers; then points.
 std::vector<Turner> turners_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                                const VertexRoles& roles);
+
+//! Bodies with every turner where it was at rest.
+BodyMotions unmoved_turners(const std::vector<Turner>& turners, BodyMotions bodies);
 
 }  // namespace sheetmorph

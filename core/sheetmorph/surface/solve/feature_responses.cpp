@@ -142,7 +142,13 @@ Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& le
 ReducedEnergy FeatureResponses::energy(const ConstrainedMinimiser::Targets& asked,
                                        const ConstrainedMinimiser::Solution& base) const
 {
-    return {stiffness_, slopes(minimiser_.balance(asked, base))};
+    return {stiffness_, slopes(asked, base)};
+}
+
+Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Targets& asked,
+                                         const ConstrainedMinimiser::Solution& base) const
+{
+    return slopes(minimiser_.balance(asked, base));
 }
 
 std::optional<Eigen::MatrixXd> FeatureResponses::displacements(const Eigen::MatrixXd& rho) const

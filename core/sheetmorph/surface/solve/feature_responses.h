@@ -44,6 +44,11 @@ public:
     ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
                          const ConstrainedMinimiser::Solution& base) const;
 
+    //! The two parts of it: the stiffness is that of every pose, a slope (c, k) is linear in base.
+    const Weights& stiffness() const { return stiffness_; }
+    Eigen::MatrixXd slopes(const ConstrainedMinimiser::Targets& asked,
+                           const ConstrainedMinimiser::Solution& base) const;
+
     //! (n, c) to live accuracy; nothing where the responses
     //! would take more memory than they are worth: solve again instead.
     const ResponseFields* fields() const { return responses_ ? &*responses_ : nullptr; }

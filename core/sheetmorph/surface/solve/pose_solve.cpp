@@ -99,16 +99,6 @@ Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
     return rows;
 }
 
-// Bodies with every turner where it was at rest.
-BodyMotions unmoved_turners(const PreparedSurface& part, const BodyMotions& bodies)
-{
-    BodyMotions unmoved = bodies;
-    for (const Turner& turner : part.responses->turners())
-        if (turner.body >= 0 && turner.turns)
-            unmoved.motions[at(turner.body)].rotation_log.setZero();
-    return unmoved;
-}
-
 //! One pose on its way to its solution.
 struct Solving
 {
@@ -125,7 +115,7 @@ struct Solving
 // Lets the energy turn what it may turn; the sheet's displacements, known already in a live frame.
 std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solving& pose)
 {
-    const BodyMotions unmoved = unmoved_turners(part, pose.bodies);
+    const BodyMotions unmoved = unmoved_turners(part.responses->turners(), pose.bodies);
     ConstrainedMinimiser::Targets& asked = pose.asked;
     asked.rows = turned_rows(part, pose.field, {});
     asked.offset = known_displacements(part.placement(), pose.targets, unmoved);

@@ -137,7 +137,7 @@ TEST(LiveDrag, SubstitutesWhereAPoseIsFarFromThoseLearntFrom)
     const auto drag = session.begin_drag({"tip"}, {}, learning);
     drag->wait();
     Pose pose = frame.pose;
-    pose.handles["tip"].rotation_log = rotation_log(Vector3::UnitX(), 3.5);
+    pose.handles["tip"].rotation_log = rotation_log(Vector3::UnitX(), 7.0);
     const Deformed far = *drag->frame(pose);
     EXPECT_FALSE(drag->answered()[0]);
     EXPECT_LT(worst_share(frame, far, session.deform(pose)), 1e-6);

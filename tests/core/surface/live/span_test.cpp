@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/surface/live/sampled_span.h"
+#include "sheetmorph/surface/live/span.h"
 
 #include <gtest/gtest.h>
 
@@ -18,20 +18,20 @@ Eigen::MatrixXd exponentials(int count)
     return columns;
 }
 
-TEST(SampledSpan, FewColumnsBlendToAllOfThem)
+TEST(Span, FewColumnsBlendToAllOfThem)
 {
     const Eigen::MatrixXd columns = exponentials(80);
-    const SampledSpan span = spanned(columns);
+    const Span span = spanned(columns);
     EXPECT_LT(span.chosen.size(), 14U);
     const Eigen::MatrixXd& q = span.directions;
     EXPECT_LT((q * (q.transpose() * columns) - columns).cwiseAbs().maxCoeff(), 2e-8);
     EXPECT_LT((q.transpose() * q - Eigen::MatrixXd::Identity(q.cols(), q.cols())).norm(), 1e-12);
 }
 
-TEST(SampledSpan, TellsHowItsDirectionsComeFromTheChosenColumns)
+TEST(Span, TellsHowItsDirectionsComeFromTheChosenColumns)
 {
     const Eigen::MatrixXd columns = exponentials(40);
-    const SampledSpan span = spanned(columns);
+    const Span span = spanned(columns);
     for (std::size_t k = 0; k < span.chosen.size(); ++k)
     {
         const auto column = static_cast<Eigen::Index>(k);
@@ -42,7 +42,7 @@ TEST(SampledSpan, TellsHowItsDirectionsComeFromTheChosenColumns)
     EXPECT_GE(span.reach(0), span.upper(0, 0));
 }
 
-TEST(SampledSpan, OfNothingIsEmpty)
+TEST(Span, OfNothingIsEmpty)
 {
     EXPECT_TRUE(spanned(Eigen::MatrixXd::Zero(5, 3)).chosen.empty());
 }

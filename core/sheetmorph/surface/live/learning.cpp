@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/live/learning.h"
+
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/rotation.h"
+#include "sheetmorph/surface/operators/point_rows.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Columns that are substituted together: about as many, fewer where each takes long, so that
+// whoever ends a drag does not wait.
+constexpr Eigen::Index most_together = 12;
+constexpr Eigen::Index fewest_together = 3;
+constexpr Eigen::Index entries_together = 2000000;
+
+}  // namespace
+
+Eigen::MatrixXd learnt_columns(const PoseNumbers& numbers, const std::vector<KnownPose>& poses)
+{
+    Eigen::MatrixXd columns;
+    for (std::size_t k = 0; k < poses.size(); ++k)
+    {
+        const Points of_pose = numbers.of(poses[k], numbers.turns(poses[k]));
+        if (k == 0)
+            columns.resize(of_pose.rows(), 3 * static_cast<Eigen::Index>(poses.size()));
+        columns.middleCols(3 * static_cast<Eigen::Index>(k), 3) = of_pose;
+    }
+    return columns;
+}
+
+// Columns of one pose together.
+std::vector<LearntFields::Asked> LearntFields::in_order(
+    const std::vector<Eigen::Index>& columns) const
+{
+    std::vector<Asked> asked;
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        asked.push_back({static_cast<Eigen::Index>(k), at(columns[k] / 3), columns[k] % 3});
+    std::stable_sort(asked.begin(), asked.end(),
+                     [](const Asked& a, const Asked& b) { return a.pose < b.pose; });
+    return asked;
+}
+
+// What is left to the field of how the sheet turns at every vertex, less the identity.
+std::vector<Matrix3> LearntFields::turns(const KnownPose& pose) const
+{
+    const PoseNumbers::Turns known = numbers_.turns(pose);
+    const Points logs = narrow_product(numbers_.field(), known.logs);
+    const Points tilts =
+        known.tilts.rows() == 0 ? Points() : narrow_product(numbers_.field(), known.tilts);
+    Eigen::VectorXd left = Eigen::VectorXd::Ones(logs.rows());
+    if (part_.responses != nullptr)
+    {
+        const SparseMatrix& weights = part_.responses->weights();
+        left -= weights * Eigen::VectorXd::Ones(weights.cols());
+    }
+    std::vector<Matrix3> turns(at(logs.rows()));
+    const auto turn = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (Eigen::Index i = begin; i < end; ++i)
+        {
+            const Vector3 tilt =
+                tilts.rows() == 0 ? Vector3(Vector3::Zero()) : Vector3(tilts.row(i).transpose());
+            turns[at(i)] =
+                left(i) * (tilted_rotation(logs.row(i).transpose(), tilt) - Matrix3::Identity());
+        }
+    };
+    parallel_ranges(logs.rows(), microsecond_items, turn);
+    return turns;
+}
+
+// Displacements of what is known; bodies whose rotation the field decides turn by it, those that
+// the energy turns do not.
+Eigen::MatrixXd LearntFields::offset(const KnownPose& pose) const
+{
+    const PoseNumbers::Turns known = numbers_.turns(pose);
+    BodyMotions bodies = pose.bodies;
+    const Points logs = narrow_product(numbers_.field(), known.logs);
+    const Points tilts = known.tilts.rows() == 0 ? Points(Points::Zero(logs.rows(), 3))
+                                                 : narrow_product(numbers_.field(), known.tilts);
+    turn_open_bodies(part_.placement(), logs, tilts, bodies);
+    if (part_.responses != nullptr)
+        bodies = unmoved_turners(part_.responses->turners(), bodies);
+    return known_displacements(part_.placement(), pose.targets, bodies);
+}
+
+// Fills the columns of the next few, from `first` on.
+void LearntFields::ask(const std::vector<Asked>& asked, std::size_t first,
+                       ConstrainedMinimiser::Targets& targets) const
+{
+    const SurfaceOperators& operators = part_.operators;
+    std::vector<Matrix3> turned;
+    Eigen::MatrixXd offsets, shifts;
+    for (Eigen::Index k = 0; k < targets.offset.cols(); ++k)
+    {
+        const Asked& one = asked[first + at(k)];
+        const KnownPose& pose = poses_[one.pose];
+        if (k == 0 || one.pose != asked[first + at(k) - 1].pose)
+        {
+            turned = turns(pose);
+            offsets = offset(pose);
+            shifts = point_displacements(part_.rest, part_.constraints.points, pose.targets.points);
+        }
+        targets.offset.col(k) = offsets.col(one.coordinate);
+        targets.constraints.col(k) = shifts.col(one.coordinate);
+        for (Eigen::Index row = 0; row < targets.rows.rows(); ++row)
+            targets.rows(row, k) = turned[at(operators.row_vertices[at(row)])].row(one.coordinate)
+                                   * operators.rest_rows.row(row).transpose();
+    }
+}
+
+Eigen::MatrixXd LearntFields::solve(const std::vector<Eigen::Index>& columns,
+                                    Eigen::MatrixXd& slopes, const Progress& progress) const
+{
+    const std::vector<Asked> asked = in_order(columns);
+    const Eigen::Index n = part_.rest.vertex_count(), rows = part_.operators.rest_rows.rows();
+    const auto points = static_cast<Eigen::Index>(part_.constraints.points.size());
+    const auto count = static_cast<Eigen::Index>(columns.size());
+    const Eigen::Index together =
+        std::clamp(entries_together / std::max<Eigen::Index>(n, 1), fewest_together, most_together);
+    const bool is_turned = part_.responses != nullptr;
+    Eigen::MatrixXd answers(n, count);
+    slopes.resize(is_turned ? part_.responses->stiffness().rows() : 0, count);
+    for (Eigen::Index first = 0; first < count; first += together)
+    {
+        progress.report(static_cast<double>(first) / static_cast<double>(count), "response fields");
+        const Eigen::Index width = std::min(together, count - first);
+        ConstrainedMinimiser::Targets targets;
+        targets.rows.resize(rows, width);
+        targets.offset.resize(n, width);
+        targets.constraints.resize(points, width);
+        ask(asked, at(first), targets);
+        const ConstrainedMinimiser::Solution answer =
+            part_.minimiser.minimum(targets, is_turned ? 1 : 0);
+        const Eigen::MatrixXd slope =
+            is_turned ? part_.responses->slopes(targets, answer) : Eigen::MatrixXd(0, width);
+        for (Eigen::Index k = 0; k < width; ++k)
+        {
+            answers.col(asked[at(first + k)].column) = answer.u.col(k);
+            slopes.col(asked[at(first + k)].column) = slope.col(k);
+        }
+    }
+    return answers;
+}
+
+}  // namespace sheetmorph
