@@ -70,8 +70,8 @@ std::vector<Points> frames_of(const Case& one)
     Deformation shape;
     if (deformer.can_respond())
     {
-        const auto response = deformer.response(
-            own_poses(one.mesh, one.constraints, one.targets, {0}), {});
+        const auto response =
+            deformer.response(own_poses(one.mesh, one.constraints, one.targets, {0}), {});
         if (const auto frame = response->frame(one.targets))
         {
             response->place(*frame, shape);

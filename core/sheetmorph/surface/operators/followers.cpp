@@ -2,8 +2,8 @@
 #include "sheetmorph/surface/operators/followers.h"
 
 #include "sheetmorph/base/rotation.h"
-#include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/search/picking.h"
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 namespace sheetmorph
 {
@@ -14,11 +15,19 @@ constexpr int most_rounds = 400;
 constexpr double settled = 1e-7;  // of the size: a round that changes less is the last
 constexpr double stretch_against_bending = 100.0;
 
+// The vertices of triangles: nodes of none must not change how strong stretching is.
+VertexIds corners_of(const TriangleMesh& mesh)
+{
+    VertexIds corners(mesh.triangles().data(), mesh.triangles().data() + mesh.triangles().size());
+    make_set(corners);
+    return corners;
+}
+
 // Weights of rows count areas; unweighted rows (`paper`) one each.
-double per_area(const RotationFieldInput& input)
+double per_area(const RotationFieldInput& input, std::size_t vertices)
 {
     return input.constraints.energy == Energy::paper
-               ? static_cast<double>(input.mesh.vertex_count()) / input.operators.vertex_areas.sum()
+               ? static_cast<double>(vertices) / input.operators.vertex_areas.sum()
                : 1.0;
 }
 
@@ -27,8 +36,11 @@ double per_area(const RotationFieldInput& input)
 Refinement::Refinement(const RotationFieldInput& input, const QuadraticProblem& problem)
     : mesh_(input.mesh), operators_(input.operators)
 {
-    const double size = input.mesh.size();
-    const double strength = stretch_against_bending / (size * size) * per_area(input);
+    const VertexIds corners = corners_of(input.mesh);
+    const Points used = input.mesh.points()(corners, Eigen::indexing::all);
+    size_ = (used.colwise().maxCoeff() - used.colwise().minCoeff()).norm();
+    const double strength =
+        stretch_against_bending / (size_ * size_) * per_area(input, corners.size());
     const SparseMatrix& stiffness = *input.operators.harmonic;
     for (Eigen::Index column = 0; column < stiffness.outerSize(); ++column)
         for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
@@ -107,7 +119,7 @@ Convergence Refinement::refine(const ConstrainedMinimiser::Targets& asked, Eigen
         problem.rows = turned(fitted_rotations(mesh_.points() + u));
         Eigen::MatrixXd next = minimiser_->solve(problem, 1);
         found.miss = (next - u).rowwise().norm().maxCoeff();
-        found.is_converged = found.miss <= settled * mesh_.size();
+        found.is_converged = found.miss <= settled * size_;
         u = std::move(next);
     }
     return found;

@@ -38,6 +38,7 @@ private:
     Eigen::MatrixXd turned(const std::vector<Matrix3>& rotations) const;
 
     const TriangleMesh& mesh_;
+    double size_;  // mm, of what has triangles
     const SurfaceOperators& operators_;
     std::vector<Edge> edges_;
     std::unique_ptr<ConstrainedMinimiser> minimiser_;

@@ -15,10 +15,19 @@ namespace
 using cases::Case;
 using cases::DrawnPoses;
 
-std::unique_ptr<Response> learnt(const SurfaceDeformer& deformer, const Case& one,
-                                 const std::vector<int>& handles, double degrees, int poses = 256)
+//! What a response learns from.
+struct Learning
 {
-    return deformer.response(DrawnPoses(7).many(poses, one, handles, degrees), {{}, true});
+    std::vector<int> handles = {0};
+    double degrees = 90.0;
+    int poses = 256;
+};
+
+std::unique_ptr<Response> learnt(const SurfaceDeformer& deformer, const Case& one,
+                                 const Learning& from)
+{
+    return deformer.response(DrawnPoses(7).many(from.poses, one, from.handles, from.degrees),
+                             {{}, true});
 }
 
 double share_of_size(const Case& one, const Points& a, const Points& b)
@@ -49,7 +58,7 @@ void expect_exact_in_other_poses(Case one, const std::vector<int>& handles, doub
                                  int poses = 256)
 {
     const SurfaceDeformer deformer(one.mesh, one.constraints);
-    const auto response = learnt(deformer, one, handles, degrees, poses);
+    const auto response = learnt(deformer, one, {handles, degrees, poses});
     ASSERT_TRUE(response->is_learnt()) << one.name;
     DrawnPoses drawn(99);
     for (int k = 0; k < 5; ++k)
@@ -133,7 +142,7 @@ TEST(Response, ReproducesLargeTurnsAboutAFarPivot)
 {
     Case one = cases::bent_plate();
     const SurfaceDeformer deformer(one.mesh, one.constraints);
-    const auto response = learnt(deformer, one, {0}, 165.0);
+    const auto response = learnt(deformer, one, {{0}, 165.0});
     one.targets.handles = {
         cases::motion({5.0, -3.0, 20.0}, {0.3, 1.0, 0.2}, 160.0, Vector3(900.0, -400.0, 200.0))};
     const auto frame = response->frame(one.targets);
@@ -177,7 +186,7 @@ TEST(Response, LaysSizesOn)
     Case one = with_rotation(cases::flat_plate(), FeatureRotation::free);
     one.constraints.features[0].is_resizable = true;
     const SurfaceDeformer deformer(one.mesh, one.constraints);
-    const auto response = learnt(deformer, one, {0}, 90.0);
+    const auto response = learnt(deformer, one, {{0}, 90.0});
     const double size =
         1.1
         * (one.mesh.points().row(one.constraints.features[0].vertices[0])
@@ -206,7 +215,7 @@ TEST(Response, MeetsFixedAndHandleVerticesAsTheExactSolveDoes)
 {
     const Case one = cases::flat_plate();
     const SurfaceDeformer deformer(one.mesh, one.constraints);
-    const auto response = learnt(deformer, one, {0}, 165.0);
+    const auto response = learnt(deformer, one, {{0}, 165.0});
     Deformation live;
     response->place(response->frame(one.targets).value(), live);
     for (const int vertex : one.constraints.fixed[0].vertices)
@@ -222,7 +231,7 @@ TEST(Response, RefusesPosesThatAreNoBlendOfThoseLearntFrom)
 {
     Case one = with_handles(cases::bent_plate(), 2);
     const SurfaceDeformer deformer(one.mesh, one.constraints);
-    const auto response = learnt(deformer, one, {0}, 90.0);
+    const auto response = learnt(deformer, one, {{0}, 90.0});
     EXPECT_TRUE(response->frame(one.targets).has_value());
     one.targets.handles[1].rotation_log = Vector3(0.0, 0.2, 0.0);
     EXPECT_FALSE(response->frame(one.targets).has_value());
