@@ -105,10 +105,12 @@ def test_what_takes_long_is_cancelled_and_nothing_has_changed():
     App.ActiveDocument.clearUndos()
     yield from press_tool("Find Features…")
     patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
-    QtCore.QTimer.singleShot(0, cancel)
-    yield from press("OK")
-    yield from until(lambda: "Cancelled" in child("message").text(), "the panel to say so")
-    progress_dialog.PATIENCE = patience
+    try:
+        QtCore.QTimer.singleShot(0, cancel)
+        yield from press("OK")
+        yield from until(lambda: "Cancelled" in child("message").text(), "the panel to say so")
+    finally:
+        progress_dialog.PATIENCE = patience
     picture("find-cancelled")
     assert dialog() is None or not dialog().isVisible()
     assert regions("form feature") == [] and App.ActiveDocument.UndoNames == []

@@ -189,6 +189,10 @@ def dialog():
     return Gui.getMainWindow().findChild(QtGui.QProgressDialog, "SheetMorphProgress")
 
 
-def cancel() -> None:
-    """Presses Cancel in the progress dialog."""
-    dialog().findChild(QtGui.QPushButton).click()
+def cancel(tries: int = 2000) -> None:
+    """Presses Cancel in the progress dialog, as soon as there is one."""
+    shown = dialog()
+    if shown is not None:
+        shown.findChild(QtGui.QPushButton).click()
+    elif tries > 0:
+        QtCore.QTimer.singleShot(2, lambda: cancel(tries - 1))
