@@ -48,44 +48,44 @@ std::vector<LearntFields::Asked> LearntFields::in_order(
     return asked;
 }
 
-// What is left to the field of how the sheet turns at every vertex, less the identity.
-std::vector<Matrix3> LearntFields::turns(const KnownPose& pose) const
+// The field of a pose at every vertex.
+LearntFields::Field LearntFields::field(const KnownPose& pose) const
 {
     const PoseNumbers::Turns known = numbers_.turns(pose);
     const Points logs = narrow_product(numbers_.field(), known.logs);
-    const Points tilts =
-        known.tilts.rows() == 0 ? Points() : narrow_product(numbers_.field(), known.tilts);
-    Eigen::VectorXd left = Eigen::VectorXd::Ones(logs.rows());
+    if (known.tilts.rows() == 0)
+        return {logs, Points::Zero(logs.rows(), 3)};
+    return {logs, narrow_product(numbers_.field(), known.tilts)};
+}
+
+// What is left to the field of how the sheet turns at every vertex, less the identity.
+std::vector<Matrix3> LearntFields::turns(const Field& field) const
+{
+    Eigen::VectorXd left = Eigen::VectorXd::Ones(field.logs.rows());
     if (part_.responses != nullptr)
     {
         const SparseMatrix& weights = part_.responses->weights();
         left -= weights * Eigen::VectorXd::Ones(weights.cols());
     }
-    std::vector<Matrix3> turns(at(logs.rows()));
+    std::vector<Matrix3> turns(at(field.logs.rows()));
     const auto turn = [&](Eigen::Index begin, Eigen::Index end)
     {
         for (Eigen::Index i = begin; i < end; ++i)
-        {
-            const Vector3 tilt =
-                tilts.rows() == 0 ? Vector3(Vector3::Zero()) : Vector3(tilts.row(i).transpose());
             turns[at(i)] =
-                left(i) * (tilted_rotation(logs.row(i).transpose(), tilt) - Matrix3::Identity());
-        }
+                left(i)
+                * (tilted_rotation(field.logs.row(i).transpose(), field.tilts.row(i).transpose())
+                   - Matrix3::Identity());
     };
-    parallel_ranges(logs.rows(), microsecond_items, turn);
+    parallel_ranges(field.logs.rows(), microsecond_items, turn);
     return turns;
 }
 
 // Displacements of what is known; bodies whose rotation the field decides turn by it, those that
 // the energy turns do not.
-Eigen::MatrixXd LearntFields::offset(const KnownPose& pose) const
+Eigen::MatrixXd LearntFields::offset(const KnownPose& pose, const Field& field) const
 {
-    const PoseNumbers::Turns known = numbers_.turns(pose);
     BodyMotions bodies = pose.bodies;
-    const Points logs = narrow_product(numbers_.field(), known.logs);
-    const Points tilts = known.tilts.rows() == 0 ? Points(Points::Zero(logs.rows(), 3))
-                                                 : narrow_product(numbers_.field(), known.tilts);
-    turn_open_bodies(part_.placement(), logs, tilts, bodies);
+    turn_open_bodies(part_.placement(), field.logs, field.tilts, bodies);
     if (part_.responses != nullptr)
         bodies = unmoved_turners(part_.responses->turners(), bodies);
     return known_displacements(part_.placement(), pose.targets, bodies);
@@ -104,8 +104,9 @@ void LearntFields::ask(const std::vector<Asked>& asked, std::size_t first,
         const KnownPose& pose = poses_[one.pose];
         if (k == 0 || one.pose != asked[first + at(k) - 1].pose)
         {
-            turned = turns(pose);
-            offsets = offset(pose);
+            const Field sheet = field(pose);
+            turned = turns(sheet);
+            offsets = offset(pose, sheet);
             shifts = point_displacements(part_.rest, part_.constraints.points, pose.targets.points);
         }
         targets.offset.col(k) = offsets.col(one.coordinate);

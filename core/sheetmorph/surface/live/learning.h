@@ -36,8 +36,13 @@ private:
         Eigen::Index coordinate;
     };
     std::vector<Asked> in_order(const std::vector<Eigen::Index>& columns) const;
-    std::vector<Matrix3> turns(const KnownPose& pose) const;
-    Eigen::MatrixXd offset(const KnownPose& pose) const;
+    struct Field
+    {
+        Points logs, tilts;  // (n, 3)
+    };
+    Field field(const KnownPose& pose) const;
+    std::vector<Matrix3> turns(const Field& field) const;
+    Eigen::MatrixXd offset(const KnownPose& pose, const Field& field) const;
     void ask(const std::vector<Asked>& asked, std::size_t first,
              ConstrainedMinimiser::Targets& targets) const;
 
