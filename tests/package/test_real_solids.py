@@ -108,16 +108,7 @@ CHAIR = [1.0, 1.0, 3.0, 3.0, 7.0, 16.5, 16.5, 32.0]
     [
         ("summit_xl_covers", 10, [1.5, 1.5, 1.5, 4.0]),
         ("summit_xl_chassis", 1, []),
-        pytest.param(
-            "structure_chair",
-            28,
-            CHAIR,
-            marks=pytest.mark.xfail(
-                reason="a piece of the cured chair keeps triangles without area and cannot be "
-                "solved, since remeshing became one with that of CAD faces",
-                strict=True,
-            ),
-        ),
+        ("structure_chair", 28, CHAIR),
     ],
 )
 def test_what_else_comes_from_cad_bends_once_cured(name: str, components: int, sheets: list):

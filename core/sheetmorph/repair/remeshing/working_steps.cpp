@@ -244,12 +244,21 @@ void split_long_edges(WorkingMesh& work)
     }
 }
 
+// A collapse renames the sides beside it: those are looked for again.
 void collapse_short_edges(WorkingMesh& work)
 {
-    for (const Side& side : sides_where(work, [](double length) { return too_short / length; }))
-        if (side.is_there(work)
-            && work.length(side.t, side.k) < too_short * work.wanted_length(side.t, side.k))
-            collapse_if_sound(work, side.t, side.k);
+    constexpr int most_rounds = 10;
+    for (int round = 0, renamed = 1; round < most_rounds && renamed > 0; ++round)
+    {
+        renamed = 0;
+        for (const Side& side : sides_where(work, [](double length) { return too_short / length; }))
+        {
+            if (!side.is_there(work))
+                ++renamed;
+            else if (work.length(side.t, side.k) < too_short * work.wanted_length(side.t, side.k))
+                collapse_if_sound(work, side.t, side.k);
+        }
+    }
 }
 
 void smooth(WorkingMesh& work)
