@@ -69,7 +69,9 @@ DragSamples::DragSamples(const PreparedAssembly& prepared, const std::set<std::s
       at_start_(prepared, start_, Exactness::live),
       is_learnt_(prepared.parts.size(), 0)
 {
-    at_start_.run();
+    // Where nothing rigid joins parts, no part asks what another is at the start.
+    if (!prepared.welds.empty() || !prepared.pairs.empty())
+        at_start_.run();
     const bool any =
         std::any_of(prepared.parts.begin(), prepared.parts.end(),
                     [](const PreparedPart& part) { return needs_waves(part.problem); });

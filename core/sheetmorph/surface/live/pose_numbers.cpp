@@ -77,11 +77,11 @@ Points given_logs(const KnownPose& pose)
     return logs;
 }
 
-// Rows as those of given_logs().
-Points given_tilts(const KnownPose& pose)
+// As many rows as given_logs() has, of the same.
+Points given_tilts(const KnownPose& pose, Eigen::Index rows)
 {
     const std::vector<PropagatedTarget>& propagated = pose.targets.propagated;
-    Points tilts = Points::Zero(given_logs(pose).rows(), 3);
+    Points tilts = Points::Zero(rows, 3);
     const auto handles = static_cast<Eigen::Index>(pose.targets.handles.size());
     tilts.middleRows(handles, pose.bodies.tilts.rows()) = pose.bodies.tilts;
     Eigen::Index row =
@@ -180,7 +180,7 @@ PoseNumbers::Turns PoseNumbers::turns(const KnownPose& pose) const
         return left.rows() == 0 ? 0.0 : left.cwiseAbs().maxCoeff();
     };
     turns.miss = missed(given, turns.logs);
-    const Points tilts = given_tilts(pose);
+    const Points tilts = given_tilts(pose, given.rows());
     if (!tilts.isZero(0.0))
     {
         turns.tilts = narrow_product(directions_, tilts);
