@@ -6,6 +6,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -170,8 +171,7 @@ VertexIds LocalRotationMeter::reads() const
         vertices.push_back(ring.vertex);
         vertices.insert(vertices.end(), ring.others.begin(), ring.others.end());
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    make_set(vertices);
     return vertices;
 }
 

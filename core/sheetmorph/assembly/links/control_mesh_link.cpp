@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/assembly/links/motion_link.h"
+#include "sheetmorph/base/median.h"
 #include "sheetmorph/mesh/geometry/normals.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "sheetmorph/mesh/topology/components.h"
@@ -52,11 +53,7 @@ double median_edge(const TriangleMesh& mesh, const VertexIds& source)
             if (inside[static_cast<std::size_t>(a)] || inside[static_cast<std::size_t>(b)])
                 lengths.push_back((mesh.points().row(a) - mesh.points().row(b)).norm());
         }
-    if (lengths.empty())
-        return 0.0;
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
+    return median(std::move(lengths));
 }
 
 LinkSource link_source(const TriangleMesh& mesh, const VertexIds& samples)

@@ -3,6 +3,7 @@
 #include "sheetmorph/assembly/links/motion_link.h"
 #include "sheetmorph/assembly/links/patch_anchors.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/volume/local_rotations.h"
 
 #include <algorithm>
@@ -105,8 +106,7 @@ private:
         VertexIds corners;
         for (const PatchAnchor& anchor : anchors)
             corners.insert(corners.end(), anchor.corners.begin(), anchor.corners.end());
-        std::sort(corners.begin(), corners.end());
-        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        make_set(corners);
         return corners;
     }
 

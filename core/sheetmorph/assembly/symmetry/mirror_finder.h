@@ -2,10 +2,10 @@
 #pragma once
 
 #include "sheetmorph/assembly/symmetry/mirror.h"
+#include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/mesh/search/point_grid.h"
 
-#include <array>
 #include <map>
-#include <unordered_map>
 
 namespace sheetmorph
 {
@@ -25,7 +25,7 @@ public:
     const VertexIds& missing() const { return missing_; }
 
     //! The place that mirrors a point on a triangle; nothing if no triangle is there.
-    std::optional<PartPoint> point(const PartPoint& given) const;
+    std::optional<PartPoint> point(const PartPoint& given);
 
     //! Where a point on a triangle is at rest, mm.
     Vector3 position(const PartPoint& point) const;
@@ -33,20 +33,15 @@ public:
     bool is_near(const Vector3& a, const Vector3& b) const { return (a - b).norm() <= tolerance_; }
 
 private:
-    //! Vertices of one part by cells of space as large as the tolerance.
-    using Cells = std::unordered_multimap<long long, int>;
-    using Cell = std::array<long long, 3>;
-
-    const Cells& cells_of(int part);
-    Cell cell_at(const Vector3& position) const;
     VertexIds vertices_at(int part, const Vector3& position);
-    std::optional<PartPoint> on_part(int part, const Vector3& position) const;
+    std::optional<PartPoint> on_part(int part, const Vector3& position);
     std::vector<int> parts_from(int part) const;
 
     const Assembly& assembly_;
     Mirror mirror_;
     double tolerance_ = 0.0;
-    std::map<int, Cells> cells_;
+    std::map<int, PointGrid> grids_;
+    std::map<int, PickingTree> trees_;
     VertexIds missing_;
 };
 

@@ -2,6 +2,8 @@
 #include "sheetmorph/assembly/thin/thin_part.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/mesh/search/picking.h"
 
 #include <Eigen/Dense>
@@ -90,13 +92,6 @@ private:
     double size_;
 };
 
-Vector3 doubled_area(const TriangleMesh& mesh, int triangle)
-{
-    const auto corner = [&](int k) -> Vector3
-    { return mesh.points().row(mesh.triangles()(triangle, k)).transpose(); };
-    return (corner(1) - corner(0)).cross(corner(2) - corner(0));
-}
-
 // The inverse in the directions that a twentieth of the facets' normals or more speak for.
 Matrix3 strong_inverse(const Matrix3& moments)
 {
@@ -108,12 +103,6 @@ Matrix3 strong_inverse(const Matrix3& moments)
             inverse +=
                 solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose() / values(k);
     return inverse;
-}
-
-void sort_once(VertexIds& ids)
-{
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
 }  // namespace
@@ -261,13 +250,13 @@ void ThinPart::add_below(const VertexIds& region, const std::vector<char>& is_co
                     > anchor.weights.maxCoeff() - no_weight)
                     found.below.push_back(anchor.corners[k]);
     }
-    sort_once(found.below);
+    make_set(found.below);
 }
 
 VertexIds ThinPart::with_walls(const VertexIds& feature) const
 {
     VertexIds whole = feature;
-    sort_once(whole);
+    make_set(whole);
     const VertexIds given = whole;
     for (std::size_t k = 0; k < rims_.size(); ++k)
     {
@@ -277,7 +266,7 @@ VertexIds ThinPart::with_walls(const VertexIds& feature) const
         const VertexIds& wall = solid_.walls[at(wall_of_rim_[k])];
         whole.insert(whole.end(), wall.begin(), wall.end());
     }
-    sort_once(whole);
+    make_set(whole);
     return whole;
 }
 

@@ -5,6 +5,7 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -42,8 +43,7 @@ VertexIds side_of_weld(const Assembly& whole, const RigidWeld& weld, int part)
 
 Vector3 centre_of(const TriangleMesh& mesh, VertexIds vertices)
 {
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    make_set(vertices);
     return rows_of(mesh.points(), vertices).colwise().mean().transpose();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/diagnosis.h"
 
+#include "sheetmorph/base/median.h"
 #include "sheetmorph/mesh/quality/pieces.h"
 #include "sheetmorph/mesh/quality/t_junctions.h"
 #include "sheetmorph/mesh/quality/thinness.h"
@@ -79,9 +80,7 @@ void measure_edges(const TriangleMesh& mesh, const EdgeTable& table, Diagnosis& 
     }
     if (lengths.empty())
         return;
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    found.edges.median = *middle;
+    found.edges.median = median(lengths);
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
     found.edges.shortest = *least;
     found.edges.longest = *most;

@@ -2,6 +2,7 @@
 #include "sheetmorph/mesh/quality/pieces.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/mesh/quality/wall_thickness.h"
 
 #include <Eigen/Geometry>
@@ -54,11 +55,7 @@ double area_of(const TriangleMesh& mesh, const std::vector<int>& triangles)
 {
     double area = 0.0;
     for (const int t : triangles)
-    {
-        const auto corner = [&](int k) -> Vector3
-        { return mesh.points().row(mesh.triangles()(t, k)).transpose(); };
-        area += 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    }
+        area += 0.5 * doubled_area(mesh, t).norm();
     return area;
 }
 

@@ -2,6 +2,7 @@
 #include "sheetmorph/mesh/quality/quality.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/quality/thinness.h"
 #include "sheetmorph/mesh/topology/edges.h"
 
@@ -78,8 +79,7 @@ std::vector<int> flipped_triangles(const TriangleMesh& rest, const TriangleMesh&
                 if (is_fold(rest, deformed, pair))
                     flipped.insert(flipped.end(), {one.triangle, other->triangle});
             }
-    std::sort(flipped.begin(), flipped.end());
-    flipped.erase(std::unique(flipped.begin(), flipped.end()), flipped.end());
+    make_set(flipped);
     return flipped;
 }
 

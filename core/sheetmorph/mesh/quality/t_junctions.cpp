@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/t_junctions.h"
 
+#include "sheetmorph/base/median.h"
+#include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/search/point_grid.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 namespace sheetmorph
 {
@@ -13,83 +14,39 @@ namespace sheetmorph
 namespace
 {
 
-using Cell = std::array<int, 3>;
-
-// The vertices of a mesh in a grid of cells about as long as its open edges are.
-class VertexGrid
+double median_length(const Points& points, const std::vector<BoundaryEdge>& edges)
 {
-public:
-    VertexGrid(const TriangleMesh& mesh, const std::vector<BoundaryEdge>& edges)
-        : points_(mesh.points()),
-          low_(points_.colwise().minCoeff()),
-          side_(std::max(2.0 * median_length(edges), mesh.size() / 256.0))
-    {
-        std::vector<char> is_used(static_cast<std::size_t>(mesh.vertex_count()), 0);
-        for (Eigen::Index k = 0; k < mesh.triangles().size(); ++k)
-            is_used[mesh.triangles().data()[k]] = 1;
-        for (int i = 0; i < mesh.vertex_count(); ++i)
-            if (is_used[i])
-                vertices_.emplace_back(cell_of(points_.row(i)), i);
-        std::sort(vertices_.begin(), vertices_.end());
-    }
+    std::vector<double> lengths;
+    for (const BoundaryEdge& edge : edges)
+        lengths.push_back((points.row(edge.to) - points.row(edge.from)).norm());
+    return median(std::move(lengths));
+}
 
-    // The vertices in the cells an edge runs through, and a little beside it, ascending.
-    VertexIds along(const BoundaryEdge& edge, double beside) const
-    {
-        const Vector3 from = points_.row(edge.from);
-        const Vector3 way = points_.row(edge.to).transpose() - from;
-        const int steps = static_cast<int>(std::ceil(way.norm() / side_));
-        std::vector<Cell> cells;
-        for (int k = 0; k < steps; ++k)
-        {
-            const Vector3 one = from + way * (double(k) / steps);
-            const Vector3 two = from + way * (double(k + 1) / steps);
-            const Cell low = cell_of(one.cwiseMin(two).array() - beside);
-            const Cell high = cell_of(one.cwiseMax(two).array() + beside);
-            for (int x = low[0]; x <= high[0]; ++x)
-                for (int y = low[1]; y <= high[1]; ++y)
-                    for (int z = low[2]; z <= high[2]; ++z)
-                        cells.push_back({x, y, z});
-        }
-        std::sort(cells.begin(), cells.end());
-        cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-        return vertices_in(cells);
-    }
+VertexIds used_vertices(const TriangleMesh& mesh)
+{
+    const Eigen::Map<const Eigen::VectorXi> corners(mesh.triangles().data(),
+                                                    mesh.triangles().size());
+    VertexIds used(corners.begin(), corners.end());
+    make_set(used);
+    return used;
+}
 
-private:
-    double median_length(const std::vector<BoundaryEdge>& edges) const
+// The vertices of a grid along an edge and a little beside it, ascending. Long edges go piece by
+// piece, so that only the cells they run through are looked into.
+VertexIds along(const PointGrid& grid, const Vector3& from, const Vector3& way, double beside)
+{
+    VertexIds found;
+    const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / grid.side())));
+    for (int k = 0; k < steps; ++k)
     {
-        std::vector<double> lengths;
-        for (const BoundaryEdge& edge : edges)
-            lengths.push_back((points_.row(edge.to) - points_.row(edge.from)).norm());
-        const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-        std::nth_element(lengths.begin(), middle, lengths.end());
-        return *middle;
+        const Vector3 one = from + way * (double(k) / steps);
+        const Vector3 two = from + way * (double(k + 1) / steps);
+        grid.for_each_in(one.cwiseMin(two).array() - beside, one.cwiseMax(two).array() + beside,
+                         [&](int vertex) { found.push_back(vertex); });
     }
-
-    Cell cell_of(const Vector3& place) const
-    {
-        const Vector3 cell = (place - low_) / side_;
-        return {int(std::floor(cell.x())), int(std::floor(cell.y())), int(std::floor(cell.z()))};
-    }
-
-    VertexIds vertices_in(const std::vector<Cell>& cells) const
-    {
-        VertexIds found;
-        for (const Cell& cell : cells)
-            for (auto entry =
-                     std::lower_bound(vertices_.begin(), vertices_.end(), std::pair(cell, -1));
-                 entry != vertices_.end() && entry->first == cell; ++entry)
-                found.push_back(entry->second);
-        std::sort(found.begin(), found.end());
-        return found;
-    }
-
-    const Points& points_;
-    Vector3 low_;
-    double side_;
-    std::vector<std::pair<Cell, int>> vertices_;
-};
+    make_set(found);
+    return found;
+}
 
 // Whether a vertex is inside an edge, away from its ends.
 bool is_inside(const Vector3& vertex, const Vector3& from, const Vector3& to, double tolerance)
@@ -112,15 +69,18 @@ std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
 {
     if (edges.empty() || mesh.size() == 0.0)
         return {};
-    const VertexGrid grid(mesh, edges);
     const Points& points = mesh.points();
+    const double side = std::max(2.0 * median_length(points, edges), mesh.size() / 256.0);
+    const PointGrid grid(points, used_vertices(mesh), side);
     std::vector<TJunction> found;
     for (const BoundaryEdge& edge : edges)
-        for (const int vertex : grid.along(edge, tolerance))
+    {
+        const Vector3 from = points.row(edge.from), to = points.row(edge.to);
+        for (const int vertex : along(grid, from, to - from, tolerance))
             if (vertex != edge.from && vertex != edge.to
-                && is_inside(points.row(vertex), points.row(edge.from), points.row(edge.to),
-                             tolerance))
+                && is_inside(points.row(vertex), from, to, tolerance))
                 found.push_back({edge.from, edge.to, vertex});
+    }
     return found;
 }
 

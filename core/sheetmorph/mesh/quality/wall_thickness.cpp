@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/wall_thickness.h"
 
+#include "sheetmorph/mesh/geometry/areas.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,14 +15,6 @@ namespace
 {
 
 constexpr int most_samples = 600;
-
-// Twice the area of a triangle along its normal.
-Vector3 area_vector(const TriangleMesh& mesh, int triangle)
-{
-    const auto corner = [&](int k) -> Vector3
-    { return mesh.points().row(mesh.triangles()(triangle, k)).transpose(); };
-    return (corner(1) - corner(0)).cross(corner(2) - corner(0));
-}
 
 struct Place
 {
@@ -41,12 +35,12 @@ std::vector<Place> sample(const TriangleMesh& mesh, const std::vector<int>& tria
 {
     double whole = 0.0;
     for (const int t : triangles)
-        whole += area_vector(mesh, t).norm();
+        whole += doubled_area(mesh, t).norm();
     std::vector<Place> places;
     double passed = 0.0;
     for (const int t : triangles)
     {
-        passed += area_vector(mesh, t).norm();
+        passed += doubled_area(mesh, t).norm();
         while (int(places.size()) < most_samples
                && (double(places.size()) + 0.5) * whole <= passed * most_samples)
         {
@@ -65,11 +59,11 @@ std::vector<Place> sample(const TriangleMesh& mesh, const std::vector<int>& tria
 std::optional<double> way_through(const TriangleMesh& mesh, const PickingTree& tree,
                                   const Place& place, double skip)
 {
-    const Vector3 inward = -place.sign * area_vector(mesh, place.triangle).normalized();
+    const Vector3 inward = -place.sign * doubled_area(mesh, place.triangle).normalized();
     const std::optional<Hit> hit = tree.nearest_hit(place.point + skip * inward, inward);
     if (!hit || hit->triangle == place.triangle)
         return std::nullopt;
-    const double alignment = area_vector(mesh, hit->triangle).normalized().dot(inward);
+    const double alignment = doubled_area(mesh, hit->triangle).normalized().dot(inward);
     if (std::abs(alignment) < 0.866)
         return std::nullopt;
     return hit->distance + skip;

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/mesh/quality/thinness.h"
 #include "sheetmorph/mesh/regions/flags.h"
 
@@ -98,12 +99,7 @@ private:
         return std::atan2(one.cross(other).norm(), std::abs(one.dot(other)));
     }
 
-    Vector3 normal(int triangle) const
-    {
-        const auto corner = [&](int k) -> Vector3
-        { return mesh_.points().row(mesh_.triangles()(triangle, k)).transpose(); };
-        return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
-    }
+    Vector3 normal(int triangle) const { return doubled_area(mesh_, triangle).normalized(); }
 
     const TriangleMesh& mesh_;
     const EdgeTable& table_;

@@ -3,11 +3,11 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/search/point_grid.h"
 #include "sheetmorph/mesh/topology/boundary.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -17,33 +17,6 @@ namespace sheetmorph
 
 namespace
 {
-
-using Pairs = std::vector<std::pair<int, int>>;
-
-std::uint64_t cell_of(const Vector3& place)
-{
-    std::uint64_t key = 0;
-    for (int c = 0; c < 3; ++c)
-        key = (key ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(place(c)))))
-              * 0x9e3779b97f4a7c15U;
-    return key;
-}
-
-// Adds the pairs inside every run of equal cells. Cells are hashed: what only the hash brings
-// together is sorted out by the distance.
-void add_pairs(const std::vector<std::pair<std::uint64_t, int>>& cells, const Points& points,
-               double tolerance, Pairs& pairs)
-{
-    for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end)
-    {
-        while (end < cells.size() && cells[end].first == cells[begin].first)
-            ++end;
-        for (std::size_t a = begin; a < end; ++a)
-            for (std::size_t b = a + 1; b < end; ++b)
-                if ((points.row(cells[a].second) - points.row(cells[b].second)).norm() <= tolerance)
-                    pairs.emplace_back(cells[a].second, cells[b].second);
-    }
-}
 
 // Which vertices may be one: those of one piece, and any at an open edge.
 class Seams
@@ -71,7 +44,6 @@ private:
 
 }  // namespace
 
-// Two near points lie in one cell of at least one of eight grids shifted by half a cell.
 std::vector<std::pair<int, int>> near_pairs(const Points& points, double tolerance)
 {
     if (!(tolerance >= 0.0) || !std::isfinite(tolerance))
@@ -79,22 +51,22 @@ std::vector<std::pair<int, int>> near_pairs(const Points& points, double toleran
                            + "; give a length of 0 or more");
     if (points.rows() == 0)
         return {};
-    const Vector3 low = points.colwise().minCoeff();
-    const Vector3 extent = points.colwise().maxCoeff().transpose() - low;
+    const Vector3 extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).transpose();
     // Finer cells than this would not fit the numbers that count them.
-    const double cell = std::max({4.0 * tolerance, 1e-15 * extent.maxCoeff(), 1e-300});
-    std::vector<std::pair<std::uint64_t, int>> cells(static_cast<std::size_t>(points.rows()));
-    Pairs pairs;
-    for (int shift = 0; shift < 8; ++shift)
+    const double side = std::max({4.0 * tolerance, 1e-15 * extent.maxCoeff(), 1e-300});
+    const PointGrid grid(points, side);
+    std::vector<std::pair<int, int>> pairs;
+    for (int i = 0; i < points.rows(); ++i)
     {
-        const Vector3 start(0.5 * (shift & 1), 0.5 * (shift >> 1 & 1), 0.5 * (shift >> 2 & 1));
-        for (int i = 0; i < points.rows(); ++i)
-            cells[i] = {cell_of((points.row(i).transpose() - low) / cell + start), i};
-        std::sort(cells.begin(), cells.end());
-        add_pairs(cells, points, tolerance, pairs);
+        const Vector3 place = points.row(i).transpose();
+        grid.for_each_in(place.array() - tolerance, place.array() + tolerance,
+                         [&](int j)
+                         {
+                             if (j > i && (points.row(j).transpose() - place).norm() <= tolerance)
+                                 pairs.emplace_back(i, j);
+                         });
     }
     std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
 }
 

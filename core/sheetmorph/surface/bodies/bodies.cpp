@@ -4,6 +4,7 @@
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 #include <algorithm>
 
@@ -53,9 +54,7 @@ DisjointSets joined_seeds(const std::vector<Seed>& seeds, const TriangleMesh& me
 
 void settle(Body& body, const TriangleMesh& mesh)
 {
-    std::sort(body.vertices.begin(), body.vertices.end());
-    body.vertices.erase(std::unique(body.vertices.begin(), body.vertices.end()),
-                        body.vertices.end());
+    make_set(body.vertices);
     body.centre = centre_of(mesh, body.vertices);
 }
 

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/topology/edges.h"
 
 #include <algorithm>
@@ -138,8 +139,7 @@ void SheetGrowth::lay(const SizeChanges& sizes, Deformation& deformation) const
             continue;
         const Matrix3 turn = deformation.features[k].rotation();
         VertexIds vertices = constraints_.features[k].vertices;
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        make_set(vertices);
         for (const int vertex : vertices)
             deformation.positions.row(vertex) +=
                 (turn * growth.row(vertex).transpose()).transpose();

@@ -2,6 +2,7 @@
 #include "sheetmorph/surface/operators/natural_rows.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/fans.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 
@@ -96,8 +97,7 @@ private:
         for (const int corner : corners)
             for (int k = 0; k < 3; ++k)
                 neighbours.push_back(faces_.triangles(corner / 3, k));
-        std::sort(neighbours.begin(), neighbours.end());
-        neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+        make_set(neighbours);
         using Entries = Eigen::Matrix<double, 9, Eigen::Dynamic>;
         Entries entries = Entries::Zero(9, static_cast<Eigen::Index>(neighbours.size()));
         for (const int corner : corners)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/surface_operators.h"
 
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/geometry/delaunay_flips.h"
 #include "sheetmorph/mesh/geometry/fans.h"
 #include "sheetmorph/mesh/geometry/operators.h"
@@ -22,6 +24,9 @@ constexpr double failing_cotangents = -4.0;
 
 // Three points are in line if they are this much longer than wide.
 constexpr double in_line = 1e-3;
+
+// Rows whose turning is worth a range of its own.
+constexpr Eigen::Index least_turned = 1000;
 
 LaidFaces faces_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
@@ -194,6 +199,20 @@ SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstr
 }
 
 }  // namespace
+
+Points turned_rows(const SurfaceOperators& operators, const std::vector<Matrix3>& change)
+{
+    Points rows(operators.rest_rows.rows(), 3);
+    parallel_ranges(rows.rows(), least_turned,
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (Eigen::Index row = begin; row < end; ++row)
+                            rows.row(row) = (change[at(operators.row_vertices[at(row)])]
+                                             * operators.rest_rows.row(row).transpose())
+                                                .transpose();
+                    });
+    return rows;
+}
 
 SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                                    const VertexRoles& roles)

@@ -28,6 +28,10 @@ struct SurfaceOperators
     std::shared_ptr<const SeparatorTree> tree, harmonic_tree;
 };
 
+//! (r, 3) what the rest rows gain where they turn: (R - I) D p_hat.
+//! \param change  (n) R - I at every vertex
+Points turned_rows(const SurfaceOperators& operators, const std::vector<Matrix3>& change);
+
 //! \param roles  a component that only points hold can tilt under `natural`; unless three or more
 //!               that are not in line hold it, its free edges have the rows of `neumann` too
 SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstraints& constraints,

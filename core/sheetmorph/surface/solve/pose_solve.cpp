@@ -25,7 +25,7 @@ namespace
 // Clean meshes settle after one or two; a few needles in the mesh need more.
 constexpr int most_refinements = 8;
 
-// Vertices or rows whose turning is worth a range of its own.
+// Vertices whose turning is worth a range of its own.
 constexpr Eigen::Index least_turned = 1000;
 
 void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& displacements,
@@ -68,7 +68,6 @@ using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
                             const std::vector<BodyState>& turns)
 {
-    const SurfaceOperators& operators = part.operators;
     const Weights weights =
         part.responses ? Weights(part.responses->weights()) : Weights(part.rest.vertex_count(), 0);
     std::vector<Matrix3> turn(at(part.rest.vertex_count()));
@@ -87,16 +86,7 @@ Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
         }
     };
     parallel_ranges(part.rest.vertex_count(), least_turned, turn_vertices);
-    Eigen::MatrixXd rows(operators.rest_rows.rows(), 3);
-    const auto turn_rows = [&](Eigen::Index begin, Eigen::Index end)
-    {
-        for (Eigen::Index row = begin; row < end; ++row)
-            rows.row(row) = (turn[at(operators.row_vertices[at(row)])]
-                             * operators.rest_rows.row(row).transpose())
-                                .transpose();
-    };
-    parallel_ranges(rows.rows(), least_turned, turn_rows);
-    return rows;
+    return turned_rows(part.operators, turn);
 }
 
 //! One pose on its way to its solution.

@@ -67,7 +67,7 @@ Refinement::Refinement(const RotationFieldInput& input, const QuadraticProblem& 
     minimiser_ = std::make_unique<ConstrainedMinimiser>(std::move(stretched));
 }
 
-std::vector<Matrix3> Refinement::fitted_rotations(const Points& positions) const
+std::vector<Matrix3> Refinement::fitted_changes(const Points& positions) const
 {
     std::vector<Matrix3> fits(at(mesh_.vertex_count()), Matrix3::Zero());
     for (const Edge& edge : edges_)
@@ -83,29 +83,23 @@ std::vector<Matrix3> Refinement::fitted_rotations(const Points& positions) const
         fits[at(operators_.row_vertices[at(row)])] +=
             operators_.weights(row) * rows.row(row).transpose() * operators_.rest_rows.row(row);
     for (Matrix3& fit : fits)
-        fit = fit.isZero(0.0) ? Matrix3(Matrix3::Identity()) : nearest_rotation(fit);
+        if (!fit.isZero(0.0))
+            fit = nearest_rotation(fit) - Matrix3::Identity();
     return fits;
 }
 
 // What the rows of bending and stretch gain by rotations, as displacements ask for it.
-Eigen::MatrixXd Refinement::turned(const std::vector<Matrix3>& rotations) const
+Eigen::MatrixXd Refinement::turned(const std::vector<Matrix3>& changes) const
 {
     const Eigen::Index rows = operators_.rest_rows.rows();
     Eigen::MatrixXd wanted(rows + static_cast<Eigen::Index>(edges_.size()), 3);
-    for (Eigen::Index row = 0; row < rows; ++row)
-    {
-        const Matrix3& rotation = rotations[at(operators_.row_vertices[at(row)])];
-        wanted.row(row) =
-            ((rotation - Matrix3::Identity()) * operators_.rest_rows.row(row).transpose())
-                .transpose();
-    }
+    wanted.topRows(rows) = turned_rows(operators_, changes);
     for (std::size_t k = 0; k < edges_.size(); ++k)
     {
         const Edge& edge = edges_[k];
-        const Matrix3 mean = 0.5 * (rotations[at(edge.a)] + rotations[at(edge.b)]);
+        const Matrix3 mean = 0.5 * (changes[at(edge.a)] + changes[at(edge.b)]);
         const Vector3 rest = (mesh_.points().row(edge.a) - mesh_.points().row(edge.b)).transpose();
-        wanted.row(rows + static_cast<Eigen::Index>(k)) =
-            ((mean - Matrix3::Identity()) * rest).transpose();
+        wanted.row(rows + static_cast<Eigen::Index>(k)) = (mean * rest).transpose();
     }
     return wanted;
 }
@@ -116,7 +110,7 @@ Convergence Refinement::refine(const ConstrainedMinimiser::Targets& asked, Eigen
     Convergence found{"refined rotations", false, 0, 0.0};
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
-        problem.rows = turned(fitted_rotations(mesh_.points() + u));
+        problem.rows = turned(fitted_changes(mesh_.points() + u));
         Eigen::MatrixXd next = minimiser_->solve(problem, 1);
         found.miss = (next - u).rowwise().norm().maxCoeff();
         found.is_converged = found.miss <= settled * size_;

@@ -34,8 +34,9 @@ private:
         double weight;
     };
 
-    std::vector<Matrix3> fitted_rotations(const Points& positions) const;
-    Eigen::MatrixXd turned(const std::vector<Matrix3>& rotations) const;
+    // R - I of the rotations nearest to how the sheet turned, by vertex.
+    std::vector<Matrix3> fitted_changes(const Points& positions) const;
+    Eigen::MatrixXd turned(const std::vector<Matrix3>& changes) const;
 
     const TriangleMesh& mesh_;
     double size_;  // mm, of what has triangles

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+#include <array>
+#include <cstdint>
+
+namespace sheetmorph
+{
+
+//! Points in cells of space, hashed: answers what lies in a box that is not much larger than one.
+class PointGrid
+{
+public:
+    //! \param points  (n, 3) mm; referred to, not copied
+    //! \param chosen  those that are found; ascending
+    //! \param side    of a cell, mm
+    PointGrid(const Points& points, const VertexIds& chosen, double side);
+    PointGrid(const Points& points, double side);
+
+    double side() const { return side_; }
+
+    //! use(i) for every point inside a box or on it, in no order.
+    template <typename Use>
+    void for_each_in(const Vector3& low, const Vector3& high, const Use& use) const
+    {
+        const Cell first = cell_of(low), last = cell_of(high);
+        for (std::int64_t x = first[0]; x <= last[0]; ++x)
+            for (std::int64_t y = first[1]; y <= last[1]; ++y)
+                for (std::int64_t z = first[2]; z <= last[2]; ++z)
+                {
+                    const Cell cell = {x, y, z};
+                    const std::size_t slot = slot_of(cell);
+                    for (std::size_t k = starts_[slot]; k < starts_[slot + 1]; ++k)
+                        // Other cells may have the same slot.
+                        if (entries_[k].cell == cell && is_in(entries_[k].point, low, high))
+                            use(entries_[k].point);
+                }
+    }
+
+private:
+    using Cell = std::array<std::int64_t, 3>;
+    struct Entry
+    {
+        Cell cell;
+        int point;
+    };
+
+    Cell cell_of(const Vector3& place) const;
+    std::size_t slot_of(const Cell& cell) const;
+    bool is_in(int point, const Vector3& low, const Vector3& high) const
+    {
+        const auto place = points_.row(point).transpose().array();
+        return (place >= low.array()).all() && (place <= high.array()).all();
+    }
+
+    const Points& points_;
+    Vector3 low_;
+    double side_;
+    std::vector<Entry> entries_;       // by slot
+    std::vector<std::size_t> starts_;  // of every slot; a power of two and the end
+};
+
+}  // namespace sheetmorph
