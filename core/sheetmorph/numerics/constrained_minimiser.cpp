@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/constrained_minimiser.h"
 
+#include "sheetmorph/numerics/row_products.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -125,10 +127,10 @@ Eigen::MatrixXd ConstrainedMinimiser::solve(const Targets& targets, int refineme
 ConstrainedMinimiser::Balance ConstrainedMinimiser::balance(const Targets& targets,
                                                             const Solution& solution) const
 {
+    RowProducts products(problem_.rows, problem_.weights);
     Balance left;
-    left.residual = problem_.rows * solution.u - targets.rows;
-    left.forces =
-        problem_.rows.transpose() * Eigen::MatrixXd(problem_.weights.asDiagonal() * left.residual);
+    left.residual = -products.left(targets.rows, solution.u);
+    left.forces = products.pull(left.residual);
     if (problem_.constraints.rows() != 0)
         left.forces += problem_.constraints.transpose() * solution.multipliers;
     return left;
@@ -143,12 +145,10 @@ ConstrainedMinimiser::Solution ConstrainedMinimiser::minimum(const Targets& targ
     Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(problem_.constraints.rows(), columns);
     double last_change = 0.0;
     Convergence convergence{"the positions", refinements < 2, 0, 0.0};
+    RowProducts products(problem_.rows, problem_.weights);
     for (int step = 0; step <= refinements; ++step)
     {
-        const Eigen::MatrixXd residual =
-            problem_.weights.asDiagonal() * (targets.rows - problem_.rows * u);
-        Eigen::MatrixXd gradient =
-            problem_.basis.transpose() * Eigen::MatrixXd(problem_.rows.transpose() * residual);
+        Eigen::MatrixXd gradient = products.reduced_pull(targets.rows, u, problem_.basis);
         Eigen::MatrixXd violation = targets.constraints;
         if (problem_.constraints.rows() != 0)
         {
@@ -158,7 +158,7 @@ ConstrainedMinimiser::Solution ConstrainedMinimiser::minimum(const Targets& targ
         const Step change = correct(gradient, violation);
         unknowns += change.unknowns;
         multipliers += change.multipliers;
-        u = targets.offset + problem_.basis * unknowns;
+        u = expanded(problem_.basis, unknowns, targets.offset);
         const double changed = largest(change.unknowns);
         const double expected_next = step > 0 ? changed * changed / last_change : changed;
         convergence.rounds = step;

@@ -43,12 +43,12 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right_sides) const
     {
         const Eigen::Index count =
             std::min<Eigen::Index>(right_sides_at_once, right_sides.cols() - first);
-        for (Eigen::Index column = 0; column < count; ++column)
-            for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+        for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+            for (Eigen::Index column = 0; column < count; ++column)
                 some(slot_of(row), column) = right_sides(row, first + column);
         solver_.solve(some);
-        for (Eigen::Index column = 0; column < count; ++column)
-            for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+        for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+            for (Eigen::Index column = 0; column < count; ++column)
                 result(row, first + column) = some(slot_of(row), column);
     }
     return result;

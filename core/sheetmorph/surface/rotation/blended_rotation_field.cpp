@@ -237,10 +237,24 @@ private:
         return logs;
     }
 
-    // Harmonic values of the unknowns for given ones (n, k) of the known vertices.
+    // What a vertex pulls on the unknowns around it.
+    void add_pull(int vertex, const Eigen::RowVectorXd& given, Eigen::MatrixXd& pull) const
+    {
+        for (SparseMatrix::InnerIterator entry(*harmonic_, vertex); entry; ++entry)
+            if (const int unknown = unknowns_.of_vertex[at(entry.row())];
+                unknown != Unknowns::known)
+                pull.row(unknown) += entry.value() * given;
+    }
+
+    // Harmonic values of the unknowns for given ones (n, k) of the known vertices, which are 0 at
+    // most of them.
     Eigen::MatrixXd spread(const Eigen::MatrixXd& given) const
     {
-        return -factor_.solve(unknowns_.sums(*harmonic_ * given));
+        Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns_.count, given.cols());
+        for (Eigen::Index i = 0; i < given.rows(); ++i)
+            if (!given.row(i).isZero(0.0))
+                add_pull(static_cast<int>(i), given.row(i), pull);
+        return -factor_.solve(pull);
     }
 
     // Rotations differ from vertex to vertex inside a propagated region; what exceeds the

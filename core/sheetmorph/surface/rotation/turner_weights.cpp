@@ -63,20 +63,31 @@ double smoothed(double weight)
     return w * w * (3.0 - 2.0 * w);
 }
 
-// What the field is left with takes part in the partition of unity.
+// What the field is left with takes part in the partition of unity. Column by column, as they lie.
 void smooth_and_renormalise(Eigen::MatrixXd& weights)
 {
-    for (Eigen::Index i = 0; i < weights.rows(); ++i)
+    Eigen::VectorXd sums = (1.0 - weights.rowwise().sum().array()).unaryExpr(&smoothed);
+    for (Eigen::Index k = 0; k < weights.cols(); ++k)
     {
-        const double left = smoothed(1.0 - weights.row(i).sum());
-        double sum = left;
-        for (Eigen::Index k = 0; k < weights.cols(); ++k)
-        {
-            weights(i, k) = smoothed(weights(i, k));
-            sum += weights(i, k);
-        }
-        weights.row(i) /= sum;
+        weights.col(k) = weights.col(k).unaryExpr(&smoothed);
+        sums += weights.col(k);
     }
+    for (Eigen::Index k = 0; k < weights.cols(); ++k)
+        weights.col(k).array() /= sums.array();
+}
+
+// What the turners' own vertices pull on the open ones (unknowns, turners).
+Eigen::MatrixXd pull_of_turners(const SparseMatrix& harmonic, const Unknowns& unknowns,
+                                const std::vector<int>& owner, Eigen::Index turners)
+{
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns.count, turners);
+    for (Eigen::Index i = 0; i < harmonic.cols(); ++i)
+        if (owner[at(i)] != none)
+            for (SparseMatrix::InnerIterator entry(harmonic, i); entry; ++entry)
+                if (const int unknown = unknowns.of_vertex[at(entry.row())];
+                    unknown != Unknowns::known)
+                    pull(unknown, owner[at(i)]) += entry.value();
+    return pull;
 }
 
 }  // namespace
@@ -94,7 +105,9 @@ SparseMatrix turner_weights(const RotationFieldInput& input, const std::vector<T
         return weights.sparseView();
     const SurfaceOperators& operators = input.operators;
     const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.harmonic_tree);
-    weights -= unknowns.basis() * factor.solve(unknowns.sums(*operators.harmonic * weights));
+    weights -=
+        unknowns.basis()
+        * factor.solve(pull_of_turners(*operators.harmonic, unknowns, owner, weights.cols()));
     smooth_and_renormalise(weights);
     return weights.sparseView();
 }

@@ -2,6 +2,7 @@
 #include "sheetmorph/surface/solve/feature_responses.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ constexpr int none = -1;
 constexpr Eigen::Index block = 24;              // columns solved at once
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
 constexpr int refinements = 1;
-constexpr double miss_a_size = 5e-9;  // of the responses of live frames
+constexpr Eigen::Index least_turned = 50000;  // rows of columns that are worth a thread
+constexpr double miss_a_size = 5e-9;          // of the responses of live frames
 
 }  // namespace
 
@@ -122,20 +124,25 @@ void FeatureResponses::respond()
 Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& left) const
 {
     Eigen::MatrixXd slopes = offsets_.transpose() * left.forces;
-    Eigen::MatrixXd moments(mesh_.vertex_count(), 3);
-    for (Eigen::Index column = 0; column < slopes.cols(); ++column)
+    const auto turn_columns = [&](Eigen::Index begin, Eigen::Index end)
     {
-        moments.setZero();
-        for (Eigen::Index row = 0; row < left.residual.rows(); ++row)
-            moments.row(operators_.row_vertices[at(row)]) += operators_.weights(row)
-                                                             * left.residual(row, column)
-                                                             * operators_.rest_rows.row(row);
-        const Eigen::MatrixXd turned = weights_.transpose() * moments;
-        for (std::size_t k = 0; k < turners_.size(); ++k)
-            if (columns_[k].turn != none)
-                slopes.block<3, 1>(columns_[k].turn, column) -=
-                    turned.row(static_cast<Eigen::Index>(k)).transpose();
-    }
+        Points moments(mesh_.vertex_count(), 3);
+        for (Eigen::Index column = begin; column < end; ++column)
+        {
+            moments.setZero();
+            for (Eigen::Index row = 0; row < left.residual.rows(); ++row)
+                moments.row(operators_.row_vertices[at(row)]) += operators_.weights(row)
+                                                                 * left.residual(row, column)
+                                                                 * operators_.rest_rows.row(row);
+            const Eigen::MatrixXd turned = weights_.transpose() * moments;
+            for (std::size_t k = 0; k < turners_.size(); ++k)
+                if (columns_[k].turn != none)
+                    slopes.block<3, 1>(columns_[k].turn, column) -=
+                        turned.row(static_cast<Eigen::Index>(k)).transpose();
+        }
+    };
+    parallel_ranges(slopes.cols(), 1 + least_turned / std::max(1, mesh_.vertex_count()),
+                    turn_columns);
     return slopes;
 }
 
