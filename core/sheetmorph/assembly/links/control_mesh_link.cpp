@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/assembly/links/motion_link.h"
-#include "sheetmorph/base/median.h"
 #include "sheetmorph/mesh/geometry/normals.h"
 #include "sheetmorph/mesh/geometry/operators.h"
+#include "sheetmorph/mesh/quality/median.h"
 #include "sheetmorph/mesh/topology/components.h"
 #include "sheetmorph/volume/local_rotations.h"
 

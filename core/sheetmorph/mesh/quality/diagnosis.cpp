@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/diagnosis.h"
 
-#include "sheetmorph/base/median.h"
+#include "sheetmorph/mesh/quality/median.h"
 #include "sheetmorph/mesh/quality/pieces.h"
 #include "sheetmorph/mesh/quality/t_junctions.h"
 #include "sheetmorph/mesh/quality/thinness.h"

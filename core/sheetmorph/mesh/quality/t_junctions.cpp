@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/t_junctions.h"
 
-#include "sheetmorph/base/median.h"
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/quality/median.h"
 #include "sheetmorph/mesh/search/point_grid.h"
 
 #include <algorithm>
