@@ -24,6 +24,11 @@ OUTPUT_HEADER = re.compile(r"^(iostream|fstream|cstdio|stdio\.h|filesystem|print
 
 GUI_MODULES = {"FreeCADGui", "PySide", "PySide2", "PySide6", "pivy"}
 GUI_FOLDERS = {"views", "panels", "scene", "commands", "qt", "init_gui", "showcase"}
+STEPS = re.compile(
+    r"\.(openTransaction|commitTransaction|abortTransaction|closeActiveTransaction)\("
+)
+OBSERVERS = re.compile(r"\b(addDocumentObserver)\(")
+MAY_OBSERVE = {"bridge/snapshots.py", "editing/watch.py", "panels/guide.py", "init.py"}
 FREECAD_MODULES = {"FreeCAD", "freecad", "Mesh", "MeshPart", "Part"}
 
 
@@ -73,6 +78,16 @@ def package_faults(text: str) -> list[str]:
         for module in imported_modules(text)
         if module.split(".")[0] in forbidden
     ]
+
+
+def editing_faults(file: str, text: str) -> list[str]:
+    """What a workbench source (`panels/x.py`) does although only the editing session may."""
+    faults = []
+    if file != "editing/transactions.py":
+        faults += [f"{found} is for editing.transactions" for found in STEPS.findall(text)]
+    if file not in MAY_OBSERVE:
+        faults += [f"{found} is for editing.watch" for found in OBSERVERS.findall(text)]
+    return faults
 
 
 def workbench_faults(place: str, text: str) -> list[str]:

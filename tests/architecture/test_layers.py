@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The layers see only what lies below them, and the checks notice when they do not."""
 import pytest
-from layers import MAY_INCLUDE, kernel_faults, package_faults, workbench_faults
+from layers import MAY_INCLUDE, editing_faults, kernel_faults, package_faults, workbench_faults
 from source_tree import BINDINGS, KERNEL, PACKAGE, WORKBENCH, faults_in, files, label
 
 
@@ -25,6 +25,22 @@ def test_a_workbench_source_keeps_to_its_place():
     sources = [path for path in files(".py", below=WORKBENCH) if place_of(path) != "tests"]
     assert sources
     assert faults_in(sources, lambda path: workbench_faults(place_of(path), path.read_text())) == {}
+
+
+def test_only_the_editing_session_opens_steps_and_observes_documents():
+    sources = [path for path in files(".py", below=WORKBENCH) if place_of(path) != "tests"]
+    faults = faults_in(sources, lambda path: editing_faults(file_of(path), path.read_text()))
+    assert faults == {}
+
+
+def test_a_step_opened_elsewhere_is_noticed():
+    assert editing_faults("panels/x.py", "document.openTransaction('X')\n") != []
+    assert editing_faults("panels/x.py", "App.addDocumentObserver(self)\n") != []
+    assert editing_faults("editing/transactions.py", "document.openTransaction('X')\n") == []
+
+
+def file_of(path):
+    return path.relative_to(WORKBENCH).as_posix()
 
 
 def place_of(path):

@@ -60,6 +60,7 @@ def test_what_freecad_says_is_counted(runner, code, output, expected):
         (1, "gui: 12 passed, 1 failed, 0 skipped\n", (12, 1, 0)),
         (1, "gui: 12 passed, 0 failed, 0 skipped\n", (12, 1, 0)),
         (0, "gui: 0 passed, 0 failed, 0 skipped\n", (0, 1, 0)),
+        (0, "gui: 3 passed, 0 failed, 0 skipped, 2 only at the second try\n", (3, 0, 0, 2)),
         (0, "", (0, 1, 0)),
     ],
 )
@@ -71,6 +72,13 @@ def test_the_closing_line_adds_up(runner):
     counts = {"core": runner.Count(3, 0, 1), "gui": runner.Count(2, 1, 0)}
     assert runner.closing_line(counts) == (
         "sheetmorph test: 5 passed, 1 failed, 1 skipped (core 3, gui 2)"
+    )
+
+
+def test_what_needed_a_second_try_is_in_the_closing_line(runner):
+    counts = {"gui": runner.Count(5, 0, 0, 2)}
+    assert runner.closing_line(counts) == (
+        "sheetmorph test: 5 passed, 0 failed, 0 skipped, 2 only at the second try (gui 5)"
     )
 
 

@@ -12,7 +12,7 @@ from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene.viewport import Listener, Viewport
 from PySide import QtCore, QtGui
-from scenes import labelled, new_assembly, new_morph, part, regions
+from scenes import handle_vertices, labelled, new_assembly, new_morph, part, regions
 from shapes import HOLES, sheet
 
 __all__ = [
@@ -82,7 +82,7 @@ def test_the_camera_maps_points_to_where_the_view_shows_them():
                 seen = {"red": colour.red(), "green": colour.green(), "blue": colour.blue()}
                 assert max(seen, key=seen.get) == strongest, (kind, size, seen)
                 assert max(seen.values()) > 2 * min(seen.values()), (kind, size, seen)
-            viewport.release()
+            viewport.remove()
     view().setCameraType("Orthographic")
     frame.showMaximized()
     yield 200
@@ -229,7 +229,8 @@ def test_faces_end_at_the_angle_and_invert_takes_the_rest():
     flat = picked_vertices()
     yield from click_widget(child("invert"))
     rest = picked_vertices()
-    assert flat + rest == len(sheet()[0])
+    assert flat + rest == len(sheet()[0]) - len(handle_vertices())
+    assert regions("handle")[0].Label in child("message").text(), "whose the others are"
     assert ", 2 piece" in child("count").text(), "the flanges"
     yield from enter(child("angle"), "95")
     yield from click_point((20.5, 12.0, 0))

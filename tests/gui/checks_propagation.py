@@ -81,7 +81,7 @@ def test_a_click_on_a_row_highlights_parts_and_contact():
     assert (painted(part()), painted(bracket)) == (before[0] + 2, before[1] + 2)
     assert Gui.Selection.getSelection() == [contact]
     yield from tick(child("meshes"))
-    assert len(wires()) > 50
+    yield from until(lambda: len(wires()) > 50, "the control mesh")
     picture("propagation")
     yield from click_row(bracket.Label)
     assert Gui.Selection.getSelection() == [bracket]
@@ -100,7 +100,7 @@ def test_type_mode_and_propagation_are_changed_in_the_panel():
     assert contact.Type == "tied"
     assert rows()[contact.Label].text(1) == "tied" and rows()[contact.Label].isSelected()
     yield from tick(child("active"))
-    assert not contact.Active
+    yield from until(lambda: not contact.Active, "the contact to be off")
     assert above(contact.Label) == "Contacts not in use"
     yield from tick(child("active"))
     yield from click_row(bracket.Label)

@@ -20,4 +20,5 @@ from checks_speed import *  # noqa: F401,F403
 from checks_thickness import *  # noqa: F401,F403
 from checks_tree import *  # noqa: F401,F403
 from checks_tutorial import *  # noqa: F401,F403
+from checks_undo import *  # noqa: F401,F403
 from checks_workbench import *  # noqa: F401,F403

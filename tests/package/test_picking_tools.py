@@ -17,6 +17,7 @@ from freecad.sheetmorph.tools.picking import (
     WHOLE,
     Options,
     RegionPicker,
+    Taken,
     mode_of,
 )
 from sheetmorph import _core
@@ -194,3 +195,15 @@ def test_a_part_that_the_mouse_is_never_on_builds_no_tree():
     far = PartMesh(_core, (points, triangles), points + 1000.0)
     assert far.hit(down_at(1.0, 1.0)) is None and far.distance(down_at(1.0, 1.0)) == math.inf
     assert "_tree" not in vars(far)
+
+
+def test_what_other_regions_have_is_left_out_of_every_pick():
+    picker = RegionPicker(PartMesh(_core, folded_grid(), folded_grid()[0]))
+    picker.leave(Taken({"Fixed": [1, 2], "Other": [9]}))
+    picker.take([0, 1, 2, 3])
+    assert picker.picked.tolist() == [0, 3] and picker.refused == ["Fixed"]
+    picker.take([4], ADD)
+    assert picker.picked.tolist() == [0, 3, 4] and picker.refused == []
+    picker.take([1, 9], ADD)
+    assert picker.picked.tolist() == [0, 3, 4] and picker.refused == ["Fixed", "Other"]
+    assert picker.back() and picker.picked.tolist() == [0, 3] and picker.refused == []

@@ -7,6 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import reporting
+from freecad.sheetmorph.editing import transactions
 from freecad.sheetmorph.progress_dialog import Progress
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
@@ -47,14 +48,8 @@ def run(title: str, *lines: str, document=None) -> None:
     """Runs lines as one undo step called ``title``; on an error nothing has happened."""
     document = document or App.ActiveDocument
     App.setActiveDocument(document.Name)
-    document.openTransaction(title)
-    try:
-        with followed(title):
-            record(*lines, "App.ActiveDocument.recompute()")
-    except FAULTS:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
+    with transactions.step(document, title), followed(title):
+        record(*lines, "App.ActiveDocument.recompute()")
 
 
 def attempt(title: str, *lines: str, document=None) -> bool:

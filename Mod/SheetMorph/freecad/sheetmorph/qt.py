@@ -17,13 +17,11 @@ def translate(context: str, text: str) -> str:
     return QtCore.QCoreApplication.translate(context, text)
 
 
-def forget(form, close) -> None:
-    """Calls ``close``, which deletes a form, and tells PySide that its widgets are gone.
+def forget(form) -> None:
+    """Tells PySide that the widgets of a form, which somebody is about to delete, are gone.
 
     It keeps the wrapper of a widget whose signal was connected or that has an event filter, knows
     widgets by address, and would take the next widget at that address for the one deleted.
     """
-    widgets = [form, *form.findChildren(QtWidgets.QWidget)]
-    close()
-    for widget in widgets:
+    for widget in [form, *form.findChildren(QtWidgets.QWidget)]:
         shiboken2.invalidate(widget)

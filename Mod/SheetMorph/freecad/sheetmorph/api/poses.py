@@ -176,6 +176,22 @@ def present(assembly) -> tools.Pose:
     return {region.Name: motion_of(region) for region in moving(assembly)}
 
 
+def snapshot(assembly) -> tools.Snapshot:
+    """Return the motions and sizes that the document has."""
+    return tools.Snapshot(present(assembly), sizes_of(assembly))
+
+
+def restore(assembly, wanted: tools.Snapshot) -> None:
+    """Give the document what a snapshot has, as far as the regions are still there."""
+    now, document = snapshot(assembly), assembly.Document
+    for name, motion in wanted.motions.items():
+        if now.motions.get(name, motion) != motion:
+            put(document.getObject(name), motion)
+    for name, size in wanted.sizes.items():
+        if now.sizes.get(name, size) != size:
+            document.getObject(name).Size = size
+
+
 def motion_of(region) -> Motion:
     """Return the motion of a handle, or the rotation of a form feature as one."""
     if region.Role == FORM_FEATURE:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the task panels share."""
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
@@ -21,13 +20,17 @@ MARGINS = 110  # px of the task view around a panel, with its scroll bar
 
 
 class Panel:
-    """A task panel with OK and Cancel; subclasses give ``close`` and ``accept``."""
+    """A task panel with OK and Cancel; subclasses give ``keep`` and hold widgets.
+
+    What it shows and changes belongs to its editing session, and however the panel closes, the
+    session ends; however the session ends, the panel closes.
+    """
 
     width = WIDTH
-    _aside: tuple | list = ()
 
-    def __init__(self, widgets: str, icon: str, title: str):
-        self.form = Gui.PySideUic.loadUi(paths.panel(widgets))
+    def __init__(self, session, widgets: str, icon: str, title: str):
+        self.session = session
+        self._form = Gui.PySideUic.loadUi(paths.panel(widgets))
         self.form.setWindowTitle(translate(widgets, title))
         self.form.setWindowIcon(QtGui.QIcon(paths.icon(icon)))
         for name, widget in vars(self.form).items():
@@ -35,14 +38,39 @@ class Panel:
                 widget.setWhatsThis(widget.whatsThis() or widget.toolTip())
                 widget.setStatusTip(widget.statusTip() or widget.toolTip())
 
+    @classmethod
+    def opened(cls, session, *arguments):
+        """Shows a new panel in a session and returns it; if that fails the session ends."""
+        try:
+            panel = cls(session, *arguments)
+            panel.present()
+        except BaseException:
+            session.end()
+            raise
+        return panel
+
+    @property
+    def form(self):
+        """The widgets; None as soon as the panel is closed."""
+        return self._form
+
+    @form.setter
+    def form(self, form) -> None:
+        """FreeCAD takes the form away, whoever closes the panel, before it deletes the widgets."""
+        taken, self._form = self._form, form
+        if taken is not None and form is None:
+            self.session.end()
+            forget(taken)
+
     def present(self) -> None:
         """Shows the panel, in a task view wide enough to read it.
 
         Where the selection plays no role its colour would hide the others: it is put aside.
         """
         if not self.isAllowedAlterSelection():
-            self._aside = [(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection()]
-            Gui.Selection.clearSelection()
+            self.session.put_selection_aside()
+        self.session.ending.connect(self._fade)
+        self.session.over.connect(self._close)
         Gui.Control.showDialog(self)
         QtCore.QTimer.singleShot(0, self._widen)
 
@@ -59,6 +87,35 @@ class Panel:
         """Other commands would end up in the panel's transaction."""
         return False
 
+    def isAllowedAlterView(self) -> bool:
+        """The user may turn and zoom."""
+        return True
+
+    def accept(self) -> bool:
+        """OK: the panel closes if what was done can be kept."""
+        if not self.session.is_over and not self.keep():
+            return False
+        self.session.end()
+        return True
+
+    def reject(self) -> bool:
+        """Cancel: what is not kept is taken back."""
+        self.session.end()
+        return True
+
+    def keep(self) -> bool:
+        """Brings what was done into the document; False: something is missing, and is told."""
+        return True
+
+    def _fade(self) -> None:
+        """Nothing can be typed into what is about to go."""
+        if self.form is not None:
+            self.form.setEnabled(False)
+
+    def _close(self) -> None:
+        if self.form is not None:
+            Gui.Control.closeDialog()
+
     def _widen(self) -> None:
         """Makes the dock around the panel wide enough; a wider one stays as it is."""
         window = Gui.getMainWindow()
@@ -67,19 +124,6 @@ class Panel:
                 wanted = max(self.width, self.form.minimumSizeHint().width() + MARGINS)
                 if dock.width() < wanted:
                     window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
-
-    def isAllowedAlterView(self) -> bool:
-        """The user may turn and zoom."""
-        return True
-
-    def finish(self) -> bool:
-        """Closes the task view and lets go of its widgets, which FreeCAD deletes."""
-        form, self.form = self.form, None
-        forget(form, Gui.Control.closeDialog)
-        for document, name in self._aside:
-            if document in App.listDocuments() and App.getDocument(document).getObject(name):
-                Gui.Selection.addSelection(document, name)
-        return True
 
 
 def say(label, text: str, is_error: bool = False) -> None:

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel in which a contact between two parts is marked."""
 
-import FreeCADGui as Gui
-
 from freecad.sheetmorph import actions, api, seen
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import contact_types
 from freecad.sheetmorph.panels.base import Panel, chip, say
@@ -22,48 +21,52 @@ WAYS = ("", "a", "b")  # of the combo box: by distance, by hand on side "a", on 
 
 def create(assembly, chosen=()):
     """Opens the panel for a new contact, up to two parts chosen; returns the panel."""
-    panel = ContactPanel(assembly)
-    Gui.Selection.clearSelection()  # its colour would cover ours
-    panel.begin(chosen)
-    panel.present()
-    return panel
+    return ContactPanel.opened(session_on(assembly), assembly, chosen)
 
 
 def edit(contact):
     """Opens the panel for a contact that exists, returns it; ValueError if it lost a part."""
     if None in (contact.PartA, contact.PartB):
         raise ValueError(f"Contact '{contact.Label}' has lost a part; delete the contact.")
-    panel = ContactPanel(model.assembly_of(contact), contact)
-    panel.begin_with(contact)
-    panel.present()
-    return panel
+    assembly = model.assembly_of(contact)
+    return ContactPanel.opened(session_on(assembly, contact), assembly, (), contact)
+
+
+def session_on(assembly, *needed) -> EditingSession:
+    """A session on the parts of a morph; without any of them it ends."""
+    return EditingSession(assembly.Document, [assembly, *model.parts(assembly), *needed])
 
 
 class ContactPanel(Panel):
     """Finds or picks the vertices of both sides; the document changes when the user says OK."""
 
-    def __init__(self, assembly, contact=None):
-        super().__init__("contact", "MarkContact", "Contact")
+    def __init__(self, session, assembly, chosen=(), contact=None):
+        super().__init__(session, "contact", "MarkContact", "Contact")
         self._assembly, self._contact = assembly, contact
         self._parts = {part.Name: part for part in model.parts(assembly)}
         with actions.waiting():
             self._sides = ContactSides(seen.part_meshes(assembly))
         self._views = {}
-        self._light = PartLight()
-        self._mouse = PickMouse(Gui.activeDocument().activeView(), self)
+        self._light = session.show(PartLight())
+        session.at_end(self._remove_views)
+        self._mouse = session.show(PickMouse(session.view, self))
         self._tools = PickTools(self.form, None, self.picked)
         self._tools.offer_holes(False)
         self._tools.choose(picking.FACE)
         self._prepare_widgets()
+        if contact is None:
+            self._begin(chosen)
+        else:
+            self._begin_with(contact)
 
-    def begin(self, chosen) -> None:
+    def _begin(self, chosen) -> None:
         """Starts with up to two parts that were selected."""
         for part in chosen[:2]:
             self._sides.take(part.Name)
         self._estimate_distance()
         self._follow_parts()
 
-    def begin_with(self, contact) -> None:
+    def _begin_with(self, contact) -> None:
         """Starts with what a contact has."""
         for side, part in (("a", contact.PartA), ("b", contact.PartB)):
             self._sides.put(side, part.Name, model.contact_vertices(contact, side).tolist())
@@ -98,7 +101,7 @@ class ContactPanel(Panel):
 
     # -- the buttons of the task view
 
-    def accept(self) -> bool:
+    def keep(self) -> bool:
         """OK: one undo step; as long as a side is empty the panel stays and says so."""
         fault = self._fault()
         if fault:
@@ -109,13 +112,7 @@ class ContactPanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        self._release()
-        return self.finish()
-
-    def reject(self) -> bool:
-        """Cancel: nothing has changed."""
-        self._release()
-        return self.finish()
+        return True
 
     def _fault(self) -> str:
         """Why there is no contact yet, in words; empty if there is one."""
@@ -155,13 +152,10 @@ class ContactPanel(Panel):
             lines.append(call("set_active", name(contact), repr(active)))
         return lines
 
-    def _release(self) -> None:
-        """Gives the mouse back and takes the drawing away."""
-        self._mouse.release()
-        self._tools.release()
-        self._light.show()
+    def _remove_views(self) -> None:
         for view in self._views.values():
             view.remove()
+        self._views = {}
 
     # -- the widgets
 
@@ -223,9 +217,7 @@ class ContactPanel(Panel):
 
     def _follow_parts(self) -> None:
         """Shows both parts in the lists and gives each side its colour in the view."""
-        for view in self._views.values():
-            view.remove()
-        self._views = {}
+        self._remove_views()
         for side, part in self._sides.parts.items():
             combo = getattr(self.form, f"part_{side}")
             combo.setCurrentIndex(combo.findData(part))

@@ -3,6 +3,8 @@
 
 from freecad.sheetmorph import actions, api, live_session
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.editing import transactions
+from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
@@ -35,16 +37,16 @@ def text_of(argument) -> str:
 
 def open_panel(feature):
     """Opens the panel of a form feature; returns it."""
-    panel = FeaturePanel(feature)
-    panel.present()
-    return panel
+    assembly = model.assembly_of(feature)
+    session = EditingSession(feature.Document, [assembly, *assembly.Group])
+    return FeaturePanel.opened(session, feature)
 
 
 class FeaturePanel(Panel):
     """Says what a form feature may do; the view shows it at once, the document has it after OK."""
 
-    def __init__(self, feature):
-        super().__init__("feature", "FeatureSettings", "Form Feature")
+    def __init__(self, session, feature):
+        super().__init__(session, "feature", "FeatureSettings", "Form Feature")
         self._feature = feature
         self._assembly = model.assembly_of(feature)
         self._shape = api.shape_of(feature)
@@ -56,6 +58,8 @@ class FeaturePanel(Panel):
         self._shown = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=PAUSE)
         self._pause.timeout.connect(self._show_changes)
+        session.at_end(self._end_drawing)
+        session.at_end(self._pause.stop)
         self._prepare_widgets()
         self._show_values()
         self._refresh()
@@ -63,7 +67,7 @@ class FeaturePanel(Panel):
 
     # -- the buttons of the task view
 
-    def accept(self) -> bool:
+    def keep(self) -> bool:
         """OK: one undo step; what is not possible is told, and the panel stays."""
         try:
             changes = self._changes()
@@ -75,17 +79,7 @@ class FeaturePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        return self.finish()
-
-    def reject(self) -> bool:
-        """Cancel: nothing has changed."""
-        return self.finish()
-
-    def finish(self) -> bool:
-        """Closes the panel; the view shows the document again."""
-        self._pause.stop()
-        self._end_drawing()
-        return super().finish()
+        return True
 
     # -- what would be
 
@@ -114,25 +108,20 @@ class FeaturePanel(Panel):
 
     def _end_drawing(self) -> None:
         if self._shown is not None:
-            self._shown.end()
+            self._shown.remove()
         self._shown = None
 
     def _try(self, changes: list[Change]) -> None:
         """Draws the changes; raises what is wrong with them. The document stays as it is."""
-        document = self._feature.Document
-        document.openTransaction("Form Feature")
-        try:
-            with actions.waiting():
-                for function, arguments, keywords in changes:
-                    getattr(api, function)(*arguments, **keywords)
-                live = live_session.live(self._assembly)
-                frame = live.answer(live.ask(exact=True))
-                live.keep(frame)  # OK recomputes in this very pose
-                self._end_drawing()
-                self._shown = LiveScene(self._assembly, live, None)
-                self._shown.show(frame, None, None)
-        finally:
-            document.abortTransaction()
+        with actions.waiting(), transactions.trial(self._feature.Document, "Form Feature"):
+            for function, arguments, keywords in changes:
+                getattr(api, function)(*arguments, **keywords)
+            live = live_session.live(self._assembly)
+            frame = live.answer(live.ask(exact=True))
+            live.keep(frame)  # OK recomputes in this very pose
+            self._end_drawing()
+            self._shown = LiveScene(self._assembly, live, None)
+            self._shown.show(frame, None, None)
 
     def _changes(self) -> list[Change]:
         """The calls of the API that change what is different now."""

@@ -2,6 +2,8 @@
 """The panels that propose what was found: a list with check boxes, filters and tolerances."""
 
 from freecad.sheetmorph import actions, api, seen
+from freecad.sheetmorph.editing.session import EditingSession
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
@@ -15,17 +17,17 @@ ANY = QT_TRANSLATE_NOOP("panels", "all kinds")
 
 def open_features(assembly, parts=None):
     """Opens the panel with the features found on a morph, or on some parts; returns the panel."""
-    return _opened(FindPanel(assembly, FEATURES, parts))
+    return _opened(assembly, FEATURES, parts)
 
 
 def open_contacts(assembly, parts=None):
     """Opens the panel with the contacts found in a morph, or of some parts; returns the panel."""
-    return _opened(FindPanel(assembly, CONTACTS, parts))
+    return _opened(assembly, CONTACTS, parts)
 
 
-def _opened(panel):
-    panel.present()
-    return panel
+def _opened(assembly, what, parts):
+    session = EditingSession(assembly.Document, [assembly, *model.parts(assembly)])
+    return FindPanel.opened(session, assembly, what, parts)
 
 
 class FindPanel(Panel):
@@ -33,13 +35,13 @@ class FindPanel(Panel):
 
     width = 540  # for the columns of the list
 
-    def __init__(self, assembly, what, parts=None):
-        super().__init__("find", what.icon, what.title)
+    def __init__(self, session, assembly, what, parts=None):
+        super().__init__(session, "find", what.icon, what.title)
         self._assembly, self._what = assembly, what
         self._parts = parts
         self._found = []
         self._meshes = {}
-        self._highlight = Highlight()
+        self._highlight = session.show(Highlight())
         self._prepare_widgets()
         self.search()
 
@@ -110,7 +112,7 @@ class FindPanel(Panel):
 
     # -- the buttons of the task view
 
-    def accept(self) -> bool:
+    def keep(self) -> bool:
         """OK: everything that is checked in one undo step."""
         chosen = [one for one in self._chosen() if not one.is_marked]
         if not chosen:
@@ -123,13 +125,7 @@ class FindPanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        return self.reject()
-
-    def reject(self) -> bool:
-        """Cancel: nothing has changed."""
-        self._highlight.clear()
-        self.form.table.viewport().removeEventFilter(self._leaving)
-        return self.finish()
+        return True
 
     # -- the widgets
 
@@ -147,6 +143,7 @@ class FindPanel(Panel):
         form.table.itemChanged.connect(self._count)
         self._leaving = _Leaving(self._light)
         form.table.viewport().installEventFilter(self._leaving)
+        self.session.at_end(self._leaving.deleteLater)
 
 
 class _Leaving(QtCore.QObject):

@@ -8,19 +8,14 @@ RIGHT, DOWN = ((10, 6), (24, 16), (10, 26)), ((6, 10), (26, 10), (16, 24))
 
 
 class Folds:
-    """Lets groups fold until ``release``; the preferences remember which are open."""
+    """Lets groups fold; the preferences remember which are open."""
 
     def __init__(self, entries: dict):
         """``entries``: QGroupBox -> entry of the preferences."""
         self._buttons = {entry: foldable(group) for group, entry in entries.items()}
         for entry, button in self._buttons.items():
             button.setChecked(preferences.get(entry))
-
-    def release(self) -> None:
-        """Remembers which are open, and lets go of the widgets."""
-        for entry, button in self._buttons.items():
-            preferences.put(entry, button.isChecked())
-        self._buttons = {}
+            button.toggled.connect(lambda is_open, of=entry: preferences.put(of, is_open))
 
 
 def foldable(group):

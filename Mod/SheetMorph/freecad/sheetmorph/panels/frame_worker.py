@@ -38,10 +38,14 @@ class FrameWorker(QtCore.QObject):
         """Begins, or lets the question wait in place of another one."""
         self._begin(self._latest.ask(question))
 
-    def stop(self) -> None:
-        """Returns when the thread has ended; nothing is delivered any more."""
+    def hush(self) -> None:
+        """Nothing is delivered any more."""
         self._latest.drop()
         self._listener = None
+
+    def stop(self) -> None:
+        """Returns when the thread has ended; nothing is delivered any more."""
+        self.hush()
         self._thread.shutdown(wait=True)
 
     def _begin(self, question) -> None:

@@ -35,11 +35,7 @@ class Guide:
     @classmethod
     def is_shown(cls) -> bool:
         """Whether the panel that is open is the guide's, so that commands may be used."""
-        if cls._open is None or cls._open._panel is None:
-            return False
-        if not Gui.Control.activeDialog():
-            cls._open._end()  # somebody closed all dialogs
-        return cls._open is not None
+        return cls._open is not None and cls._open._panel is not None
 
     @classmethod
     def make_room(cls, action) -> None:
@@ -56,14 +52,14 @@ class Guide:
 
     def _give_way(self) -> None:
         panel, self._panel = self._panel, None
-        panel.finish()
+        panel.session.end()
         self._look.start()
 
     def _come_back(self) -> None:
         """Shows the panel as soon as no other one is open."""
         if self._panel is None and not Gui.Control.activeDialog() and not is_modal():
             self._look.stop()
-            self._panel = GuidePanel(Gui.runCommand, self._end)
+            self._panel = GuidePanel(Gui.runCommand, self._closed)
             self._panel.present()
             self._refresh()
 
@@ -73,6 +69,11 @@ class Guide:
     def _refresh(self) -> None:
         if Guide.is_shown():
             self._panel.refresh(self._commands)
+
+    def _closed(self) -> None:
+        """The panel is closed; unless it gave way to another one the guide ends with it."""
+        if self._panel is not None:
+            self._end()
 
     def _end(self) -> None:
         """Nothing is left behind."""

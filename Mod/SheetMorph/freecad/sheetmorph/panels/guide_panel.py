@@ -4,6 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import seen, subject
+from freecad.sheetmorph.editing.session import Session
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import guide_facts
 from freecad.sheetmorph.panels.base import Panel, say
@@ -29,10 +30,10 @@ class GuidePanel(Panel):
     width = 380
 
     def __init__(self, run, closed):
-        super().__init__("guide", "Guide", "Guide")
-        self._closed = closed
+        super().__init__(Session(), "guide", "Guide", "Guide")
         self._faulty = []
-        self._highlight = Highlight()
+        self._highlight = self.session.show(Highlight())
+        self.session.over.connect(closed)
         self._steps = {key: StepView(self.form, key, COMMANDS[key]) for key in guide.STEPS}
         for step in self._steps.values():
             step.connect(run)
@@ -63,17 +64,6 @@ class GuidePanel(Panel):
     def accept(self) -> bool:
         """Return in the panel is no wish to close it."""
         return False
-
-    def reject(self) -> bool:
-        """Close."""
-        self._closed()
-        return self.finish()
-
-    def finish(self) -> bool:
-        """Takes the panel and what it painted away."""
-        self._highlight.clear()
-        self._steps = {}
-        return super().finish()
 
     def _show_faulty(self) -> None:
         """Selects the regions that a failure names, and lights up where they are."""

@@ -6,7 +6,7 @@ from freecad.sheetmorph.scene.point_drag import PointDrag
 
 
 class HandleDrag:
-    """Turns drags into motions until ``release`` is called.
+    """Turns drags into motions until ``remove`` is called.
 
     ``owner``: motion() and pivot(), (3,) mm, of the handle that is moved; put(motion); settle()
     when the mouse is released; grab(ray): chooses what is there, returns its point or None.
@@ -20,10 +20,15 @@ class HandleDrag:
         self._start = None
         self.moves_pivot = False
 
-    def release(self) -> None:
+    def remove(self) -> None:
         """Takes everything out of the view."""
-        self._points.release()
+        self._points.remove()
         self.show_arrows(False)
+
+    @property
+    def is_dragging(self) -> bool:
+        """Whether the mouse has the handle."""
+        return self._start is not None
 
     def show_arrows(self, is_shown: bool) -> None:
         """Arrows and arcs at the pivot, or none."""

@@ -14,7 +14,7 @@ NONE, DISPLACEMENT, QUALITY, GAPS = range(4)
 
 
 class LiveScene:
-    """Drawings of one morph in a 3D view until ``end`` is called."""
+    """Drawings of one morph in a 3D view until ``remove`` is called."""
 
     def __init__(self, assembly, live, view):
         """``live``: a live_session.LiveSession."""
@@ -70,14 +70,14 @@ class LiveScene:
             return live_values.Gaps(kernel.core(), meshes, self._sides())
         return None
 
-    def end(self) -> None:
-        """Shows the meshes as the document has them."""
+    def remove(self) -> None:
+        """Shows the meshes as the document has them; the document may be closed."""
         self.use_original(False)
         self.use_wires(False)
         self.use_marks(False)
         self._fill_regions(True)
         for shown in self._previews.values():
-            shown.end()
+            shown.remove()
         self._previews = {}
 
     def _exchanged(self, drawing, kind, is_on: bool):
@@ -87,10 +87,14 @@ class LiveScene:
 
     def _fill_regions(self, is_on: bool) -> None:
         """Regions in their colours, or as outlines that leave the colours of values alone."""
-        if is_on != self._are_filled:
-            self._are_filled = is_on
+        if is_on == self._are_filled:
+            return
+        self._are_filled = is_on
+        try:
             for region in model.regions(self._assembly):
                 region.ViewObject.Proxy.fill(is_on)
+        except (ReferenceError, RuntimeError):
+            return  # the morph is deleted
 
     def _begin(self) -> None:
         drawn = zip(model.parts(self._assembly), self._at_rest())

@@ -15,7 +15,7 @@ from freecad.sheetmorph.tools import grabbing, live_values
 
 
 class LiveUpdate(QtCore.QObject):
-    """Previews of all parts of a morph, and commits of its document; ``end`` takes them away.
+    """Previews of all parts of a morph, and commits of its document; ``remove`` takes them away.
 
     Frames are computed in a thread; ``drawn`` is sent when one is in the view, ``failed`` with
     words when it cannot be computed or the document not recomputed.
@@ -24,8 +24,8 @@ class LiveUpdate(QtCore.QObject):
     drawn = QtCore.Signal()
     failed = QtCore.Signal(str)
 
-    def __init__(self, assembly, updating, view):
-        """``view``: the 3D view; raises session.MorphError if the morph cannot be computed."""
+    def __init__(self, assembly, updating, session):
+        """``session``: the EditingSession; raises MorphError if the morph cannot be computed."""
         super().__init__()
         self._assembly = assembly
         self._updating = updating
@@ -33,7 +33,8 @@ class LiveUpdate(QtCore.QObject):
         self._worker = FrameWorker(self._compute, self)
         self._frame = self._valuer = None
         self._warned = ""
-        self.scene = LiveScene(assembly, self._live, view)
+        self.scene = LiveScene(assembly, self._live, session.view)
+        self._pending = session.pending
         self.legend = None
         self.kernel_ms = self.draw_ms = 0.0
         self.count = 0
@@ -65,10 +66,14 @@ class LiveUpdate(QtCore.QObject):
         self._valuer, self.legend = self.scene.valuer(kind), None
         self.ask()
 
-    def end(self) -> None:
+    def hush(self) -> None:
+        """Draws and commits nothing any more; what is shown stays until ``remove``."""
+        self._worker.hush()
+
+    def remove(self) -> None:
         """Shows the meshes as the document has them."""
         self._worker.stop()
-        self.scene.end()
+        self.scene.remove()
 
     # -- what the worker calls
 
@@ -128,6 +133,8 @@ class LiveUpdate(QtCore.QObject):
 
     def _commit(self) -> None:
         """Recomputes the document; what was solved in the thread is found there."""
+        if not self._pending.is_open:
+            return  # an undo came before the answer
         start = time.perf_counter()
         self._live.keep(self._frame)
         self._assembly.Document.recompute()

@@ -68,10 +68,6 @@ class MotionFields(QtCore.QObject):
             getattr(self._form, f"pivot_{c}").setValue(pivot[k])
         self._is_writing = False
 
-    def release(self) -> None:
-        """Lets go of the widgets; nothing is read or written any more."""
-        self._form = None
-
     def lock(self, expressions: dict[str, str]) -> None:
         """Fields that an expression drives cannot be typed into; ``expressions`` by property."""
         for field, owner in DRIVEN.items():

@@ -5,7 +5,7 @@ from freecad.sheetmorph import preferences
 
 
 class MouseFields:
-    """Connects the widgets with the drag until ``release`` is called; choices are remembered."""
+    """Connects the widgets with the drag; choices are remembered."""
 
     def __init__(self, form, drag):
         self._form, self._drag = form, drag
@@ -22,10 +22,6 @@ class MouseFields:
         form.move_pivot.toggled.connect(self._move_pivot)
         self._snap()
         drag.show_arrows(form.arrows.isChecked())
-
-    def release(self) -> None:
-        """Lets go of the widgets."""
-        self._form = self._drag = None
 
     def _steps(self):
         return (

@@ -2,12 +2,11 @@
 """The panel that moves handles: values change, the view follows, OK keeps, Cancel takes back."""
 
 from dataclasses import asdict
-
-import FreeCAD as App
-import FreeCADGui as Gui
+from functools import partial
 
 from freecad.sheetmorph import actions, preferences
-from freecad.sheetmorph.api.poses import motion_of
+from freecad.sheetmorph.api.poses import motion_of, restore, snapshot
+from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, legend, say
@@ -26,40 +25,42 @@ from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
 def open_panel(handle):
     """Opens the panel for a handle; returns the panel, None if the user cancels the set-up."""
-    if not progress.prepare(model.assembly_of(handle)):
+    assembly = model.assembly_of(handle)
+    if not progress.prepare(assembly):
         return None
-    panel = MovePanel(handle)
-    panel.present()
-    return panel
+    session = EditingSession(assembly.Document, [assembly, *assembly.Group])
+    return MovePanel.opened(session, handle)
 
 
 class MovePanel(Panel):
-    """Moves the handles of one morph in one open transaction."""
+    """Moves the handles of one morph; the session has what is pending."""
 
     width = 400  # for three buttons, in any language
 
-    def __init__(self, handle):
-        super().__init__("move", "MoveHandle", "Move Handle")
-        self._document = handle.Document
-        self._handles = MovedHandles(model.assembly_of(handle))
-        self._handle = handle
+    def __init__(self, session, handle):
+        super().__init__(session, "move", "MoveHandle", "Move Handle")
+        assembly = model.assembly_of(handle)
+        read, write = partial(snapshot, assembly), partial(restore, assembly)
+        self._pending = session.edit("Move Handle", read, write)
+        self._handles = MovedHandles(assembly, self._pending)
+        self._name = handle.Name
         self._updating = Updating(preferences.get("UpdateResults"))
         self._live = None
         self._fields = MotionFields(self.form)
-        self._legend = ViewLegend(self._view())
-        self._legend.show_roles(legend(""))
-        self._shown = ShowFields(self.form, self._legend)
+        view_legend = session.show(ViewLegend(session.view))
+        view_legend.show_roles(legend(""))
+        self._shown = ShowFields(self.form, view_legend)
         form = self.form
-        self._folds = Folds(
-            {form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"}
-        )
+        Folds({form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"})
         self._frame = self._timer(0, self._show)
         self._pause = self._timer(round(1000 * PAUSE), self.settle)
-        App.setActiveDocument(self._document.Name)
-        self._document.openTransaction("Move Handle")
         self._prepare_widgets()
-        self._drag = HandleDrag(self._view(), self)
+        session.at_end(self._end_live)
+        self._drag = session.show(HandleDrag(session.view, self))
+        session.at_end(self._stop_timers)
         self._mouse = MouseFields(self.form, self._drag)
+        session.ending.connect(self._hush)
+        session.changed.connect(self._follow)
         self._start()
 
     # -- the buttons of the task view
@@ -70,50 +71,43 @@ class MovePanel(Panel):
 
     def clicked(self, button) -> None:
         """Apply: as OK, and the panel stays."""
-        if int(button) == int(QtWidgets.QDialogButtonBox.Apply) and self._is_in_order():
-            self._keep()
-            self._document.openTransaction("Move Handle")
-            self._renew()
+        if int(button) == int(QtWidgets.QDialogButtonBox.Apply):
+            self.keep()
 
-    def accept(self) -> bool:
-        """OK: one undo step and one macro line a handle."""
-        if not self._is_in_order():
-            return False
-        self._end_drawing()
-        self._keep()
-        return self.finish()
-
-    def reject(self) -> bool:
-        """Cancel: everything is as it was when the panel opened, or at the last Apply."""
-        self._end_drawing()
-        self._document.abortTransaction()
-        return self.finish()
-
-    def finish(self) -> bool:
-        """Closes the panel."""
-        self._fields.release()
-        self._mouse.release()
-        self._shown.release()
-        self._folds.release()
-        self._legend.remove()
-        return super().finish()
-
-    def _is_in_order(self) -> bool:
-        self._frame.stop()
-        self._pause.stop()
+    def keep(self) -> bool:
+        """One undo step of what is seen, and one macro line a handle."""
+        self._stop_timers()
         fault = self._fields.read().fault()
         say(self.form.axis_message, fault, True)
-        return not fault
-
-    def _keep(self) -> None:
-        """Does what was done once more, as the lines of a macro: what is recorded is what is."""
+        if fault:
+            return False
+        self._handles.unmake_unmoved()
         lines = self._handles.lines()
-        self._document.abortTransaction()
         if lines:
-            actions.attempt("Move Handle", *lines, document=self._document)
-        self._handles.forget()
+            with actions.waiting():
+                fault = self._recomputed()
+            if fault:
+                say(self.form.message, fault, True)
+                return False
+            self._handles.unmake_all()  # the lines make them, as a macro does
+            with actions.waiting():
+                actions.record(*lines, "App.ActiveDocument.recompute()")
+        self._pending.keep()
+        self._handles.begin()
+        return True
+
+    def _recomputed(self) -> str:
+        """Lets all results follow, as part of the step; returns what is wrong, if anything."""
+        self.session.document.recompute()
+        faulty = [p for p in model.parts(self._handles.assembly) if "Invalid" in p.State]
+        return faulty[0].getStatusString() if faulty else ""
 
     # -- following fields and mouse; the next five are what HandleDrag asks for
+
+    @property
+    def _handle(self):
+        """The handle that is chosen, None if it is gone."""
+        return self.session.document.getObject(self._name)
 
     def motion(self) -> Motion:
         """The motion of the chosen handle."""
@@ -130,10 +124,12 @@ class MovePanel(Panel):
 
     def settle(self) -> None:
         """The mouse was released, or nothing changed for a while: now exactly."""
-        if self._live is None or not self._updating.is_due_on_pause():
-            return
         self._pause.stop()
-        self._live.ask([self._handle], exact=True)
+        if self._drag.is_dragging:
+            return
+        self._pending.settle()
+        if self._live is not None and self._updating.is_due_on_pause():
+            self._live.ask([self._handle], exact=True)
 
     def grab(self, ray):
         """Chooses the handle under the mouse, made where there is none; returns its point."""
@@ -153,7 +149,7 @@ class MovePanel(Panel):
     def _make_handle(self, found):
         """A handle of one vertex; without a solution there is none, and the panel says why."""
         handle = self._handles.make(found)
-        self._live.end()
+        self._end_live()
         try:
             self._live = self._new_live()
         except actions.FAULTS as error:
@@ -161,7 +157,7 @@ class MovePanel(Panel):
             self._live = self._new_live()
             say(self.form.message, str(error), True)
             return None
-        self.form.handle.addItem(handle.Label)
+        self._fill_list()
         return handle
 
     def _start(self) -> None:
@@ -173,28 +169,27 @@ class MovePanel(Panel):
             say(self.form.message, str(error), True)
 
     def _new_live(self) -> LiveUpdate:
-        live = LiveUpdate(self._handles.assembly, self._updating, self._view())
+        live = LiveUpdate(self._handles.assembly, self._updating, self.session)
         live.drawn.connect(self._on_drawn)
         live.failed.connect(self._on_fault)
         self._shown.connect(live)
         return live
 
-    def _renew(self) -> None:
-        """Goes on with the objects that Apply has made of those there were."""
-        labels = [self.form.handle.itemText(k) for k in range(self.form.handle.count())]
-        index = self.form.handle.currentIndex()
-        if self._live is not None:
-            self._live.end()
-        self._start()
-        found = [handle.Label for handle in self._handles.all]
-        self._handle = self._handles.all[
-            found.index(labels[index]) if labels[index] in found else 0
-        ]
-        self.form.handle.clear()
-        self.form.handle.addItems(found)
-        self._choose(self._handle)
+    def _follow(self) -> None:
+        """Shows what an undo, a redo or another command has made of the pose."""
+        self._stop_timers()
+        handles = self._handles.all
+        if not handles:
+            self.session.end()
+            return
+        if self._handle not in handles:
+            self._name = handles[0].Name
+        self._fill_list()
         self._fill()
         self._drag.place()
+        self._end_live()
+        self._start()
+        self._show()
 
     def _on_change(self) -> None:
         """A field changed."""
@@ -205,7 +200,7 @@ class MovePanel(Panel):
         """Sets the properties now, draws when the event loop is free."""
         motion = self._fields.read()
         say(self.form.axis_message, motion.fault(), True)
-        if motion.fault():
+        if motion.fault() or self.session.is_ending:
             return
         if motion != motion_of(self._handle):
             self._handles.move(self._handle, asdict(motion))
@@ -216,8 +211,7 @@ class MovePanel(Panel):
         """Asks for the present motion, for the result objects as well when the user pauses."""
         if self._live is not None:
             self._live.ask([self._handle])
-            if self._updating.is_due_on_pause():
-                self._pause.start()
+        self._pause.start()
 
     def _on_drawn(self) -> None:
         say(self.form.message, self._live.unsettled, True)
@@ -231,19 +225,25 @@ class MovePanel(Panel):
     def _on_fault(self, text: str) -> None:
         say(self.form.message, text, True)
 
-    def _end_drawing(self) -> None:
+    def _hush(self) -> None:
+        self._stop_timers()
+        if self._live is not None:
+            self._live.hush()
+
+    def _stop_timers(self) -> None:
         self._frame.stop()
         self._pause.stop()
-        self._drag.release()
+
+    def _end_live(self) -> None:
         if self._live is not None:
-            self._live.end()
+            self._live.remove()
+        self._live = None
 
     # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form
-        form.handle.addItems([handle.Label for handle in self._handles.all])
-        form.handle.setCurrentIndex(self._handles.all.index(self._handle))
+        self._fill_list()
         form.handle.currentIndexChanged.connect(self._on_choice)
         form.results.setCurrentIndex(self._updating.preference)
         form.results.currentIndexChanged.connect(self._choose_update)
@@ -261,13 +261,21 @@ class MovePanel(Panel):
         self._fields.lock({path.lstrip("."): text for path, text in self._handle.ExpressionEngine})
         self.form.rotation.setEnabled(not self._handle.FreeRotation)
 
+    def _fill_list(self) -> None:
+        """Lists the handles there are now."""
+        combo, handles = self.form.handle, self._handles.all
+        combo.blockSignals(True)
+        combo.clear()
+        combo.addItems([handle.Label for handle in handles])
+        combo.setCurrentIndex(handles.index(self._handle))
+        combo.blockSignals(False)
+
     def _choose(self, handle) -> None:
         self.form.handle.setCurrentIndex(self._handles.all.index(handle))
+        self._on_choice(self.form.handle.currentIndex())
 
     def _on_choice(self, index: int) -> None:
-        if index < 0:  # while the list is written anew
-            return
-        self._handle = self._handles.all[index]
+        self._name = self._handles.all[index].Name
         self._fill()
         self._drag.place()
 
@@ -280,9 +288,6 @@ class MovePanel(Panel):
         self._fields.write(Motion(), self.pivot())
         self._on_change()
         self._fill()
-
-    def _view(self):
-        return Gui.getDocument(self._document.Name).activeView()
 
     def _timer(self, milliseconds: int, action):
         timer = QtCore.QTimer(self.form)

@@ -10,16 +10,25 @@ from freecad.sheetmorph.objects import model
 class MovedHandles:
     """Which handles there are, which were moved, which were made by grabbing a point."""
 
-    def __init__(self, assembly):
-        self.assembly = assembly
-        self.all = [r for r in model.regions(assembly) if r.Role == "handle"]
-        self._moved, self._made, self._centres = [], [], {}
+    def __init__(self, assembly, pending):
+        """``pending``: the editing.pending.Pending that all changes go through."""
+        self.assembly, self._pending = assembly, pending
+        self._centres = {}
+        self.begin()
+
+    def begin(self) -> None:
+        """Counts what is moved and made from here."""
+        self._before = {handle.Name: motion_of(handle) for handle in self.all}
+
+    @property
+    def all(self) -> list:
+        """The handles there are now."""
+        return [r for r in model.regions(self.assembly) if r.Role == "handle"]
 
     def move(self, handle, motion: dict) -> None:
         """Sets the motion of a handle, the arguments of ``api.set_motion``."""
+        self._pending.change()
         api.set_motion(handle, **motion)
-        if handle not in self._moved:
-            self._moved.append(handle)
 
     def pivot(self, handle) -> tuple:
         """Where a handle turns about at rest, (3,) mm; no mesh changes meanwhile."""
@@ -39,33 +48,49 @@ class MovedHandles:
 
     def make(self, grabbed):
         """A handle of one vertex that the sheet turns as it likes."""
+        self._pending.change()
+        handle = self._new(grabbed)
+        self._pending.remember_made(handle.Name, lambda: self._new(grabbed))
+        return handle
+
+    def _new(self, grabbed):
         part = self.assembly.Document.getObject(grabbed.part)
         handle = api.add_handle(self.assembly, part, [grabbed.vertex], label_on(part))
         api.set_free_rotation(handle, True)
-        self._made.append(handle)
-        self.all.append(handle)
+        self._centres.pop(handle.Name, None)
         return handle
 
     def unmake(self, handle) -> None:
         """Takes a handle back that was made."""
-        self._made.remove(handle)
-        self.all.remove(handle)
+        self._pending.forget_made(handle.Name)
         api.remove(handle)
+
+    def unmake_unmoved(self) -> None:
+        """Takes back what was grabbed but not moved."""
+        for handle in self._made():
+            if motion_of(handle).is_rest():
+                self.unmake(handle)
+
+    def unmake_all(self) -> None:
+        """Takes back all that was grabbed."""
+        for handle in self._made():
+            self.unmake(handle)
+
+    def _made(self) -> list:
+        return [handle for handle in self.all if handle.Name not in self._before]
 
     def lines(self) -> list[str]:
         """The calls of the API that make and move what was made and moved."""
         lines = []
-        for handle in self._moved:
+        for handle in self.all:
+            if motion_of(handle) == self._before.get(handle.Name):
+                continue
             target = name(handle)
-            if handle in self._made:
+            if handle.Name not in self._before:
                 target = "point"
                 lines += made(self.assembly, handle)
             lines.append(call("set_motion", target, **motion_of(handle).keywords()))
         return lines
-
-    def forget(self) -> None:
-        """Begins anew with the handles there are."""
-        self.__init__(self.assembly)
 
 
 def made(assembly, handle) -> list[str]:

@@ -30,11 +30,10 @@ class PickMouse(Listener):
         self._picker, self._seen = picker, seen
         self._figure.show_outline(None)
 
-    def release(self) -> None:
+    def remove(self) -> None:
         """Gives the mouse back."""
-        self._end()
         self._figure.remove()
-        self._viewport.release()
+        self._viewport.remove()
         self._picker = self._seen = self._host = None
 
     def on_move(self, pointer) -> None:

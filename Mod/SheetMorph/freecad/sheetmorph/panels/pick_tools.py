@@ -91,10 +91,6 @@ class PickTools:
         step = 1 if steps > 0 else -1
         self._form.radius.setValue(round(wanted) if round(wanted) != radius else radius + step)
 
-    def release(self) -> None:
-        """Lets go of the widgets, see Panel.finish; nothing is picked any more."""
-        self._form = self._picker = None
-
     def show_state(self) -> None:
         """Buttons that would do nothing are off."""
         self._form.back.setEnabled(bool(self._picker and self._picker.can_go_back))
@@ -104,7 +100,7 @@ class PickTools:
         return chosen[0] if chosen else picking.REPLACE
 
     def _apply(self, *_) -> None:
-        if self._picker is None or self._form is None:
+        if self._picker is None:
             return
         self._picker.choose(
             what=self._tool,

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that blends two poses with a slider and says how far they are apart."""
 
-import FreeCAD as App
+from functools import partial
+
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.api.poses import restore, snapshot
+from freecad.sheetmorph.editing.session import EditingSession
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.live_update import LiveUpdate
-from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
-from freecad.sheetmorph.tools.updating import ON_OK, Updating
+from freecad.sheetmorph.tools.updating import ON_OK, PAUSE, Updating
 
 REST = QT_TRANSLATE_NOOP("panels", "At rest")
 
@@ -20,37 +24,45 @@ def open_panel(assembly, pose):
     """Opens the panel from rest to a pose; returns it, None if the user cancels the set-up."""
     if Gui.Control.activeDialog() or not progress.prepare(assembly):
         return None
-    panel = PosePanel(assembly, pose)
-    panel.present()
-    return panel
+    session = EditingSession(assembly.Document, [assembly, *assembly.Group])
+    return PosePanel.opened(session, assembly, pose)
 
 
 class PosePanel(Panel):
-    """Blends in an open transaction; OK keeps what is seen, Cancel takes it back."""
+    """Blends two poses; OK keeps what is seen, Cancel takes it back."""
 
-    def __init__(self, assembly, pose):
-        super().__init__("pose", "BlendPoses", "Blend Poses")
+    def __init__(self, session, assembly, pose):
+        super().__init__(session, "pose", "BlendPoses", "Blend Poses")
         self._assembly, self._document = assembly, assembly.Document
+        read, write = partial(snapshot, assembly), partial(restore, assembly)
+        self._pending = session.edit("Blend Poses", read, write)
         self._poses = [None, *api.poses(assembly)]
+        self._shares = []  # (snapshot, fields) of every blend that was shown for a while
         self._live = None
-        App.setActiveDocument(self._document.Name)
-        self._document.openTransaction("Blend Poses")
+        self._pause = QtCore.QTimer(self.form, singleShot=True, interval=round(1000 * PAUSE))
+        self._pause.timeout.connect(self._settle)
         self._prepare_widgets(pose)
+        session.at_end(self._end_live)
+        session.at_end(self._pause.stop)
+        session.ending.connect(self._hush)
+        session.changed.connect(self._follow)
         self._start()
         self._choose()
 
-    def accept(self) -> bool:
-        """OK: one undo step, one macro line."""
+    def keep(self) -> bool:
+        """OK: one undo step of what is seen, one macro line."""
         line = self._line()
-        self._end()
-        if line:
-            actions.attempt("Blend Poses", line, document=self._document)
-        return self.finish()
-
-    def reject(self) -> bool:
-        """Cancel: everything is as it was."""
-        self._end()
-        return self.finish()
+        if self._pending.is_open and line:
+            with actions.waiting():
+                self._document.recompute()
+            faulty = [p for p in model.parts(self._assembly) if "Invalid" in p.State]
+            if faulty:
+                self._on_fault(faulty[0].getStatusString())
+                return False
+            with actions.waiting():
+                actions.record(line, "App.ActiveDocument.recompute()")
+        self._pending.keep()
+        return True
 
     def _prepare_widgets(self, pose) -> None:
         form = self.form
@@ -67,18 +79,53 @@ class PosePanel(Panel):
         say(form.message, "")
 
     def _start(self) -> None:
-        view = Gui.getDocument(self._document.Name).activeView()
         try:
-            self._live = LiveUpdate(self._assembly, Updating(ON_OK), view)
+            self._live = LiveUpdate(self._assembly, Updating(ON_OK), self.session)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            self._on_fault(str(error))
             return
         self._live.failed.connect(self._on_fault)
 
-    def _end(self) -> None:
+    def _end_live(self) -> None:
         if self._live is not None:
-            self._live.end()
-        self._document.abortTransaction()
+            self._live.remove()
+        self._live = None
+
+    def _hush(self) -> None:
+        self._pause.stop()
+        if self._live is not None:
+            self._live.hush()
+
+    def _settle(self) -> None:
+        """What is seen for a while is what an undo comes back to."""
+        self._pending.settle()
+        self._shares.append((snapshot(self._assembly), self._given()))
+
+    def _follow(self) -> None:
+        """Shows what an undo, a redo or another command has made of the pose."""
+        now = snapshot(self._assembly)
+        given = next((fields for kept, fields in reversed(self._shares) if kept == now), None)
+        if given is not None:
+            self._show_given(given)
+        text = translate("panels", "As it was before; move the slider to blend again.")
+        say(self.form.message, "" if given is not None else text)
+        self._end_live()
+        self._start()
+        if self._live is not None:
+            self._live.ask()
+
+    def _given(self) -> tuple:
+        form = self.form
+        return form.first.currentIndex(), form.second.currentIndex(), form.percent.value()
+
+    def _show_given(self, given: tuple) -> None:
+        form = self.form
+        setters = (form.first.setCurrentIndex, form.second.setCurrentIndex, form.percent.setValue)
+        for field, put, value in zip((form.first, form.second, form.percent), setters, given):
+            field.blockSignals(True)
+            put(value)
+            field.blockSignals(False)
+        self._show_slider()
 
     def _pair(self):
         form = self.form
@@ -99,15 +146,20 @@ class PosePanel(Panel):
         self._on_percent()
 
     def _on_percent(self, *_) -> None:
-        percent = self.form.percent.value()
-        self.form.slider.blockSignals(True)
-        self.form.slider.setValue(round(percent))
-        self.form.slider.blockSignals(False)
-        if self._pair() == (None, None):
+        self._show_slider()
+        if self._pair() == (None, None) or self.session.is_ending:
             return
-        api.blend_poses(*self._pair(), percent / 100.0)
+        self._pending.change()
+        api.blend_poses(*self._pair(), self.form.percent.value() / 100.0)
+        say(self.form.message, "")
+        self._pause.start()
         if self._live is not None:
             self._live.ask()
+
+    def _show_slider(self) -> None:
+        self.form.slider.blockSignals(True)
+        self.form.slider.setValue(round(self.form.percent.value()))
+        self.form.slider.blockSignals(False)
 
     def _on_fault(self, text: str) -> None:
         say(self.form.message, text, True)

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene.mesh_preview import MeshPreview
@@ -18,9 +19,12 @@ def open_panel(part):
     with actions.waiting():
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(part)
-        panel = PreparePanel(part)
-    panel.present()
-    return panel
+        return PreparePanel.opened(EditingSession(part.Document, needed_of(part)), part)
+
+
+def needed_of(part) -> list:
+    """What is needed to look at a part: itself and the meshes it is made of."""
+    return [obj for obj in (part, part.Source, part.Original) if obj is not None]
 
 
 def offer(parts: list) -> None:
@@ -42,15 +46,16 @@ class PreparePanel(Panel):
 
     width = 420
 
-    def __init__(self, part):
-        super().__init__("prepare", "PrepareMesh", "Prepare Mesh")
+    def __init__(self, session, part):
+        super().__init__(session, "prepare", "PrepareMesh", "Prepare Mesh")
         self._part = part
         self._preview = None
+        session.at_end(self._end_preview)
         self._found = api.diagnose_original(part)
         self._prepare_widgets()
         self._offer()
 
-    def accept(self) -> bool:
+    def keep(self) -> bool:
         """OK: cures the part."""
         lines = self._lines()
         if not lines:
@@ -63,12 +68,7 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        return self.reject()
-
-    def reject(self) -> bool:
-        """Cancel: nothing has changed."""
-        self._end_preview()
-        return self.finish()
+        return True
 
     # -- the diagnosis
 
@@ -132,7 +132,7 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return
-        view = Gui.ActiveDocument.ActiveView
+        view = self.session.view
         self._preview = MeshPreview(view, self._part.ViewObject, places, made.triangles)
         say(self.form.message, cures.summary(made))
         if wish.scale != 1.0:
@@ -140,7 +140,7 @@ class PreparePanel(Panel):
 
     def _end_preview(self, *_) -> None:
         if self._preview is not None:
-            self._preview.end()
+            self._preview.remove()
         self._preview = None
 
     # -- the widgets

@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api, seen
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import contact_types, control_meshes, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, say
@@ -18,9 +19,8 @@ KINDS = ("local", "single")
 
 def open_panel(assembly):
     """Opens the panel for a morph; returns the panel."""
-    panel = PropagationPanel(assembly)
-    panel.present()
-    return panel
+    session = EditingSession(assembly.Document, [assembly], goes_with_undo=True)
+    return PropagationPanel.opened(session, assembly)
 
 
 class PropagationPanel(Panel):
@@ -28,14 +28,16 @@ class PropagationPanel(Panel):
 
     width = 460  # for names in a tree
 
-    def __init__(self, assembly):
-        super().__init__("propagation", "Propagation", "Propagation")
+    def __init__(self, session, assembly):
+        super().__init__(session, "propagation", "Propagation", "Propagation")
         self._assembly = assembly
-        self._chosen = None
+        self._chosen_name = ""
         self._steps = []
         self._is_filling = False
-        self._highlight = Highlight()
+        self._highlight = session.show(Highlight())
         self._wires = None
+        session.at_end(self._remove_wires)
+        session.changed.connect(self._fill)
         self._prepare_widgets()
         self._fill()
 
@@ -47,11 +49,10 @@ class PropagationPanel(Panel):
         """What is clicked in the panel is selected in the document."""
         return True
 
-    def reject(self) -> bool:
-        """Close."""
-        self._highlight.clear()
-        self._show_meshes(False)
-        return self.finish()
+    @property
+    def _chosen(self):
+        """The object of the row that is chosen, None if there is none any more."""
+        return self._assembly.Document.getObject(self._chosen_name) if self._chosen_name else None
 
     # -- what the user changes
 
@@ -102,7 +103,7 @@ class PropagationPanel(Panel):
         except actions.FAULTS as error:
             self._steps = []
             say(form.message, str(error), True)
-        chosen = self._chosen.Name if self._chosen else ""
+        chosen = self._chosen_name
         propagation_tree.fill(form.tree, self._assembly, self._steps)
         form.tree.setCurrentItem(propagation_tree.row_of(form.tree, chosen) if chosen else None)
         self._is_filling = False
@@ -126,8 +127,7 @@ class PropagationPanel(Panel):
         if self._is_filling:
             return
         row = self.form.tree.currentItem()
-        found = row.data(0, propagation_tree.OBJECT) if row else None
-        self._chosen = self._assembly.Document.getObject(found) if found else None
+        self._chosen_name = (row.data(0, propagation_tree.OBJECT) or "") if row else ""
         self._show_details()
         self._show_highlight()
         self._draw_meshes()
@@ -185,13 +185,15 @@ class PropagationPanel(Panel):
 
     def _show_meshes(self, is_shown: bool) -> None:
         """Control meshes in the view, or none."""
+        self._remove_wires()
+        if is_shown:
+            self._wires = Wireframe(self.session.view)
+            self._draw_meshes()
+
+    def _remove_wires(self) -> None:
         if self._wires is not None:
             self._wires.remove()
-            self._wires = None
-        if is_shown:
-            view = Gui.getDocument(self._assembly.Document.Name).activeView()
-            self._wires = Wireframe(view)
-            self._draw_meshes()
+        self._wires = None
 
     def _draw_meshes(self) -> None:
         """The control mesh of the contact that is chosen, else of all that have one."""

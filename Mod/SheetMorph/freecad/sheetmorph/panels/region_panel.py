@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel in which a region is picked."""
 
-import FreeCADGui as Gui
-
 from freecad.sheetmorph import actions, seen
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import Panel, legend, say
 from freecad.sheetmorph.panels.pick_mouse import PickMouse
@@ -32,31 +31,45 @@ FUNCTIONS |= {"follower": "add_follower"}
 
 def create(part, role: str):
     """Opens the panel for a new region, or new form features, of a part; returns the panel."""
-    panel = RegionPanel(part, role)
-    panel.present()
-    return panel
+    return RegionPanel.opened(session_on(part), part, role)
 
 
 def edit(region):
     """Opens the panel for a region that exists; returns the panel."""
-    panel = RegionPanel(region.Part, region.Role, region)
-    panel.present()
-    return panel
+    if region.Part is None:
+        raise ValueError(f"Region '{region.Label}' has lost its part; delete the region.")
+    return RegionPanel.opened(session_on(region.Part, region), region.Part, region.Role, region)
+
+
+def session_on(part, *needed) -> EditingSession:
+    """A session for picking on the parts of a morph; without any of them it ends."""
+    assembly = model.assembly_of(part)
+    return EditingSession(part.Document, [assembly, *model.parts(assembly), *needed])
+
+
+def taken_from(part, role: str, region=None) -> dict:
+    """The vertices by label that a region of a role on a part must leave to others.
+
+    Two handles cannot move one vertex, and what is fixed cannot be moved.
+    """
+    others = {"handle": ("handle", "fixed"), "fixed": ("handle",)}.get(role, ())
+    found = [r for r in model.regions(model.assembly_of(part), part) if r != region]
+    return {r.Label: model.vertices(r) for r in found if r.Role in others}
 
 
 class RegionPanel(Panel):
     """Picks vertices of one part; the document changes when the user says OK."""
 
-    def __init__(self, part, role: str, region=None):
-        super().__init__("region", ICONS[role], TITLES[role])
+    def __init__(self, session, part, role: str, region=None):
+        super().__init__(session, "region", ICONS[role], TITLES[role])
         self._part, self._role, self._region = part, role, region
         with actions.waiting():
             self._meshes = seen.visible_meshes(model.assembly_of(part), part)
         self._picker = self._view = None
-        self._light = PartLight()
-        self._legend = ViewLegend(Gui.activeDocument().activeView())
-        self._legend.show_roles(legend(role))
-        self._mouse = PickMouse(Gui.activeDocument().activeView(), self)
+        self._light = session.show(PartLight())
+        session.show(ViewLegend(session.view)).show_roles(legend(role))
+        session.at_end(self._remove_view)
+        self._mouse = session.show(PickMouse(session.view, self))
         self._tools = PickTools(self.form, None, self.picked)
         self._tools.choose(picking.RIM if role == "form feature" else picking.FACE)
         self._prepare_widgets()
@@ -64,8 +77,7 @@ class RegionPanel(Panel):
 
     def _begin(self, part, vertices=()) -> None:
         """Picks on a part from now on."""
-        if self._view is not None:
-            self._view.remove()
+        self._remove_view()
         self._part = part
         mesh = self._meshes[part.Name]
         others = [other for name, other in self._meshes.items() if name != part.Name]
@@ -73,6 +85,7 @@ class RegionPanel(Panel):
         with actions.waiting():
             mesh.prepare()
         self._picker = picking.RegionPicker(mesh, vertices, options, others)
+        self._picker.leave(picking.Taken(taken_from(part, self._role, self._region)))
         self._view = PickView(part.ViewObject, mesh, colours.ROLES[self._role])
         self._tools.use(self._picker)
         self._mouse.use(self._picker, self._view)
@@ -109,7 +122,9 @@ class RegionPanel(Panel):
         pieces = len(self._picker.groups()) if len(picked) else 0
         text = translate("region", "Picked: {0} vertices, {1} piece(s)").format(len(picked), pieces)
         self.form.count.setText(text if pieces else translate("region", "Nothing picked yet"))
-        say(self.form.message, "")
+        refused = ", ".join(f"'{label}'" for label in self._picker.refused)
+        text = translate("region", "What {0} has already is left out: a vertex has one of them.")
+        say(self.form.message, text.format(refused) if refused else "", bool(refused))
 
     def _other_part(self, ray):
         """The part in front under a ray, if a region of it may be picked now instead."""
@@ -121,7 +136,7 @@ class RegionPanel(Panel):
 
     # -- the buttons of the task view
 
-    def accept(self) -> bool:
+    def keep(self) -> bool:
         """OK: one undo step, one macro line a region; with nothing picked the panel stays."""
         if not len(self._picker.picked):
             say(
@@ -135,13 +150,7 @@ class RegionPanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        self._release()
-        return self.finish()
-
-    def reject(self) -> bool:
-        """Cancel: nothing has changed."""
-        self._release()
-        return self.finish()
+        return True
 
     def _lines(self) -> list[str]:
         """The calls of the API that make what is picked."""
@@ -155,13 +164,9 @@ class RegionPanel(Panel):
         function = FUNCTIONS[self._role]
         return [call(function, owner, part, actions.vertices(group)) for group in groups]
 
-    def _release(self) -> None:
-        """Gives the mouse back and takes the drawing away."""
-        self._mouse.release()
-        self._tools.release()
-        self._light.show()
-        self._legend.remove()
-        self._view.remove()
+    def _remove_view(self) -> None:
+        if self._view is not None:
+            self._view.remove()
 
     # -- the widgets
 

@@ -6,7 +6,7 @@ from freecad.sheetmorph.panels.scale import gradient
 
 
 class ShowFields:
-    """Connects the widgets with a LiveUpdate until ``release``; choices are remembered."""
+    """Connects the widgets with a LiveUpdate ; choices are remembered."""
 
     def __init__(self, form, view_legend):
         """``view_legend``: the scene.legend.ViewLegend of the 3D view."""
@@ -32,10 +32,6 @@ class ShowFields:
                 self._use(entry, True)
         if self._form.colours.currentIndex():
             live.use_colours(self._form.colours.currentIndex())
-
-    def release(self) -> None:
-        """Lets go of the widgets."""
-        self._form = self._live = self._boxes = self._view_legend = None
 
     def tell(self) -> None:
         """Shows the legend of the last frame."""

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that shows how thick a part is, as colours on the part with a legend."""
 
-import FreeCADGui as Gui
-
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
+from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
@@ -16,33 +15,33 @@ from freecad.sheetmorph.tools import colour_scale
 
 def open_panel(part):
     """Opens the panel for a part; returns the panel."""
-    panel = ThicknessPanel(part)
-    panel.present()
-    return panel
+    needed = [obj for obj in (part, part.Source) if obj is not None]
+    session = EditingSession(part.Document, needed, goes_with_undo=True)
+    return ThicknessPanel.opened(session, part)
 
 
 class ThicknessPanel(Panel):
     """There is nothing to cancel: the switch and the holes are undo steps of their own."""
 
-    def __init__(self, part):
-        super().__init__("thickness", "ThicknessMap", "Thickness")
+    def __init__(self, session, part):
+        super().__init__(session, "thickness", "ThicknessMap", "Thickness")
         self._part = part
-        self._map = None
         self._solid, self._reason = api.thin_solid(part)
         self.form.bend.setChecked(part.Thin != "no")
         self.form.bend.toggled.connect(self._switch)
         self.form.mark.clicked.connect(self._mark)
+        session.changed.connect(self._show_switch)
         self._fill()
 
     def getStandardButtons(self) -> int:
         """Only Close."""
         return int(QtWidgets.QDialogButtonBox.Close)
 
-    def reject(self) -> bool:
-        """Close."""
-        if self._map is not None:
-            self._map.remove()
-        return self.finish()
+    def _show_switch(self) -> None:
+        """Shows what an undo has made of the switch."""
+        self.form.bend.blockSignals(True)
+        self.form.bend.setChecked(self._part.Thin != "no")
+        self.form.bend.blockSignals(False)
 
     def _fill(self) -> None:
         form, solid = self.form, self._solid
@@ -60,8 +59,8 @@ class ThicknessPanel(Panel):
         form.mark.setEnabled(bool(solid.holes))
         say(form.message, summary(solid))
         triangles = snapshot_of(self._part.Source).triangles
-        view = Gui.ActiveDocument.ActiveView
-        self._map = ValueMap(view, self._part, triangles, colour_scale.colours_of(values, span))
+        colours = colour_scale.colours_of(values, span)
+        self.session.show(ValueMap(self.session.view, self._part, triangles, colours))
 
     def _switch(self, is_on: bool) -> None:
         line = call("set_thin", name(self._part), repr("auto" if is_on else False))

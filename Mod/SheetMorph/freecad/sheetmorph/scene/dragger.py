@@ -5,6 +5,9 @@ import math
 
 from pivy import coin
 
+from freecad.sheetmorph.scene.hanging import Hanging
+from freecad.sheetmorph.scene.viewport import view_volume
+
 SIZE = 0.0065  # of the height of the view
 FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
 
@@ -34,7 +37,7 @@ class Dragger:
         self._root.addChild(first)
         self._root.addChild(self._pivot)
         self._root.addChild(self._dragger)
-        self._view.getSceneGraph().addChild(self._root)
+        self._hanging = Hanging(view.getSceneGraph(), self._root)
         self._camera = view.getCameraNode()
         self._sensor = coin.SoNodeSensor(self._resize, None)
         self._sensor.attach(self._camera)
@@ -69,10 +72,10 @@ class Dragger:
     def remove(self) -> None:
         """Takes the dragger out of the view; the view may be closed already."""
         self._sensor.detach()
+        self._hanging.remove()
         try:
             for kind, function in self._callbacks.items():
                 self._view.removeDraggerCallback(self._dragger, kind, function)
-            self._view.getSceneGraph().removeChild(self._root)
         except RuntimeError:
             return
 
@@ -102,8 +105,7 @@ class Dragger:
 
     def _resize(self, *_) -> None:
         """The same size on the screen at every zoom; FreeCAD's own way is not for Python."""
-        width, height = self._view.getSize()
-        volume = self._camera.getViewVolume(width / max(height, 1))
+        volume = view_volume(self._view)
         place = self._pivot.translation.getValue() + self._field("translation").getValue()
         self._field("draggerSize").setValue(volume.getWorldToScreenScale(place, SIZE))
 

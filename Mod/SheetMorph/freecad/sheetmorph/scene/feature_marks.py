@@ -4,6 +4,7 @@
 from pivy import coin
 
 from freecad.sheetmorph.scene import colours, nodes
+from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.tools.live_values import turn_of
 
 NAME = "SheetMorphFeatureMarks"
@@ -14,7 +15,6 @@ class FeatureMarks:
     """Marks in a 3D view, over the parts, until ``remove`` is called."""
 
     def __init__(self, view):
-        self._view = view
         self._coordinates = coin.SoCoordinate3()
         self._lines = coin.SoLineSet()
         self._ends = coin.SoPointSet()
@@ -23,7 +23,7 @@ class FeatureMarks:
         self._root.setName(NAME)
         for node in (*_look(), self._coordinates, self._lines, self._ends, self._texts):
             self._root.addChild(node)
-        view.getSceneGraph().addChild(self._root)
+        self._hanging = Hanging(view.getSceneGraph(), self._root)
 
     def show(self, features) -> None:
         """Shows sheetmorph.FeatureResults."""
@@ -37,11 +37,8 @@ class FeatureMarks:
         self._say([(f.centre + f.translation, described(f)) for f in features])
 
     def remove(self) -> None:
-        """Takes them out of the view, which may be closed already."""
-        try:
-            self._view.getSceneGraph().removeChild(self._root)
-        except RuntimeError:
-            return
+        """Takes them out of the view."""
+        self._hanging.remove()
 
     def _say(self, labels) -> None:
         while self._texts.getNumChildren() < len(labels):

@@ -4,6 +4,7 @@
 from pivy import coin
 
 from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.surface import Surface
 
 
@@ -12,13 +13,11 @@ class Ghost:
 
     def __init__(self, view_object, module, points, triangles):
         """``module``: sheetmorph._coin; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
-        self._root = view_object.RootNode
         self._surface = Surface(coin.SoCoordinate3())
         self._surface.paint(colours.GHOST, 0.45)
         self._surface.fill(module, points, triangles)
-        self._root.addChild(self._surface.node)
+        self._hanging = Hanging(view_object.RootNode, self._surface.node)
 
     def remove(self) -> None:
         """Takes it out of the view."""
-        if self._root.findChild(self._surface.node) >= 0:
-            self._root.removeChild(self._surface.node)
+        self._hanging.remove()

@@ -4,6 +4,7 @@
 import numpy as np
 
 from freecad.sheetmorph.scene import colours, nodes
+from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.patch import Patch
 
 
@@ -19,15 +20,15 @@ class Highlight:
         shown, width = nodes.coordinates(view_object), 0.0 if is_tint else 3.0
         patch = Patch(shown, colour, width, on_top=not is_tint)
         patch.show(triangles, np.unique(triangles) if is_tint else vertices)
-        view_object.RootNode.addChild(patch.node)
-        self._painted.append((view_object.RootNode, patch.node))
+        self._painted.append(Hanging(view_object.RootNode, patch.node))
 
     def clear(self) -> None:
         """Takes all of it away."""
-        for root, node in self._painted:
-            if root.findChild(node) >= 0:
-                root.removeChild(node)
+        for hanging in self._painted:
+            hanging.remove()
         self._painted = []
+
+    remove = clear
 
 
 class PartLight:
@@ -45,3 +46,7 @@ class PartLight:
         self._highlight.clear()
         if name:
             self._highlight.paint(view_object, triangles, colours.HOVER)
+
+    def remove(self) -> None:
+        """Tints none."""
+        self.show()

@@ -5,29 +5,26 @@ import numpy as np
 from pivy import coin
 
 from freecad.sheetmorph.scene import colours, nodes
+from freecad.sheetmorph.scene.hanging import Hanging
 
 NAME = "SheetMorphMeshPreview"
 
 
 class MeshPreview:
-    """In a view until ``end`` is called; meanwhile the part is not drawn."""
+    """In a view until ``remove`` is called; meanwhile the part is not drawn."""
 
     def __init__(self, view, view_object, points: np.ndarray, triangles: np.ndarray):
         """``points`` (n, 3) global mm, ``triangles`` (m, 3); ``view_object``: of the part."""
-        self._view = view
         self._switch = view_object.SwitchNode
         self._mode = self._switch.whichChild.getValue()
         self._root = _drawn(points, triangles)
         self._switch.whichChild = coin.SO_SWITCH_NONE
-        view.getSceneGraph().addChild(self._root)
+        self._hanging = Hanging(view.getSceneGraph(), self._root)
 
-    def end(self) -> None:
-        """Shows the part again; the view may be closed already."""
-        try:
-            self._view.getSceneGraph().removeChild(self._root)
-            self._switch.whichChild = self._mode
-        except RuntimeError:
-            return
+    def remove(self) -> None:
+        """Shows the part again."""
+        self._hanging.remove()
+        self._switch.whichChild = self._mode
 
 
 def _drawn(points: np.ndarray, triangles: np.ndarray):

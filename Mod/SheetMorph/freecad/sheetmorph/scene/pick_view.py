@@ -2,6 +2,7 @@
 """What is seen while picking: the picked vertices, and what a click would take."""
 
 from freecad.sheetmorph.scene import colours, nodes
+from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.patch import Patch
 
 
@@ -14,14 +15,13 @@ class PickView:
         ``on_top``: their outline is seen through whatever hides it.
         """
         self.colour = colour
-        self._root = view_object.RootNode
         self._mesh = mesh
         shown = nodes.coordinates(view_object)
         self._picked = Patch(shown, colour, 3.0 if on_top else 5.0, on_top=on_top)
         self._aimed = Patch(shown, colours.HOVER, 3.0)
         self._last = None
-        for patch in (self._picked, self._aimed):
-            self._root.addChild(patch.node)
+        root, patches = view_object.RootNode, (self._picked, self._aimed)
+        self._hanging = [Hanging(root, patch.node) for patch in patches]
 
     def show_picked(self, vertices) -> None:
         """Colours the picked vertices."""
@@ -35,6 +35,5 @@ class PickView:
 
     def remove(self) -> None:
         """Takes both out of the view."""
-        for patch in (self._picked, self._aimed):
-            if self._root.findChild(patch.node) >= 0:
-                self._root.removeChild(patch.node)
+        for hanging in self._hanging:
+            hanging.remove()

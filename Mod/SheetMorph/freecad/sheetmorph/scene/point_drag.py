@@ -7,11 +7,12 @@ A Qt event filter, which sees the mouse before FreeCAD and takes what belongs to
 import numpy as np
 
 from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.scene.viewport import pointer_of
 from freecad.sheetmorph.tools.part_mesh import Ray
 
 
 class PointDrag(QtCore.QObject):
-    """Reports drags of points until ``release`` is called.
+    """Reports drags of points until ``remove`` is called.
 
     ``listener``: on_press(ray) returns the point (3,) that is grabbed, or None to leave the mouse
     to FreeCAD; on_pull(shift (3,)) mm since then, parallel to the screen; on_drop(). Escape in
@@ -27,7 +28,7 @@ class PointDrag(QtCore.QObject):
         self._widget.installEventFilter(self)
         view.graphicsView().installEventFilter(self)
 
-    def release(self) -> None:
+    def remove(self) -> None:
         """Gives the mouse back; the view may be closed already."""
         try:
             self._widget.removeEventFilter(self)
@@ -73,8 +74,5 @@ class PointDrag(QtCore.QObject):
         self._listener.on_pull(ray.origin + depth * ray.direction - self._grabbed)
 
     def _ray(self, event) -> Ray:
-        ratio = self._widget.devicePixelRatioF()
-        x = round(event.pos().x() * ratio)
-        y = round((self._widget.height() - 1 - event.pos().y()) * ratio)
-        near, far = (np.array(tuple(p)) for p in self._view.projectPointToLine(x, y))
-        return Ray(near, far - near)
+        pointer = pointer_of(self._view, self._widget, event)
+        return Ray(pointer.origin, pointer.direction)

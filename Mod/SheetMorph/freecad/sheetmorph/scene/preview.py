@@ -12,11 +12,12 @@ from pivy import coin
 
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.scene import nodes
+from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.surface import Surface
 
 
 class Preview:
-    """Draws one part at other positions until ``end`` is called."""
+    """Draws one part at other positions until ``remove`` is called."""
 
     def __init__(self, view_object, module, points: np.ndarray, triangles: np.ndarray):
         """``module``: sheetmorph._coin; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
@@ -28,7 +29,7 @@ class Preview:
         self.plain()
         # Not the Visibility property: hiding the mesh is no change of the document.
         self._switch.whichChild = coin.SO_SWITCH_NONE
-        view_object.RootNode.addChild(self._surface.node)
+        self._hanging = Hanging(view_object.RootNode, self._surface.node)
 
     def show(self, points: np.ndarray, frame) -> None:
         """Moves the drawing to (n, 3) global positions, mm, of a part with a conversion.Frame."""
@@ -43,14 +44,14 @@ class Preview:
         transparency = self._view_object.Transparency / 100.0
         self._surface.paint(tuple(self._view_object.ShapeColor[:3]), transparency)
 
-    def end(self) -> None:
-        """Shows the mesh as the document has it."""
-        root = self._view_object.RootNode
-        if root.findChild(self._surface.node) < 0:
-            return
-        root.removeChild(self._surface.node)
+    def remove(self) -> None:
+        """Shows the mesh as the document has it; the part may be deleted already."""
+        self._hanging.remove()
         self._switch.whichChild = self._mode
-        self._view_object.update()
+        try:
+            self._view_object.update()
+        except (ReferenceError, RuntimeError):
+            return
 
 
 def module():

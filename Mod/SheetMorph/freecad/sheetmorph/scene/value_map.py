@@ -5,6 +5,7 @@ import numpy as np
 from pivy import coin
 
 from freecad.sheetmorph.scene import nodes
+from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.patch import NEARER
 
 NAME = "SheetMorphValueMap"
@@ -15,7 +16,6 @@ class ValueMap:
 
     def __init__(self, view, part, triangles: np.ndarray, colours: np.ndarray):
         """``triangles`` (m, 3) of the part; ``colours`` (n, 3), 0 to 1, of its vertices."""
-        self._view = view
         self._root = coin.SoSeparator()
         self._root.setName(NAME)
         material = coin.SoMaterial()
@@ -27,14 +27,11 @@ class ValueMap:
             self._root.addChild(node)
         for node in (material, binding, _facets(triangles)):
             self._root.addChild(node)
-        view.getSceneGraph().addChild(self._root)
+        self._hanging = Hanging(view.getSceneGraph(), self._root)
 
     def remove(self) -> None:
-        """Takes the map out of the view, which may be closed already."""
-        try:
-            self._view.getSceneGraph().removeChild(self._root)
-        except RuntimeError:
-            return
+        """Takes the map out of the view."""
+        self._hanging.remove()
 
 
 def _style():

@@ -58,7 +58,7 @@ class Listener:
 
 
 class Viewport(QtCore.QObject):
-    """Tells a listener about mouse and keys until ``release`` is called."""
+    """Tells a listener about mouse and keys until ``remove`` is called."""
 
     def __init__(self, view, listener):
         """``listener``: a Listener, or what has its methods."""
@@ -75,7 +75,7 @@ class Viewport(QtCore.QObject):
         self._widget.installEventFilter(self)
         view.graphicsView().installEventFilter(self)
 
-    def release(self) -> None:
+    def remove(self) -> None:
         """Gives the mouse back to FreeCAD; the view may be closed already.
 
         It lets go of the widget too: PySide would take a wrapper that outlives its widget for
@@ -97,13 +97,7 @@ class Viewport(QtCore.QObject):
 
     def camera(self) -> Camera:
         """What the view shows now."""
-        width, height = self._view.getSize()
-        aspect = width / height
-        volume = self._view.getCameraNode().getViewVolume(aspect)
-        if aspect < 1.0:  # as Coin does: what fits into the height must fit into the width
-            volume.scale(1.0 / aspect)
-        matrix = np.array(volume.getMatrix().getValue(), dtype=float).T  # Coin's are transposed
-        return Camera(np.ascontiguousarray(matrix), float(width), float(height))
+        return camera_of(self._view)
 
     def eventFilter(self, _watched, event) -> bool:
         """Hands events to the listener; consumes those that it claims."""
@@ -154,14 +148,36 @@ class Viewport(QtCore.QObject):
         return False
 
     def _pointer(self, event) -> Pointer:
-        ratio = self._widget.devicePixelRatioF()
-        x = round(event.pos().x() * ratio)
-        y = round((self._widget.height() - 1 - event.pos().y()) * ratio)
-        # Not by the view's own projectPointToLine: in a view higher than wide that is wrong.
-        near, far = self.camera().line(x, y)
-        keys = event.modifiers()
-        shift, control = keys & QtCore.Qt.ShiftModifier, keys & QtCore.Qt.ControlModifier
-        return Pointer(near, far - near, bool(shift), bool(control), (float(x), float(y)))
+        return pointer_of(self._view, self._widget, event)
+
+
+def camera_of(view) -> Camera:
+    """What a view shows now."""
+    width, height = view.getSize()
+    matrix = np.array(view_volume(view).getMatrix().getValue(), dtype=float).T  # Coin's transpose
+    return Camera(np.ascontiguousarray(matrix), float(width), float(height))
+
+
+def pointer_of(view, widget, event) -> Pointer:
+    """Where a mouse event on the widget of a view points."""
+    ratio = widget.devicePixelRatioF()
+    x = round(event.pos().x() * ratio)
+    y = round((widget.height() - 1 - event.pos().y()) * ratio)
+    # Not by the view's own projectPointToLine: in a view higher than wide that is wrong.
+    near, far = camera_of(view).line(x, y)
+    keys = event.modifiers()
+    shift, control = keys & QtCore.Qt.ShiftModifier, keys & QtCore.Qt.ControlModifier
+    return Pointer(near, far - near, bool(shift), bool(control), (float(x), float(y)))
+
+
+def view_volume(view):
+    """The part of space that a view shows, an SbViewVolume."""
+    width, height = view.getSize()
+    aspect = width / max(height, 1)
+    volume = view.getCameraNode().getViewVolume(aspect)
+    if aspect < 1.0:  # as Coin does: what fits into the height must fit into the width
+        volume.scale(1.0 / aspect)
+    return volume
 
 
 def _near(a, b) -> bool:

@@ -5,6 +5,7 @@ import numpy as np
 from pivy import coin
 
 from freecad.sheetmorph.scene import colours, nodes
+from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.tools import wires
 
 NAME = "SheetMorphControlMeshes"
@@ -14,7 +15,6 @@ class Wireframe:
     """The wires of some meshes, global mm, until ``remove`` is called."""
 
     def __init__(self, view):
-        self._view = view
         self._topology = []
         self._coordinates = coin.SoCoordinate3()
         self._lines = coin.SoIndexedLineSet()
@@ -22,7 +22,7 @@ class Wireframe:
         self._root.setName(NAME)
         for node in (*nodes.unlit(colours.WIRES), self._coordinates, self._lines):
             self._root.addChild(node)
-        view.getSceneGraph().addChild(self._root)
+        self._hanging = Hanging(view.getSceneGraph(), self._root)
 
     def show(self, meshes) -> None:
         """Shows meshes: a list of vertices (m, 3) mm and triangles (t, 3); none shows nothing."""
@@ -41,11 +41,8 @@ class Wireframe:
         return np.array(found, dtype=float).reshape(-1, 3)
 
     def remove(self) -> None:
-        """Takes the wires out of the view, which may be closed already."""
-        try:
-            self._view.getSceneGraph().removeChild(self._root)
-        except RuntimeError:
-            return
+        """Takes the wires out of the view."""
+        self._hanging.remove()
 
     def _connect(self, edges: np.ndarray) -> None:
         nodes.set_index(self._lines, edges)

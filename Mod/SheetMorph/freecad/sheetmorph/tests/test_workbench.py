@@ -50,9 +50,10 @@ class TestWorkbench(unittest.TestCase):
                 self.assertTrue(form.objectName())
 
     def test_a_panel_has_help_at_its_widgets(self):
+        from freecad.sheetmorph.editing.session import Session
         from freecad.sheetmorph.panels.base import Panel
 
-        form = Panel("propagation", "Propagation", "Propagation").form
+        form = Panel(Session(), "propagation", "Propagation", "Propagation").form
         self.assertEqual(form.kind.whatsThis(), form.kind.toolTip())
         self.assertEqual(form.kind.statusTip(), form.kind.toolTip())
         self.assertTrue(form.kind.toolTip())

@@ -26,6 +26,10 @@ class Motion:
             return "The axis is zero: give it a direction."
         return ""
 
+    def is_rest(self) -> bool:
+        """Whether it moves nothing."""
+        return not any(self.translation) and self.angle == 0.0
+
     def keywords(self) -> dict[str, str]:
         """The arguments of ``api.set_motion`` as source text that gives the same numbers."""
         return {

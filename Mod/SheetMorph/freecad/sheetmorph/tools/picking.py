@@ -37,12 +37,27 @@ def mode_of(shift: bool, control: bool, mode: str = REPLACE) -> str:
     return ADD if shift else mode
 
 
+class Taken:
+    """Vertices that other regions have, and that a pick must leave to them."""
+
+    def __init__(self, regions: dict[str, np.ndarray] | None = None):
+        """`regions`: the vertices by the label of the region."""
+        self._regions = {label: to_ids(ids) for label, ids in (regions or {}).items()}
+        self.vertices = to_ids(np.concatenate([NOTHING, *self._regions.values()]))
+
+    def owners(self, vertices: np.ndarray) -> list[str]:
+        """The labels of the regions that have some of the vertices."""
+        return [name for name, ids in self._regions.items() if np.isin(vertices, ids).any()]
+
+
 class RegionPicker:
     """The state of picking on one part; meshes answer as ``part_mesh.PartMesh`` does."""
 
     def __init__(self, mesh, picked: Iterable[int] = (), options: Options = Options(), others=()):
         """``others``: the meshes of other parts in view, which may hide this one."""
         self._mesh = mesh
+        self._taken = Taken()
+        self._left_out = NOTHING
         self._others = list(others)
         self._picked = to_ids(picked)
         self._history: list[np.ndarray] = []
@@ -53,6 +68,15 @@ class RegionPicker:
     def picked(self) -> np.ndarray:
         """The vertices picked now, ascending."""
         return self._picked
+
+    def leave(self, taken: Taken) -> None:
+        """Leaves what other regions have out of every pick from now on."""
+        self._taken = taken
+
+    @property
+    def refused(self) -> list[str]:
+        """The labels of the regions that the last pick had to leave something to."""
+        return self._taken.owners(self._left_out)
 
     @property
     def options(self) -> Options:
@@ -152,6 +176,7 @@ class RegionPicker:
         """Takes back the last change."""
         if not self._history:
             return False
+        self._left_out = NOTHING
         self._picked = self._history.pop()
         return True
 
@@ -170,6 +195,8 @@ class RegionPicker:
         return any(other.distance(ray) < distance for other in self._others)
 
     def _become(self, picked: np.ndarray) -> bool:
+        self._left_out = np.intersect1d(picked, self._taken.vertices)
+        picked = np.setdiff1d(picked, self._taken.vertices)
         if np.array_equal(picked, self._picked):
             return False
         self._history.append(self._picked)

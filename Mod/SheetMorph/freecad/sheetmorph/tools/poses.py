@@ -4,13 +4,21 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, replace
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
 from freecad.sheetmorph.tools.motion import CENTROID, Motion
 
 Pose = dict[str, Motion]
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """Motions and sizes, mm, of all that a pose tells about, by name of the region."""
+
+    motions: Pose
+    sizes: dict[str, float]
 
 
 def to_text(pose: Pose) -> str:

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whatever is done under an open panel, it goes on or ends, and nothing of it is left behind.
+
+Undo, redo, deletion of what it is about, closing of the document, `closeDialog()`, other commands,
+other workbenches, a spreadsheet on top, other views: under every panel there is.
+"""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from desk import clear_report_view, press, until
+from hostile_acts import DELETIONS, DESTRUCTIVE, GENTLE, STEPS, undo_and_redo
+from hostile_panels import PANELS, is_shown, prepared
+from hostile_traces import Traces, left, motions
+from PySide import QtGui
+
+__all__ = []
+
+
+def survive(name: str, acts):
+    """Opens a panel, does something hostile, ends it, and looks what is left; for every act."""
+    opened, used, subject_of = PANELS[name]
+    faults = []
+    for act in acts:
+        if App.ActiveDocument is None or act in DESTRUCTIVE or needs_new():
+            for document in list(App.listDocuments()):
+                App.closeDocument(document)
+            yield from prepared()
+        traces, before = Traces(), motions()
+        opened()
+        yield from until(is_shown, f"the panel {name}")
+        used()
+        yield 30
+        yield from act(subject_of())
+        if App.ActiveDocument is not None and is_shown():
+            used_again(used)
+            yield 30
+        if Gui.Control.activeDialog() and act in DELETIONS:
+            yield from press_if_there("OK")
+        if Gui.Control.activeDialog():
+            yield from press_if_there("Cancel", "Close")
+        yield 60
+        # A redo after the end brings back what was moved in the panel, as it should.
+        motions_before = {} if act is undo_and_redo else before
+        faults += [f"{act.__name__}: {fault}" for fault in left(traces, motions_before)]
+        clear_report_view()
+    assert not faults, "\n".join(faults)
+
+
+def needs_new() -> bool:
+    return App.ActiveDocument.UndoNames != ["Pose", "Second Handle"]
+
+
+def used_again(used) -> None:
+    """The panel is used on; its widgets may just be gone."""
+    try:
+        used()
+    except (AssertionError, AttributeError):
+        return
+
+
+def press_if_there(*texts: str):
+    """Presses the button with one of these texts in the task view, if there is one."""
+    buttons = [
+        button
+        for button in Gui.getMainWindow().findChildren(QtGui.QPushButton)
+        if button.isVisible() and button.text().replace("&", "") in texts
+    ]
+    for button in buttons[:1]:
+        yield from press(button.text().replace("&", ""))
+
+
+def a_test(name: str, acts, title: str) -> None:
+    def test():
+        yield from survive(name, acts)
+
+    full = f"test_{title}_under_{name}"
+    test.__name__ = full
+    globals()[full] = test
+    __all__.append(full)
+
+
+for NAME in PANELS:
+    a_test(NAME, GENTLE, "other_things")
+    a_test(NAME, STEPS, "undo_and_closing")
+    a_test(NAME, DELETIONS, "deletions")

@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Undo goes back inside an open panel and then ends it; what is not kept is nobody's step."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from checks_moving import lifted, open_panel
+from desk import child, enter, on_screen, panel, picture, press, press_tool, until, view, xdotool
+from freecad.sheetmorph import api
+from hostile_panels import is_shown, with_step
+from scenes import assembly, drawn, handle_vertices, largest, new_morph, part, regions, stored
+
+__all__ = [
+    "test_undo_goes_back_step_by_step_inside_the_move_panel",
+    "test_redo_in_the_move_panel_brings_back_what_was_moved",
+    "test_undo_of_the_creation_of_a_handle_ends_its_panel",
+    "test_undo_goes_back_inside_the_blend_panel",
+    "test_a_panel_in_which_nothing_changed_leaves_no_step_open",
+    "test_what_another_command_interrupts_is_still_taken_back_by_cancel",
+    "test_a_panel_opened_from_a_spreadsheet_shows_the_3d_view",
+    "test_a_panel_opened_without_a_view_makes_one",
+]
+
+
+def fields() -> tuple:
+    return tuple(child(f"translation_{c}").property("rawValue") for c in "xyz")
+
+
+def settled():
+    """Longer than what the panel takes for a pause."""
+    yield 700
+
+
+def undo_with_the_tool():
+    yield from press_tool("Undo")
+    yield 200
+
+
+def undo_with_the_key():
+    """With the mouse over the view, whose keys these are."""
+    x, y = on_screen((20.0, 30.0, 0.0))
+    yield from xdotool("mousemove", x, y)
+    view().graphicsView().setFocus()
+    yield from xdotool("key", "ctrl+z")
+    yield 200
+
+
+def test_undo_goes_back_step_by_step_inside_the_move_panel():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    yield from enter(child("translation_z"), "20")
+    yield from settled()
+    yield from enter(child("translation_x"), "5")
+    yield from until(lambda: np.allclose(lifted(rest, drawn()), (5, 0, 20), atol=1e-3), "both")
+    yield from settled()
+    yield from undo_with_the_tool()
+    yield from until(lambda: fields() == (0.0, 0.0, 20.0), "the first field's value alone")
+    yield from until(lambda: np.allclose(lifted(rest, drawn()), (0, 0, 20), atol=1e-3), "mesh")
+    picture("undone-once")
+    yield from undo_with_the_key()
+    yield from until(lambda: fields() == (0.0, 0.0, 0.0), "rest in the fields")
+    yield from until(lambda: largest(drawn() - rest) < 1e-3, "the mesh at rest")
+    yield from enter(child("translation_x"), "12")
+    yield from settled()
+    yield from press("Cancel")
+    assert regions("handle")[0].TranslationX.Value == 0.0
+    assert np.array_equal(stored(), rest) and App.ActiveDocument.UndoNames == []
+
+
+def test_redo_in_the_move_panel_brings_back_what_was_moved():
+    yield from new_morph()
+    yield from open_panel()
+    yield from enter(child("translation_z"), "20")
+    yield from settled()
+    yield from undo_with_the_tool()
+    yield from until(lambda: fields() == (0.0, 0.0, 0.0), "rest in the fields")
+    yield from press_tool("Redo")
+    yield from until(lambda: fields() == (0.0, 0.0, 20.0), "what was moved")
+    yield from press("OK")
+    assert regions("handle")[0].TranslationZ.Value == 20.0
+    assert App.ActiveDocument.UndoNames == ["Move Handle"]
+
+
+def test_undo_of_the_creation_of_a_handle_ends_its_panel():
+    yield from new_morph()
+    with_step("Late Handle", add_handle_at_the_other_end)
+    Gui.Selection.addSelection(regions("handle")[1])
+    yield from open_panel()
+    yield from enter(child("translation_z"), "4")
+    yield from settled()
+    yield from undo_with_the_tool()
+    yield from until(lambda: fields() == (0.0, 0.0, 0.0), "rest in the fields")
+    yield from undo_with_the_tool()
+    yield from xdotool("type", "7")
+    yield from until(lambda: not Gui.Control.activeDialog(), "the end of the panel")
+    assert len(regions("handle")) == 1 and App.getActiveTransaction() is None
+
+
+def add_handle_at_the_other_end() -> None:
+    points = api.rest_mesh(part())[0]
+    corner = np.flatnonzero((points[:, 0] == 0) & (points[:, 2] == 0)).tolist()
+    api.add_handle(assembly(), part(), corner, "Late")
+
+
+def test_undo_goes_back_inside_the_blend_panel():
+    yield from new_morph()
+    rest, handle = stored(), regions("handle")[0]
+    api.set_motion(handle, (0, 0, 30))
+    pose = api.save_pose(assembly(), "High")
+    api.set_motion(handle, (0, 0, 0))
+    App.ActiveDocument.recompute()
+    App.ActiveDocument.clearUndos()
+    Gui.Selection.addSelection(pose)
+    yield from press_tool("Blend Poses…")
+    yield from until(is_shown, "the panel")
+    yield from enter(child("percent"), "50")
+    yield from settled()
+    yield from enter(child("percent"), "80")
+    yield from settled()
+    yield from undo_with_the_tool()
+    yield from until(lambda: child("percent").value() == 50.0, "the share before")
+    yield from until(lambda: np.allclose(lifted(rest, drawn()), (0, 0, 15), atol=1e-3), "half")
+    yield from press("Cancel")
+    assert handle.TranslationZ.Value == 0.0 and App.ActiveDocument.UndoNames == []
+
+
+def test_a_panel_in_which_nothing_changed_leaves_no_step_open():
+    yield from new_morph()
+    for button in ("Cancel", "OK"):
+        yield from open_panel()
+        yield from press(button)
+        assert App.getActiveTransaction() is None
+        App.ActiveDocument.addObject("App::FeaturePython", "Other")
+        assert App.ActiveDocument.UndoNames == []
+
+
+def test_what_another_command_interrupts_is_still_taken_back_by_cancel():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    yield from enter(child("translation_z"), "9")
+    yield from settled()
+    Gui.runCommand("Std_Part")
+    yield from until(lambda: fields() == (0.0, 0.0, 9.0), "what was moved")
+    yield from enter(child("translation_x"), "4")
+    yield from settled()
+    yield from press("Cancel")
+    assert regions("handle")[0].TranslationX.Value == regions("handle")[0].TranslationZ.Value == 0.0
+    App.ActiveDocument.recompute()
+    assert np.array_equal(stored()[handle_vertices()], rest[handle_vertices()])
+    assert App.getActiveTransaction() is None
+    assert "Add a part" in App.ActiveDocument.UndoNames
+
+
+def test_a_panel_opened_from_a_spreadsheet_shows_the_3d_view():
+    yield from new_morph()
+    cells = App.ActiveDocument.addObject("Spreadsheet::Sheet", "Cells")
+    for command, name in (("MoveHandle", "move"), ("MarkFixed", "region")):
+        cells.ViewObject.doubleClicked()
+        yield 300
+        assert not hasattr(view(), "getSceneGraph")
+        Gui.runCommand(f"SheetMorph_{command}")
+        yield from until(is_shown, "the panel")
+        assert panel().objectName() == name and view().getSceneGraph()
+        picture(f"from-spreadsheet-{name}")
+        yield from press("Cancel")
+
+
+def test_a_panel_opened_without_a_view_makes_one():
+    yield from new_morph()
+    cells = App.ActiveDocument.addObject("Spreadsheet::Sheet", "Cells")
+    three = view()
+    cells.ViewObject.doubleClicked()
+    yield 300
+    from freecad.sheetmorph.editing.view_of import is_in, mdi_area
+
+    for window in mdi_area().subWindowList():
+        if is_in(three, window):
+            window.close()
+    yield 300
+    assert Gui.activeDocument().mdiViewsOfType("Gui::View3DInventor") == []
+    Gui.runCommand("SheetMorph_MarkFixed")
+    yield from until(is_shown, "the panel")
+    assert view().getSceneGraph()
+    yield from press("Cancel")

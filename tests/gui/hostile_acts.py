@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is done under an open panel that it did not ask for."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+from scenes import contacts, part, regions
+
+
+def undo(_subject):
+    Gui.runCommand("Std_Undo")
+    yield 60
+
+
+def undo_all(_subject):
+    while App.ActiveDocument.UndoNames:
+        Gui.runCommand("Std_Undo")
+        yield 20
+    yield 40
+
+
+def undo_all_at_once(_subject):
+    while App.ActiveDocument.UndoNames:
+        App.ActiveDocument.undo()
+    yield 60
+
+
+def undo_and_redo(_subject):
+    yield from undo_all(_subject)
+    while App.ActiveDocument.RedoNames:
+        Gui.runCommand("Std_Redo")
+        yield 20
+    yield 40
+
+
+def delete(obj) -> None:
+    """As the tree does; the question whether that may break something is answered with yes."""
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    later(answer_yes)
+    Gui.runCommand("Std_Delete")
+
+
+def later(action) -> None:
+    QtCore.QTimer.singleShot(150, action)
+
+
+def answer_yes() -> None:
+    box = QtGui.QApplication.activeModalWidget()
+    if isinstance(box, QtGui.QMessageBox):
+        box.button(QtGui.QMessageBox.Yes).click()
+
+
+def delete_subject(subject):
+    delete(subject)
+    yield 200
+
+
+def delete_part(_subject):
+    delete(part())
+    yield 200
+
+
+def delete_fixed(_subject):
+    delete(regions("fixed")[0])
+    yield 200
+
+
+def delete_handle(_subject):
+    delete(regions("handle")[0])
+    yield 200
+
+
+def delete_contact(_subject):
+    delete(contacts()[0])
+    yield 200
+
+
+def delete_in_python(subject):
+    App.ActiveDocument.removeObject(subject.Name)
+    yield 100
+
+
+def close_document(_subject):
+    App.closeDocument(App.ActiveDocument.Name)
+    yield 150
+
+
+def close_dialog(_subject):
+    Gui.Control.closeDialog()
+    yield 60
+
+
+def another_command(_subject):
+    Gui.runCommand("Std_Part")
+    yield 60
+
+
+def another_document(_subject):
+    mine = App.ActiveDocument.Name
+    App.newDocument("Other")
+    yield 60
+    App.closeDocument("Other")
+    App.setActiveDocument(mine)
+    yield 60
+
+
+def another_workbench(_subject):
+    Gui.activateWorkbench("MeshWorkbench")
+    yield 100
+    Gui.activateWorkbench("SheetMorphWorkbench")
+    yield 100
+
+
+def spreadsheet(_subject):
+    sheet = App.ActiveDocument.addObject("Spreadsheet::Sheet", "Cells")
+    sheet.ViewObject.doubleClicked()
+    yield 150
+
+
+def tall_view(_subject):
+    (window, before) = (Gui.getMainWindow(), Gui.getMainWindow().geometry())
+    window.showNormal()
+    window.resize(560, 950)
+    yield 150
+    window.setGeometry(before)
+    window.showMaximized()
+    yield 150
+
+
+def second_view(_subject):
+    Gui.runCommand("Std_ViewCreate")
+    yield 150
+    close_active_window()
+    yield 150
+
+
+def first_view_closed(_subject):
+    """The view the panel works in is closed, another one of the document stays."""
+    mdi = Gui.getMainWindow().findChild(QtGui.QMdiArea)
+    first = mdi.activeSubWindow()
+    Gui.runCommand("Std_ViewCreate")
+    yield 150
+    mdi.setActiveSubWindow(first)
+    yield 50
+    close_active_window()
+    yield 150
+
+
+def close_active_window() -> None:
+    Gui.getMainWindow().findChild(QtGui.QMdiArea).activeSubWindow().close()
+
+
+DESTRUCTIVE = (
+    undo,
+    undo_all,
+    undo_all_at_once,
+    undo_and_redo,
+    delete_subject,
+    delete_part,
+    delete_fixed,
+    delete_handle,
+    delete_contact,
+    delete_in_python,
+    close_document,
+)
+GENTLE = (
+    close_dialog,
+    another_document,
+    another_workbench,
+    tall_view,
+    second_view,
+    first_view_closed,
+    spreadsheet,
+    another_command,
+)
+STEPS = (undo, undo_all, undo_all_at_once, undo_and_redo, close_document)
+DELETIONS = (
+    delete_subject,
+    delete_part,
+    delete_fixed,
+    delete_handle,
+    delete_contact,
+    delete_in_python,
+)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a panel may have left behind: nodes, widgets, a dead selection, open steps."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from desk import report_view
+from freecad.sheetmorph.api.poses import motion_of
+from freecad.sheetmorph.objects import model
+from pivy import coin
+from PySide import QtGui
+from scenes import regions
+
+
+class Traces:
+    """What there is in the scene and over the view, so that it can be compared later."""
+
+    def __init__(self):
+        found = Gui.activeDocument().mdiViewsOfType("Gui::View3DInventor")
+        self.widgets = {str(v): overlays(v) for v in found}
+        self.roots = {node_of(child) for v in found for child in children(v.getSceneGraph())}
+        self.nodes = {
+            obj.Name: count(obj.ViewObject.RootNode)
+            for obj in App.ActiveDocument.Objects
+            if model.kind(obj) == model.PART
+        }
+
+    def compare(self) -> list[str]:
+        """What was not there before, in words."""
+        faults = []
+        providers = {node_of(o.ViewObject.RootNode) for o in App.ActiveDocument.Objects}
+        for one in Gui.activeDocument().mdiViewsOfType("Gui::View3DInventor"):
+            for child in children(one.getSceneGraph()):
+                known = node_of(child) in self.roots or node_of(child) in providers
+                if not known and child.getName().getString().startswith("SheetMorph"):
+                    faults.append(f"{child.getName()} stays in the view")
+                elif not known and child.isOfType(coin.SoAnnotation.getClassTypeId()):
+                    faults.append("an annotation stays in the view")
+            if overlays(one) != self.widgets.get(str(one), overlays(one)):
+                faults.append(f"over the view: {overlays(one)}")
+            if one.getSceneGraph().getField("selectionRole").get().getString() != "TRUE":
+                faults.append("the view selects nothing any more")
+        for name, nodes in self.nodes.items():
+            obj = App.ActiveDocument.getObject(name)
+            if obj is not None and count(obj.ViewObject.RootNode) != nodes:
+                faults.append(f"{count(obj.ViewObject.RootNode)} nodes in {name}, not {nodes}")
+            if obj is not None and obj.ViewObject.SwitchNode.whichChild.getValue() < 0:
+                faults.append(f"{name} is not drawn any more")
+        return faults
+
+
+def node_of(node) -> int:
+    return int(node.this)
+
+
+def children(group) -> list:
+    return [group.getChild(k) for k in range(group.getNumChildren())]
+
+
+def overlays(one) -> list[str]:
+    """The widgets that lie over a view."""
+    found = one.graphicsView().viewport().findChildren(QtGui.QWidget)
+    return sorted(widget.objectName() or type(widget).__name__ for widget in found)
+
+
+def count(root) -> int:
+    """All nodes under a root, those of switches that are off too."""
+    search = coin.SoSearchAction()
+    search.setType(coin.SoNode.getClassTypeId())
+    search.setSearchingAll(True)
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(root)
+    return search.getPaths().getLength()
+
+
+def motions() -> dict:
+    return {r.Name: motion_of(r) for r in regions("handle")}
+
+
+def left(traces, before) -> list[str]:
+    """What is wrong after a panel has ended."""
+    faults = []
+    if "Traceback" in report_view() or "Error" in report_view():
+        faults.append(report_view())
+    if Gui.Control.activeDialog():
+        faults.append("the panel is still there")
+        Gui.Control.closeDialog()
+    if App.getActiveTransaction() is not None:
+        faults.append(f"an open transaction: {App.getActiveTransaction()}")
+        App.closeActiveTransaction(True)
+    if App.ActiveDocument is None:
+        return faults
+    for obj, motion in motions().items():
+        if motion != before.get(obj, motion):
+            faults.append(f"{obj} moved: {motion}")
+    return faults + traces.compare()
