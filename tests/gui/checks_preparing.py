@@ -7,17 +7,20 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
 import numpy as np
+from checks_finding import cancel
 from checks_tutorial import answer, menu
 from desk import WORK, activate, child, choose_below, enter, picture, press, press_tool, tick, until
-from freecad.sheetmorph import api
+from freecad.sheetmorph import api, progress_dialog
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import mesh_preview
+from PySide import QtCore
 from pivy import coin
 from scenes import assembly, look, part
 
 __all__ = [
     "test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes",
     "test_cancel_leaves_a_mesh_as_it_came",
+    "test_a_preview_that_takes_long_is_cancelled",
     "test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled",
 ]
 
@@ -103,6 +106,19 @@ def test_cancel_leaves_a_mesh_as_it_came():
     assert App.ActiveDocument.UndoCount == undos
     yield from press_tool("Prepare Mesh…")
     assert child("remesh").isChecked()
+    yield from press("Cancel")
+
+
+def test_a_preview_that_takes_long_is_cancelled():
+    yield from coarse_plate()
+    patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
+    try:
+        QtCore.QTimer.singleShot(0, cancel)
+        yield from press("Preview")
+        yield from until(lambda: "Cancelled" in child("message").text(), "the panel to say so")
+    finally:
+        progress_dialog.PATIENCE = patience
+    assert not is_previewed()
     yield from press("Cancel")
 
 

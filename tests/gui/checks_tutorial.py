@@ -10,7 +10,7 @@ from desk import WORK, activate, child, click_point, click_widget, enter, pictur
 from desk import view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.objects import model
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from scenes import assembly, largest, part, regions, stored
 
 __all__ = ["test_the_tutorial_as_a_new_user_does_it"]
@@ -29,13 +29,33 @@ def menu(*texts: str):
         kept += [action, bar]
 
 
+def type_and_confirm(text: str):
+    """Into the field that has the keyboard, in place of what it says."""
+    yield from xdotool("key", "ctrl+a")
+    yield from xdotool("type", "--delay", 10, "--", text)
+    yield from xdotool("key", "Return")
+
+
+def is_listed(dialog, name: str) -> bool:
+    """Whether a file dialog shows a file."""
+    view = dialog.findChild(QtGui.QAbstractItemView, "treeView")
+    rows = range(view.model().rowCount(view.rootIndex()))
+    return name in [view.model().index(row, 0, view.rootIndex()).data() for row in rows]
+
+
 def answer(text: str):
     """Types into the dialog that waits, and confirms."""
     yield from until(QtGui.QApplication.activeModalWidget, "a dialog")
     yield 500
-    yield from xdotool("key", "ctrl+a")
-    yield from xdotool("type", "--delay", 10, "--", text)
-    yield from xdotool("key", "Return")
+    dialog = QtGui.QApplication.activeModalWidget()
+    if isinstance(dialog, QtGui.QFileDialog) and os.path.isfile(text):
+        # First the folder: what is in it is read while one types, and Return goes by what is read.
+        folder, text = os.path.split(text)
+        yield from type_and_confirm(folder)
+        same = QtCore.QDir(folder)
+        yield from until(lambda: dialog.directory() == same, "the folder")
+        yield from until(lambda: is_listed(dialog, text), "the file in its list")
+    yield from type_and_confirm(text)
     yield from until(lambda: QtGui.QApplication.activeModalWidget() is None, "its end")
     yield 500
 

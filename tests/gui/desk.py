@@ -92,11 +92,20 @@ def within_reach(widget):
                 yield 150
 
 
+def until_it_stays(widget):
+    """Waits until a widget is where it was a moment ago: a new panel makes room for itself."""
+    before = None
+    while before != (now := widget.mapToGlobal(widget.rect().center()).toTuple()):
+        before = now
+        yield 50
+
+
 def click_widget(widget):
     """Clicks the middle of a widget as soon as it can be pressed."""
     name = widget.objectName() or type(widget).__name__
     yield from within_reach(widget)
     yield from until(lambda: widget.isVisible() and widget.isEnabled(), f"{name} to be enabled")
+    yield from until_it_stays(widget)
     middle = widget.mapToGlobal(widget.rect().center())
     yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
 
@@ -125,16 +134,21 @@ def choose_below(combo, steps: int):
 
 
 def press(text: str):
-    """Presses the visible button with a text in the task view."""
-    buttons = [
+    """Presses the visible button with a text in the task view, as soon as there is one."""
+    yield from until(lambda: len(buttons_called(text)) == 1, f"one button {text}")
+    (button,) = buttons_called(text)
+    yield from within_reach(button)
+    yield from click_widget(button)
+    yield 150
+
+
+def buttons_called(text: str) -> list:
+    """The visible buttons with a text."""
+    return [
         button
         for button in Gui.getMainWindow().findChildren(QtGui.QPushButton)
         if button.isVisible() and button.text().replace("&", "") == text
     ]
-    assert len(buttons) == 1, [b.text() for b in buttons]
-    yield from within_reach(buttons[0])
-    yield from click_widget(buttons[0])
-    yield 150
 
 
 def press_tool(text: str):

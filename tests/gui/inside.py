@@ -9,11 +9,11 @@ import traceback
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 WORK = os.environ["SHEETMORPH_GUI_WORK"]
-LIMIT = 240  # seconds one test may take, on a machine with other work too
+LIMIT = 150  # seconds one test may take, on a machine with other work too
 
 if HERE not in sys.path:
     sys.path.insert(0, HERE)
@@ -67,6 +67,8 @@ class Runner:
         if verdict == "FAIL":
             self._failed = True
             desk.picture(f"failed-{self._name}")
+        while QtGui.QApplication.activeModalWidget() is not None:  # it would block the next test
+            QtGui.QApplication.activeModalWidget().close()
         if Gui.Control.activeDialog():
             Gui.Control.closeDialog()
         for name in list(App.listDocuments()):

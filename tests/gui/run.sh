@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Runs the GUI tests on a staged add-on, in a FreeCAD and on a screen of their own.
-# Usage: tests/gui/run.sh <staged add-on folder> [name of one test, or "large" for what takes long]
+# Usage: tests/gui/run.sh <staged add-on folder> [name of one test, or of one file tests_<name>.py]
 # The pictures taken on the way stay in $SHEETMORPH_GUI_OUT if that is set.
 set -u
 staged=$(realpath "${1:?usage: run.sh <staged add-on folder> [test]}")
@@ -83,9 +83,10 @@ make_broken() {
 
 start_screen
 make_home home "$staged"
-if [ "$only" = large ]; then
+if [ -f "$here/tests_$only.py" ] && [ "$only" != without_kernel ]; then
+    name=$only
     only=""
-    run_freecad home large
+    run_freecad home "$name"
 else
     run_freecad home with_kernel
     run_freecad home hostile

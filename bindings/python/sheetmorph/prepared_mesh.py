@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 
 from .part_mesh import PartMesh
+
+Progress = Callable[[float, str], bool]
 
 # Barycentric coordinates below it count as zero: the vertex lies on the edge or the corner.
 _ON_EDGE = 1e-9
@@ -99,10 +101,13 @@ class PreparedMesh(PartMesh):
         )
 
 
-def prepared_mesh(core: ModuleType, mesh: PartMesh, wanted: Wanted) -> tuple[PartMesh, np.ndarray]:
+def prepared_mesh(
+    core: ModuleType, mesh: PartMesh, wanted: Wanted, progress: Progress | None = None
+) -> tuple[PartMesh, np.ndarray]:
     """The mesh after scale, weld and remesh, and the triangle of the file (m,) of each of its own.
 
-    Raises InvalidInput of the kernel (a ValueError).
+    `progress(fraction, task)` returns whether to go on. Raises InvalidInput of the kernel (a
+    ValueError), and its Cancelled.
     """
     if wanted.scale != 1.0:
         mesh = replace(mesh, points=wanted.scale * mesh.points)
@@ -118,7 +123,8 @@ def prepared_mesh(core: ModuleType, mesh: PartMesh, wanted: Wanted) -> tuple[Par
     support, vertex_of = first[:, None], cure.vertex_of
     triangle_of = cure.triangle_of
     if wanted.edge is not None:
-        fresh = core.remeshed(core.TriangleMesh(points, triangles), wanted.edge, _is_round(wanted))
+        cut = core.TriangleMesh(points, triangles)
+        fresh = core.remeshed(cut, wanted.edge, _is_round(wanted), progress)
         support = first[_corners_below(fresh, triangles)]
         vertex_of = np.append(fresh.vertex_of, -1)[vertex_of]
         triangle_of = triangle_of[fresh.triangle[fresh.triangles].min(axis=1)]

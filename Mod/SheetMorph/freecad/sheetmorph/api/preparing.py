@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.api.checks import number, require_kind
 from freecad.sheetmorph.objects import assembly_of, model
@@ -58,7 +59,8 @@ def preparation(part, **cures):
     original = read_original(checked(part))
     wanted = wanted_of(cures)
     mesh = kernel.load().PartMesh(original.points, original.triangles, name=part.Label)
-    return prepared_module().prepared_mesh(kernel.core(), mesh, wanted)[0]
+    told = reporting.progress()
+    return prepared_module().prepared_mesh(kernel.core(), mesh, wanted, told)[0]
 
 
 def wanted_of(cures: dict):

@@ -126,17 +126,23 @@ class PreparePanel(Panel):
             say(self.form.message, translate("panels", "Choose a cure first."), True)
             return
         try:
-            with actions.waiting():
+            with actions.followed(translate("prepare", "Preview")):
                 made = api.preparation(self._part, **wish.arguments())
                 places = api.places_of(self._part, made)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            self._tell_fault(error)
+            return
+        if self.session.is_over:  # while the progress was shown
             return
         view = self.session.view
         self._preview = MeshPreview(view, self._part.ViewObject, places, made.triangles)
         say(self.form.message, cures.summary(made))
         if wish.scale != 1.0:
             Gui.SendMsgToActiveView("ViewFit")
+
+    def _tell_fault(self, error) -> None:
+        if not self.session.is_over:
+            say(self.form.message, str(error), True)
 
     def _end_preview(self, *_) -> None:
         if self._preview is not None:
