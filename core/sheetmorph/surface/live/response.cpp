@@ -348,6 +348,7 @@ void Response::place_reads(const Frame& frame, Deformation& result) const
         result.positions.row(vertex) = rest.row(vertex) + moved.row(k);
         result.rotation_logs.row(vertex) = frame.logs.row(k);
     }
+    part_.followers.place(part_.rest, result.positions, result.rotation_logs);
     result.features = frame.features;
 }
 
