@@ -146,7 +146,7 @@ void decide_rotation(Body& body, const Drivers& drivers, const Wishes& wishes)
         body.motion = Body::Motion::prescribed;
         body.driver = wishes.prescribed;
     }
-    else if (wishes.interpolated || drivers.turned)
+    else if ((wishes.interpolated && body.handle < 0) || drivers.turned)
         body.motion = Body::Motion::interpolated;
     if (drivers.propagated && body.handle < 0)
         body.motion = Body::Motion::propagated;

@@ -174,6 +174,8 @@ std::vector<JointLevel> Joints::own_levels(std::size_t k) const
     if (body.handle >= 0)
     {
         const RigidMotion& motion = targets_.handles[at(body.handle)];
+        if (!turner.turns)
+            return {};
         return {turn(motion.pivot + motion.translation, every_axis())};
     }
     if (body.restricted >= 0)

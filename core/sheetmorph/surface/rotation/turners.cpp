@@ -57,7 +57,7 @@ std::vector<Turner> turners_of(const TriangleMesh& mesh, const SurfaceConstraint
 BodyMotions unmoved_turners(const std::vector<Turner>& turners, BodyMotions bodies)
 {
     for (const Turner& turner : turners)
-        if (turner.body >= 0 && turner.turns)
+        if (turner.body >= 0 && turner.is_turned())
             bodies.motions[at(turner.body)].rotation_log.setZero();
     return bodies;
 }

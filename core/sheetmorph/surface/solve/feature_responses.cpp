@@ -44,7 +44,7 @@ void FeatureResponses::number_columns()
     for (const Turner& turner : turners_)
     {
         TurnerColumns columns;
-        if (turner.turns)
+        if (turner.is_turned())
             columns.turn = std::exchange(count_, count_ + 3);
         if (turner.is_bound)
             columns.shift = count_++;
@@ -62,7 +62,7 @@ SparseMatrix FeatureResponses::direct_moves() const
         const Vector3& centre = roles_.bodies[at(turners_[k].body)].centre;
         for (const int vertex : turners_[k].vertices)
         {
-            for (int b = 0; b < 3 && turners_[k].turns; ++b)
+            for (int b = 0; b < 3; ++b)
                 entries.emplace_back(vertex, columns_[k].turn + b,
                                      mesh_.points()(vertex, b) - centre(b));
             if (turners_[k].is_bound)
