@@ -46,7 +46,7 @@ std::vector<Pose> sampled_poses(const PreparedAssembly& prepared,
             {
                 RigidMotion& motion = pose.handles[handle.name];
                 motion = drawn.next(prepared.assembly.parts[at(handle.part)].mesh, handle.vertices,
-                                    motion, farthest_passed);
+                                    motion, handle.is_rotation_free ? 0.0 : farthest_passed);
             }
         poses.push_back(told_pose(prepared, pose));
     }

@@ -71,9 +71,8 @@ std::vector<SurfaceTargets> own_poses(const TriangleMesh& mesh,
         {
             const KnownRegion& handle = constraints.handles[at(k)];
             RigidMotion& motion = poses.back().handles[at(k)];
-            motion = drawn.next(mesh, handle.vertices, motion, how.farthest);
-            if (handle.is_rotation_free)
-                motion.rotation_log = start.handles[at(k)].rotation_log;
+            motion = drawn.next(mesh, handle.vertices, motion,
+                                handle.is_rotation_free ? 0.0 : how.farthest);
         }
     }
     return poses;
