@@ -22,6 +22,10 @@ constexpr int most_rounds = 30;
 // Of the size: a miss that does not show in anything that is measured.
 constexpr double negligible = 1e-10;
 
+// Likewise, of a point in a live frame: what it misses moves the sheet beyond it several times as
+// far.
+constexpr double live = 2e-8;
+
 VertexIds all_vertices(const TriangleMesh& mesh)
 {
     VertexIds ids(at(mesh.vertex_count()));
@@ -138,7 +142,7 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
     SurfaceTargets asked = targets;
     const double size = part_->mesh().size();
     const double allowed =
-        level == Exactness::exact ? exactness(part_->mesh().points(), size) : 1e-6 * size;
+        level == Exactness::exact ? exactness(part_->mesh().points(), size) : live * size;
     Convergence found{"the points of the thin solid", !has_points(), 0, 0.0};
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
