@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "shapes/draw.h"
 #include "surface/cases.h"
-
-#include <random>
 
 namespace sheetmorph::cases
 {
 
 //! Poses drawn at random, the same ones every time.
-class DrawnPoses
+class DrawnPoses : public shapes::Draw
 {
 public:
-    explicit DrawnPoses(unsigned seed = 1) : bits_(seed) {}
-
-    double number(double low, double high)
-    {
-        return low
-               + (high - low) * static_cast<double>(bits_())
-                     / static_cast<double>(std::mt19937::max());
-    }
-
-    Vector3 within(double radius)
-    {
-        Vector3 point;
-        do
-            point = Vector3(number(-1.0, 1.0), number(-1.0, 1.0), number(-1.0, 1.0));
-        while (point.squaredNorm() > 1.0);
-        return radius * point;
-    }
+    explicit DrawnPoses(unsigned seed = 1) : Draw(seed) {}
 
     //! The pose of a case with some handles turned by up to `degrees` and moved by up to a third of
     //! the part, the others as they are.
@@ -58,9 +41,6 @@ public:
             poses.push_back(of(one, handles, degrees));
         return poses;
     }
-
-private:
-    std::mt19937 bits_;
 };
 
 }  // namespace sheetmorph::cases
