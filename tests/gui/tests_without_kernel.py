@@ -40,4 +40,4 @@ def test_a_document_with_a_morph_still_opens_and_says_what_is_missing():
     part.Deformation.touch()
     App.ActiveDocument.recompute()
     assert part.Mesh.CountPoints == points
-    assert "./sheetmorph install" in part.getStatusString()
+    assert "./sheetmorph install" in part.Deformation.getStatusString()

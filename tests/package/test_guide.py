@@ -72,8 +72,3 @@ def test_a_failure_is_told_at_the_step_it_belongs_to():
     assert guide.NEXT not in states(found).values()
     assert states(replace(READY, failure="?"))["drag"] == guide.FAULTY
     assert states(replace(READY, failure="?", faulty_role="contact"))["contacts"] == guide.FAULTY
-
-
-def test_labels_are_found_as_whole_words():
-    sentence = "hole 12 and 'Fixed' contradict each other"
-    assert guide.named_in(sentence, ["hole 1", "hole 12", "Fixed", "xed"]) == ["hole 12", "Fixed"]

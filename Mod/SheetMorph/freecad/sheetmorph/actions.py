@@ -7,7 +7,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import reporting
+from freecad.sheetmorph.bridge import faults
 from freecad.sheetmorph.editing import transactions
+from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.progress_dialog import Progress
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
@@ -45,11 +47,26 @@ def record(*lines: str) -> None:
 
 
 def run(title: str, *lines: str, document=None) -> None:
-    """Runs lines as one undo step called ``title``; on an error nothing has happened."""
+    """Runs lines as one undo step called ``title``; on an error nothing has happened.
+
+    A morph that was sound and is not afterwards, by what the step has made, is an error too.
+    """
     document = document or App.ActiveDocument
     App.setActiveDocument(document.Name)
-    with transactions.step(document, title), followed(title):
-        record(*lines, "App.ActiveDocument.recompute()")
+    before = faults.faults_in(document)
+    try:
+        with transactions.step(document, title), followed(title):
+            record(*lines, "App.ActiveDocument.recompute()")
+            refuse(faults.new_fault(document, before))
+    except MorphError:
+        document.recompute()  # FreeCAD counts as due what was taken back
+        raise
+
+
+def refuse(fault: str) -> None:
+    """Raises what a step has done wrong, if anything."""
+    if fault:
+        raise MorphError(fault)
 
 
 def attempt(title: str, *lines: str, document=None) -> bool:

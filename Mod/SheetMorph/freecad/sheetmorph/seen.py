@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts as they are seen now, for picking."""
 
-from freecad.sheetmorph.api.picking import mesh_as_seen
+import numpy as np
+
+from freecad.sheetmorph.api.picking import frame_of, mesh_as_seen
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.part_mesh import PartMesh
@@ -21,3 +23,28 @@ def visible_meshes(assembly, part) -> dict[str, PartMesh]:
 def triangles(part):
     """The triangles (m, 3) of a part as they are drawn."""
     return snapshot_of(part).triangles
+
+
+def positions(places) -> np.ndarray:
+    """Where places are drawn, (k, 3) global mm; ``places``: parts, and vertices (k,) of each."""
+    found = [np.zeros((0, 3))]
+    for part, vertices in places:
+        local = snapshot_of(part).points[vertices].astype(float)
+        found.append(frame_of(part).to_global(local))
+    return np.concatenate(found)
+
+
+def places_of(obj) -> list:
+    """The parts of a region or contact that are there, and their vertices (k,) as drawn."""
+    if model.kind(obj) == model.REGION:
+        found = [(obj.Part, model.vertices(obj))]
+    else:
+        sides = (("a", obj.PartA), ("b", obj.PartB))
+        found = [(part, model.contact_vertices(obj, side)) for side, part in sides]
+    there = [(p, v) for p, v in found if p is not None and p.Source is not None]
+    return [(part, as_drawn(part, vertices)) for part, vertices in there]
+
+
+def as_drawn(part, vertices: np.ndarray) -> np.ndarray:
+    """Those of some vertices (k,) that the drawn mesh has: it may still be the one before."""
+    return vertices[vertices < len(snapshot_of(part).points)]

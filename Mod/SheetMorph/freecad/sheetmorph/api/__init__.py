@@ -95,7 +95,9 @@ from freecad.sheetmorph.api.regions import (
     add_fixed,
     add_follower,
     add_handle,
+    hold_loose_pieces,
     set_vertices,
+    take_out,
     vertices,
 )
 from freecad.sheetmorph.api.thin import add_through_holes, propose_thin, set_thin, thin_solid
@@ -131,6 +133,7 @@ __all__ = [
     "global_frame",
     "grow",
     "group",
+    "hold_loose_pieces",
     "hole_rim",
     "hole_rims",
     "import_cad",
@@ -170,6 +173,7 @@ __all__ = [
     "set_vertices",
     "shape_of",
     "shrink",
+    "take_out",
     "thin_solid",
     "touching_vertices",
     "vertices",

@@ -5,8 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+import numpy as np
+
 from freecad.sheetmorph.api.checks import indices, require_kind, require_part_of, vertex_count
 from freecad.sheetmorph.api.motions import rest_centroid, set_rotation
+from freecad.sheetmorph.bridge import kernel
+from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import FIXED, FOLLOWER, FORM_FEATURE, HANDLE, RegionProxy
 
@@ -83,6 +87,47 @@ def set_vertices(region, vertices: Iterable[int]) -> None:
     model.set_vertices(region, indices(vertices, vertex_count(region.Part), "vertex"))
     if region.PivotAtCentroid:
         region.Pivot = rest_centroid(region)
+
+
+def take_out(region, other) -> None:
+    """Leave to another region on the same part the vertices that both have.
+
+    Raises ValueError if none would be left.
+    """
+    for each in (region, other):
+        require_kind(each, model.REGION, "region")
+    if region.Part is None or region.Part != other.Part:
+        raise ValueError(f"'{region.Label}' and '{other.Label}' are not on one part; pass two.")
+    left = np.setdiff1d(model.vertices(region), model.vertices(other))
+    if len(left) == 0:
+        raise ValueError(f"'{other.Label}' has all of '{region.Label}'; delete one of them.")
+    set_vertices(region, left.tolist())
+
+
+def hold_loose_pieces(part, label: str = "At rest"):
+    """Fix the pieces of a part on which nothing is fixed, moved or in contact; return that region.
+
+    Raises ValueError if there are none.
+    """
+    require_kind(part, model.PART, "part")
+    loose = loose_vertices(part)
+    if len(loose) == 0:
+        raise ValueError(f"Something holds every piece of '{part.Label}'; there is none to fix.")
+    return add_fixed(model.assembly_of(part), part, loose.tolist(), label)
+
+
+def loose_vertices(part) -> np.ndarray:
+    """Return the vertices (k,) of the pieces on which nothing is fixed, moved or in contact."""
+    assembly, rest, core = model.assembly_of(part), read_rest(part), kernel.core()
+    piece = np.asarray(core.components(core.TriangleMesh(rest.points, rest.triangles)))
+    regions = [r for r in model.regions(assembly, part) if r.Role in (FIXED, HANDLE)]
+    held = [model.vertices(region) for region in regions]
+    for contact in model.contacts(assembly, part):
+        sides = (("a", contact.PartA), ("b", contact.PartB))
+        held += [model.contact_vertices(contact, side) for side, owner in sides if owner == part]
+    known = np.concatenate([np.zeros(0, dtype=np.int64), *held])
+    known = known[known < len(piece)]
+    return np.flatnonzero((piece >= 0) & ~np.isin(piece, piece[known]))
 
 
 def vertices(region) -> list[int]:

@@ -7,7 +7,8 @@ soon as somebody else opens a step, and undoes all of it at once.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import FreeCAD
@@ -70,6 +71,15 @@ class Pending:
             self._close(transactions.keep)
         else:
             self._close(transactions.take_back)
+
+    @contextmanager
+    def aside(self) -> Iterator[None]:
+        """In this context a step of its own may be done; what is pending comes back after it."""
+        wanted = self._read() if self._is_open else None
+        self.take_back()
+        yield
+        if wanted is not None:
+            self._take(wanted)
 
     def abandon(self) -> None:
         """The document is gone: nothing may stay open."""

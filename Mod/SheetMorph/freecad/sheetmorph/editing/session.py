@@ -5,7 +5,7 @@ OK, Cancel, Esc, closeDialog(), a document that is closed, an undo beyond the be
 of what the panel is about: all of them come to `end`, and `end` comes once.
 """
 
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager, nullcontext
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -124,6 +124,12 @@ class EditingSession(Session):
         self.pending = Pending(self.document, title, read, write)
         self.at_end(self._take_back)
         return self.pending
+
+    @contextmanager
+    def aside(self):
+        """In this context the panel may do an undo step of its own."""
+        with self._watch.pause(), self.pending.aside() if self.pending else nullcontext():
+            yield
 
     def is_busy(self) -> bool:
         """A recompute handles events, and so does the opening of a document."""

@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import Any
 
 from freecad.sheetmorph import doors
-from freecad.sheetmorph.objects.model import DEFORMATION, assembly_of
+from freecad.sheetmorph.objects.errors import MorphError
+from freecad.sheetmorph.objects.model import DEFORMATION, PART, assembly_of, kind
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
 
@@ -31,11 +32,17 @@ class DeformationProxy(ObjectProxy):
         return self._cache
 
     def execute(self, obj) -> None:
-        """Solve for all parts. A failure is kept: every part then reports it as its own.
+        """Solve for all parts; raises MorphError, once for all of them.
 
-        Raising it here would only make FreeCAD skip the parts without a word.
+        FreeCAD then leaves the parts, and what others have made of them, as they were; they are
+        due.
         """
         self._outcome = self.cache().recomputed(assembly_of(obj))
+        if self._outcome.failure:
+            for part in obj.InList:
+                if kind(part) == PART:
+                    part.touch()
+            raise MorphError(self._outcome.failure)
 
     def mesh_of(self, obj, part):
         """Return the deformed mesh of `part`, a FreeCAD mesh seen where its source is seen.

@@ -63,6 +63,13 @@ def deformation_of(assembly):
     return next((obj for obj in assembly.Group if kind(obj) == DEFORMATION), None)
 
 
+def failure_of(assembly) -> str:
+    """Return what the last recompute could not do, one sentence; empty if all went well."""
+    concerned = [obj for obj in (deformation_of(assembly), *parts(assembly)) if obj is not None]
+    failed = [obj for obj in concerned if "Invalid" in obj.State]
+    return failed[0].getStatusString() if failed else ""
+
+
 def vertices(region) -> np.ndarray:
     """Return the vertices (k,) int64 of a region: indices into the rest mesh of its part."""
     return to_ids(region.Vertices)

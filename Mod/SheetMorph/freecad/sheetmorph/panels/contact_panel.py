@@ -7,6 +7,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import contact_types
 from freecad.sheetmorph.panels.base import Panel, chip, say
+from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.qt import translate
@@ -53,6 +54,7 @@ class ContactPanel(Panel):
         self._tools = PickTools(self.form, None, self.picked)
         self._tools.offer_holes(False)
         self._tools.choose(picking.FACE)
+        self._faults = FaultBar(self.form, session, assembly)
         self._prepare_widgets()
         if contact is None:
             self._begin(chosen)
@@ -110,7 +112,7 @@ class ContactPanel(Panel):
         try:
             actions.run("Mark Contact", *self._lines(), document=self._assembly.Document)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            self._faults.say(str(error))
             return False
         return True
 
@@ -175,7 +177,6 @@ class ContactPanel(Panel):
         form.way.currentIndexChanged.connect(self._choose_way)
         form.type.currentIndexChanged.connect(self._explain)
         contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
-        say(form.message, "")
 
     def _explain(self, index: int) -> None:
         self.form.type_text.setText(translate("panels", contact_types.TYPE_TEXTS[index]))
@@ -243,4 +244,5 @@ class ContactPanel(Panel):
                 self._views[side].show_aimed(())
         self._tools.show_state()
         fault = self._fault()
+        self._faults.say("")
         say(self.form.message, fault, self._sides.are_chosen and bool(fault))

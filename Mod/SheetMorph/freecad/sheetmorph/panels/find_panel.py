@@ -6,6 +6,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
 from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.scene import colours
@@ -42,6 +43,7 @@ class FindPanel(Panel):
         self._found = []
         self._meshes = {}
         self._highlight = session.show(Highlight())
+        self._faults = FaultBar(self.form, session, assembly)
         self._prepare_widgets()
         self.search()
 
@@ -49,7 +51,7 @@ class FindPanel(Panel):
 
     def search(self, *_) -> None:
         """Finds anew with the tolerances of the panel."""
-        say(self.form.message, "")
+        self._faults.say("")
         try:
             with actions.followed(self._what.title):
                 options = {**self._what.options(self.form), "parts": self._parts}
@@ -123,7 +125,7 @@ class FindPanel(Panel):
         try:
             actions.run(self._what.title, *lines, document=self._assembly.Document)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            self._faults.say(str(error))
             return False
         return True
 

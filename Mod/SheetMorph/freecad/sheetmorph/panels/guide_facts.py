@@ -3,8 +3,9 @@
 
 from freecad.sheetmorph import subject
 from freecad.sheetmorph.bridge import recipes
+from freecad.sheetmorph.bridge.faults import named_by
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.tools.guide import Facts, named_in
+from freecad.sheetmorph.tools.guide import Facts
 
 
 def read():
@@ -13,7 +14,7 @@ def read():
     if owner is None:
         return Facts(morphs=len(subject.assemblies())), []
     roles = [region.Role for region in model.regions(owner)]
-    failure = failure_of(owner)
+    failure = model.failure_of(owner)
     faulty = named_by(owner, failure)
     primary = recipes.primary_of(owner)
     facts = Facts(
@@ -30,18 +31,6 @@ def read():
         faulty_role=role_of(faulty[0]) if faulty else "",
     )
     return facts, faulty
-
-
-def failure_of(owner) -> str:
-    """What the last recompute said if it failed."""
-    failed = [part for part in model.parts(owner) if "Invalid" in part.State]
-    return failed[0].getStatusString() if failed else ""
-
-
-def named_by(owner, failure: str) -> list:
-    """The regions and contacts of a morph that a sentence names."""
-    found = {obj.Label: obj for obj in [*model.regions(owner), *model.contacts(owner)]}
-    return [found[label] for label in named_in(failure, found)]
 
 
 def role_of(obj) -> str:

@@ -5,7 +5,6 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph import seen, subject
 from freecad.sheetmorph.editing.session import Session
-from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import guide_facts
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.guide_step import StepView
@@ -70,18 +69,6 @@ class GuidePanel(Panel):
         self._highlight.clear()
         for obj in self._faulty:
             Gui.Selection.addSelection(obj)
-            for part, vertices in places_of(obj):
-                if part is not None and part.Source is not None:
-                    shown = seen.triangles(part)
-                    inside = vertices[vertices <= shown.max()]
-                    self._highlight.paint(part.ViewObject, shown, colours.FAULT, inside.tolist())
-
-
-def places_of(obj) -> list:
-    """Parts and vertices of a region or contact."""
-    if model.kind(obj) == model.REGION:
-        return [(obj.Part, model.vertices(obj))]
-    return [
-        (part, model.contact_vertices(obj, side))
-        for side, part in (("a", obj.PartA), ("b", obj.PartB))
-    ]
+            for part, vertices in seen.places_of(obj):
+                shown = seen.triangles(part)
+                self._highlight.paint(part.ViewObject, shown, colours.FAULT, vertices.tolist())

@@ -10,6 +10,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, legend, say
+from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.panels.handle_drag import HandleDrag
 from freecad.sheetmorph.panels.live_update import LiveUpdate
@@ -50,6 +51,8 @@ class MovePanel(Panel):
         view_legend = session.show(ViewLegend(session.view))
         view_legend.show_roles(legend(""))
         self._shown = ShowFields(self.form, view_legend)
+        self._faults = FaultBar(self.form, session, assembly)
+        self._faults.mended.connect(self._follow_later)
         form = self.form
         Folds({form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"})
         self._frame = self._timer(0, self._show)
@@ -87,7 +90,7 @@ class MovePanel(Panel):
             with actions.waiting():
                 fault = self._recomputed()
             if fault:
-                say(self.form.message, fault, True)
+                self._faults.say(fault)
                 return False
             self._handles.unmake_all()  # the lines make them, as a macro does
             with actions.waiting():
@@ -99,8 +102,7 @@ class MovePanel(Panel):
     def _recomputed(self) -> str:
         """Lets all results follow, as part of the step; returns what is wrong, if anything."""
         self.session.document.recompute()
-        faulty = [p for p in model.parts(self._handles.assembly) if "Invalid" in p.State]
-        return faulty[0].getStatusString() if faulty else ""
+        return model.failure_of(self._handles.assembly)
 
     # -- following fields and mouse; the next five are what HandleDrag asks for
 
@@ -155,7 +157,7 @@ class MovePanel(Panel):
         except actions.FAULTS as error:
             self._handles.unmake(handle)
             self._live = self._new_live()
-            say(self.form.message, str(error), True)
+            self._faults.say(str(error))
             return None
         self._fill_list()
         return handle
@@ -166,14 +168,17 @@ class MovePanel(Panel):
             with actions.waiting():
                 self._live = self._new_live()
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            self._faults.say(str(error))
 
     def _new_live(self) -> LiveUpdate:
         live = LiveUpdate(self._handles.assembly, self._updating, self.session)
         live.drawn.connect(self._on_drawn)
-        live.failed.connect(self._on_fault)
+        live.failed.connect(self._faults.say)
         self._shown.connect(live)
         return live
+
+    def _follow_later(self) -> None:
+        self.session.later(self._follow)
 
     def _follow(self) -> None:
         """Shows what an undo, a redo or another command has made of the pose."""
@@ -214,16 +219,13 @@ class MovePanel(Panel):
         self._pause.start()
 
     def _on_drawn(self) -> None:
-        say(self.form.message, self._live.unsettled, True)
+        self._faults.say(self._live.unsettled)
         computed, drawn = self._live.kernel_ms, self._live.draw_ms
         text = translate("panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
         if self._live.is_preview:
             text = translate("panels", "Preview: refined on release. {0}").format(text)
         say(self.form.status, text.format(computed, drawn))
         self._shown.tell()
-
-    def _on_fault(self, text: str) -> None:
-        say(self.form.message, text, True)
 
     def _hush(self) -> None:
         self._stop_timers()
@@ -249,8 +251,7 @@ class MovePanel(Panel):
         form.results.currentIndexChanged.connect(self._choose_update)
         form.reset.clicked.connect(self._reset)
         self._fields.changed.connect(self._on_change)
-        for label in (form.axis_message, form.message):
-            say(label, "")
+        say(form.axis_message, "")
         # A line from the start: a panel that grows while one clicks takes the click elsewhere.
         say(form.status, translate("panels", "Nothing has moved yet."))
         self._fill()

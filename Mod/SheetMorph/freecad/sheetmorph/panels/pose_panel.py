@@ -12,6 +12,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.live_update import LiveUpdate
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -41,6 +42,8 @@ class PosePanel(Panel):
         self._live = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=round(1000 * PAUSE))
         self._pause.timeout.connect(self._settle)
+        self._faults = FaultBar(self.form, session, assembly)
+        self._faults.mended.connect(self._follow_later)
         self._prepare_widgets(pose)
         session.at_end(self._end_live)
         session.at_end(self._pause.stop)
@@ -55,9 +58,9 @@ class PosePanel(Panel):
         if self._pending.is_open and line:
             with actions.waiting():
                 self._document.recompute()
-            faulty = [p for p in model.parts(self._assembly) if "Invalid" in p.State]
-            if faulty:
-                self._on_fault(faulty[0].getStatusString())
+            fault = model.failure_of(self._assembly)
+            if fault:
+                self._faults.say(fault)
                 return False
             with actions.waiting():
                 actions.record(line, "App.ActiveDocument.recompute()")
@@ -76,15 +79,14 @@ class PosePanel(Panel):
         form.second.currentIndexChanged.connect(self._choose)
         form.slider.valueChanged.connect(form.percent.setValue)
         form.percent.valueChanged.connect(self._on_percent)
-        say(form.message, "")
 
     def _start(self) -> None:
         try:
             self._live = LiveUpdate(self._assembly, Updating(ON_OK), self.session)
         except actions.FAULTS as error:
-            self._on_fault(str(error))
+            self._faults.say(str(error))
             return
-        self._live.failed.connect(self._on_fault)
+        self._live.failed.connect(self._faults.say)
 
     def _end_live(self) -> None:
         if self._live is not None:
@@ -101,6 +103,9 @@ class PosePanel(Panel):
         self._pending.settle()
         self._shares.append((snapshot(self._assembly), self._given()))
 
+    def _follow_later(self) -> None:
+        self.session.later(self._follow)
+
     def _follow(self) -> None:
         """Shows what an undo, a redo or another command has made of the pose."""
         now = snapshot(self._assembly)
@@ -108,6 +113,7 @@ class PosePanel(Panel):
         if given is not None:
             self._show_given(given)
         text = translate("panels", "As it was before; move the slider to blend again.")
+        self._faults.say("")
         say(self.form.message, "" if given is not None else text)
         self._end_live()
         self._start()
@@ -140,7 +146,7 @@ class PosePanel(Panel):
         try:
             apart = api.compare_poses(*pair)
         except actions.FAULTS as error:
-            self._on_fault(str(error))
+            self._faults.say(str(error))
             return
         say(self.form.apart, described(self._document, apart))
         self._on_percent()
@@ -151,7 +157,7 @@ class PosePanel(Panel):
             return
         self._pending.change()
         api.blend_poses(*self._pair(), self.form.percent.value() / 100.0)
-        say(self.form.message, "")
+        self._faults.say("")
         self._pause.start()
         if self._live is not None:
             self._live.ask()
@@ -160,9 +166,6 @@ class PosePanel(Panel):
         self.form.slider.blockSignals(True)
         self.form.slider.setValue(round(self.form.percent.value()))
         self.form.slider.blockSignals(False)
-
-    def _on_fault(self, text: str) -> None:
-        say(self.form.message, text, True)
 
     def _line(self) -> str:
         """The call of the API that does what is seen; empty if nothing is chosen."""

@@ -6,6 +6,7 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import Panel, legend, say
+from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.qt import translate
@@ -72,6 +73,7 @@ class RegionPanel(Panel):
         self._mouse = session.show(PickMouse(session.view, self))
         self._tools = PickTools(self.form, None, self.picked)
         self._tools.choose(picking.RIM if role == "form feature" else picking.FACE)
+        self._faults = FaultBar(self.form, session, model.assembly_of(part))
         self._prepare_widgets()
         self._begin(part, model.vertices(region) if region else ())
 
@@ -122,6 +124,7 @@ class RegionPanel(Panel):
         pieces = len(self._picker.groups()) if len(picked) else 0
         text = translate("region", "Picked: {0} vertices, {1} piece(s)").format(len(picked), pieces)
         self.form.count.setText(text if pieces else translate("region", "Nothing picked yet"))
+        self._faults.say("")
         refused = ", ".join(f"'{label}'" for label in self._picker.refused)
         text = translate("region", "What {0} has already is left out: a vertex has one of them.")
         say(self.form.message, text.format(refused) if refused else "", bool(refused))
@@ -139,16 +142,13 @@ class RegionPanel(Panel):
     def keep(self) -> bool:
         """OK: one undo step, one macro line a region; with nothing picked the panel stays."""
         if not len(self._picker.picked):
-            say(
-                self.form.message,
-                translate("region", "Nothing is picked: click on the part first."),
-                True,
-            )
+            text = translate("region", "Nothing is picked: click on the part first.")
+            say(self.form.message, text, True)
             return False
         try:
             actions.run(f"Mark {TITLES[self._role]}", *self._lines(), document=self._part.Document)
         except actions.FAULTS as error:
-            say(self.form.message, str(error), True)
+            self._faults.say(str(error))
             return False
         return True
 
@@ -176,4 +176,3 @@ class RegionPanel(Panel):
         form.separate.setVisible(is_new_feature)
         self._tools.offer_holes(is_new_feature)
         form.legend.setText(legend(self._role))
-        say(form.message, "")

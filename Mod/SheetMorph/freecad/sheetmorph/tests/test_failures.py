@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What cannot be computed is said in one sentence at the part, and the last mesh stays."""
+"""What cannot be computed is said once, in one sentence, and the last mesh stays."""
 
 import unittest
 
@@ -20,10 +20,10 @@ class TestFailures(support.DocumentTest):
         self.before = support.local_points(self.part)
 
     def assert_fails(self, *words: str) -> None:
-        """Recompute; the part names the reason, keeps its mesh, and recovers when asked to."""
+        """Recompute; the morph names the reason, its part keeps its mesh and stays due."""
         self.document.recompute()
-        self.assertIn("Invalid", self.part.State)
-        message = self.part.getStatusString()
+        self.assertIn("Touched", self.part.State)
+        message = model.failure_of(self.assembly)
         for word in words:
             self.assertIn(word, message)
         self.assertNotIn("\n", message)

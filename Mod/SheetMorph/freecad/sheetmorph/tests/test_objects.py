@@ -180,13 +180,13 @@ class TestDeletion(support.DocumentTest):
         self.assertIn("Clamp, Tip", assembly.Status)
 
     def test_a_deleted_source_is_named_and_the_mesh_stays(self):
-        _, part, handle = self.add_morph()
+        assembly, part, handle = self.add_morph()
         api.set_motion(handle, (0, 0, 10))
         self.document.recompute()
         before = support.local_points(part)
         self.document.removeObject(part.Source.Name)
         self.document.recompute()
-        self.assertIn("Part 'Strip' has lost its source mesh", part.getStatusString())
+        self.assertIn("Part 'Strip' has lost its source mesh", model.failure_of(assembly))
         self.assertEqual(support.largest(support.local_points(part) - before), 0.0)
 
     def test_removing_an_assembly_leaves_the_sources_alone(self):
@@ -203,7 +203,7 @@ class TestDeletion(support.DocumentTest):
         self.document.removeObject(assembly.Name)
         part.touch()
         self.document.recompute()
-        self.assertIn("morph of this part was deleted", part.getStatusString())
+        self.assertIn("morph of this part was deleted", part.Deformation.getStatusString())
         for obj in [obj for obj in self.document.Objects if model.kind(obj) == model.REGION]:
             api.remove(obj)
         api.remove(part)

@@ -7,6 +7,8 @@ import zipfile
 import numpy as np
 
 from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import conversion, faults
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tests import support
 
 
@@ -141,6 +143,49 @@ class TestLargeRegions(support.DocumentTest):
         self.assertEqual(api.vertices(opened.getObject(name)), wanted)
         with zipfile.ZipFile(opened.FileName) as archive:
             self.assertLess(archive.getinfo("Document.xml").file_size, 200_000)
+
+
+class TestMending(support.DocumentTest):
+    def test_a_region_leaves_to_another_one_what_both_have(self):
+        assembly, part, handle = self.add_morph()
+        mine = api.vertices(handle)
+        second = api.add_handle(assembly, part, mine[:4] + [0, 1], "Second")
+        api.take_out(second, handle)
+        self.assertEqual(api.vertices(second), [0, 1])
+        with self.assertRaisesRegex(ValueError, "has all of 'Tip'; delete one"):
+            api.take_out(handle, handle)
+        self.assertEqual(api.vertices(handle), mine)
+
+    def test_pieces_that_nothing_holds_are_fixed(self):
+        assembly, part, _ = self.add_morph()
+        with self.assertRaisesRegex(ValueError, "none to fix"):
+            api.hold_loose_pieces(part)
+        points, triangles = support.strip()
+        both = np.concatenate([points, points + (0, 0, 50)])
+        corners = np.concatenate([triangles, triangles + len(points)])
+        part.Source.Mesh = conversion.MeshWriter(corners).mesh(both)
+        self.document.recompute()
+        self.assertIn("nothing holds", model.failure_of(assembly))
+        region = api.hold_loose_pieces(part)
+        self.assertEqual(api.vertices(region), list(range(len(points), len(both))))
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+
+
+class TestFaults(support.DocumentTest):
+    def test_one_object_says_what_is_wrong_and_not_every_part(self):
+        assembly, handle, _contact = self.add_pair()
+        self.document.recompute()
+        before = faults.faults_in(self.document)
+        second = api.add_handle(assembly, handle.Part, api.vertices(handle)[:4], "Second")
+        api.set_motion(second, (0, 0, 3))
+        self.document.recompute()
+        wrong = [obj for obj in self.document.Objects if "Invalid" in obj.State]
+        self.assertEqual([model.kind(obj) for obj in wrong], [model.DEFORMATION])
+        sentence = faults.new_fault(self.document, before)
+        self.assertEqual(faults.named_by(assembly, sentence), [handle, second])
+        self.assertEqual(faults.parts_named_by(assembly, sentence), [handle.Part])
+        self.assertEqual(faults.new_fault(self.document, faults.faults_in(self.document)), "")
 
 
 if __name__ == "__main__":

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -176,9 +174,3 @@ def with_next(found: list[Step]) -> list[Step]:
         if step.key in needed:
             break
     return found
-
-
-def named_in(sentence: str, labels: Iterable[str]) -> list[str]:
-    """Return the labels that a sentence names as whole words, the longest first."""
-    found = [x for x in labels if re.search(rf"(?<!\w){re.escape(x)}(?!\w)", sentence)]
-    return sorted(found, key=len, reverse=True)

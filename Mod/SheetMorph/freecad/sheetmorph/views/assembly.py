@@ -2,6 +2,7 @@
 """How a morph and its hidden deformation look in the tree."""
 
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.base import OwnerView, View
 
@@ -18,12 +19,25 @@ class AssemblyView(OwnerView):
             menus.move(handles[0])
         return bool(handles)
 
+    def getIcon(self) -> str:
+        """Another icon for a morph that cannot be computed."""
+        self.icon = "MorphFault" if model.failure_of(self.object) else "Morph"
+        return super().getIcon()
+
     def updateData(self, obj, name: str) -> None:
-        """The icons of the parts tell which one is the primary."""
+        """The icons of the parts tell which one is the primary, its own whether all is well."""
+        if name == "Status":  # the recompute that says so has not come to its end
+            QtCore.QTimer.singleShot(0, self._change_icon)
         if name == "Primary":
             views = [part.ViewObject for part in model.parts(obj)]
             for view in filter(None, views):  # a part that is being deleted has none any more
                 view.signalChangeIcon()
+
+    def _change_icon(self) -> None:
+        try:
+            self._view_object.signalChangeIcon()
+        except (ReferenceError, RuntimeError):
+            return  # deleted meanwhile
 
     def setupContextMenu(self, _view_object, menu) -> bool:
         """How its parts follow."""

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What double clicks and context menus of the tree do."""
 
+import FreeCADGui as Gui
+
 from freecad.sheetmorph import actions, paths
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.objects import model
@@ -67,7 +69,10 @@ def _opened(title: str, action) -> None:
 
 
 def add_assembly_actions(menu, assembly) -> None:
-    """Propagation."""
+    """Propagation, and what is wrong if anything is."""
+    if model.failure_of(assembly):
+        title = QT_TRANSLATE_NOOP("menus", "Show What Is Wrong")
+        _add(menu, "MorphFault", title, lambda: Gui.runCommand("SheetMorph_Guide"))
     _add(
         menu,
         "Propagation",

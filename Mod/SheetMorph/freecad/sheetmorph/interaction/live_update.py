@@ -139,9 +139,9 @@ class LiveUpdate(QtCore.QObject):
         self._live.keep(self._frame)
         self._assembly.Document.recompute()
         self._updating.took(time.perf_counter() - start + self.kernel_ms / 1000.0)
-        faulty = [p for p in model.parts(self._assembly) if "Invalid" in p.State]
-        if faulty:
-            self.failed.emit(faulty[0].getStatusString())
+        fault = model.failure_of(self._assembly)
+        if fault:
+            self.failed.emit(fault)
 
     def _recompute_regions(self) -> None:
         """Lets expressions between handles follow; cheap, the parts are not among them."""

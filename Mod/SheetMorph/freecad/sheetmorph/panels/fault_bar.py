@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with a morph: one sentence in a panel, with buttons that show and mend it."""
+
+import FreeCAD as App
+
+from freecad.sheetmorph import actions, mending, seen
+from freecad.sheetmorph.panels.base import say
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.highlight import Highlight
+from freecad.sheetmorph.scene.looking import look_at
+
+
+class FaultBar(QtCore.QObject):
+    """Says in the label ``message`` of a panel what is wrong; ``mended`` is sent after a cure."""
+
+    mended = QtCore.Signal()
+
+    def __init__(self, form, session, assembly):
+        """The label is an item of the panel's column; the buttons come below it."""
+        super().__init__()
+        self._label, self._assembly, self._session = form.message, assembly, session
+        self._sentence, self._cure = "", None
+        self._highlight = session.show(Highlight())
+        self._row = QtWidgets.QWidget(form)
+        buttons = QtWidgets.QHBoxLayout(self._row)
+        buttons.setContentsMargins(0, 0, 0, 0)
+        self._show = self._button("show_fault", translate("panels", "Show"), self._show_it)
+        self._mend = self._button("mend_fault", "", self._mend_it)
+        column = form.layout()
+        column.insertWidget(column.indexOf(form.message) + 1, self._row)
+        self.say("")
+
+    def say(self, sentence: str) -> None:
+        """Shows what is wrong, told in the report view once; empty: nothing is."""
+        say(self._label, sentence, bool(sentence))
+        if sentence == self._sentence:
+            return
+        self._sentence = sentence
+        self._highlight.clear()
+        if sentence:
+            App.Console.PrintError(f"SheetMorph: {sentence}\n")
+        self._cure = mending.cure_of(self._assembly, sentence) if sentence else None
+        self._mend.setText(self._cure[0] if self._cure else "")
+        self._mend.setVisible(self._cure is not None)
+        is_shown = bool(sentence and mending.places(self._assembly, sentence))
+        self._show.setVisible(is_shown)
+        self._row.setVisible(is_shown or self._cure is not None)
+
+    def _show_it(self, *_) -> None:
+        """Lights up what the sentence is about, and brings it into view."""
+        self._highlight.clear()
+        places = mending.places(self._assembly, self._sentence)
+        for part, vertices in places:
+            shown = seen.triangles(part)
+            self._highlight.paint(part.ViewObject, shown, colours.FAULT, vertices.tolist())
+        look_at(self._session.view, seen.positions(places))
+
+    def _mend_it(self, *_) -> None:
+        """After the click: the cure may change the panel it is in."""
+        QtCore.QTimer.singleShot(0, self._mend_now)
+
+    def _mend_now(self) -> None:
+        title, line = self._cure
+        with self._session.aside():
+            is_done = actions.attempt(title, line, document=self._assembly.Document)
+        if is_done:
+            self.say("")
+            self.mended.emit()
+
+    def _button(self, object_name: str, text: str, action):
+        button = QtWidgets.QPushButton(text, self._row)
+        button.setObjectName(object_name)
+        button.clicked.connect(action)
+        self._row.layout().addWidget(button)
+        return button

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with a morph is one sentence in the panel, with buttons that show and mend it."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from checks_moving import lifted, open_panel
+from desk import child, clear_report_view, click_point, click_widget, enter, panel, picture, press
+from desk import press_tool, report_view, until
+from freecad.sheetmorph import api
+from freecad.sheetmorph.objects import model
+from hostile_panels import is_shown
+from scenes import assembly, drawn, handle_vertices, look, new_assembly, new_morph, part, regions
+from scenes import stored
+from shapes import sheet
+
+__all__ = [
+    "test_two_handles_on_one_vertex_are_shown_and_taken_apart",
+    "test_ok_waits_until_what_is_wrong_is_mended",
+    "test_a_piece_that_nothing_holds_is_shown_and_left_at_rest",
+    "test_a_region_that_cannot_be_is_refused_in_its_panel",
+    "test_a_pick_leaves_out_what_another_handle_has_and_says_so",
+]
+
+
+def add_overlapping_handle():
+    """A second handle that has a corner of the first one, moved otherwise; none of it undone."""
+    points = sheet()[0]
+    (first,) = regions("handle")
+    corner = [k for k in handle_vertices() if points[k][1] < 20.0]
+    other = np.flatnonzero((points[:, 0] == 80) & (points[:, 1] < 20.0)).tolist()
+    second = api.add_handle(assembly(), part(), corner + other, "Second")
+    App.ActiveDocument.recompute()
+    App.ActiveDocument.clearUndos()
+    yield 200
+    clear_report_view()  # what FreeCAD says about a recompute that failed
+    return first, second
+
+
+def sentence() -> str:
+    """What the panel says is wrong."""
+    return child("message").text() if child("message").isVisible() else ""
+
+
+def test_two_handles_on_one_vertex_are_shown_and_taken_apart():
+    yield from new_morph()
+    rest = stored()
+    first, second = yield from add_overlapping_handle()
+    Gui.Selection.addSelection(first)
+    yield from open_panel()
+    yield from enter(child("translation_z"), "15")
+    yield from until(lambda: "both move" in sentence(), "the sentence")
+    assert report_view().count("both move") == 1, report_view()
+    assert "Traceback" not in report_view(), report_view()
+    assert child("mend_fault").text() == "Take out of “Second”"
+    before = part().ViewObject.RootNode.getNumChildren()
+    yield from click_widget(child("show_fault"))
+    assert part().ViewObject.RootNode.getNumChildren() > before
+    picture("fault-shown")
+    yield from click_widget(child("mend_fault"))
+    yield from until(lambda: not sentence(), "nothing to be wrong")
+    tip = sheet()[0][handle_vertices()][:, 1] > 40.0
+    yield from until(lambda: np.allclose(lifted(rest, drawn())[tip][:, 2], 15, atol=1e-3), "lift")
+    assert not child("mend_fault").isVisible() and not child("show_fault").isVisible()
+    yield from press("OK")
+    assert set(api.vertices(first)).isdisjoint(api.vertices(second))
+    names = App.ActiveDocument.UndoNames
+    assert names == ["Move Handle", "Take out of “Second”"], names
+    clear_report_view()
+
+
+def test_ok_waits_until_what_is_wrong_is_mended():
+    yield from new_morph()
+    first, _ = yield from add_overlapping_handle()
+    Gui.Selection.addSelection(first)
+    yield from open_panel()
+    yield from enter(child("translation_z"), "15")
+    yield from press("OK")
+    yield 300
+    assert is_shown() and "both move" in sentence()
+    yield from click_widget(child("mend_fault"))
+    yield from until(lambda: not sentence(), "nothing to be wrong")
+    yield from press("OK")
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close")
+    assert first.TranslationZ.Value == 15.0 and model.failure_of(assembly()) == ""
+    clear_report_view()  # what FreeCAD says about the recompute that failed
+
+
+def add_a_piece(document) -> None:
+    """The sheet once more, 40 mm above, in one mesh with it."""
+    source = document.getObject("sheet")
+    both, above = source.Mesh.copy(), source.Mesh.copy()
+    above.translate(0, 0, 40)
+    both.addMesh(above)
+    source.Mesh = both
+
+
+def test_a_piece_that_nothing_holds_is_shown_and_left_at_rest():
+    yield from new_morph(add_a_piece)
+    clear_report_view()  # what FreeCAD says about a recompute that failed
+    look()
+    yield from open_panel()
+    yield from until(lambda: "nothing holds" in sentence(), "the sentence")
+    assert child("mend_fault").text() == "Leave at rest"
+    yield from click_widget(child("show_fault"))
+    picture("fault-loose")
+    yield from click_widget(child("mend_fault"))
+    yield from until(lambda: not sentence(), "nothing to be wrong")
+    yield from enter(child("translation_z"), "9")
+    yield from press("OK")
+    assert len(regions("fixed")) == 2 and model.failure_of(assembly()) == ""
+
+
+def test_a_region_that_cannot_be_is_refused_in_its_panel():
+    yield from new_assembly(is_joined=True)
+    before = model.regions(assembly())
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(part())
+    yield from press_tool("Mark Form Features…")
+    yield from click_widget(child("whole"))
+    yield from click_point((60.5, 12.0, 0))
+    yield from press("OK")
+    yield from until(lambda: "torn" in sentence(), "the sentence")
+    assert panel().objectName() == "region" and child("show_fault").isVisible()
+    assert report_view().count("Traceback") <= 1, "not one for every part"
+    picture("fault-refused")
+    assert model.regions(assembly()) == before and model.failure_of(assembly()) == ""
+    assert App.ActiveDocument.UndoNames == []
+    yield from press("Cancel")
+    clear_report_view()
+
+
+def test_a_pick_leaves_out_what_another_handle_has_and_says_so():
+    yield from new_morph()
+    (handle,) = regions("handle")
+    Gui.Selection.addSelection(part())
+    yield from press_tool("Mark Handle…")
+    yield from click_widget(child("whole"))
+    yield from click_point((60.5, 12.0, 0))
+    yield from until(lambda: handle.Label in sentence(), "whose they are")
+    assert regions("fixed")[0].Label in sentence()
+    picture("fault-left-out")
+    yield from press("OK")
+    assert len(regions("handle")) == 2 and model.failure_of(assembly()) == ""
