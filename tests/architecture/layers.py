@@ -24,6 +24,7 @@ OUTPUT_HEADER = re.compile(r"^(iostream|fstream|cstdio|stdio\.h|filesystem|print
 
 GUI_MODULES = {"FreeCADGui", "PySide", "PySide2", "PySide6", "pivy"}
 GUI_FOLDERS = {"views", "panels", "scene", "commands", "qt", "init_gui", "showcase"}
+GUI_FOLDERS |= {"editing", "interaction"}
 STEPS = re.compile(
     r"\.(openTransaction|commitTransaction|abortTransaction|closeActiveTransaction)\("
 )

@@ -11,6 +11,8 @@ MAY_IMPORT = {
     "objects": {"doors", "kinds", "tools"},
     "bridge": {"kinds", "objects", "tools"},
     "scene": {"bridge", "preferences", "qt", "tools"},
+    "editing": {"qt"},
+    "interaction": {"actions", "api", "bridge", "live_session", "objects", "qt", "scene", "tools"},
 }
 """By room, a folder or a file at the top of the workbench. The others only stand in no circle."""
 

@@ -13,7 +13,7 @@ from desk import WORK, activate, child, click_point, click_widget, draw_along, n
 from desk import picture, press_tool, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import conversion
-from freecad.sheetmorph.panels.pick_mouse import PickMouse
+from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from shapes import grid_triangles
 
 __all__ = [

@@ -10,7 +10,7 @@ from checks_moving import open_panel
 from desk import activate, child, note, on_screen, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import conversion
-from freecad.sheetmorph.panels.live_update import LiveUpdate
+from freecad.sheetmorph.interaction.live_update import LiveUpdate
 from scenes import drawn, largest, look, stored
 from shapes import grid_triangles
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from .words import counted
+
 # Shares of the longest edge from which the mesh is too coarse to bend round its features.
 _COARSE = 0.05
 
@@ -31,20 +33,23 @@ def _seams(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     weld = _in_mm(diagnosis, {"weld": diagnosis["tolerance"]})
     doubled = counts["duplicate_vertices"] + counts["near_duplicate_vertices"]
     if doubled:
-        text = f"{doubled} vertices stand in nearly the place of another: the mesh is cut there"
+        text = counted(doubled, "vertex stands", "vertices stand")
+        text += " in nearly the place of another: the mesh is cut there"
         closed = counts["open_edges"] - counts["open_edges_welded"]
         if closed > 0:
             text += f"; welded, {closed} of {counts['open_edges']} open edges close"
         yield "near-duplicate vertices", doubled, text, "weld", weld
     if counts["t_junctions"]:
-        text = f"{counts['t_junctions']} vertices lie inside an edge they do not belong to"
+        text = counted(counts["t_junctions"], "vertex lies", "vertices lie")
+        text += " inside an edge of others"
         yield "T-junctions", counts["t_junctions"], text, "weld", weld
     if counts["open_edges_welded"]:
-        text = f"{counts['open_edges_welded']} open edges: borders and holes of open sheets"
+        text = counted(counts["open_edges_welded"], "open edge", "open edges")
+        text += ": borders and holes of open sheets"
         yield "open edges", counts["open_edges_welded"], text, None, None
     if counts["non_manifold_edges_welded"]:
         number = counts["non_manifold_edges_welded"]
-        text = f"{number} edges with three triangles or more: "
+        text = counted(number, "edge", "edges") + " with three triangles or more: "
         if counts["open_edges_welded"]:
             text += "sheets meet there and stay together"
             yield "non-manifold edges", number, text, None, None
@@ -71,47 +76,52 @@ def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     counts = diagnosis["counts"]
     weld = _in_mm(diagnosis, {"weld": diagnosis["tolerance"]})
     for name, what in (
-        ("duplicate_triangles", "triangles stand twice"),
-        ("degenerate_triangles", "triangles have no height"),
-        ("unused_vertices", "vertices belong to no triangle"),
+        ("duplicate_triangles", ("triangle stands twice", "triangles stand twice")),
+        ("degenerate_triangles", ("triangle has no height", "triangles have no height")),
+        ("unused_vertices", ("vertex belongs to no triangle", "vertices belong to no triangle")),
     ):
         if counts[name]:
-            text = f"{counts[name]} {what}"
+            text = counted(counts[name], *what)
             yield name.replace("_", " "), counts[name], text, "weld", weld
     if diagnosis["is_one_sided"]:
         yield "one-sided", 1, "a piece is one-sided like a Moebius strip", None, None
     if counts["flipped_triangles"]:
-        text = f"{counts['flipped_triangles']} triangles face against their neighbours"
+        text = counted(counts["flipped_triangles"], "triangle faces", "triangles face")
+        text += " against the neighbours"
         yield "flipped triangles", counts["flipped_triangles"], text, "orient", weld
     inverted = sum(piece["is_inside_out"] for piece in diagnosis["components"])
     if inverted:
-        text = f"{inverted} closed components face inwards: hollow spaces, or turned inside out"
+        text = counted(inverted, "closed component faces", "closed components face")
+        text += " inwards: hollow spaces, or turned inside out"
         yield "facing inwards", inverted, text, None, None
 
 
 def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     counts, edges, rims = (diagnosis[key] for key in ("counts", "edge_lengths", "round_rims"))
+    unit = diagnosis["unit"]["guess"]
     remesh = _in_mm(diagnosis, {"remesh": {"edge": diagnosis["suggested_edge"], "rims": "polygon"}})
     if counts["slivers"]:
         share = 100.0 * counts["slivers"] / diagnosis["triangles"]
-        text = f"{counts['slivers']} slivers ({share:.0f} % of the triangles): the mesh folds there"
+        text = counted(counts["slivers"], "sliver", "slivers")
+        text += f" ({share:.0f} % of the triangles): the mesh folds there"
         yield "slivers", counts["slivers"], text, "remesh", remesh
     if edges["longest"] > _COARSE * diagnosis["size"] > 0.0:
-        text = f"edges up to {edges['longest']:.3g} mm: too coarse to bend"
+        text = f"edges up to {edges['longest']:.3g} {unit}: too coarse to bend"
         if rims["count"] and rims["smallest_radius"] < edges["longest"]:
-            text += f", beside round rims of radius {rims['smallest_radius']:.3g} mm"
+            text += f", beside round rims of radius {rims['smallest_radius']:.3g} {unit}"
         yield "long edges", 1, text, "remesh", remesh
     if diagnosis["thickness"] is not None:
         number = sum(piece["kind"] == "thin solid" for piece in diagnosis["components"])
-        text = f"a sheet {diagnosis['thickness']:.4g} mm thick, with two skins"
+        text = f"a sheet {diagnosis['thickness']:.4g} {unit} thick, with two skins"
         if len(diagnosis["components"]) > 1:
-            text = f"{number} sheets with two skins, most {diagnosis['thickness']:.4g} mm thick"
+            text = counted(number, "sheet", "sheets") + " with two skins, most "
+            text += f"{diagnosis['thickness']:.4g} {unit} thick"
         yield "thin solid", number, text, "thin", {"thin": "auto"}
     if len(diagnosis["components"]) > 1:
         number = len(diagnosis["components"])
         text = f"{number} components that nothing connects"
         yield "components", number, text, "split", {"split": True}
-    unit = diagnosis["unit"]
-    if unit["scale"] != 1.0:
-        text = f"the unit seems to be {unit['guess']}: {unit['reason']}"
-        yield "unit", 1, text, "scale", {"scale": unit["scale"]}
+    guess = diagnosis["unit"]
+    if guess["scale"] != 1.0:
+        text = f"the unit seems to be {unit}: {guess['reason']}"
+        yield "unit", 1, text, "scale", {"scale": guess["scale"]}

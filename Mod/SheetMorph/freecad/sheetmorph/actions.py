@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One user action = one transaction = one line in the recorded macro, a call of the public API."""
 
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -14,6 +14,7 @@ from freecad.sheetmorph.progress_dialog import Progress
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 API = "freecad.sheetmorph.api"
+LONGEST_SHOWN = 300  # characters
 FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
 
 
@@ -43,7 +44,22 @@ def record(*lines: str) -> None:
     for number, line in enumerate(("import FreeCAD as App", f"import {API}", *lines)):
         if told is not None and not told(number / (2.0 + len(lines)), ""):
             return
-        Gui.doCommand(line)
+        with unseen() if len(line) > LONGEST_SHOWN else nullcontext():
+            Gui.doCommand(line)
+
+
+@contextmanager
+def unseen():
+    """Lines in this context go into the macro and not into the Python console: a thousand ids."""
+    group, entry = App.ParamGet("User parameter:BaseApp/Preferences/Macro"), "ScriptToPyConsole"
+    was_shown, is_default = group.GetBool(entry, True), entry not in group.GetBools()
+    group.SetBool(entry, False)
+    try:
+        yield
+    finally:
+        group.SetBool(entry, was_shown)
+        if is_default:
+            group.RemBool(entry)
 
 
 def run(title: str, *lines: str, document=None) -> None:

@@ -29,7 +29,7 @@ def positions(places) -> np.ndarray:
     """Where places are drawn, (k, 3) global mm; ``places``: parts, and vertices (k,) of each."""
     found = [np.zeros((0, 3))]
     for part, vertices in places:
-        local = snapshot_of(part).points[vertices].astype(float)
+        local = snapshot_of(part).points[np.asarray(vertices, dtype=int)].astype(float)
         found.append(frame_of(part).to_global(local))
     return np.concatenate(found)
 

@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import control_meshes
+from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.scene import preview
 from freecad.sheetmorph.scene.feature_marks import FeatureMarks
 from freecad.sheetmorph.scene.ghost import Ghost

@@ -8,10 +8,10 @@ import FreeCAD as App
 from freecad.sheetmorph import live_session
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels.frame_worker import FrameWorker
-from freecad.sheetmorph.panels.live_scene import LiveScene
+from freecad.sheetmorph.interaction.frame_worker import FrameWorker
+from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, translate
-from freecad.sheetmorph.tools import grabbing, live_values
+from freecad.sheetmorph.tools import grabbing, live_values, words
 
 
 class LiveUpdate(QtCore.QObject):
@@ -100,7 +100,8 @@ class LiveUpdate(QtCore.QObject):
         if not self.legend.part:
             return translate("panels", "There is nothing to show: no contact is in use.")
         part = self._assembly.Document.getObject(self.legend.part).Label
-        return f"{self._valuer.worst} {self.legend.extreme:.3g} {self._valuer.unit} on {part}"
+        extreme = words.plain(self.legend.extreme)
+        return f"{self._valuer.worst} {extreme} {self._valuer.unit} on {part}"
 
     @property
     def is_preview(self) -> bool:

@@ -8,7 +8,7 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import contact_types
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
-from freecad.sheetmorph.panels.pick_mouse import PickMouse
+from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene import colours

@@ -9,8 +9,9 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.panels.live_scene import LiveScene
+from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.tools import words
 
 RELATE = ("", "group", "coaxial", "keep_distance")
 """The functions of the interface that relate form features, as the combo box lists them."""
@@ -217,7 +218,8 @@ class FeaturePanel(Panel):
             form.size_text.setText(text)
             return
         form.feature_size.setProperty("rawValue", feature.Size.Value or shape.size)
-        form.size_text.setText(f"{shape.kind.capitalize()}, {shape.measure} {shape.size:.6g} mm.")
+        size = words.length(shape.size, 6)
+        form.size_text.setText(f"{shape.kind.capitalize()}, {shape.measure} {size}.")
 
     def _refresh(self, *_) -> None:
         """Shows the fields that mean something now."""

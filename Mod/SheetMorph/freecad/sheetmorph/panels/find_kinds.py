@@ -4,6 +4,7 @@
 from freecad.sheetmorph.actions import call, name, vertices
 from freecad.sheetmorph.api.finding import with_washers
 from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 MARKED = "In the document already"
@@ -48,12 +49,13 @@ class Features:
     def row(self, one) -> tuple:
         """What the list shows of a proposal."""
         quality = one.residual / (0.5 * one.size) if one.size else 0.0
-        size = f"{one.size:.4g} mm"
+        size = words.length(one.size, 4)
         if one.kind == "bend":
-            size = f"R {one.radius:.4g} mm, {one.angle:.3g}°"
-        texts = (one.name, size, f"{100 * quality:.2g} %")
+            size = f"R {words.length(one.radius, 4)}, {words.plain(one.angle)}°"
+        texts = (one.name, size, words.percent(quality))
         is_checked = not one.is_marked and one.kind in _HOLES
         tip = MARKED if one.is_marked else f"{one.kind}, {len(one.vertices)} vertices"
+        tip = f"{one.name}\n{tip}"
         return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
 
     def places(self, one, colours) -> list:
@@ -113,8 +115,9 @@ class Contacts:
 
     def row(self, one) -> tuple:
         """What the list shows of a proposal."""
-        texts = (one.name, one.type, f"{one.size:.4g} mm", f"{one.distance:.3g} mm")
+        texts = (one.name, one.type, words.length(one.size, 4), words.length(one.distance))
         tip = MARKED if one.is_marked else f"{len(one.a)} and {len(one.b)} vertices"
+        tip = f"{one.name}\n{tip}"
         values = (one.name, one.type, one.size, one.distance)
         return texts, values, not one.is_marked, not one.is_marked, tip
 

@@ -11,6 +11,7 @@ from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
+from freecad.sheetmorph.scene.looking import look_at
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 ANY = QT_TRANSLATE_NOOP("panels", "all kinds")
@@ -112,6 +113,12 @@ class FindPanel(Panel):
                 self._meshes[part.Name] = seen.triangles(part)
             self._highlight.paint(part.ViewObject, self._meshes[part.Name], colour, vertices)
 
+    def _look(self, row: int, *_) -> None:
+        """Brings a proposal into view, as near as it is large."""
+        one = self._found[find_table.number_in(self.form.table, row)]
+        places = [(part, ids) for part, ids, _ in self._what.places(one, colours)]
+        look_at(self.session.view, seen.positions(places))
+
     # -- the buttons of the task view
 
     def keep(self) -> bool:
@@ -142,6 +149,7 @@ class FindPanel(Panel):
         form.all.clicked.connect(self._check_all)
         form.none.clicked.connect(self._check_none)
         form.table.cellEntered.connect(self._light)
+        form.table.cellDoubleClicked.connect(self._look)
         form.table.itemChanged.connect(self._count)
         self._leaving = _Leaving(self._light)
         form.table.viewport().installEventFilter(self._leaving)

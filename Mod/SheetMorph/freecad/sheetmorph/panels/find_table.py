@@ -23,7 +23,10 @@ def prepare(table, columns) -> None:
     table.setMinimumHeight(HEIGHT)
     table.setMouseTracking(True)
     table.verticalHeader().setVisible(False)
-    table.verticalHeader().setDefaultSectionSize(22)
+    rows = table.verticalHeader()
+    rows.setMinimumSectionSize(22)
+    rows.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)  # names stand in full
+    table.setWordWrap(True)
     header = table.horizontalHeader()
     for column in range(len(columns)):
         fit = QtWidgets.QHeaderView.ResizeToContents

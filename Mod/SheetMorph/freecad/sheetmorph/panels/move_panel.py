@@ -12,11 +12,11 @@ from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, legend, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
-from freecad.sheetmorph.panels.handle_drag import HandleDrag
-from freecad.sheetmorph.panels.live_update import LiveUpdate
+from freecad.sheetmorph.interaction.handle_drag import HandleDrag
+from freecad.sheetmorph.interaction.live_update import LiveUpdate
 from freecad.sheetmorph.panels.mouse_fields import MouseFields
 from freecad.sheetmorph.panels.motion_fields import MotionFields
-from freecad.sheetmorph.panels.moved_handles import MovedHandles
+from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.scene.legend import ViewLegend

@@ -13,8 +13,9 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
-from freecad.sheetmorph.panels.live_update import LiveUpdate
+from freecad.sheetmorph.interaction.live_update import LiveUpdate
 from freecad.sheetmorph.qt import QtCore, translate
+from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.updating import ON_OK, PAUSE, Updating
 
@@ -181,7 +182,9 @@ def described(document, apart: dict) -> str:
     lines = [translate("panels", "Largest and mean distance, mm")]
     for part in ordered[:5]:
         largest, mean = apart[part]
-        lines.append(f"{document.getObject(part).Label}: {largest:.3g}, {mean:.3g}")
+        lines.append(
+            f"{document.getObject(part).Label}: {words.plain(largest)}, {words.plain(mean)}"
+        )
     if len(ordered) > 5:
         lines.append(translate("panels", "and {0} more parts").format(len(ordered) - 5))
     return "\n".join(lines)

@@ -7,7 +7,8 @@ from freecad.sheetmorph import actions, api, seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import contact_types, control_meshes, propagation_tree
+from freecad.sheetmorph.interaction import control_meshes
+from freecad.sheetmorph.panels import contact_types, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.scene import colours

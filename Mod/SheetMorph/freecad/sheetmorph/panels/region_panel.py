@@ -7,7 +7,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import Panel, legend, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
-from freecad.sheetmorph.panels.pick_mouse import PickMouse
+from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
 from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene import colours

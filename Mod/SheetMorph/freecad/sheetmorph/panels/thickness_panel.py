@@ -10,7 +10,7 @@ from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
 from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.scene.value_map import ValueMap
-from freecad.sheetmorph.tools import colour_scale
+from freecad.sheetmorph.tools import colour_scale, words
 
 
 def open_panel(part):
@@ -54,8 +54,8 @@ class ThicknessPanel(Panel):
         values = solid.thicknesses
         span = colour_scale.span_of(values)
         form.scale.setPixmap(gradient())
-        form.low.setText(f"{span[0]:.3g} mm")
-        form.high.setText(f"{span[1]:.3g} mm")
+        form.low.setText(words.length(span[0]))
+        form.high.setText(words.length(span[1]))
         form.mark.setEnabled(bool(solid.holes))
         say(form.message, summary(solid))
         triangles = snapshot_of(self._part.Source).triangles
@@ -75,7 +75,10 @@ class ThicknessPanel(Panel):
 def summary(solid) -> str:
     """What was found, as rich text."""
     low, high = colour_scale.range_of(solid.thicknesses)
-    lines = [f"Typically <b>{solid.thickness:.4g} mm</b>, from {low:.4g} to {high:.4g} mm"]
+    lines = [
+        f"Typically <b>{words.length(solid.thickness, 4)}</b>, "
+        f"from {words.plain(low, 4)} to {words.length(high, 4)}"
+    ]
     lines.append(f"Holes through both skins: {len(solid.holes)}")
     lines.append(f"Lumps, which stay rigid: {len(solid.lumps)}")
     lines.append(f"{chip(colour_scale.MISSING)} walls and lumps: no thickness")

@@ -7,6 +7,8 @@ import math
 from dataclasses import asdict, dataclass
 from html import escape
 
+from freecad.sheetmorph.tools.words import length
+
 NEEDED = ("weld", "orient", "remesh", "scale")
 """Cures without which a part is not fit to bend."""
 
@@ -77,7 +79,8 @@ def as_text(diagnosis: dict) -> str:
     """A diagnosis as rich text: what the mesh is, and what is the matter."""
     kinds = {"open shell": "an open sheet", "thin solid": "a thin solid", "mixed": "of many kinds"}
     kind = kinds.get(diagnosis["kind"], f"a {diagnosis['kind']}")
-    lines = [f"<b>{diagnosis['triangles']:,} triangles, {kind}.</b>"]
+    number = diagnosis["triangles"]
+    lines = [f"<b>{number:,} triangle{'' if number == 1 else 's'}, {kind}.</b>"]
     lines += [f"&bull; {escape(finding['text'])}" for finding in diagnosis["findings"]]
     if not is_needed(diagnosis):
         lines.append("It is fit to bend as it is.")
@@ -94,8 +97,8 @@ def summary(made) -> str:
     )
     if fresh:
         lines.append(
-            f"At most {fresh['deviation']:.2g} mm from the facets as they were, "
-            f"{fresh['flat_deviation']:.1g} mm on flats"
+            f"At most {length(fresh['deviation'], 2)} from the facets as they were, "
+            f"{length(fresh['flat_deviation'], 1)} on flats"
         )
         if fresh["rims"] == "circle":
             lines.append(f"{fresh['rims_on_circles']} rims put on their circles")
