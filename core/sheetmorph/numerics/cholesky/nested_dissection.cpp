@@ -2,8 +2,8 @@
 #include "sheetmorph/numerics/cholesky/nested_dissection.h"
 
 #include "sheetmorph/base/index.h"
-
 #include "sheetmorph/base/parallel.h"
+#include "sheetmorph/numerics/halving.h"
 
 #include <algorithm>
 #include <numeric>
@@ -103,7 +103,8 @@ private:
     // left, separator, right -> left, right, separator; where right begins and ends.
     std::pair<Place, Place> cut(Place begin, Place end)
     {
-        const Place middle = halve(begin, end);
+        const Place middle = begin + (end - begin) / 2;
+        halve(begin, middle, end, places_);
         for (Place place = middle; place != end; ++place)
             is_right_[at(*place)] = 1;
         const Place coupled = std::stable_partition(
@@ -111,27 +112,6 @@ private:
         for (Place place = middle; place != end; ++place)
             is_right_[at(*place)] = 0;
         return {coupled, std::rotate(coupled, middle, end)};
-    }
-
-    // By a plane across the longest side of the box around the set.
-    Place halve(Place begin, Place end)
-    {
-        Eigen::RowVector3d low = places_.row(*begin), high = low;
-        for (Place place = begin; place != end; ++place)
-        {
-            low = low.cwiseMin(places_.row(*place));
-            high = high.cwiseMax(places_.row(*place));
-        }
-        Eigen::Index axis = 0;
-        (high - low).maxCoeff(&axis);
-        const Place middle = begin + (end - begin) / 2;
-        std::nth_element(begin, middle, end,
-                         [this, axis](int a, int b)
-                         {
-                             const double first = places_(a, axis), second = places_(b, axis);
-                             return first < second || (first == second && a < b);
-                         });
-        return middle;
     }
 
     bool touches_right(int unknown) const

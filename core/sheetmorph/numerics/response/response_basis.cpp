@@ -38,8 +38,22 @@ float narrow_step(const ResponseFields::Patch& patch, Eigen::Index field,
 ResponseBasis::ResponseBasis(const ResponseFields& fields)
     : rows_(fields.rows()), columns_(fields.columns()), rows_a_patch_(fields.rows_a_patch())
 {
-    for (const ResponseFields::Patch& patch : fields.patches())
-        pack(patch, fields.tolerances());
+    for (std::size_t k = 0; k < fields.patches().size(); ++k)
+    {
+        pack(fields.patches()[k], fields.tolerances());
+        find_runs(fields.rows_of(k));
+    }
+}
+
+void ResponseBasis::find_runs(const VertexIds& rows)
+{
+    places_.back().runs = runs_.size();
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        if (k > 0 && rows[k] == rows[k - 1] + 1)
+            ++runs_.back().count;
+        else
+            runs_.push_back({rows[k], 1});
+    places_.back().run_count = static_cast<int>(runs_.size() - places_.back().runs);
 }
 
 void ResponseBasis::pack(const ResponseFields::Patch& patch, const Eigen::VectorXd& tolerances)
@@ -54,8 +68,8 @@ void ResponseBasis::pack(const ResponseFields::Patch& patch, const Eigen::Vector
             if ((steps[at(field)] != 0.0F) == is_narrow)
                 order.push_back(field);
     const auto wide = std::count(steps.begin(), steps.end(), 0.0F);
-    places_.push_back({wide_.size(), narrow_.size(), shares_.size(), static_cast<int>(wide),
-                       static_cast<int>(count - wide)});
+    places_.push_back({wide_.size(), narrow_.size(), shares_.size(), 0, static_cast<int>(wide),
+                       static_cast<int>(count - wide), 0});
     const Eigen::Index blocks = rows_a_patch_ / block_rows;
     const std::size_t first_wide = wide_.size(), first_narrow = narrow_.size();
     wide_.resize(first_wide + at(blocks * wide), ResponseRows{});
@@ -81,8 +95,11 @@ void ResponseBasis::pack(const ResponseFields::Patch& patch, const Eigen::Vector
             shares_.push_back(k < count ? static_cast<float>(shares(k, column)) : 0.0F);
 }
 
-ResponseProduct ResponseBasis::product(std::size_t patch, const Coefficients& coefficients) const
+// Through a buffer that stays in the nearest cache: rows of a patch are anywhere in the mesh.
+void ResponseBasis::add_patch(std::size_t patch, const Points& start,
+                              const Coefficients& coefficients, Points& result) const
 {
+    alignas(64) double moved[3 * ResponseProduct::most_blocks * block_rows];
     const Place& place = places_[patch];
     ResponseProduct work{};
     work.wide = wide_.data() + place.wide;
@@ -93,58 +110,35 @@ ResponseProduct ResponseBasis::product(std::size_t patch, const Coefficients& co
     work.shares = shares_.data() + place.shares;
     work.columns = static_cast<int>(columns_);
     work.coefficients = coefficients.data();
-    return work;
-}
-
-Vector3 ResponseBasis::row(Eigen::Index row, const Coefficients& coefficients) const
-{
-    // The block of the row alone.
-    ResponseProduct work = product(at(row / rows_a_patch_), coefficients);
-    const Eigen::Index block = row % rows_a_patch_ / block_rows;
-    work.wide += block * work.wide_count;
-    work.narrow += block * work.narrow_count;
-    work.blocks = 1;
-    const Points start = Points::Zero(block_rows, 3);
-    Points result(block_rows, 3);
-    work.start = start.data();
-    work.result = result.data();
+    work.result = moved;
     run_response_kernel(work);
-    return result.row(row % block_rows).transpose();
+    const double* from = moved;
+    for (const Run *run = &runs_[place.runs], *end = run + place.run_count; run != end; ++run)
+    {
+        const Eigen::Index offset = 3 * static_cast<Eigen::Index>(run->first);
+        for (Eigen::Index k = 0; k < 3 * run->count; ++k)
+            result.data()[offset + k] = start.data()[offset + k] + from[k];
+        from += 3 * run->count;
+    }
 }
 
 void ResponseBasis::add_to(const Points& start, const Coefficients& coefficients,
                            Points& result) const
 {
-    result.resize(rows_, 3);
-    const std::size_t whole = at(rows_ / rows_a_patch_);
+    result.resize(rows(), 3);
     const auto add_some = [&](Eigen::Index begin, Eigen::Index end)
     {
         for (Eigen::Index k = begin; k < end; ++k)
-        {
-            ResponseProduct work = product(at(k), coefficients);
-            work.start = start.data() + 3 * k * rows_a_patch_;
-            work.result = result.data() + 3 * k * rows_a_patch_;
-            run_response_kernel(work);
-        }
+            add_patch(at(k), start, coefficients, result);
     };
-    parallel_ranges(static_cast<Eigen::Index>(whole), least_rows / rows_a_patch_, add_some);
-    if (whole < places_.size())
-    {
-        // The last patch is not full: through copies of its rows.
-        const Eigen::Index rows = rows_ - static_cast<Eigen::Index>(whole) * rows_a_patch_;
-        Points from = Points::Zero(rows_a_patch_, 3), to(rows_a_patch_, 3);
-        from.topRows(rows) = start.bottomRows(rows);
-        ResponseProduct work = product(whole, coefficients);
-        work.start = from.data();
-        work.result = to.data();
-        run_response_kernel(work);
-        result.bottomRows(rows) = to.topRows(rows);
-    }
+    parallel_ranges(static_cast<Eigen::Index>(places_.size()), least_rows / rows_a_patch_,
+                    add_some);
 }
 
 double ResponseBasis::bytes() const
 {
-    return static_cast<double>(places_.size() * sizeof(Place) + wide_.size() * sizeof(ResponseRows)
+    return static_cast<double>(runs_.size() * sizeof(Run) + places_.size() * sizeof(Place)
+                               + wide_.size() * sizeof(ResponseRows)
                                + narrow_.size() * sizeof(NarrowRows)
                                + shares_.size() * sizeof(float));
 }

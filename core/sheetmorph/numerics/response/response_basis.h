@@ -17,9 +17,6 @@ public:
 
     explicit ResponseBasis(const ResponseFields& fields = ResponseFields());
 
-    //! One row of Phi c.
-    Vector3 row(Eigen::Index row, const Coefficients& coefficients) const;
-
     //! result = start + Phi c, both (n, 3).
     void add_to(const Points& start, const Coefficients& coefficients, Points& result) const;
 
@@ -30,13 +27,19 @@ public:
     double bytes() const;
 
 private:
+    struct Run  // rows that are neighbours in their numbers, too
+    {
+        int first, count;
+    };
     struct Place
     {
-        std::size_t wide, narrow, shares;
-        int wide_count, narrow_count;
+        std::size_t wide, narrow, shares, runs;
+        int wide_count, narrow_count, run_count;
     };
+    void find_runs(const VertexIds& rows);
     void pack(const ResponseFields::Patch& patch, const Eigen::VectorXd& tolerances);
-    ResponseProduct product(std::size_t patch, const Coefficients& coefficients) const;
+    void add_patch(std::size_t patch, const Points& start, const Coefficients& coefficients,
+                   Points& result) const;
 
     Eigen::Index rows_;
     Eigen::Index columns_;
@@ -45,6 +48,7 @@ private:
     std::vector<ResponseRows> wide_;  // block by block, a field each
     std::vector<NarrowRows> narrow_;  // likewise
     std::vector<float> shares_;
+    std::vector<Run> runs_;
 };
 
 }  // namespace sheetmorph

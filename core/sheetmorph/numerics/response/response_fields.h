@@ -6,9 +6,9 @@
 namespace sheetmorph
 {
 
-//! Tall columns Phi (n, k), k growing, in little memory: neighbouring rows of smooth columns are
+//! Tall columns Phi (n, k), k growing, in little memory: rows near each other of smooth columns are
 //! nearly blends of a few fields, so every patch of rows keeps only those and how the columns blend
-//! them. Where neighbours are far apart in the numbering a patch needs as many fields as columns.
+//! them. Patches are cut in space, so nothing depends on how rows are numbered.
 class ResponseFields
 {
 public:
@@ -21,9 +21,12 @@ public:
         Eigen::MatrixXd shares;  //!< (f, k)
     };
 
+    ResponseFields() = default;
+
     //! Without columns.
+    //! \param places   (n, 3) where the rows are
     //! \param columns  about how many there will be: many are worth larger patches
-    explicit ResponseFields(Eigen::Index rows = 0, Eigen::Index columns = 0);
+    explicit ResponseFields(const Points& places, Eigen::Index columns = 0);
 
     //! Further columns from (n, j). Rows of zeros stay zeros.
     //! \param tolerances  (j) by how much an entry may miss; relative rounding of 1e-7 comes on top
@@ -35,8 +38,11 @@ public:
     //! (1, k) one row of Phi.
     Eigen::RowVectorXd row(Eigen::Index row) const;
 
-    Eigen::Index rows() const { return rows_; }
+    Eigen::Index rows() const { return static_cast<Eigen::Index>(order_.size()); }
     Eigen::Index columns() const { return tolerances_.size(); }
+
+    //! Ascending.
+    VertexIds rows_of(std::size_t patch) const;
     Eigen::Index rows_a_patch() const { return rows_a_patch_; }
     const std::vector<Patch>& patches() const { return patches_; }
     const Eigen::VectorXd& tolerances() const { return tolerances_; }
@@ -45,8 +51,9 @@ public:
     double bytes() const;
 
 private:
-    Eigen::Index rows_;
-    Eigen::Index rows_a_patch_;
+    VertexIds order_;  // the rows, a patch after the other
+    VertexIds place_;  // of every row in the order
+    Eigen::Index rows_a_patch_ = 1;
     Eigen::VectorXd tolerances_;
     std::vector<Patch> patches_;
 };

@@ -73,21 +73,21 @@ struct Kernel
     }
 
     template <int first, int... lane>
-    static SHEETMORPH_INLINE void add_half(const Lanes& sum, const double* start, double* result,
-                                           std::integer_sequence<int, lane...>)
+    static SHEETMORPH_INLINE void store_half(const Lanes& sum, double* result,
+                                             std::integer_sequence<int, lane...>)
     {
         const auto half = __builtin_shufflevector(sum, sum, (first + lane)...);
-        const Doubles value = load<Doubles>(start + first) + __builtin_convertvector(half, Doubles);
-        reinterpret_cast<Unaligned<Doubles>*>(result + first)->value = value;
+        reinterpret_cast<Unaligned<Doubles>*>(result + first)->value =
+            __builtin_convertvector(half, Doubles);
     }
 
     template <int part>
-    static SHEETMORPH_INLINE void add(const Sums& sums, int v, const double* start, double* result)
+    static SHEETMORPH_INLINE void store(const Sums& sums, int v, double* result)
     {
         const int offset = (3 * v + part) * width;
         const Lanes sum = interleaved<part>(sums, v, Sequence());
-        add_half<0>(sum, start + offset, result + offset, Half());
-        add_half<width / 2>(sum, start + offset, result + offset, Half());
+        store_half<0>(sum, result + offset, Half());
+        store_half<width / 2>(sum, result + offset, Half());
     }
 
     // shares * coefficients: two sums an axis hide how long one takes.
@@ -146,9 +146,9 @@ struct Kernel
         const long offset = 3 * (block * ResponseRows::count + first);
         for (int v = 0; v < vectors; ++v)
         {
-            add<0>(sums, v, work.start + offset, work.result + offset);
-            add<1>(sums, v, work.start + offset, work.result + offset);
-            add<2>(sums, v, work.start + offset, work.result + offset);
+            store<0>(sums, v, work.result + offset);
+            store<1>(sums, v, work.result + offset);
+            store<2>(sums, v, work.result + offset);
         }
     }
 

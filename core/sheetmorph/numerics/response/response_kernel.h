@@ -34,8 +34,7 @@ struct ResponseProduct
     const float* shares;  //!< column by column: of each field, filled up with zeros
     int columns;
     const double* coefficients;  //!< 3 a column
-    const double* start;         //!< 3 a row
-    double* result;              //!< 3 a row: start + fields * (shares * coefficients)
+    double* result;              //!< 3 a row: fields * (shares * coefficients)
 };
 
 //! Uses the widest instructions the processor has.

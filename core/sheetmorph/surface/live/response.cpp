@@ -194,8 +194,9 @@ void Response::tell_from_few(const Span& span)
 void Response::keep(const Eigen::MatrixXd& fields, const Eigen::VectorXd& reach,
                     const Progress& progress)
 {
-    ResponseFields all = part_.responses != nullptr ? *part_.responses->fields()
-                                                    : ResponseFields(fields.rows(), fields.cols());
+    ResponseFields all = part_.responses != nullptr
+                             ? *part_.responses->fields()
+                             : ResponseFields(part_.rest.points(), fields.cols());
     const Eigen::Index own = all.columns();
     reads_rows_.resize(static_cast<Eigen::Index>(open_.size() + readers_.vertices.size()),
                        own + fields.cols());

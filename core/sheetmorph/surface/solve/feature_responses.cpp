@@ -101,7 +101,7 @@ ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
 
 void FeatureResponses::respond()
 {
-    responses_.emplace(mesh_.vertex_count(), count_);
+    responses_.emplace(mesh_.points(), count_);
     stiffness_.resize(count_, count_);
     for (Eigen::Index first = 0; first < count_; first += block)
     {
