@@ -45,6 +45,9 @@ def sentence() -> str:
 def test_two_handles_on_one_vertex_are_shown_and_taken_apart():
     yield from new_morph()
     rest = stored()
+    yield from open_panel()
+    assert not child("show_fault").isVisible() and not child("mend_fault").isVisible()
+    yield from press("Cancel")
     first, second = yield from add_overlapping_handle()
     Gui.Selection.addSelection(first)
     yield from open_panel()

@@ -152,14 +152,17 @@ def buttons_called(text: str) -> list:
 
 
 def press_tool(text: str):
-    """Presses the toolbar button of a command."""
-    for button in Gui.getMainWindow().findChildren(QtGui.QToolButton):
-        action = button.defaultAction()
-        if button.isVisible() and action and action.text().replace("&", "") == text:
-            yield from click_widget(button)
-            yield 300
-            return
-    raise AssertionError(f"no visible button {text!r}")
+    """Presses the toolbar button of a command, as soon as there is one."""
+    yield from until(lambda: tools_called(text), f"a button {text}")
+    yield from click_widget(tools_called(text)[0])
+    yield 300
+
+
+def tools_called(text: str) -> list:
+    """The visible toolbar buttons of a command."""
+    found = [b for b in Gui.getMainWindow().findChildren(QtGui.QToolButton) if b.isVisible()]
+    found = [b for b in found if b.defaultAction() is not None]
+    return [b for b in found if b.defaultAction().text().replace("&", "") == text]
 
 
 def panel():

@@ -71,6 +71,8 @@ class Runner:
             QtGui.QApplication.activeModalWidget().close()
         if Gui.Control.activeDialog():
             Gui.Control.closeDialog()
+        if Gui.Command.get("Std_MacroStopRecord").isActive():
+            Gui.runCommand("Std_MacroStopRecord")
         for name in list(App.listDocuments()):
             App.closeDocument(name)
         desk.clear_report_view()

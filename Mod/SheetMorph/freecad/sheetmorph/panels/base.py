@@ -40,9 +40,15 @@ class Panel:
 
     @classmethod
     def opened(cls, session, *arguments):
-        """Shows a new panel in a session and returns it; if that fails the session ends."""
+        """Shows a new panel in a session and returns it; if that fails the session ends.
+
+        None if it has ended already: what a panel looks for may take long, with events in between.
+        """
         try:
             panel = cls(session, *arguments)
+            if session.is_ending:
+                session.end()
+                return None
             panel.present()
         except BaseException:
             session.end()
@@ -124,6 +130,20 @@ class Panel:
                 wanted = max(self.width, self.form.minimumSizeHint().width() + MARGINS)
                 if dock.width() < wanted:
                     window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
+
+
+def number_in(field) -> float:
+    """What a field says: of a length mm, of an angle degrees."""
+    raw = field.property("rawValue")  # fields with units have it
+    return field.value() if raw is None else float(raw)
+
+
+def put_number(field, value: float) -> None:
+    """Lets a field say a number, mm or degrees."""
+    if field.property("rawValue") is None:
+        field.setValue(value)
+    else:
+        field.setProperty("rawValue", value)
 
 
 def say(label, text: str, is_error: bool = False) -> None:

@@ -20,7 +20,7 @@ class FaultBar(QtCore.QObject):
         """The label is an item of the panel's column; the buttons come below it."""
         super().__init__()
         self._label, self._assembly, self._session = form.message, assembly, session
-        self._sentence, self._cure = "", None
+        self._sentence, self._cure = None, None
         self._highlight = session.show(Highlight())
         self._row = QtWidgets.QWidget(form)
         buttons = QtWidgets.QHBoxLayout(self._row)
