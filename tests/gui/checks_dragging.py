@@ -8,11 +8,14 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_moving import lifted, open_panel
-from desk import child, click_widget, enter, on_screen, picture, press, tick, until, xdotool
+from desk import child, click_widget, enter, on_screen, picture, press, tick, until, view
+from desk import xdotool
 from freecad.sheetmorph import live_session, preferences
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.updating import ON_OK, ON_PAUSE
-from scenes import drawn, handle_vertices, largest, new_morph, regions, stored
+from pivy import coin
+from PySide import QtGui
+from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, regions, stored
 from shapes import sheet
 
 __all__ = [
@@ -24,6 +27,9 @@ __all__ = [
     "test_apply_is_an_undo_step_and_cancel_goes_back_to_it",
     "test_a_slow_frame_blocks_nothing_and_the_last_event_wins",
     "test_a_preview_that_is_refined_on_release_says_so",
+    "test_a_value_is_typed_beside_the_cursor_while_dragging",
+    "test_arrows_are_as_large_on_the_screen_in_every_view",
+    "test_the_panel_says_which_parts_will_not_follow",
 ]
 
 
@@ -109,7 +115,7 @@ def test_the_pivot_is_moved_and_the_shape_stays():
     yield from xdotool("mouseup", 1)
     yield 500
     yield from click_widget(child("move_pivot"))
-    assert child("pivot_z").value() > handle_place()[2] + 3.0
+    assert child("pivot_z").property("rawValue") > handle_place()[2] + 3.0
     assert largest(drawn() - before) < 1e-3
     picture("pivot")
     yield from press("OK")
@@ -221,3 +227,73 @@ def test_a_preview_that_is_refined_on_release_says_so():
         yield from until(lambda: "Computed" in child("status").text(), "a frame")
         yield from until(lambda: "Preview" not in child("status").text(), "the exact shape")
         yield from press("Cancel")
+
+
+def beside_cursor() -> str:
+    """What stands beside the cursor; empty if nothing does."""
+    viewport = view().graphicsView().viewport()
+    label = viewport.findChild(QtGui.QLabel, "SheetMorphCursorValue")
+    return label.text() if label.isVisible() else ""
+
+
+def test_a_value_is_typed_beside_the_cursor_while_dragging():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    start = yield from grab_up_arrow()
+    yield from drag_up(start)
+    yield from until(lambda: beside_cursor().endswith(" mm"), "how far it is")
+    shown = float(beside_cursor().split()[0])
+    assert abs(shown - child("translation_z").property("rawValue")) < 0.01 * shown
+    picture("cursor-value")
+    yield from xdotool("type", "--delay", 30, "12.5")
+    yield from until(lambda: beside_cursor().startswith("12.5"), "what is typed")
+    picture("cursor-typed")
+    yield from xdotool("key", "Return")
+    yield from xdotool("mouseup", 1)
+    assert child("translation_z").property("rawValue") == 12.5 and beside_cursor() == ""
+    yield from until(lambda: np.allclose(lifted(rest, drawn())[:, 2], 12.5, atol=1e-3), "lift")
+    start = yield from grab_up_arrow((0.0, 0.0, 12.5))
+    yield from drag_up(start)
+    yield from xdotool("type", "--delay", 30, "1 cm")
+    yield from xdotool("mouseup", 1)
+    yield from until(lambda: child("translation_z").property("rawValue") == 22.5, "with a unit")
+    yield from press("Cancel")
+
+
+def arrows_px() -> float:
+    """What the arrows take for one, on the screen."""
+    search = coin.SoSearchAction()
+    search.setType(coin.SoType.fromName("SoFCCSysDragger"))
+    search.apply(view().getSceneGraph())
+    size = search.getPath().getTail().getField("draggerSize").getValue()
+    mm_per_px = view().getCameraNode().height.getValue() / view().getSize()[1]
+    return size / mm_per_px
+
+
+def test_arrows_are_as_large_on_the_screen_in_every_view():
+    yield from new_morph()
+    frame = Gui.getMainWindow().findChild(QtGui.QMdiArea).subWindowList()[0]
+    yield from open_panel()
+    before = arrows_px()
+    frame.showNormal()
+    frame.resize(700, 320)
+    yield from until(lambda: view().getSize()[1] < 320, "a small view")
+    yield from until(lambda: abs(arrows_px() - before) < 0.01 * before, "arrows of the same size")
+    Gui.SendMsgToActiveView("ViewFit")
+    yield from until(lambda: abs(arrows_px() - before) < 0.01 * before, "the same at this zoom")
+    picture("arrows-small-view")
+    frame.showMaximized()
+    yield 200
+    yield from press("Cancel")
+
+
+def test_the_panel_says_which_parts_will_not_follow():
+    yield from new_assembly(is_joined=True)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(regions("handle")[0])
+    yield from open_panel()
+    assert child("staying").isVisible() and "loose" in child("staying").text()
+    assert "bracket" not in child("staying").text()
+    picture("will-not-follow")
+    yield from press("Cancel")

@@ -4,13 +4,14 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, choose_below, enter, picture, press, press_tool, tick
-from desk import until, within_reach, xdotool
+from desk import until, view, within_reach, xdotool
 from checks_propagation import cancel, dialog
 from freecad.sheetmorph import api, progress_dialog
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
-from PySide import QtCore
+from hostile_panels import is_shown
+from PySide import QtCore, QtGui
 from scenes import assembly, contacts, drawn, labelled, largest, look, new_assembly, part
 from scenes import regions
 
@@ -21,6 +22,8 @@ __all__ = [
     "test_contacts_found_light_up_and_become_contacts",
     "test_what_takes_long_is_cancelled_and_nothing_has_changed",
     "test_only_selected_parts_are_searched",
+    "test_names_stand_in_full_and_a_double_click_zooms_to_the_place",
+    "test_hundreds_of_vertices_are_not_printed_into_the_console",
     "test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle",
 ]
 
@@ -193,6 +196,7 @@ def test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle():
     parts = model.parts(assembly())
     for title, least in (("Find Features…", 50), ("Find Contacts…", 24)):
         yield from press_tool(title)
+        yield from until(is_shown, "the panel", 60.0)
         assert rows_shown() >= least
         picture("find-frame-" + title.split()[1][:8].lower())
         yield from press_ok()
@@ -207,3 +211,46 @@ def test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle():
     yield from until(lambda: min(moved()) > 0.3, "every part to follow")
     picture("find-frame-moved")
     yield from press("Cancel")
+
+
+def is_in_full(table, row: int) -> bool:
+    """Whether the name in a row has the room that it needs."""
+    room = table.visualItemRect(table.item(row, 0))
+    wide = room.width() - 30  # beside the check box
+    flags = QtCore.Qt.TextWordWrap
+    needed = table.fontMetrics().boundingRect(0, 0, wide, 999, flags, table.item(row, 0).text())
+    return needed.width() <= wide and needed.height() <= room.height()
+
+
+def test_names_stand_in_full_and_a_double_click_zooms_to_the_place():
+    yield from new_assembly()
+    part().Label = "side panel with the long name of a drawing, left"
+    labelled("bracket").Label = "bracket of the same drawing with a long name, 2nd"
+    Gui.Selection.clearSelection()
+    yield from press_tool("Find Contacts…")
+    table = child("table")
+    assert rows_shown() > 0
+    assert all(is_in_full(table, row) for row in range(table.rowCount()))
+    assert "side panel with the long name" in table.item(0, 0).toolTip()
+    picture("find-long-names")
+    before = view().getCameraNode().height.getValue()
+    x, y = cell_place(0)
+    yield from xdotool("mousemove", x, y, "click", "--repeat", 2, "--delay", 60, 1)
+    height = view().getCameraNode().height
+    yield from until(lambda: height.getValue() < 0.8 * before, "the view to come near")
+    picture("find-zoomed")
+    yield from press("Cancel")
+
+
+def test_hundreds_of_vertices_are_not_printed_into_the_console():
+    yield from new_assembly()
+    Gui.Selection.clearSelection()
+    yield from press_tool("Find Contacts…")
+    console = Gui.getMainWindow().findChild(QtGui.QPlainTextEdit, "Python console")
+    console.clear()
+    yield from press_ok()
+    assert len(contacts()) > 0
+    said = console.toPlainText()
+    assert "recompute" in said and "add_contact" not in said, said
+    macro = App.ParamGet("User parameter:BaseApp/Preferences/Macro")
+    assert macro.GetBool("ScriptToPyConsole", True)

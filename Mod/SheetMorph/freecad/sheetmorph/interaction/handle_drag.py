@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mouse in the 3D view while handles are moved: arrows, points, snapping, Escape."""
 
+from freecad.sheetmorph.bridge.units import number_in
+from freecad.sheetmorph.scene.cursor_value import CursorValue
 from freecad.sheetmorph.scene.dragger import Dragger
 from freecad.sheetmorph.scene.point_drag import PointDrag
+from freecad.sheetmorph.tools.pulling import Pull
 
 
 class HandleDrag:
@@ -15,6 +18,8 @@ class HandleDrag:
     def __init__(self, view, owner):
         self._view, self._owner = view, owner
         self._points = PointDrag(view, self)
+        self._value = CursorValue(view)
+        self._pull = None
         self._arrows = None
         self._steps = None
         self._start = None
@@ -23,6 +28,7 @@ class HandleDrag:
     def remove(self) -> None:
         """Takes everything out of the view."""
         self._points.remove()
+        self._value.remove()
         self.show_arrows(False)
 
     @property
@@ -60,6 +66,7 @@ class HandleDrag:
     def on_grab(self) -> None:
         """A drag begins."""
         self._start = self._owner.motion(), self._owner.pivot()
+        self._pull = Pull(self._start[0])
 
     def on_drag(self, translation, axis, angle: float) -> None:
         """The arrows were dragged."""
@@ -70,13 +77,54 @@ class HandleDrag:
             place = [a + b for a, b in zip(pivot, translation)]
             self._owner.put(motion.about(pivot, place))
         else:
-            self._owner.put(motion.turned(translation, axis, angle))
+            self._go_to(motion.turned(translation, axis, angle))
 
     def on_release(self) -> None:
-        """The drag has ended."""
-        self._start = None
+        """The drag has ended; a value that was being typed counts."""
+        if self._pull is not None and self._pull.text:
+            self.on_key("\n")
+        self._end()
         self.place()
         self._owner.settle()
+
+    def _go_to(self, motion) -> None:
+        if self._pull.moved(motion):
+            self._owner.put(motion)
+        self._value.show(self._pull.described())
+
+    def _end(self) -> None:
+        self._start = self._pull = None
+        self._value.show("")
+
+    # -- what the view tells of keys and size
+
+    def on_key(self, key: str) -> bool:
+        """A value typed while the mouse has the handle: Enter ends the drag there."""
+        if self._pull is None:
+            return False
+        if key != "\n":
+            is_taken = self._pull.type(key)
+            self._value.show(self._pull.described())
+            return is_taken
+        value = number_in(self._pull.text, "deg" if self._pull.is_turn else "mm")
+        if value is not None:
+            motion = self._pull.with_value(value)
+            self._let_go()
+            self._owner.put(motion)
+            self.place()
+        return True
+
+    def on_resize(self) -> None:
+        """Arrows stay as large as they are on the screen."""
+        if self._arrows is not None:
+            self._arrows.resize()
+
+    def _let_go(self) -> None:
+        """What the mouse does until it is released is nobody's."""
+        self._end()
+        for tool in (self._arrows, self._points):
+            if tool is not None:
+                tool.cancel()
 
     # -- what points call
 
@@ -90,7 +138,7 @@ class HandleDrag:
     def on_pull(self, shift) -> None:
         """The point was dragged."""
         if self._start is not None:
-            self._owner.put(self._start[0].shifted(shift))
+            self._go_to(self._start[0].shifted(shift))
             self.place()
 
     on_drop = on_release
@@ -99,9 +147,7 @@ class HandleDrag:
         """Takes a drag back; without one Escape is not ours."""
         if self._start is None:
             return False
-        before, self._start = self._start[0], None
-        for tool in (self._arrows, self._points):
-            if tool is not None:
-                tool.cancel()
+        before = self._start[0]
+        self._let_go()
         self._owner.put(before)
         return True

@@ -8,7 +8,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, number_in, put_number, say
 from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.tools import words
@@ -243,10 +243,10 @@ class FeaturePanel(Panel):
 
     def _show(self, prefix: str, vector) -> None:
         for axis, value in zip("xyz", vector):
-            getattr(self.form, f"{prefix}_{axis}").setValue(value)
+            put_number(getattr(self.form, f"{prefix}_{axis}"), value)
 
     def _vector(self, prefix: str) -> tuple[float, float, float]:
-        return tuple(getattr(self.form, f"{prefix}_{axis}").value() for axis in "xyz")
+        return tuple(number_in(getattr(self.form, f"{prefix}_{axis}")) for axis in "xyz")
 
     def _ticked(self) -> list:
         """The other form features that are ticked."""

@@ -3,6 +3,7 @@
 
 from freecad.sheetmorph.actions import call, name, vertices
 from freecad.sheetmorph.api.finding import with_washers
+from freecad.sheetmorph.panels.base import number_in
 from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -100,8 +101,8 @@ class Contacts:
             "one_per_pair": widget(form, "one_per_pair").isChecked(),
         }
         return (
-            {**options, "gap": widget(form, "gap").value()}
-            if widget(form, "gap").value() > 0.0
+            {**options, "gap": number_in(widget(form, "gap"))}
+            if number_in(widget(form, "gap")) > 0.0
             else options
         )
 

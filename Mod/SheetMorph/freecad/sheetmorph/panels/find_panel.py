@@ -5,7 +5,7 @@ from freecad.sheetmorph import actions, api, seen
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, number_in, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
 from freecad.sheetmorph.qt import QtCore, translate
@@ -75,7 +75,7 @@ class FindPanel(Panel):
     def _filter(self, *_) -> None:
         """Hides the rows that the filters leave out; they are not taken either."""
         kind, any_kind = self.form.kind.currentText(), self.form.kind.currentIndex() <= 0
-        low, high = self.form.smallest.value(), self.form.largest.value()
+        low, high = number_in(self.form.smallest), number_in(self.form.largest)
         for number, one in enumerate(self._found):
             size = self._what.size(one)
             is_shown = (

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of a motion in the Move Handle panel: between widgets and numbers."""
 
+from freecad.sheetmorph.panels.base import number_in, put_number
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools.motion import CENTROID, Motion
 
@@ -41,7 +42,7 @@ class MotionFields(QtCore.QObject):
         form = self._form
         shift = tuple(float(getattr(form, f"translation_{c}").property("rawValue")) for c in "xyz")
         axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
-        pivot = tuple(getattr(form, f"pivot_{c}").value() for c in "xyz")
+        pivot = tuple(number_in(getattr(form, f"pivot_{c}")) for c in "xyz")
         angle = float(form.angle.property("rawValue"))
         return Motion(shift, axis, angle, CENTROID if self._at_centroid else pivot)
 
@@ -53,7 +54,7 @@ class MotionFields(QtCore.QObject):
         for k, c in enumerate("xyz"):
             getattr(self._form, f"translation_{c}").setProperty("rawValue", motion.translation[k])
             getattr(self._form, f"axis_{c}").setValue(motion.axis[k])
-            getattr(self._form, f"pivot_{c}").setValue(shown[k])
+            put_number(getattr(self._form, f"pivot_{c}"), shown[k])
         self._form.angle.setProperty("rawValue", motion.angle)
         self._form.centre.setEnabled(not self._at_centroid)
         self._show_direction()
@@ -65,7 +66,7 @@ class MotionFields(QtCore.QObject):
             return
         self._is_writing = True
         for k, c in enumerate("xyz"):
-            getattr(self._form, f"pivot_{c}").setValue(pivot[k])
+            put_number(getattr(self._form, f"pivot_{c}"), pivot[k])
         self._is_writing = False
 
     def lock(self, expressions: dict[str, str]) -> None:

@@ -256,8 +256,15 @@ class MovePanel(Panel):
         say(form.status, translate("panels", "Nothing has moved yet."))
         self._fill()
 
+    def _tell_who_stays(self) -> None:
+        """Says which parts will not follow, because no contact leads to them."""
+        names = ", ".join(self._handles.assembly.Unreached)
+        text = translate("panels", "Will not follow, no contact leads there: {0}")
+        say(self.form.staying, text.format(names) if names else "")
+
     def _fill(self) -> None:
         """Shows the motion of the handle."""
+        self._tell_who_stays()
         self._fields.write(self.motion(), self.pivot())
         self._fields.lock({path.lstrip("."): text for path, text in self._handle.ExpressionEngine})
         self.form.rotation.setEnabled(not self._handle.FreeRotation)

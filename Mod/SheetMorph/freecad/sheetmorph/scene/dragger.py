@@ -6,9 +6,9 @@ import math
 from pivy import coin
 
 from freecad.sheetmorph.scene.hanging import Hanging
-from freecad.sheetmorph.scene.viewport import view_volume
+from freecad.sheetmorph.scene.viewport import mm_per_px
 
-SIZE = 0.0065  # of the height of the view
+SIZE = 4.0  # px: what the dragger takes for one, its arrows are some 17 long
 FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
 
 
@@ -39,7 +39,7 @@ class Dragger:
         self._root.addChild(self._dragger)
         self._hanging = Hanging(view.getSceneGraph(), self._root)
         self._camera = view.getCameraNode()
-        self._sensor = coin.SoNodeSensor(self._resize, None)
+        self._sensor = coin.SoNodeSensor(self.resize, None)
         self._sensor.attach(self._camera)
         self._callbacks = {
             "addStartCallback": self._grabbed,
@@ -57,7 +57,7 @@ class Dragger:
         self._field("translation").setValue(*motion.translation)
         self._field("rotation").setValue(rotation)
         self._set_steps()
-        self._resize()
+        self.resize()
         self._is_silent = was_silent
 
     def snap(self, steps) -> None:
@@ -103,11 +103,10 @@ class Dragger:
         self._is_silent = False
         self._listener.on_release()
 
-    def _resize(self, *_) -> None:
-        """The same size on the screen at every zoom; FreeCAD's own way is not for Python."""
-        volume = view_volume(self._view)
+    def resize(self, *_) -> None:
+        """The same size in px at every zoom, in every view; FreeCAD's way is not for Python."""
         place = self._pivot.translation.getValue() + self._field("translation").getValue()
-        self._field("draggerSize").setValue(volume.getWorldToScreenScale(place, SIZE))
+        self._field("draggerSize").setValue(SIZE * mm_per_px(self._view, place))
 
 
 def rounded(value: float) -> float:

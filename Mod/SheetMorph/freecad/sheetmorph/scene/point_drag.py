@@ -16,7 +16,8 @@ class PointDrag(QtCore.QObject):
 
     ``listener``: on_press(ray) returns the point (3,) that is grabbed, or None to leave the mouse
     to FreeCAD; on_pull(shift (3,)) mm since then, parallel to the screen; on_drop(). Escape in
-    the view is asked of on_escape(): True if it was meant for a drag.
+    the view is asked of on_escape(): True if it was meant for a drag; other keys of on_key(text),
+    "\n" for Enter and "" for backspace, while is_dragging. on_resize(): the view has another size.
     """
 
     def __init__(self, view, listener):
@@ -45,8 +46,14 @@ class PointDrag(QtCore.QObject):
     def eventFilter(self, _watched, event) -> bool:
         """Takes the drag of a point, and Escape during any drag."""
         kind = event.type()
-        if kind == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
-            return bool(self._listener.on_escape())
+        if kind == QtCore.QEvent.KeyPress:
+            return self._typed(event)
+        if kind == QtCore.QEvent.ShortcutOverride and self._listener.is_dragging:
+            event.accept()  # digits are typed, and show no other side of the parts
+            return True
+        if kind == QtCore.QEvent.Resize:
+            QtCore.QTimer.singleShot(0, self._resized)
+            return False
         if kind == QtCore.QEvent.MouseButtonPress and self.is_on:
             return event.button() == QtCore.Qt.LeftButton and self._press(event)
         if self._grabbed is None:
@@ -59,6 +66,18 @@ class PointDrag(QtCore.QObject):
             self._listener.on_drop()
             return True
         return False
+
+    def _typed(self, event) -> bool:
+        if event.key() == QtCore.Qt.Key_Escape:
+            return bool(self._listener.on_escape())
+        text = {QtCore.Qt.Key_Return: "\n", QtCore.Qt.Key_Enter: "\n", QtCore.Qt.Key_Backspace: ""}
+        key = text.get(event.key(), event.text())
+        is_value = bool(key) or event.key() == QtCore.Qt.Key_Backspace
+        return is_value and bool(self._listener.on_key(key))
+
+    def _resized(self) -> None:
+        if self._listener is not None:
+            self._listener.on_resize()
 
     def _press(self, event) -> bool:
         self._grabbed = self._listener.on_press(self._ray(event))

@@ -8,6 +8,7 @@ What a tool does not claim is left to FreeCAD: turning and zooming work in every
 from dataclasses import dataclass
 
 import numpy as np
+from pivy import coin
 
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools.figures import Camera
@@ -178,6 +179,16 @@ def view_volume(view):
     if aspect < 1.0:  # as Coin does: what fits into the height must fit into the width
         volume.scale(1.0 / aspect)
     return volume
+
+
+def mm_per_px(view, place) -> float:
+    """How large a pixel of a view is at a place, an SbVec3f, global."""
+    volume, (_, height) = view_volume(view), view.getSize()
+    size = volume.getHeight()  # of what is seen nearest to the eye
+    if volume.getProjectionType() == coin.SbViewVolume.PERSPECTIVE:
+        depth = (place - volume.getProjectionPoint()).dot(volume.getProjectionDirection())
+        size *= depth / volume.getNearDist()
+    return size / max(height, 1)
 
 
 def _near(a, b) -> bool:

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A value beside the cursor, over the 3D view."""
+
+from freecad.sheetmorph.qt import QtGui, QtWidgets, QtCore
+
+BESIDE = QtCore.QPoint(18, 14)  # px from the tip of the cursor
+LOOK = (
+    "QLabel { background: rgba(22, 26, 34, 215); color: #f2f4f7; border-radius: 4px;"
+    " padding: 2px 6px; font-weight: bold; }"
+)
+
+
+class CursorValue:
+    """A label that lets the mouse through, until ``remove`` is called."""
+
+    def __init__(self, view):
+        self._label = QtWidgets.QLabel(view.graphicsView().viewport())
+        self._label.setObjectName("SheetMorphCursorValue")
+        self._label.setStyleSheet(LOOK)
+        self._label.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
+        self._label.hide()
+
+    def show(self, text: str) -> None:
+        """Shows a text where the cursor is; none hides it."""
+        if text:
+            over = self._label.parentWidget()
+            place = over.mapFromGlobal(QtGui.QCursor.pos()) + BESIDE
+            self._label.setText(text)
+            self._label.adjustSize()
+            room = over.rect().bottomRight() - self._label.rect().bottomRight()
+            place = QtCore.QPoint(min(place.x(), room.x()), min(place.y(), room.y()))
+            self._label.move(place)
+            self._label.raise_()
+        self._label.setVisible(bool(text))
+
+    def remove(self) -> None:
+        """Takes it away; the view may be closed already."""
+        try:
+            self._label.hide()
+            self._label.setParent(None)
+            self._label.deleteLater()
+        except RuntimeError:
+            return

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far a drag has gone, in words, and a value typed in its place; needs no FreeCAD."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from freecad.sheetmorph.tools.motion import Motion, rounded
+from freecad.sheetmorph.tools.words import plain
+
+KEYS = "0123456789.,+- mcuinµkft°deg"
+"""What a value may be typed with, units too."""
+
+
+class Pull:
+    """A drag from one motion to another: along a direction, or about an axis."""
+
+    def __init__(self, start: Motion):
+        self._start = self._now = start
+        self.text = ""
+
+    def moved(self, now: Motion) -> bool:
+        """The mouse has come to another motion; False while a value is typed: that counts."""
+        if not self.text:
+            self._now = now
+        return not self.text
+
+    @property
+    def is_turn(self) -> bool:
+        """Whether it turns, and does not shift."""
+        return not self._shift().any() and self._angle() != 0.0
+
+    def described(self) -> str:
+        """How far it has gone, or what is being typed."""
+        if self.text:
+            return f"{self.text}▏"
+        if self.is_turn:
+            return f"{plain(self._angle(), 4)}°"
+        return f"{plain(float(np.linalg.norm(self._shift())), 4)} mm"
+
+    def type(self, key: str) -> bool:
+        """Takes a typed character, or nothing for backspace; False if it is none of a value."""
+        if key and key.lower() not in KEYS:
+            return False
+        if not self._shift().any() and self._angle() == 0.0:
+            return False  # nowhere yet: no direction
+        self.text = self.text + key if key else self.text[:-1]
+        return True
+
+    def with_value(self, value: float) -> Motion:
+        """The motion that goes so far, mm or degrees, where the drag is going."""
+        if self.is_turn:
+            sign = 1.0 if self._angle() > 0.0 else -1.0
+            return replace(self._now, angle=self._start.angle + sign * value)
+        way = self._shift() / np.linalg.norm(self._shift())
+        translation = np.asarray(self._start.translation) + value * way
+        return replace(self._now, translation=rounded(translation))
+
+    def _shift(self) -> np.ndarray:
+        return np.asarray(self._now.translation) - np.asarray(self._start.translation)
+
+    def _angle(self) -> float:
+        same = self._start.angle == 0.0 or np.allclose(self._start.axis, self._now.axis)
+        return self._now.angle - self._start.angle if same else self._now.angle
