@@ -431,6 +431,13 @@
   </message>
  </context>
  <context>
+  <name>actions</name>
+  <message>
+   <source>Cancelled; nothing was changed.</source>
+   <translation>Abgebrochen; nichts wurde geändert.</translation>
+  </message>
+ </context>
+ <context>
   <name>contact</name>
   <message>
    <source>Contact</source>
@@ -596,16 +603,16 @@
    <translation>Punkt</translation>
   </message>
   <message>
-   <source>x of a point on the axis, global, mm</source>
-   <translation>x eines Punkts auf der Achse, global, mm</translation>
+   <source>x of a point on the axis, global</source>
+   <translation>x eines Punkts auf der Achse, global</translation>
   </message>
   <message>
-   <source>y of a point on the axis, global, mm</source>
-   <translation>y eines Punkts auf der Achse, global, mm</translation>
+   <source>y of a point on the axis, global</source>
+   <translation>y eines Punkts auf der Achse, global</translation>
   </message>
   <message>
-   <source>z of a point on the axis, global, mm</source>
-   <translation>z eines Punkts auf der Achse, global, mm</translation>
+   <source>z of a point on the axis, global</source>
+   <translation>z eines Punkts auf der Achse, global</translation>
   </message>
   <message>
    <source>Size</source>
@@ -691,20 +698,12 @@
    <translation>Verbirgt, was kleiner ist; was verborgen ist, wird nicht genommen</translation>
   </message>
   <message>
-   <source> mm</source>
-   <translation> mm</translation>
-  </message>
-  <message>
    <source>to</source>
    <translation>bis</translation>
   </message>
   <message>
    <source>Hides what is larger; what is hidden is not taken</source>
    <translation>Verbirgt, was größer ist; was verborgen ist, wird nicht genommen</translation>
-  </message>
-  <message>
-   <source>any size</source>
-   <translation>jede Größe</translation>
   </message>
   <message>
    <source>What was found; what is checked is taken. What the mouse is over lights up in the view</source>
@@ -763,16 +762,12 @@
    <translation>Schlägt auch Ebenen, Zylinder, Flansche und Sicken vor</translation>
   </message>
   <message>
-   <source>Largest gap</source>
-   <translation>Größter Spalt</translation>
+   <source>Largest gap, 0: proposed</source>
+   <translation>Größter Abstand, 0: wie vorgeschlagen</translation>
   </message>
   <message>
-   <source>Parts farther apart are not in contact</source>
-   <translation>Teile mit größerem Abstand sind nicht in Kontakt</translation>
-  </message>
-  <message>
-   <source>proposed</source>
-   <translation>vorgeschlagen</translation>
+   <source>Parts farther apart are not in contact; 0: as is proposed for these parts</source>
+   <translation>Teile mit größerem Abstand sind nicht in Kontakt; 0: wie für diese Teile vorgeschlagen</translation>
   </message>
   <message>
    <source>Surfaces face within</source>
@@ -843,6 +838,10 @@
   <message>
    <source>Use Contact</source>
    <translation>Kontakt verwenden</translation>
+  </message>
+  <message>
+   <source>Show What Is Wrong</source>
+   <translation>Zeigen, was nicht stimmt</translation>
   </message>
   <message>
    <source>Propagation…</source>
@@ -960,16 +959,16 @@
    <translation>Drehpunkt</translation>
   </message>
   <message>
-   <source>X of the point that the handle turns about, mm</source>
-   <translation>x des Punkts, um den sich der Griff dreht, mm</translation>
+   <source>X of the point that the handle turns about</source>
+   <translation>X des Punkts, um den sich der Griff dreht</translation>
   </message>
   <message>
-   <source>Y of the point that the handle turns about, mm</source>
-   <translation>y des Punkts, um den sich der Griff dreht, mm</translation>
+   <source>Y of the point that the handle turns about</source>
+   <translation>Y des Punkts, um den sich der Griff dreht</translation>
   </message>
   <message>
-   <source>Z of the point that the handle turns about, mm</source>
-   <translation>z des Punkts, um den sich der Griff dreht, mm</translation>
+   <source>Z of the point that the handle turns about</source>
+   <translation>Z des Punkts, um den sich der Griff dreht</translation>
   </message>
   <message>
    <source>Centre of Handle</source>
@@ -1111,6 +1110,22 @@
  <context>
   <name>panels</name>
   <message>
+   <source>There is nothing to show: no contact is in use.</source>
+   <translation>Es gibt nichts zu zeigen: kein Kontakt ist in Gebrauch.</translation>
+  </message>
+  <message>
+   <source>Do not use “{0}”</source>
+   <translation>„{0}“ nicht verwenden</translation>
+  </message>
+  <message>
+   <source>Leave at rest</source>
+   <translation>In Ruhe lassen</translation>
+  </message>
+  <message>
+   <source>Take out of “{0}”</source>
+   <translation>Aus „{0}“ herausnehmen</translation>
+  </message>
+  <message>
    <source>Fixed</source>
    <translation>Fest</translation>
   </message>
@@ -1203,6 +1218,10 @@
    <translation>Wie 2, und freie Ränder im Steuernetz gehen auch mit.</translation>
   </message>
   <message>
+   <source>Show</source>
+   <translation>Zeigen</translation>
+  </message>
+  <message>
    <source>No hole, slot or cylinder: it has no size to set.</source>
    <translation>Weder Loch noch Langloch noch Zylinder: es hat keine einstellbare Größe.</translation>
   </message>
@@ -1231,12 +1250,12 @@
    <translation>Nichts ist angehakt; hake Vorschläge an oder brich ab.</translation>
   </message>
   <message>
-   <source>There is nothing to show: no contact is in use.</source>
-   <translation>Es gibt nichts zu zeigen: kein Kontakt ist in Gebrauch.</translation>
-  </message>
-  <message>
    <source>Computed in {0:.1f} ms, drawn in {1:.1f} ms</source>
    <translation>Berechnet in {0:.1f} ms, gezeichnet in {1:.1f} ms</translation>
+  </message>
+  <message>
+   <source>Will not follow, no contact leads there: {0}</source>
+   <translation>Folgt nicht, kein Kontakt führt dorthin: {0}</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
@@ -1249,6 +1268,10 @@
   <message>
    <source>At rest</source>
    <translation>In Ruhe</translation>
+  </message>
+  <message>
+   <source>As it was before; move the slider to blend again.</source>
+   <translation>Wie zuvor; zum Überblenden den Regler bewegen.</translation>
   </message>
   <message>
    <source>Largest and mean distance, mm</source>
@@ -1667,6 +1690,10 @@
  <context>
   <name>prepare</name>
   <message>
+   <source>Preview</source>
+   <translation>Vorschau</translation>
+  </message>
+  <message>
    <source>Prepare Mesh</source>
    <translation>Netz vorbereiten</translation>
   </message>
@@ -1733,10 +1760,6 @@
   <message>
    <source>Both skins and the walls follow one sheet and keep their distance, if it is recognised as a thin solid</source>
    <translation>Beide Häute und die Wände folgen einem Blech und behalten ihren Abstand, wenn es als dünner Körper erkannt wird</translation>
-  </message>
-  <message>
-   <source>Preview</source>
-   <translation>Vorschau</translation>
   </message>
   <message>
    <source>Shows the new mesh in place of the part; nothing changes</source>
@@ -1857,16 +1880,20 @@
    <translation>Mitläufer</translation>
   </message>
   <message>
+   <source>What {0} has already is left out: a vertex has one of them.</source>
+   <translation>Was {0} schon hat, bleibt weg: ein Eckpunkt gehört nur einem davon.</translation>
+  </message>
+  <message>
+   <source>Nothing is picked: click on the part first.</source>
+   <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
+  </message>
+  <message>
    <source>Picked: {0} vertices, {1} piece(s)</source>
    <translation>Gewählt: {0} Vertices, {1} Stück(e)</translation>
   </message>
   <message>
    <source>Nothing picked yet</source>
    <translation>Noch nichts gewählt</translation>
-  </message>
-  <message>
-   <source>Nothing is picked: click on the part first.</source>
-   <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
   </message>
   <message>
    <source>On {0}</source>

@@ -431,6 +431,13 @@
   </message>
  </context>
  <context>
+  <name>actions</name>
+  <message>
+   <source>Cancelled; nothing was changed.</source>
+   <translation>中止しました。何も変更されていません。</translation>
+  </message>
+ </context>
+ <context>
   <name>contact</name>
   <message>
    <source>Contact</source>
@@ -596,16 +603,16 @@
    <translation>点</translation>
   </message>
   <message>
-   <source>x of a point on the axis, global, mm</source>
-   <translation>軸上の点のx座標(全体座標、mm)</translation>
+   <source>x of a point on the axis, global</source>
+   <translation>軸上の点の x(全体座標)</translation>
   </message>
   <message>
-   <source>y of a point on the axis, global, mm</source>
-   <translation>軸上の点のy座標(全体座標、mm)</translation>
+   <source>y of a point on the axis, global</source>
+   <translation>軸上の点の y(全体座標)</translation>
   </message>
   <message>
-   <source>z of a point on the axis, global, mm</source>
-   <translation>軸上の点のz座標(全体座標、mm)</translation>
+   <source>z of a point on the axis, global</source>
+   <translation>軸上の点の z(全体座標)</translation>
   </message>
   <message>
    <source>Size</source>
@@ -691,20 +698,12 @@
    <translation>これより小さいものを隠します。隠れたものは採用されません</translation>
   </message>
   <message>
-   <source> mm</source>
-   <translation> mm</translation>
-  </message>
-  <message>
    <source>to</source>
    <translation>最大</translation>
   </message>
   <message>
    <source>Hides what is larger; what is hidden is not taken</source>
    <translation>これより大きいものを隠します。隠れたものは採用されません</translation>
-  </message>
-  <message>
-   <source>any size</source>
-   <translation>制限なし</translation>
   </message>
   <message>
    <source>What was found; what is checked is taken. What the mouse is over lights up in the view</source>
@@ -763,16 +762,12 @@
    <translation>平面・円筒・フランジ・ビードも提案します</translation>
   </message>
   <message>
-   <source>Largest gap</source>
-   <translation>隙間の上限</translation>
+   <source>Largest gap, 0: proposed</source>
+   <translation>最大のすき間(0: 提案値)</translation>
   </message>
   <message>
-   <source>Parts farther apart are not in contact</source>
-   <translation>これより離れた部品は接触とみなしません</translation>
-  </message>
-  <message>
-   <source>proposed</source>
-   <translation>自動提案</translation>
+   <source>Parts farther apart are not in contact; 0: as is proposed for these parts</source>
+   <translation>これより離れた部品は接触しません。0: これらの部品に対する提案値</translation>
   </message>
   <message>
    <source>Surfaces face within</source>
@@ -843,6 +838,10 @@
   <message>
    <source>Use Contact</source>
    <translation>接触を使う</translation>
+  </message>
+  <message>
+   <source>Show What Is Wrong</source>
+   <translation>問題を表示</translation>
   </message>
   <message>
    <source>Propagation…</source>
@@ -960,16 +959,16 @@
    <translation>回転中心</translation>
   </message>
   <message>
-   <source>X of the point that the handle turns about, mm</source>
-   <translation>ハンドルの回転中心のX座標(mm)</translation>
+   <source>X of the point that the handle turns about</source>
+   <translation>ハンドルの回転中心の X</translation>
   </message>
   <message>
-   <source>Y of the point that the handle turns about, mm</source>
-   <translation>ハンドルの回転中心のY座標(mm)</translation>
+   <source>Y of the point that the handle turns about</source>
+   <translation>ハンドルの回転中心の Y</translation>
   </message>
   <message>
-   <source>Z of the point that the handle turns about, mm</source>
-   <translation>ハンドルの回転中心のZ座標(mm)</translation>
+   <source>Z of the point that the handle turns about</source>
+   <translation>ハンドルの回転中心の Z</translation>
   </message>
   <message>
    <source>Centre of Handle</source>
@@ -1111,6 +1110,22 @@
  <context>
   <name>panels</name>
   <message>
+   <source>There is nothing to show: no contact is in use.</source>
+   <translation>表示するものがありません。使用中の接触がありません。</translation>
+  </message>
+  <message>
+   <source>Do not use “{0}”</source>
+   <translation>「{0}」を使わない</translation>
+  </message>
+  <message>
+   <source>Leave at rest</source>
+   <translation>静止したままにする</translation>
+  </message>
+  <message>
+   <source>Take out of “{0}”</source>
+   <translation>「{0}」から除く</translation>
+  </message>
+  <message>
    <source>Fixed</source>
    <translation>固定</translation>
   </message>
@@ -1203,6 +1218,10 @@
    <translation>2に加え、制御メッシュ内の自由な縁もともに動きます。</translation>
   </message>
   <message>
+   <source>Show</source>
+   <translation>表示</translation>
+  </message>
+  <message>
    <source>No hole, slot or cylinder: it has no size to set.</source>
    <translation>穴でも長穴でも円筒でもなく、設定できる寸法がありません。</translation>
   </message>
@@ -1231,12 +1250,12 @@
    <translation>何もチェックされていません。提案をチェックするか、キャンセルしてください。</translation>
   </message>
   <message>
-   <source>There is nothing to show: no contact is in use.</source>
-   <translation>表示するものがありません。使用中の接触がありません。</translation>
-  </message>
-  <message>
    <source>Computed in {0:.1f} ms, drawn in {1:.1f} ms</source>
    <translation>計算 {0:.1f} ms、描画 {1:.1f} ms</translation>
+  </message>
+  <message>
+   <source>Will not follow, no contact leads there: {0}</source>
+   <translation>接触でつながらないため追従しません: {0}</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
@@ -1249,6 +1268,10 @@
   <message>
    <source>At rest</source>
    <translation>静止</translation>
+  </message>
+  <message>
+   <source>As it was before; move the slider to blend again.</source>
+   <translation>以前の状態です。スライダーを動かすと再びブレンドします。</translation>
   </message>
   <message>
    <source>Largest and mean distance, mm</source>
@@ -1667,6 +1690,10 @@
  <context>
   <name>prepare</name>
   <message>
+   <source>Preview</source>
+   <translation>プレビュー</translation>
+  </message>
+  <message>
    <source>Prepare Mesh</source>
    <translation>メッシュを準備</translation>
   </message>
@@ -1733,10 +1760,6 @@
   <message>
    <source>Both skins and the walls follow one sheet and keep their distance, if it is recognised as a thin solid</source>
    <translation>薄肉ソリッドと認識されれば、両面と壁は一枚の板に従い、間隔を保ちます</translation>
-  </message>
-  <message>
-   <source>Preview</source>
-   <translation>プレビュー</translation>
   </message>
   <message>
    <source>Shows the new mesh in place of the part; nothing changes</source>
@@ -1857,16 +1880,20 @@
    <translation>追従領域</translation>
   </message>
   <message>
+   <source>What {0} has already is left out: a vertex has one of them.</source>
+   <translation>{0} にある頂点は除かれます。1つの頂点は1つにだけ属します。</translation>
+  </message>
+  <message>
+   <source>Nothing is picked: click on the part first.</source>
+   <translation>何も選択されていません。先に部品をクリックしてください。</translation>
+  </message>
+  <message>
    <source>Picked: {0} vertices, {1} piece(s)</source>
    <translation>選択: 頂点 {0} 個、かたまり {1} 個</translation>
   </message>
   <message>
    <source>Nothing picked yet</source>
    <translation>まだ何も選択されていません</translation>
-  </message>
-  <message>
-   <source>Nothing is picked: click on the part first.</source>
-   <translation>何も選択されていません。先に部品をクリックしてください。</translation>
   </message>
   <message>
    <source>On {0}</source>

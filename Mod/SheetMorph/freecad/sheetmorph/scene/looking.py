@@ -4,7 +4,7 @@
 import numpy as np
 from pivy import coin
 
-AROUND = 2.5  # how much of the surroundings is seen with a place, in its sizes
+AROUND = 1.6  # how much is seen with a place, in its sizes
 LEAST = 0.02  # of what is seen now: a single vertex is no place to zoom into
 
 
