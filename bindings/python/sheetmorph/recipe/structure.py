@@ -14,6 +14,7 @@ import jsonschema
 
 from ..errors import Fault
 from .places import place_of
+from .quick import is_plainly_sound
 from .values import are_ids, bad_values, copied
 
 
@@ -57,7 +58,9 @@ def structural_faults(recipe: Any) -> tuple[list[Fault], Any]:
 
 
 def pose_faults(pose: Any) -> list[Fault]:
-    """Faults of form of a pose that stands alone."""
+    """Faults of form of a pose that stands alone; one without any is recognised at once."""
+    if is_plainly_sound(pose):
+        return []
     bad = list(bad_values({"pose": pose}, pose, ["pose"]))
     errors = _errors(_pose_validator(), pose, [path[1:] for path, _ in bad])
     faults = [_fault({"pose": pose}, error, ["pose"]) for error in errors]
