@@ -8,7 +8,7 @@ from pivy import coin
 from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.viewport import mm_per_px
 
-SIZE = 4.0  # px: what the dragger takes for one, its arrows are some 17 long
+SIZE = 8.0  # px: what the dragger takes for one, its arrows are ten times as long
 FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
 
 
