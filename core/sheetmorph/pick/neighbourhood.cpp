@@ -27,18 +27,8 @@ void require_rings(int rings)
 
 }  // namespace
 
-Neighbourhood::Neighbourhood(const TriangleMesh& mesh)
-    : mesh_(mesh), edges_(mesh), starts_(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0)
+Neighbourhood::Neighbourhood(const TriangleMesh& mesh) : mesh_(mesh), edges_(mesh), triangles_(mesh)
 {
-    const Triangles& triangles = mesh_.triangles();
-    for (int k = 0; k < triangles.size(); ++k)
-        ++starts_[triangles.data()[k] + 1];
-    for (int i = 0; i < mesh_.vertex_count(); ++i)
-        starts_[i + 1] += starts_[i];
-    std::vector<int> next = starts_;
-    triangles_.resize(static_cast<std::size_t>(triangles.size()));
-    for (int k = 0; k < triangles.size(); ++k)
-        triangles_[next[triangles.data()[k]]++] = k / 3;
     measure_bends();
 }
 
@@ -65,19 +55,15 @@ double Neighbourhood::bend(int edge, int triangle, const EdgeUse& other) const
 template <typename Visit>
 void Neighbourhood::visit_around(int vertex, Visit&& visit) const
 {
-    for (int use = starts_[vertex]; use < starts_[vertex + 1]; ++use)
+    for (const int t : triangles_.at(vertex))
         for (int k = 0; k < 3; ++k)
-            visit(mesh_.triangles()(triangles_[use], k));
+            visit(mesh_.triangles()(t, k));
 }
 
 std::vector<int> Neighbourhood::triangles_at(const VertexIds& vertices) const
 {
     flags_of(vertices, mesh_.vertex_count(), "vertices");
-    Flags found(static_cast<std::size_t>(mesh_.triangle_count()), 0);
-    for (const int vertex : vertices)
-        for (int use = starts_[vertex]; use < starts_[vertex + 1]; ++use)
-            found[triangles_[use]] = 1;
-    return ids_of(found);
+    return triangles_.around(vertices);
 }
 
 VertexIds Neighbourhood::grown(const VertexIds& vertices, int rings) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/topology/edges.h"
+#include "sheetmorph/mesh/topology/vertex_triangles.h"
 
 namespace sheetmorph
 {
@@ -44,10 +45,9 @@ private:
 
     TriangleMesh mesh_;
     EdgeTable edges_;
-    std::vector<int> triangles_;  // at every vertex
-    std::vector<int> starts_;     // of each vertex in triangles_, and the end
-    std::vector<double> bends_;   // radians, at every edge of two triangles
-    bool has_thin_ = false;       // triangles without a plane of their own
+    VertexTriangles triangles_;
+    std::vector<double> bends_;  // radians, at every edge of two triangles
+    bool has_thin_ = false;      // triangles without a plane of their own
 };
 
 }  // namespace sheetmorph

@@ -52,38 +52,42 @@ std::vector<int> same_sided(const Points& points, int vertex, std::vector<int> o
     return others;
 }
 
-// By vertex asked for, its neighbours in every triangle around.
-std::vector<std::vector<int>> rings_of(const TriangleMesh& mesh, const VertexIds& vertices)
+// The neighbours of a vertex in every triangle around.
+std::vector<int> ring_of(const PartGeometry& part, int vertex)
 {
-    std::vector<int> place(at(mesh.vertex_count()), -1);
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-        place[at(vertices[k])] = static_cast<int>(k);
-    std::vector<std::vector<int>> others(vertices.size());
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        for (int k = 0; k < 3; ++k)
-            if (const int row = place[at(mesh.triangles()(t, k))]; row >= 0)
-                for (int step = 1; step < 3; ++step)
-                    others[at(row)].push_back(mesh.triangles()(t, (k + step) % 3));
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-        others[k] = others[at(place[at(vertices[k])])];
+    const Triangles& triangles = part.mesh().triangles();
+    std::vector<int> others;
+    int last = -1;
+    for (const int t : part.triangles().at(vertex))
+    {
+        for (int k = 0; k < 3 && t != last; ++k)
+            for (int step = 1; triangles(t, k) == vertex && step < 3; ++step)
+                others.push_back(triangles(t, (k + step) % 3));
+        last = t;
+    }
     return others;
 }
 
 }  // namespace
 
 LocalRotationMeter::LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices)
-    : vertex_count_(rest.vertex_count())
+    : LocalRotationMeter(PartGeometry(rest), vertices)
+{
+}
+
+LocalRotationMeter::LocalRotationMeter(const PartGeometry& rest, const VertexIds& vertices)
+    : vertex_count_(rest.mesh().vertex_count())
 {
     std::vector<int> missing;
     std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(missing),
-                 [&](int v) { return v < 0 || v >= rest.vertex_count(); });
+                 [&](int v) { return v < 0 || v >= vertex_count_; });
     if (!missing.empty())
         throw InvalidInput("vertices that the mesh does not have: " + list_ids(missing));
-    const std::vector<std::vector<int>> others = rings_of(rest, vertices);
+    const Points& points = rest.mesh().points();
     rings_.reserve(vertices.size());
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-        rings_.push_back(rest_ring(rest.points(), vertices[k], others[k]));
-    keep_rest(rest.points());
+    for (const int vertex : vertices)
+        rings_.push_back(rest_ring(points, vertex, ring_of(rest, vertex)));
+    keep_rest(points);
 }
 
 // Contacts measure few vertices of a large part: they keep no copy of its points.

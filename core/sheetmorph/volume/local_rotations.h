@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rigid_motion.h"
-#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/mesh/search/part_geometry.h"
 
 #include <vector>
 
@@ -23,6 +23,9 @@ class LocalRotationMeter
 public:
     //! \throws InvalidInput naming the ids that the mesh does not have
     LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices);
+
+    //! The same of a part that others read too; neither is kept.
+    LocalRotationMeter(const PartGeometry& rest, const VertexIds& vertices);
 
     //! A vertex in no triangle, or in degenerate ones only, turns as its reference says. So does,
     //! to the bit, a ring that the reference's rotation alone explains.

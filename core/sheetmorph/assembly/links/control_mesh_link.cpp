@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/assembly/links/motion_link.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/geometry/normals.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "sheetmorph/mesh/quality/median.h"
@@ -18,13 +19,15 @@ namespace
 // A fit to more points than this gains nothing: a control mesh has a few hundred vertices.
 constexpr std::size_t most_samples = 2000;
 
-// Vertices of triangles: only these have an area and a normal of their own. All, if there is none.
-VertexIds on_the_sheet(const TriangleMesh& mesh, const VertexIds& source)
+// The vertices of a region that triangles of some extent have: only these have an area and a normal
+// of their own. All, if there is none.
+VertexIds on_the_sheet(const Submesh& patch, const VertexIds& source)
 {
-    const std::vector<int> label = connected_components(mesh).label;
+    const std::vector<int> label = connected_components(patch.mesh).label;
     VertexIds found;
     for (const int vertex : source)
-        if (label[static_cast<std::size_t>(vertex)] != Components::unused)
+        if (const int row = patch.index_of[at(vertex)];
+            row >= 0 && label[at(row)] != Components::unused)
             found.push_back(vertex);
     return found.empty() ? source : found;
 }
@@ -39,52 +42,69 @@ VertexIds sampled(const VertexIds& source)
 }
 
 // h of the offset samples: the median length of the edges at the source.
-double median_edge(const TriangleMesh& mesh, const VertexIds& source)
+double median_edge(const Submesh& patch, const VertexIds& source)
 {
-    std::vector<char> inside(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    std::vector<char> inside(patch.index_of.size(), 0);
     for (const int vertex : source)
-        inside[static_cast<std::size_t>(vertex)] = 1;
+        inside[at(vertex)] = 1;
     std::vector<double> lengths;
+    const TriangleMesh& mesh = patch.mesh;
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k)
         {
             const int a = mesh.triangles()(t, k);
             const int b = mesh.triangles()(t, (k + 1) % 3);
-            if (inside[static_cast<std::size_t>(a)] || inside[static_cast<std::size_t>(b)])
+            if (inside[at(patch.vertices[at(a)])] || inside[at(patch.vertices[at(b)])])
                 lengths.push_back((mesh.points().row(a) - mesh.points().row(b)).norm());
         }
     return median(std::move(lengths));
 }
 
-LinkSource link_source(const TriangleMesh& mesh, const VertexIds& samples)
+LinkSource link_source(const TriangleMesh& mesh, const Submesh& patch, const VertexIds& samples)
 {
     LinkSource source;
     source.points = rows_of(mesh.points(), samples);
-    source.normals = rows_of(vertex_normals(mesh.points(), mesh.triangles()), samples);
-    const Eigen::VectorXd areas = voronoi_areas(mesh);
-    source.areas.resize(static_cast<Eigen::Index>(samples.size()));
-    for (std::size_t k = 0; k < samples.size(); ++k)
-        source.areas(static_cast<Eigen::Index>(k)) = areas(samples[k]);
+    source.normals = Eigen::RowVector3d::UnitZ().replicate(source.points.rows(), 1);
+    source.areas = Eigen::VectorXd::Zero(source.points.rows());
+    const Points normals = vertex_normals(patch.mesh.points(), patch.mesh.triangles());
+    const Eigen::VectorXd areas = voronoi_areas(patch.mesh);
+    for (Eigen::Index k = 0; k < source.areas.size(); ++k)
+        if (const int row = patch.index_of[at(samples[at(k)])]; row >= 0)
+        {
+            source.normals.row(k) = normals.row(row);
+            source.areas(k) = areas(row);
+        }
     return source;
 }
 
-LinkOptions link_options(const MotionLinkInput& input, const ControlMeshOptions& options)
+//! The source of a link with the triangles around it.
+struct Source
 {
-    LinkOptions chosen;
-    chosen.smoothness = options.smoothness;
-    chosen.offset = median_edge(input.source_mesh, input.source);
-    return chosen;
-}
+    Source(const PartGeometry& part, const VertexIds& region)
+        : Source(part, region, part.patch(region))
+    {
+    }
+
+    Source(const PartGeometry& part, const VertexIds& region, const Submesh& patch)
+        : vertices(sampled(on_the_sheet(patch, region))),
+          samples(link_source(part.mesh(), patch, vertices)),
+          edge(median_edge(patch, region))
+    {
+    }
+
+    VertexIds vertices;
+    LinkSource samples;
+    double edge;  // mm
+};
 
 class ControlMeshLink : public MotionLink
 {
 public:
     ControlMeshLink(const MotionLinkInput& input, const ControlMeshOptions& options)
-        : samples_(sampled(on_the_sheet(input.source_mesh, input.source))),
-          source_(link_source(input.source_mesh, samples_)),
-          meter_(input.source_mesh, samples_),
+        : source_(input.source_part, input.source),
+          meter_(input.source_part, source_.vertices),
           control_(ControlShape(options.levels), options.box),
-          link_(control_, source_, input.targets, link_options(input, options))
+          link_(control_, source_.samples, input.targets, {options.smoothness, source_.edge})
     {
     }
 
@@ -105,17 +125,17 @@ private:
     SourceState state_of(const Deformation& source) const
     {
         LocalRotations turned =
-            meter_.measure(source.positions, rows_of(source.rotation_logs, samples_));
+            meter_.measure(source.positions, rows_of(source.rotation_logs, source_.vertices));
         SourceState state;
-        state.positions = rows_of(source.positions, samples_);
-        state.mean = mean_motion(source_.points, state.positions, turned, source_.areas);
+        state.positions = rows_of(source.positions, source_.vertices);
+        state.mean =
+            mean_motion(source_.samples.points, state.positions, turned, source_.samples.areas);
         state.rotations = std::move(turned.matrices);
         state.logs = std::move(turned.logs);
         return state;
     }
 
-    VertexIds samples_;
-    LinkSource source_;
+    Source source_;
     LocalRotationMeter meter_;
     ControlMesh control_;
     VolumeLink link_;

@@ -27,19 +27,19 @@ double diagonal(const Points& a, const Points& b)
 }  // namespace
 
 ContactGauge::ContactGauge(const Assembly& assembly, const DirectedContact& contact,
-                           bool is_source_thin)
+                           const PartGeometry& source, bool is_source_thin)
     : source_(contact.source(assembly).vertices), target_(contact.target(assembly).vertices)
 {
     blank_.contact = contact.contact;
     blank_.source_part = contact.source(assembly).part;
     blank_.target_part = contact.target(assembly).part;
-    const TriangleMesh& source_mesh = mesh_of(assembly, blank_.source_part);
+    const TriangleMesh& source_mesh = source.mesh();
     source_rest_ = rows_of(source_mesh.points(), source_);
     target_rest_ = rows_of(mesh_of(assembly, blank_.target_part).points(), target_);
     blank_.region_size = diagonal(source_rest_, target_rest_);
     const VertexIds below =
-        is_source_thin ? with_triangles_below(source_mesh, source_, target_rest_) : source_;
-    anchors_ = nearest_anchors(source_mesh, below, target_rest_);
+        is_source_thin ? with_triangles_below(source, source_, target_rest_) : source_;
+    anchors_ = nearest_anchors(source, below, target_rest_);
     rest_gaps_.resize(target_rest_.rows());
     for (Eigen::Index k = 0; k < rest_gaps_.size(); ++k)
         rest_gaps_(k) = (target_rest_.row(k).transpose()

@@ -26,7 +26,8 @@ class ContactGauge
 {
 public:
     //! \param is_source_thin  what it touches may then be triangles that the side has not whole
-    ContactGauge(const Assembly& assembly, const DirectedContact& contact, bool is_source_thin);
+    ContactGauge(const Assembly& assembly, const DirectedContact& contact,
+                 const PartGeometry& source, bool is_source_thin);
 
     //! \param source  the whole source part in one pose
     //! \param target  (n, 3) positions of the whole target part, mm
@@ -36,7 +37,7 @@ private:
     ContactFidelity blank_;
     VertexIds source_, target_;
     Points source_rest_, target_rest_;  // rows of the two sides
-    std::vector<PatchAnchor> anchors_;
+    std::vector<Anchor> anchors_;
     Eigen::VectorXd rest_gaps_;
 };
 

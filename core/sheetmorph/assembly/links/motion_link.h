@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/mesh/search/part_geometry.h"
 #include "sheetmorph/surface/surface_deformer.h"
 #include "sheetmorph/volume/oriented_box.h"
 #include "sheetmorph/volume/volume_link.h"
@@ -38,7 +39,7 @@ public:
 //! What every link starts from; only read during construction.
 struct MotionLinkInput
 {
-    const TriangleMesh& source_mesh;
+    const PartGeometry& source_part;
     const VertexIds& source;
     const Points& targets;  //!< (k, 3) mm at rest
 };

@@ -3,9 +3,8 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/vertex_sets.h"
-#include "sheetmorph/mesh/search/picking.h"
-#include "sheetmorph/mesh/topology/submesh.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace sheetmorph
@@ -15,22 +14,22 @@ namespace
 {
 
 // The triangles with all corners in the region.
-std::vector<int> triangles_inside(const TriangleMesh& mesh, const VertexIds& region)
+std::vector<int> triangles_inside(const PartGeometry& part, VertexIds region)
 {
-    std::vector<char> inside(at(mesh.vertex_count()), 0);
-    for (const int vertex : region)
-        inside[at(vertex)] = 1;
+    make_set(region);
     std::vector<int> found;
-    for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (const int t : part.triangles().around(region))
     {
-        const auto corners = mesh.triangles().row(t);
-        if (inside[at(corners(0))] && inside[at(corners(1))] && inside[at(corners(2))])
+        const auto corners = part.mesh().triangles().row(t);
+        if (std::all_of(corners.begin(), corners.end(),
+                        [&](int corner)
+                        { return std::binary_search(region.begin(), region.end(), corner); }))
             found.push_back(t);
     }
     return found;
 }
 
-PatchAnchor nearest_vertex(const TriangleMesh& mesh, const VertexIds& region, const Vector3& point)
+Anchor nearest_vertex(const TriangleMesh& mesh, const VertexIds& region, const Vector3& point)
 {
     int nearest = region.front();
     double shortest = std::numeric_limits<double>::infinity();
@@ -43,52 +42,39 @@ PatchAnchor nearest_vertex(const TriangleMesh& mesh, const VertexIds& region, co
             nearest = vertex;
         }
     }
-    return {{nearest, nearest, nearest}, Vector3::UnitX()};
+    return Anchor::at_vertex(nearest);
 }
 
 }  // namespace
 
-Vector3 PatchAnchor::on(const Points& points) const
+std::vector<Anchor> nearest_anchors(const PartGeometry& part, const VertexIds& region,
+                                    const Points& targets)
 {
-    Vector3 point = Vector3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-        point += weights(static_cast<Eigen::Index>(k)) * points.row(corners[k]).transpose();
-    return point;
-}
-
-std::vector<PatchAnchor> nearest_anchors(const TriangleMesh& mesh, const VertexIds& region,
-                                         const Points& targets)
-{
-    std::vector<PatchAnchor> anchors;
-    const Submesh patch = submesh(mesh, triangles_inside(mesh, region));
+    std::vector<Anchor> anchors;
+    const Submesh patch = submesh(part.mesh(), triangles_inside(part, region));
     const PickingTree tree(patch.mesh);
     for (Eigen::Index row = 0; row < targets.rows(); ++row)
     {
         const Vector3 point = targets.row(row).transpose();
         const std::optional<Hit> hit =
             patch.mesh.triangle_count() > 0 ? tree.nearest_point(point) : std::nullopt;
-        if (!hit)
-        {
-            anchors.push_back(nearest_vertex(mesh, region, point));
-            continue;
-        }
-        PatchAnchor anchor{{}, hit->barycentric};
-        for (int k = 0; k < 3; ++k)
-            anchor.corners[at(k)] = patch.vertices[at(patch.mesh.triangles()(hit->triangle, k))];
-        anchors.push_back(anchor);
+        anchors.push_back(hit ? Anchor::at(*hit, patch.mesh.triangles())
+                              : nearest_vertex(part.mesh(), region, point));
+        for (int& corner : anchors.back().corners)
+            if (hit)
+                corner = patch.vertices[at(corner)];
     }
     return anchors;
 }
 
-VertexIds with_triangles_below(const TriangleMesh& mesh, const VertexIds& region,
+VertexIds with_triangles_below(const PartGeometry& part, const VertexIds& region,
                                const Points& targets)
 {
-    const PickingTree tree(mesh);
     VertexIds corners;
     for (Eigen::Index row = 0; row < targets.rows(); ++row)
-        if (const std::optional<Hit> hit = tree.nearest_point(targets.row(row).transpose()))
+        if (const std::optional<Hit> hit = part.tree().nearest_point(targets.row(row).transpose()))
             for (int k = 0; k < 3; ++k)
-                corners.push_back(mesh.triangles()(hit->triangle, k));
+                corners.push_back(part.mesh().triangles()(hit->triangle, k));
     VertexIds wide = region;
     merge_into(wide, corners);
     return wide;

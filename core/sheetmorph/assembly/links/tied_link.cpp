@@ -18,17 +18,17 @@ class TiedLink : public MotionLink
 {
 public:
     explicit TiedLink(const MotionLinkInput& input)
-        : anchors_(nearest_anchors(input.source_mesh, input.source, input.targets)),
+        : anchors_(nearest_anchors(input.source_part, input.source, input.targets)),
           corners_(corners_of(anchors_)),
-          meter_(input.source_mesh, corners_),
+          meter_(input.source_part, corners_),
           targets_(input.targets),
           arms_(input.targets.rows(), 3),
-          rest_corners_(rows_of(input.source_mesh.points(), corners_))
+          rest_corners_(rows_of(input.source_part.mesh().points(), corners_))
     {
         for (Eigen::Index row = 0; row < arms_.rows(); ++row)
             arms_.row(row) = targets_.row(row)
                              - anchors_[static_cast<std::size_t>(row)]
-                                   .on(input.source_mesh.points())
+                                   .on(input.source_part.mesh().points())
                                    .transpose();
     }
 
@@ -39,13 +39,17 @@ public:
         LinkedTargets result{Points(arms_.rows(), 3), Points(arms_.rows(), 3), {}};
         for (Eigen::Index row = 0; row < arms_.rows(); ++row)
         {
-            const PatchAnchor& anchor = anchors_[static_cast<std::size_t>(row)];
-            const Matrix3 rotation = mean_rotation(anchor, turned);
+            const Anchor& anchor = anchors_[static_cast<std::size_t>(row)];
+            const Matrix3 rotation =
+                anchor.rotation([&](int corner) -> const Matrix3&
+                                { return turned.matrices[corner_index(corner)]; });
+            const Vector3 log = anchor.sum(
+                [&](int corner) { return Vector3(turned.logs.row(corner_row(corner))); });
             const Vector3 arm = arms_.row(row).transpose();
             // As a displacement, so that a source at rest leaves the target where it is.
             const Vector3 shift = displacement(anchor, source) + (rotation * arm - arm);
             result.positions.row(row) = targets_.row(row) + shift.transpose();
-            result.logs.row(row) = log_near(rotation, mean_log(anchor, turned)).transpose();
+            result.logs.row(row) = log_near(rotation, log).transpose();
             result.rotations.push_back(rotation);
         }
         return result;
@@ -59,15 +63,13 @@ public:
     }
 
 private:
-    Vector3 displacement(const PatchAnchor& anchor, const Deformation& source) const
+    Vector3 displacement(const Anchor& anchor, const Deformation& source) const
     {
-        Vector3 sum = Vector3::Zero();
-        for (std::size_t k = 0; k < 3; ++k)
-            sum += anchor.weights(static_cast<Eigen::Index>(k))
-                   * (source.positions.row(anchor.corners[k])
-                      - rest_corners_.row(corner_row(anchor.corners[k])))
-                         .transpose();
-        return sum;
+        return anchor.sum(
+            [&](int corner) {
+                return Vector3(source.positions.row(corner)
+                               - rest_corners_.row(corner_row(corner)));
+            });
     }
 
     std::size_t corner_index(int vertex) const
@@ -81,36 +83,16 @@ private:
         return static_cast<Eigen::Index>(corner_index(vertex));
     }
 
-    Vector3 mean_log(const PatchAnchor& anchor, const LocalRotations& turned) const
-    {
-        Vector3 log = Vector3::Zero();
-        for (std::size_t k = 0; k < 3; ++k)
-            log += anchor.weights(static_cast<Eigen::Index>(k))
-                   * turned.logs.row(corner_row(anchor.corners[k])).transpose();
-        return log;
-    }
-
-    // The rotation of the anchor's frame; exactly the corners' where they agree.
-    Matrix3 mean_rotation(const PatchAnchor& anchor, const LocalRotations& turned) const
-    {
-        const Matrix3& first = turned.matrices[corner_index(anchor.corners[0])];
-        Matrix3 differences = Matrix3::Zero();
-        for (std::size_t k = 1; k < 3; ++k)
-            differences += anchor.weights(static_cast<Eigen::Index>(k))
-                           * (turned.matrices[corner_index(anchor.corners[k])] - first);
-        return differences.isZero(0.0) ? first : polar_rotation(first + differences);
-    }
-
-    static VertexIds corners_of(const std::vector<PatchAnchor>& anchors)
+    static VertexIds corners_of(const std::vector<Anchor>& anchors)
     {
         VertexIds corners;
-        for (const PatchAnchor& anchor : anchors)
+        for (const Anchor& anchor : anchors)
             corners.insert(corners.end(), anchor.corners.begin(), anchor.corners.end());
         make_set(corners);
         return corners;
     }
 
-    std::vector<PatchAnchor> anchors_;
+    std::vector<Anchor> anchors_;
     VertexIds corners_;
     LocalRotationMeter meter_;
     Points targets_;

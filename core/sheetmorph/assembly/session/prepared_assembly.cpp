@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 
 namespace sheetmorph
 {
@@ -48,10 +49,9 @@ PreparedLink described_link(const Assembly& assembly, const PlannedLink& planned
     return link;
 }
 
-std::shared_ptr<const MotionLink> built_link(const TriangleMesh& source_mesh,
-                                             const PreparedLink& link)
+std::shared_ptr<const MotionLink> built_link(const PartGeometry& source, const PreparedLink& link)
 {
-    const MotionLinkInput input{source_mesh, link.source, link.targets};
+    const MotionLinkInput input{source, link.source, link.targets};
     if (link.type == ContactType::tied)
         return tied_link(input);
     return control_mesh_link(input, link.options);
@@ -105,22 +105,48 @@ void reduce(PreparedAssembly& prepared, const PreparedAssembly* previous)
     prepared.assembly = reduced_to_skins(*prepared.with_thin_parts, prepared.thin);
 }
 
+// By part, while the assembly is prepared.
+using Geometries = std::deque<PartGeometry>;
+
+Geometries geometries_of(const Assembly& assembly)
+{
+    Geometries geometries;
+    for (const Part& part : assembly.parts)
+        geometries.emplace_back(part.mesh);
+    return geometries;
+}
+
 // What touches by its wall is a row of vertices in the middle of the sheet, and a tie holds on to
 // triangles.
-void widen_thin_sources(PreparedAssembly& prepared)
+void widen_thin_sources(PreparedAssembly& prepared, const Geometries& geometries)
 {
     for (PlannedLink& link : prepared.planned)
         if (link.type == ContactType::tied && prepared.thin[at(link.source_part)])
-            link.source = with_triangles_below(prepared.assembly.parts[at(link.source_part)].mesh,
-                                               link.source, target_points(prepared.assembly, link));
+            link.source = with_triangles_below(geometries[at(link.source_part)], link.source,
+                                               target_points(prepared.assembly, link));
+}
+
+// What is measured of a thin solid lies on the whole of it.
+void add_gauges(PreparedAssembly& prepared, const Geometries& geometries)
+{
+    const Geometries wholes =
+        prepared.with_thin_parts ? geometries_of(*prepared.with_thin_parts) : Geometries();
+    for (const DirectedContact& contact : prepared.plan.measured)
+    {
+        const std::size_t source = at(contact.source(prepared.whole()).part);
+        const bool is_thin = prepared.thin[source] != nullptr;
+        prepared.gauges.emplace_back(prepared.whole(), contact,
+                                     is_thin ? wholes[source] : geometries[source], is_thin);
+    }
 }
 
 //! Collects what has to be built, and times it.
 class Preparation
 {
 public:
-    Preparation(PreparedAssembly& prepared, const PreparedAssembly* previous)
-        : prepared_(prepared), previous_(previous)
+    Preparation(PreparedAssembly& prepared, const Geometries& geometries,
+                const PreparedAssembly* previous)
+        : prepared_(prepared), geometries_(geometries), previous_(previous)
     {
         prepared_.timings.reserve(prepared.parts.size() + prepared.links.size());
     }
@@ -146,11 +172,12 @@ public:
     void add_link(std::size_t index)
     {
         PreparedLink& link = prepared_.links[index];
-        const Part& source = prepared_.assembly.parts[at(prepared_.planned[index].source_part)];
-        link.link = reusable_link(previous_, source, link);
+        const std::size_t part = at(prepared_.planned[index].source_part);
+        const PartGeometry& source = geometries_[part];
+        link.link = reusable_link(previous_, prepared_.assembly.parts[part], link);
         if (!link.link)
             add("contact " + prepared_.planned[index].name,
-                [&link, &source](const Progress&) { link.link = built_link(source.mesh, link); });
+                [&link, &source](const Progress&) { link.link = built_link(source, link); });
     }
 
     void run(const Progress& progress) { run_tasks(tasks_, progress); }
@@ -171,6 +198,7 @@ private:
     }
 
     PreparedAssembly& prepared_;
+    const Geometries& geometries_;
     const PreparedAssembly* previous_;
     std::vector<Task> tasks_;
 };
@@ -194,19 +222,18 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     prepared.plan = plan_propagation(given);
     const ControlBoxes boxes(given);
     prepared.planned = plan_links(given, prepared.plan, boxes);
-    widen_thin_sources(prepared);
+    const Geometries geometries = geometries_of(given);
+    widen_thin_sources(prepared, geometries);
     blend_neighbours(given, prepared.planned);
     prepared.welds = plan_welds(given, prepared.plan);
     prepared.pairs = plan_pairs(given, prepared.plan);
-    for (const DirectedContact& contact : prepared.plan.measured)
-        prepared.gauges.emplace_back(prepared.whole(), contact,
-                                     prepared.thin[at(contact.source(given).part)] != nullptr);
+    add_gauges(prepared, geometries);
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
     const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         prepared.parts.push_back({problem_of_part(given, part, passages), {}, nullptr, nullptr});
-    Preparation preparation(prepared, previous);
+    Preparation preparation(prepared, geometries, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);
     for (std::size_t link = 0; link < prepared.links.size(); ++link)

@@ -63,11 +63,11 @@ public:
     }
 
     // All that are equally near; which of them rounding puts first must not matter.
-    std::vector<PatchAnchor> nearest(const Vector3& point) const
+    std::vector<Anchor> nearest(const Vector3& point) const
     {
         const double distance = tree_.nearest_point(point)->distance;
         const double rounding = equally_near * (distance + size_ * 1e-3);
-        std::vector<PatchAnchor> anchors;
+        std::vector<Anchor> anchors;
         std::vector<Vector3> seen;
         for (const Hit& hit : tree_.places_within(point, distance + rounding))
         {
@@ -76,12 +76,9 @@ public:
             if (std::any_of(seen.begin(), seen.end(), is_same))
                 continue;
             seen.push_back(hit.point);
-            PatchAnchor anchor;
-            for (std::size_t k = 0; k < 3; ++k)
-                anchor.corners[k] = part_.vertices[at(
-                    part_.mesh.triangles()(hit.triangle, static_cast<Eigen::Index>(k)))];
-            anchor.weights = hit.barycentric;
-            anchors.push_back(anchor);
+            anchors.push_back(Anchor::at(hit, part_.mesh.triangles()));
+            for (int& corner : anchors.back().corners)
+                corner = part_.vertices[at(corner)];
         }
         return anchors;
     }
@@ -137,13 +134,13 @@ void ThinPart::hang_on_skin()
     {
         if (const int own = skin_.index_of[at(v)]; own >= 0)
         {
-            anchors_.push_back({{{own, own, own}, Vector3::UnitX()}});
+            anchors_.push_back({Anchor::at_vertex(own)});
             continue;
         }
         const auto own = skins.find(component[at(v)]);
         const Places& places = own == skins.end() ? whole : own->second;
         anchors_.push_back(places.nearest(mesh_.points().row(v).transpose()));
-        for (PatchAnchor& anchor : anchors_.back())
+        for (Anchor& anchor : anchors_.back())
             for (int& corner : anchor.corners)
                 corner = skin_.index_of[at(corner)];
     }
@@ -206,7 +203,7 @@ SkinRegion ThinPart::on_skin(const VertexIds& region) const
         is_in[at(vertex)] = 1;
     SkinRegion found;
     std::vector<char> is_covered(skin_.vertices.size(), 0);
-    const auto lies_on = [&](const PatchAnchor& foot)
+    const auto lies_on = [&](const Anchor& foot)
     {
         bool all = true;
         for (std::size_t k = 0; k < 3; ++k)
@@ -230,7 +227,7 @@ SkinRegion ThinPart::on_skin(const VertexIds& region) const
 void ThinPart::add_below(const VertexIds& region, const std::vector<char>& is_covered,
                          SkinRegion& found) const
 {
-    const auto has_covered = [&](const PatchAnchor& anchor)
+    const auto has_covered = [&](const Anchor& anchor)
     {
         bool any = false;
         for (std::size_t k = 0; k < 3; ++k)
@@ -244,7 +241,7 @@ void ThinPart::add_below(const VertexIds& region, const std::vector<char>& is_co
         const Anchors& anchors = anchors_[at(vertex)];
         if (std::any_of(anchors.begin(), anchors.end(), has_covered))
             continue;
-        for (const PatchAnchor& anchor : anchors)
+        for (const Anchor& anchor : anchors)
             for (std::size_t k = 0; k < 3; ++k)
                 if (anchor.weights(static_cast<Eigen::Index>(k))
                     > anchor.weights.maxCoeff() - no_weight)

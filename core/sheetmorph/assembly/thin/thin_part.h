@@ -32,7 +32,7 @@ public:
 
     //! Places of a vertex of the whole part on the main skin, in the skin's own vertices: the
     //! nearest, and as many as are equally near.
-    using Anchors = std::vector<PatchAnchor>;
+    using Anchors = std::vector<Anchor>;
     const Anchors& anchors(int vertex) const { return anchors_[static_cast<std::size_t>(vertex)]; }
 
     //! Skin vertices are under a region if what is opposite them lies on its triangles; a vertex

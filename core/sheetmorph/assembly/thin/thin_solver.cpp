@@ -211,25 +211,21 @@ LocalRotations ThinSolver::rotations(const Deformation& middle,
     return turned;
 }
 
-ThinSolver::Hung ThinSolver::hung(int vertex, const PatchAnchor& anchor, const Sheet& sheet) const
+ThinSolver::Hung ThinSolver::hung(int vertex, const Anchor& anchor, const Sheet& sheet) const
 {
     const Points& rest = part_->middle().points();
-    const std::vector<Matrix3>& turned = sheet.turned.matrices;
-    const Matrix3& first = turned[at(anchor.corners[0])];
-    Matrix3 change = Matrix3::Zero();
-    for (std::size_t k = 1; k < 3; ++k)
-        change +=
-            anchor.weights(static_cast<Eigen::Index>(k)) * (turned[at(anchor.corners[k])] - first);
+    const auto turn = [&](int corner) -> const Matrix3&
+    { return sheet.turned.matrices[at(corner)]; };
     const Vector3 foot = anchor.on(rest);
-    Vector3 bulge = Vector3::Zero(), shift = Vector3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-        const double weight = anchor.weights(static_cast<Eigen::Index>(k));
-        const Vector3 corner = rest.row(anchor.corners[k]).transpose();
-        shift += weight * (sheet.middle.positions.row(anchor.corners[k]).transpose() - corner);
-        bulge += 0.5 * weight * ((turned[at(anchor.corners[k])] - first) * (foot - corner));
-    }
-    const Matrix3 mean = change.isZero(0.0) ? first : polar_rotation(first + change);
+    const Matrix3& first = turn(anchor.corners[0]);
+    const Vector3 shift = anchor.sum(
+        [&](int corner) { return Vector3(sheet.middle.positions.row(corner) - rest.row(corner)); });
+    const Vector3 bulge =
+        0.5
+        * anchor.sum(
+            [&](int corner)
+            { return Vector3((turn(corner) - first) * (foot - rest.row(corner).transpose())); });
+    const Matrix3 mean = anchor.rotation(turn);
     const Vector3 arm = part_->mesh().points().row(vertex).transpose() - foot;
     const bool is_logged = sheet.turned.logs.rows() > 0;
     const Vector3 log =
@@ -241,7 +237,7 @@ void ThinSolver::hang(int vertex, const Sheet& sheet, Deformation& whole) const
 {
     const ThinPart::Anchors& anchors = part_->anchors(vertex);
     Vector3 shift = Vector3::Zero(), log = Vector3::Zero();
-    for (const PatchAnchor& anchor : anchors)
+    for (const Anchor& anchor : anchors)
     {
         const Hung one = hung(vertex, anchor, sheet);
         shift += one.shift / static_cast<double>(anchors.size());

@@ -60,7 +60,7 @@ private:
     struct PlacedPoint
     {
         std::size_t index;
-        PatchAnchor place;  // of the whole mesh
+        Anchor place;  // of the whole mesh
     };
     using Movers = std::vector<Mover>;
     using Regions = std::vector<const VertexIds*>;
@@ -84,7 +84,7 @@ private:
         Vector3 shift;
         Vector3 log;
     };
-    Hung hung(int vertex, const PatchAnchor& anchor, const Sheet& sheet) const;
+    Hung hung(int vertex, const Anchor& anchor, const Sheet& sheet) const;
     void hang(int vertex, const Sheet& sheet, Deformation& whole) const;
     void place(int vertex, const Sheet& sheet, Deformation& whole) const;
     double ask_for_missing(const Deformation& whole, const SurfaceTargets& targets,

@@ -20,24 +20,17 @@ constexpr double touching = 0.02;
 }  // namespace
 
 PartShape::PartShape(const ContactPart& part, double weld)
-    : graph_(part.mesh, weld), tree_(graph_.mesh()), thickness_(part.thickness)
+    : graph_(part.mesh, weld),
+      tree_(graph_.mesh()),
+      thickness_(part.thickness),
+      triangles_(graph_.mesh())
 {
     const int count = graph_.mesh().vertex_count();
     const Triangles& corners = graph_.mesh().triangles();
-    starts_.assign(static_cast<std::size_t>(count) + 1, 0);
     is_free_.assign(static_cast<std::size_t>(count), 0);
     area_at_.assign(static_cast<std::size_t>(count), 0.0);
     for (Eigen::Index k = 0; k < corners.size(); ++k)
-        ++starts_[corners.data()[k] + 1];
-    for (int i = 0; i < count; ++i)
-        starts_[i + 1] += starts_[i];
-    std::vector<int> next = starts_;
-    triangles_.resize(static_cast<std::size_t>(corners.size()));
-    for (Eigen::Index k = 0; k < corners.size(); ++k)
-    {
-        triangles_[next[corners.data()[k]]++] = static_cast<int>(k / 3);
         area_at_[corners.data()[k]] += graph_.area(static_cast<int>(k / 3)) / 3.0;
-    }
     for (int edge = 0; edge < graph_.edges().count(); ++edge)
         if (graph_.edges().uses(edge).count() == 1)
         {
@@ -47,7 +40,7 @@ PartShape::PartShape(const ContactPart& part, double weld)
     bool is_first = true;
     for (int v = 0; v < count; ++v)
     {
-        if (starts_[v] == starts_[v + 1])
+        if (triangles_.at(v).is_empty())
             continue;
         low_ = is_first ? graph_.point(v) : Vector3(low_.cwiseMin(graph_.point(v)));
         high_ = is_first ? graph_.point(v) : Vector3(high_.cwiseMax(graph_.point(v)));
@@ -60,9 +53,9 @@ bool PartShape::faces(int vertex, const PartShape& other, int triangle, double c
 {
     const Vector3 normal = other.graph_.normal(triangle);
     const bool are_solid = graph_.is_solid() && other.graph_.is_solid();
-    for (int k = starts_[vertex]; k < starts_[vertex + 1]; ++k)
+    for (const int t : triangles_.at(vertex))
     {
-        const double turn = normal.dot(graph_.normal(triangles_[k]));
+        const double turn = normal.dot(graph_.normal(t));
         if (are_solid ? -turn >= cosine : std::abs(turn) >= cosine)
             return true;
     }
@@ -85,7 +78,7 @@ std::vector<Touch> PartShape::touches(const PartShape& other, double reach,
     for (int v = 0; v < graph_.mesh().vertex_count(); ++v)
     {
         const Vector3 point = graph_.point(v);
-        if (starts_[v] == starts_[v + 1] || (point.array() < low.array()).any()
+        if (triangles_.at(v).is_empty() || (point.array() < low.array()).any()
             || (point.array() > high.array()).any())
             continue;
         const std::optional<Hit> hit = other.tree_.nearest_point(point, reach);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/mesh/topology/vertex_triangles.h"
 #include "sheetmorph/recognise/contacts/contacts.h"
 #include "sheetmorph/recognise/surfaces/facet_graph.h"
 
@@ -31,10 +32,7 @@ public:
     bool is_free(int vertex) const { return is_free_[vertex] != 0; }
 
     //! The triangles around a vertex, ascending.
-    std::vector<int> triangles_at(int vertex) const
-    {
-        return {triangles_.begin() + starts_[vertex], triangles_.begin() + starts_[vertex + 1]};
-    }
+    VertexTriangles::Range triangles_at(int vertex) const { return triangles_.at(vertex); }
 
     //! Share of the part's surface that belongs to a vertex, mm^2.
     double area_at(int vertex) const { return area_at_[vertex]; }
@@ -52,8 +50,7 @@ private:
     Vector3 low_ = Vector3::Zero();
     Vector3 high_ = Vector3::Zero();
     double thickness_;
-    std::vector<int> starts_;  // of each vertex in triangles_, and the end
-    std::vector<int> triangles_;
+    VertexTriangles triangles_;
     std::vector<char> is_free_;
     std::vector<double> area_at_;
 };

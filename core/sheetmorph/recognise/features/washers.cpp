@@ -6,20 +6,6 @@
 namespace sheetmorph
 {
 
-WasherGrower::WasherGrower(const FacetGraph& graph)
-    : graph_(graph), starts_(static_cast<std::size_t>(graph.mesh().vertex_count()) + 1, 0)
-{
-    const Triangles& corners = graph.mesh().triangles();
-    for (Eigen::Index k = 0; k < corners.size(); ++k)
-        ++starts_[corners.data()[k] + 1];
-    for (std::size_t i = 1; i < starts_.size(); ++i)
-        starts_[i] += starts_[i - 1];
-    std::vector<int> next = starts_;
-    triangles_.resize(static_cast<std::size_t>(corners.size()));
-    for (Eigen::Index k = 0; k < corners.size(); ++k)
-        triangles_[next[corners.data()[k]]++] = static_cast<int>(k / 3);
-}
-
 std::vector<VertexIds> WasherGrower::rings(const VertexIds& vertices, int count) const
 {
     std::set<int> known(vertices.begin(), vertices.end());
@@ -29,10 +15,10 @@ std::vector<VertexIds> WasherGrower::rings(const VertexIds& vertices, int count)
     {
         std::set<int> grown;
         for (const int vertex : last)
-            for (int k = starts_[vertex]; k < starts_[vertex + 1]; ++k)
+            for (const int t : triangles_.at(vertex))
                 for (int c = 0; c < 3; ++c)
                 {
-                    const int corner = graph_.mesh().triangles()(triangles_[k], c);
+                    const int corner = graph_.mesh().triangles()(t, c);
                     if (known.insert(corner).second)
                         grown.insert(corner);
                 }

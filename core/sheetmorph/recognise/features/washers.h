@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/mesh/topology/vertex_triangles.h"
 #include "sheetmorph/recognise/surfaces/facet_graph.h"
 
 namespace sheetmorph
@@ -10,7 +11,7 @@ namespace sheetmorph
 class WasherGrower
 {
 public:
-    explicit WasherGrower(const FacetGraph& graph);
+    explicit WasherGrower(const FacetGraph& graph) : graph_(graph), triangles_(graph.mesh()) {}
 
     //! Ring k holds the vertices, ascending, that share a triangle with ring k -
     //! 1 and are in none before; ring 0 would be `vertices`.
@@ -18,8 +19,7 @@ public:
 
 private:
     const FacetGraph& graph_;
-    std::vector<int> starts_;  // of each vertex in triangles_, and the end
-    std::vector<int> triangles_;
+    VertexTriangles triangles_;
 };
 
 }  // namespace sheetmorph

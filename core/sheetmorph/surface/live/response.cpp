@@ -142,7 +142,7 @@ void Response::learn(const std::vector<SurfaceTargets>& samples, const Progress&
     if (!is_learnt_)
         return;
     find_spread();
-    merge_into(readers_.vertices, part_.followers.corners(part_.rest));
+    merge_into(readers_.vertices, part_.followers.corners());
     find_blends();
     const Eigen::MatrixXd fields = solve(poses, span, progress);
     tell_from_few(span);

@@ -36,46 +36,37 @@ Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles)
     if (std::find(roles.role.begin(), roles.role.end(), Role::follower) == roles.role.end())
         return;
     const std::vector<int> leading = leading_triangles(rest, roles);
-    const PickingTree tree(TriangleMesh(rest.points(), rest.triangles()(leading, Eigen::all)));
+    const Triangles triangles = rest.triangles()(leading, Eigen::all);
+    const PickingTree tree(TriangleMesh(rest.points(), triangles));
     for (int i = 0; i < rest.vertex_count(); ++i)
         if (roles.role[static_cast<std::size_t>(i)] == Role::follower)
-        {
-            const std::optional<Hit> nearest = tree.nearest_point(rest.points().row(i).transpose());
-            if (nearest)
-                anchors_.push_back({i, leading[static_cast<std::size_t>(nearest->triangle)],
-                                    nearest->barycentric});
-        }
+            if (const auto nearest = tree.nearest_point(rest.points().row(i).transpose()))
+                followers_.push_back({i, Anchor::at(*nearest, triangles)});
 }
 
-VertexIds Followers::corners(const TriangleMesh& rest) const
+VertexIds Followers::corners() const
 {
     VertexIds corners;
-    for (const Anchor& anchor : anchors_)
-        for (int k = 0; k < 3; ++k)
-            corners.push_back(rest.triangles()(anchor.triangle, k));
+    for (const Follower& follower : followers_)
+        corners.insert(corners.end(), follower.anchor.corners.begin(),
+                       follower.anchor.corners.end());
     make_set(corners);
     return corners;
 }
 
 void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const
 {
-    for (const Anchor& anchor : anchors_)
+    for (const auto& [vertex, anchor] : followers_)
     {
-        Vector3 position = Vector3::Zero();
-        Vector3 log = Vector3::Zero();
-        for (int k = 0; k < 3; ++k)
+        const Vector3 own = rest.points().row(vertex).transpose();
+        const auto carried = [&](int corner)
         {
-            const int corner = rest.triangles()(anchor.triangle, k);
-            const Vector3 arm =
-                (rest.points().row(anchor.vertex) - rest.points().row(corner)).transpose();
-            const Vector3 corner_log = rotation_logs.row(corner).transpose();
-            const Vector3 carried =
-                positions.row(corner).transpose() + rotation_from_log(corner_log) * arm;
-            position += anchor.barycentric(k) * carried;
-            log += anchor.barycentric(k) * corner_log;
-        }
-        positions.row(anchor.vertex) = position.transpose();
-        rotation_logs.row(anchor.vertex) = log.transpose();
+            const Vector3 arm = own - rest.points().row(corner).transpose();
+            const Vector3 log = rotation_logs.row(corner).transpose();
+            return Vector3(positions.row(corner).transpose() + rotation_from_log(log) * arm);
+        };
+        positions.row(vertex) = anchor.sum(carried).transpose();
+        rotation_logs.row(vertex) = anchor.on(rotation_logs).transpose();
     }
 }
 

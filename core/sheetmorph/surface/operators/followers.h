@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/mesh/search/anchor.h"
 #include "sheetmorph/surface/operators/vertex_roles.h"
 
 namespace sheetmorph
@@ -18,19 +18,18 @@ public:
     //! Fills the followers' rows of `positions` and `rotation_logs`, both (n, 3).
     void place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const;
 
-    bool is_empty() const { return anchors_.empty(); }
+    bool is_empty() const { return followers_.empty(); }
 
     //! The vertices that they hang on, ascending: place() reads their rows.
-    VertexIds corners(const TriangleMesh& rest) const;
+    VertexIds corners() const;
 
 private:
-    struct Anchor
+    struct Follower
     {
         int vertex;
-        int triangle;
-        Vector3 barycentric;
+        Anchor anchor;
     };
-    std::vector<Anchor> anchors_;
+    std::vector<Follower> followers_;
 };
 
 }  // namespace sheetmorph

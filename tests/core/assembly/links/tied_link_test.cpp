@@ -20,6 +20,7 @@ double used_bytes()
 TEST(TiedLink, ManyContactsKeepNoCopyOfTheLargePartTheyAreOn)
 {
     const TriangleMesh mesh = shapes::grid(200, 200, 400.0, 400.0);
+    const PartGeometry part(mesh);
     const double bytes_of_points = 24.0 * mesh.vertex_count();
     const auto link_at = [&](int k)
     {
@@ -30,7 +31,7 @@ TEST(TiedLink, ManyContactsKeepNoCopyOfTheLargePartTheyAreOn)
         for (std::size_t row = 0; row < region.size(); ++row)
             targets.row(static_cast<Eigen::Index>(row)) =
                 mesh.points().row(region[row]) + Eigen::RowVector3d(0.3, 0.2, 1.0);
-        return tied_link({mesh, region, targets});
+        return tied_link({part, region, targets});
     };
     const auto first = link_at(1);
     const double before = used_bytes();
@@ -48,7 +49,8 @@ TEST(TiedLink, AFewVerticesOfAPartTurnAsTheyDoAmongAll)
     const VertexIds region = {40, 41, 42, 53, 54, 55};
     const Points targets =
         mesh.points()({40, 54}, Eigen::all).rowwise() + Eigen::RowVector3d(0.4, 0.3, 1.5);
-    const auto link = tied_link({mesh, region, targets});
+    const PartGeometry part(mesh);
+    const auto link = tied_link({part, region, targets});
     Deformation shape{motion.apply(mesh.points()),
                       motion.rotation_log.transpose().replicate(mesh.vertex_count(), 1),
                       {}};

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+namespace sheetmorph
+{
+
+//! The triangles around every vertex of a mesh.
+class VertexTriangles
+{
+public:
+    explicit VertexTriangles(const TriangleMesh& mesh);
+
+    //! Some of them, ascending.
+    struct Range
+    {
+        const int* first;
+        const int* last;
+
+        const int* begin() const { return first; }
+        const int* end() const { return last; }
+        bool is_empty() const { return first == last; }
+    };
+
+    //! A triangle that repeats the vertex comes as often as it has it.
+    Range at(int vertex) const
+    {
+        return {triangles_.data() + starts_[vertex], triangles_.data() + starts_[vertex + 1]};
+    }
+
+    //! The triangles that have at least one of the vertices, ascending, each once.
+    std::vector<int> around(const VertexIds& vertices) const;
+
+private:
+    std::vector<int> starts_;  // of each vertex in triangles_, and the end
+    std::vector<int> triangles_;
+};
+
+}  // namespace sheetmorph
