@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "arrays.h"
 
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/limits.h"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -41,6 +44,17 @@ void require_columns(const py::array& array, const std::string& what)
 {
     if (array.ndim() != 2 || array.shape(1) != 3)
         throw py::value_error(what + " must have the shape (n, 3); got " + shape_of(array));
+}
+
+void require_numbers(const Points& points, const std::string& what)
+{
+    std::vector<int> bad;
+    for (Eigen::Index row = 0; row < points.rows(); ++row)
+        if (!are_numbers(points.row(row)))
+            bad.push_back(static_cast<int>(row));
+    if (!bad.empty())
+        throw InvalidInput(what + " hold coordinates that are not finite numbers, or beyond 1e30 "
+                           + "mm: vertices " + list_ids(bad) + "; repair or remove them");
 }
 
 template <typename Integer>
@@ -100,7 +114,9 @@ Points points_from(const py::handle& object, const std::string& what)
         refuse_type(array, what, "float64");
     require_columns(array, what);
     const auto packed = py::array_t<double, py::array::c_style | py::array::forcecast>(array);
-    return Eigen::Map<const Points>(packed.data(), packed.shape(0), 3);
+    Points points = Eigen::Map<const Points>(packed.data(), packed.shape(0), 3);
+    require_numbers(points, what);
+    return points;
 }
 
 Triangles triangles_from(const py::handle& object, const std::string& what)
@@ -148,7 +164,10 @@ Vector3 vector_from(const py::handle& object, const std::string& what)
     if (numbers.size() != 3)
         throw py::value_error(what + " must be three numbers; got "
                               + std::to_string(numbers.size()));
-    return Vector3(numbers.data()[0], numbers.data()[1], numbers.data()[2]);
+    const Vector3 vector(numbers.data()[0], numbers.data()[1], numbers.data()[2]);
+    if (!are_numbers(vector))
+        throw InvalidInput(what + " must be three finite numbers, none beyond 1e30");
+    return vector;
 }
 
 py::array_t<double> to_numpy(Points&& points)

@@ -11,7 +11,8 @@ namespace sheetmorph
 {
 
 //! numpy to kernel: strict about type and shape, so that nothing is converted or copied twice
-//! behind the caller's back. \throws pybind11::type_error, pybind11::value_error naming `what`
+//! behind the caller's back, and strict about numbers: finite, none beyond 1e30.
+//! \throws pybind11::type_error, pybind11::value_error, InvalidInput naming `what`
 
 //! (n, 3) float64, C order.
 Points points_from(const pybind11::handle& array, const std::string& what);

@@ -8,6 +8,8 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 namespace py = pybind11;
 
 namespace sheetmorph
@@ -62,6 +64,8 @@ void bind_sight(py::module_& module)
            const std::vector<const PickingTree*>& shapes)
         {
             const VertexIds ids = ids_from(vertices, "vertices");
+            if (std::count(shapes.begin(), shapes.end(), nullptr) > 0)
+                throw py::type_error("shapes must hold PickingTrees; one of them is None");
             return to_numpy(visible_vertices(tree, ids, screen, shapes));
         },
         py::arg("tree"), py::arg("vertices"), py::arg("screen"), py::arg("shapes"),

@@ -66,7 +66,8 @@ void bind_self_intersections(py::module_& module)
                 .reshape({static_cast<py::ssize_t>(found.size()), py::ssize_t{2}});
         },
         py::arg("mesh"),
-        "The pairs of triangles, (k, 2) int32, that meet anywhere but in what they share (CGAL).");
+        "The pairs of triangles, (k, 2) int32, that meet anywhere but in what they share "
+        "(CGAL). Triangles without area do not count.");
 }
 
 void bind_remeshed_type(py::module_& module)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/live_drag.h"
+#include "sheetmorph/base/errors.h"
 #include "arrays.h"
 #include "layers.h"
 #include "progress.h"
@@ -59,7 +60,12 @@ void bind_deformed(py::module_& module)
         .def(
             "positions",
             [](const py::object& self, std::size_t part)
-            { return view_of(self.cast<const Deformed&>().parts.at(part).positions, self); },
+            {
+                const auto& parts = self.cast<const Deformed&>().parts;
+                if (part >= parts.size())
+                    throw InvalidInput("part " + std::to_string(part) + " does not exist");
+                return view_of(parts[part].positions, self);
+            },
             py::arg("part"), "(n, 3) float64 mm, a read-only view that keeps the result alive.")
         .def_readonly("features", &Deformed::features)
         .def_readonly("contacts", &Deformed::contacts)

@@ -45,8 +45,6 @@ void bind_change(py::module_& module)
         [](const TriangleMesh& mesh, const ThinSolid& solid, const py::object& positions)
         {
             const Points points = points_from(positions, "positions");
-            if (points.rows() != mesh.vertex_count())
-                throw py::value_error("positions must have a row for every vertex of the mesh");
             const py::gil_scoped_release released;
             return thickness_change(mesh, solid, points);
         },

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,28 @@ void check_meshes(const Assembly& assembly)
     for (const Part& part : assembly.parts)
         if (part.mesh.vertex_count() == 0)
             throw InvalidInput("part '" + part.name + "' has no vertices; remove it");
+        else if (!part.ids.empty() && part.ids.size() != at(part.mesh.vertex_count()))
+            throw InvalidInput("part '" + part.name + "' has " + std::to_string(part.ids.size())
+                               + " vertex numbers and " + std::to_string(part.mesh.vertex_count())
+                               + " vertices; give every vertex its number, or none");
+}
+
+// Before anything moves them to a skin or to the other side of a plane of symmetry.
+void check_points(const Assembly& assembly)
+{
+    for (const PartPoint& point : assembly.points)
+    {
+        const Part& part = assembly.parts[at(point.part)];
+        const int triangle = point.constraint.triangle;
+        if (triangle < 0 || triangle >= part.mesh.triangle_count())
+            throw InvalidInput(
+                "part '" + part.name + "': point '" + point.name + "' lies on triangle "
+                + std::to_string(triangle) + ", which the mesh does not have (it has 0 to "
+                + std::to_string(part.mesh.triangle_count() - 1) + "); pick it again");
+        if (!are_numbers(point.constraint.barycentric))
+            throw InvalidInput("part '" + part.name + "': point '" + point.name
+                               + "': its barycentric coordinates are not finite numbers");
+    }
 }
 
 void check_side(const Assembly& assembly, const Contact& contact, const PartRegion& side)
@@ -200,6 +223,7 @@ void check_assembly(const Assembly& assembly)
     check_parts("feature", assembly.features, count);
     check_parts("point", assembly.points, count);
     check_meshes(assembly);
+    check_points(assembly);
     check_vertices("fixed region", assembly.fixed, assembly);
     check_vertices("handle", assembly.handles, assembly);
     check_vertices("feature", assembly.features, assembly);

@@ -2,6 +2,7 @@
 #include "sheetmorph/base/rotation.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/limits.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -13,12 +14,15 @@ namespace sheetmorph
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
-}
+constexpr double most_radians = 1e6;
+}  // namespace
 
 Vector3 rotation_log(const Vector3& axis, double radians)
 {
-    if (!std::isfinite(radians) || !axis.allFinite())
-        throw InvalidInput("a rotation's axis and angle must be finite numbers");
+    if (!(std::abs(radians) <= most_radians) || !are_numbers(axis))
+        throw InvalidInput(
+            "a rotation's axis and angle must be finite numbers, the angle at most "
+            "1e6 radians");
     if (radians == 0.0)
         return Vector3::Zero();
     const double length = axis.stableNorm();

@@ -124,6 +124,8 @@ std::vector<VertexIds> FeaturePatch::edge_loop() const
                 next[at(b)].insert(a);
             }
         }
+    if (feature_.empty())
+        return {};
     for (const int vertex : feature_)
         if (next[at(vertex)].size() != 2)
             return {};

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/forms/feature_shape.h"
 
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/limits.h"
 #include "sheetmorph/forms/cylinder_fit.h"
 #include "sheetmorph/forms/feature_patch.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace sheetmorph
@@ -227,6 +230,11 @@ std::string FeatureShape::measure() const
 
 Points FeatureShape::resized(const Points& rest, double wanted) const
 {
+    if (rest.rows() != growth.rows())
+        throw InvalidInput("there are " + std::to_string(rest.rows()) + " places, the feature has "
+                           + std::to_string(growth.rows()) + " vertices");
+    if (!(std::abs(wanted) <= largest_number))
+        throw InvalidInput("the size of a feature must be a finite number of mm");
     return rest + (wanted - size) * growth + rounding;
 }
 

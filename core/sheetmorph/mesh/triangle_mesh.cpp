@@ -2,6 +2,7 @@
 #include "sheetmorph/mesh/triangle_mesh.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/limits.h"
 
 #include <limits>
 #include <utility>
@@ -16,11 +17,12 @@ void check_points(const Points& points)
 {
     std::vector<int> bad;
     for (int i = 0; i < points.rows(); ++i)
-        if (!points.row(i).allFinite())
+        if (!are_numbers(points.row(i)))
             bad.push_back(i);
     if (!bad.empty())
-        throw InvalidInput("vertices with coordinates that are not finite numbers: ", bad,
-                           "; repair or remove them");
+        throw InvalidInput(
+            "vertices with coordinates that are not finite numbers, or beyond 1e30 mm: ", bad,
+            "; repair or remove them");
 }
 
 void check_triangles(const Triangles& triangles, int vertex_count)

@@ -14,7 +14,7 @@ public:
 
     //! \param points     (n, 3) mm
     //! \param triangles  (m, 3) rows of `points`
-    //! \throws InvalidInput naming the rows: a point that is not finite, an index out of range
+    //! \throws InvalidInput naming the rows: a point not finite or too far, an index out of range
     TriangleMesh(Points points, Triangles triangles);
 
     const Points& points() const { return points_; }

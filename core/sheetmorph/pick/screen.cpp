@@ -2,6 +2,7 @@
 #include "sheetmorph/pick/screen.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/limits.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,9 +24,9 @@ constexpr double depth_margin = 1e-9;
 Screen::Screen(const Matrix4& to_clip, double width, double height)
     : to_clip_(to_clip), half_(0.5 * width, 0.5 * height)
 {
-    if (!to_clip.allFinite())
+    if (!are_numbers(to_clip))
         throw InvalidInput("the matrix of the camera has entries that are not finite numbers");
-    if (!(half_.minCoeff() > 0.0) || !half_.allFinite())
+    if (!(half_.minCoeff() > 0.0) || !are_numbers(half_))
         throw InvalidInput("the view has no extent; its width and height must be positive");
 }
 
@@ -55,7 +56,7 @@ Planes Screen::planes_around(const Vector3& low, const Vector3& high) const
 
 ScreenOutline::ScreenOutline(ScreenPoints corners) : corners_(std::move(corners))
 {
-    if (corners_.rows() < 3 || !corners_.allFinite())
+    if (corners_.rows() < 3 || !are_numbers(corners_))
         throw InvalidInput("an outline needs three or more corners with finite coordinates; it has "
                            + std::to_string(corners_.rows()));
     low_ = corners_.colwise().minCoeff();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/pick/sight.h"
 
+#include "sheetmorph/base/limits.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/regions/flags.h"
 #include "sheetmorph/pick/vertex_cells.h"
@@ -86,7 +87,7 @@ VertexIds visible_vertices(const PickingTree& tree, const VertexIds& vertices, c
     std::vector<Seen> seen;
     const int count = static_cast<int>(tree.points().rows());
     for (const int vertex : ids_of(flags_of(vertices, count, "vertices")))
-        if (const Vector3 place = screen.seen(tree.points().row(vertex)); place.allFinite())
+        if (const Vector3 place = screen.seen(tree.points().row(vertex)); are_numbers(place))
             seen.push_back({place, vertex});
     // Two bands of the screen, each with cells of its own.
     const auto middle = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);

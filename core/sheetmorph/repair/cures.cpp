@@ -67,14 +67,29 @@ Facets sound_facets(const TriangleMesh& mesh, const std::vector<int>& first, dou
     return facets;
 }
 
-// A fan of the facet over its side `side`, which is cut at some vertices.
-Facets fan(const Points& points, const Facet& facet, int side, VertexIds cuts)
+using Cuts = std::map<std::pair<int, int>, std::set<int>>;
+
+// The vertices a side of a facet is cut at, along it. The facet's own apex is none, though in a
+// flat facet it may be as near.
+VertexIds cuts_of(const Points& points, const Facet& facet, int side, const Cuts& known)
 {
     const int from = facet.corners[side], to = facet.corners[(side + 1) % 3];
-    const int apex = facet.corners[(side + 2) % 3];
+    const auto found = known.find({from, to});
+    if (found == known.end())
+        return {};
+    VertexIds cuts(found->second.begin(), found->second.end());
+    cuts.erase(std::remove(cuts.begin(), cuts.end(), facet.corners[(side + 2) % 3]), cuts.end());
     const Vector3 way = points.row(to) - points.row(from);
     std::sort(cuts.begin(), cuts.end(),
               [&](int a, int b) { return points.row(a).dot(way) < points.row(b).dot(way); });
+    return cuts;
+}
+
+// A fan of the facet over its side `side`, which is cut at some vertices.
+Facets fan(const Facet& facet, int side, VertexIds cuts)
+{
+    const int from = facet.corners[side], to = facet.corners[(side + 1) % 3];
+    const int apex = facet.corners[(side + 2) % 3];
     cuts.push_back(to);
     Facets pieces;
     int before = from;
@@ -90,25 +105,21 @@ Facets fan(const Points& points, const Facet& facet, int side, VertexIds cuts)
 int cut_junctions(const Points& points, Facets& facets, double tolerance)
 {
     const TriangleMesh mesh = mesh_of(points, facets);
-    std::map<std::pair<int, int>, VertexIds> cuts;
+    Cuts cuts;
     for (const auto junctions : {t_junctions, seam_junctions})
         for (const TJunction& junction : junctions(mesh, tolerance))
-            cuts[{junction.from, junction.to}].push_back(junction.vertex);
+            cuts[{junction.from, junction.to}].insert(junction.vertex);
     int count = 0;
     Facets whole;
     for (const Facet& facet : facets)
     {
+        VertexIds inside;
         int side = 0;
-        while (side < 3 && !cuts.count({facet.corners[side], facet.corners[(side + 1) % 3]}))
-            ++side;
-        const bool is_cut = side < 3;
-        const Facets pieces =
-            is_cut ? fan(points, facet, side,
-                         cuts.at({facet.corners[side], facet.corners[(side + 1) % 3]}))
-                   : Facets{facet};
-        for (const Facet& piece : pieces)
-            whole.push_back(piece);
-        count += is_cut;
+        for (; side < 3 && inside.empty(); ++side)
+            inside = cuts_of(points, facet, side, cuts);
+        const Facets pieces = inside.empty() ? Facets{facet} : fan(facet, side - 1, inside);
+        whole.insert(whole.end(), pieces.begin(), pieces.end());
+        count += !inside.empty();
     }
     facets = std::move(whole);
     return count;

@@ -18,7 +18,19 @@ namespace
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// Two triangles, turned so that the corners they share come first.
+Kernel::Point_3 place(const TriangleMesh& mesh, int vertex)
+{
+    return {mesh.points()(vertex, 0), mesh.points()(vertex, 1), mesh.points()(vertex, 2)};
+}
+
+bool has_area(const TriangleMesh& mesh, int t)
+{
+    return !CGAL::collinear(place(mesh, mesh.triangles()(t, 0)),
+                            place(mesh, mesh.triangles()(t, 1)),
+                            place(mesh, mesh.triangles()(t, 2)));
+}
+
+// Two triangles with area, turned so that the corners they share come first.
 class Pair
 {
 public:
@@ -41,8 +53,6 @@ public:
 
     bool meet_elsewhere() const
     {
-        if (CGAL::collinear(p_[0], p_[1], p_[2]) || CGAL::collinear(q_[0], q_[1], q_[2]))
-            return false;
         if (shared_ == 0)
             return CGAL::do_intersect(triangle(p_), triangle(q_));
         if (shared_ == 1)
@@ -61,10 +71,6 @@ private:
     static void put(Order& order, int where, int k)
     {
         std::swap(order[where], *std::find(order.begin(), order.end(), k));
-    }
-    static Kernel::Point_3 place(const TriangleMesh& mesh, int vertex)
-    {
-        return {mesh.points()(vertex, 0), mesh.points()(vertex, 1), mesh.points()(vertex, 2)};
     }
     static Kernel::Triangle_3 triangle(const Places& places)
     {
@@ -96,11 +102,15 @@ Planes box_around(const TriangleMesh& mesh, int t)
 std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh)
 {
     const PickingTree tree(mesh);
+    std::vector<char> counts;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        counts.push_back(has_area(mesh, t));
     std::vector<std::pair<int, int>> found;
     for (int t = 0; t < mesh.triangle_count(); ++t)
-        for (const int other : tree.triangles_between(box_around(mesh, t)))
-            if (other > t && Pair(mesh, t, other).meet_elsewhere())
-                found.emplace_back(t, other);
+        if (counts[t])
+            for (const int other : tree.triangles_between(box_around(mesh, t)))
+                if (other > t && counts[other] && Pair(mesh, t, other).meet_elsewhere())
+                    found.emplace_back(t, other);
     std::sort(found.begin(), found.end());
     return found;
 }

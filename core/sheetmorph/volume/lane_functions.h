@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/base/vector_types.h"
+#include "sheetmorph/base/instructions/vector_types.h"
 
 #include <cstring>
 

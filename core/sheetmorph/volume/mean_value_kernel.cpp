@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/mean_value_kernel.h"
 
-#include "sheetmorph/base/instructions.h"
+#include "sheetmorph/base/instructions/instructions.h"
 #include "sheetmorph/volume/lane_angles.h"
 
 #include <cstring>

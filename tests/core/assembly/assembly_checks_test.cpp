@@ -51,7 +51,8 @@ TEST(AssemblyChecks, RefusesAFeatureTornBetweenTwoRigidWelds)
 TEST(AssemblyChecks, RefusesARigidWeldOntoFixedVertices)
 {
     Frame frame = frames::ring(ContactType::rigid);
-    frame.assembly.parts[1].ids.resize(1000, 77);
+    Part& second = frame.assembly.parts[1];
+    second.ids.assign(static_cast<std::size_t>(second.mesh.vertex_count()), 77);
     frame.assembly.fixed.push_back({"clamp", 1, {frame.assembly.contacts[0].b.vertices[2]}});
     EXPECT_THAT(prepares(frame.assembly),
                 ThrowsMessage<InvalidInput>(

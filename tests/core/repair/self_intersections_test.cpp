@@ -51,5 +51,15 @@ TEST(SelfIntersections, AreNotWhatThreeSheetsShareAtAnEdge)
     EXPECT_THAT(self_intersections(TriangleMesh(points, triangles)), IsEmpty());
 }
 
+// One that repeats a vertex shares up to nine corners with another.
+TEST(SelfIntersections, AreNotOfTrianglesThatRepeatAVertex)
+{
+    Points points(3, 3);
+    points << 0, 0, 3, 0, 1, 2, 5, 1, 2;
+    Triangles triangles(4, 3);
+    triangles << 1, 0, 1, 1, 1, 1, 0, 1, 2, 0, 0, 2;
+    EXPECT_THAT(self_intersections(TriangleMesh(points, triangles)), IsEmpty());
+}
+
 }  // namespace
 }  // namespace sheetmorph

@@ -3,10 +3,32 @@
 
 #include "sheetmorph/assembly/session/live_drag.h"
 #include "sheetmorph/assembly/session/wave.h"
+#include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 
 namespace sheetmorph
 {
+
+namespace
+{
+
+// A pose of another session may have other meshes.
+void require_shapes_of(const PreparedAssembly& prepared, const Deformed& pose)
+{
+    const auto is_of = [](const std::vector<Deformation>& shapes, std::size_t k, const Part& part)
+    { return k < shapes.size() && shapes[k].positions.rows() == part.mesh.vertex_count(); };
+    for (std::size_t k = 0; k < prepared.parts.size(); ++k)
+    {
+        const bool is_thin = prepared.parts[k].thin != nullptr;
+        if (!is_of(pose.parts, k, prepared.whole().parts[k])
+            || (is_thin && !is_of(pose.middles, k, prepared.assembly.parts[k])))
+            throw InvalidInput("these shapes are not of this session: part '"
+                               + prepared.assembly.parts[k].name
+                               + "' has another number of vertices; deform it with this session");
+    }
+}
+
+}  // namespace
 
 DeformationSession::DeformationSession(Assembly assembly, const Progress& progress,
                                        const DeformationSession* previous)
@@ -38,6 +60,7 @@ std::unique_ptr<LiveDrag> DeformationSession::begin_drag(const std::vector<std::
 std::optional<ShownControlMesh> DeformationSession::control_mesh(int contact,
                                                                  const Deformed& pose) const
 {
+    require_shapes_of(*data_, pose);
     for (std::size_t k = 0; k < data_->planned.size(); ++k)
         if (data_->planned[k].contact == contact)
         {
@@ -56,7 +79,9 @@ const Assembly& DeformationSession::assembly() const
 
 const ThinSolid* DeformationSession::thin_solid(int part) const
 {
-    const auto& thin = data_->thin.at(at(part));
+    if (part < 0 || at(part) >= data_->thin.size())
+        throw InvalidInput("part " + std::to_string(part) + " does not exist");
+    const auto& thin = data_->thin[at(part)];
     return thin ? &thin->solid() : nullptr;
 }
 

@@ -70,7 +70,8 @@ public:
                                          const Pose& start = {},
                                          const DragOptions& options = {}) const;
 
-    //! The control mesh of one contact (the single one: -1) in a pose; nothing for other contacts.
+    //! The control mesh of one contact (the single one: -1) in a pose of this session; nothing for
+    //! other contacts. \throws InvalidInput for the shapes of another session
     std::optional<ShownControlMesh> control_mesh(int contact, const Deformed& pose) const;
 
     //! What the session deforms: with a plane of symmetry, or lumps on thin solids, more than

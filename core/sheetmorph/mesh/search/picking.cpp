@@ -2,6 +2,7 @@
 #include "sheetmorph/mesh/search/picking.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/limits.h"
 #include "sheetmorph/mesh/search/triangle_queries.h"
 
 #include <algorithm>
@@ -110,7 +111,7 @@ struct RangeQuery : FromPoint
 
 void require_finite(const Vector3& point)
 {
-    if (!point.allFinite())
+    if (!are_numbers(point))
         throw InvalidInput("the point has coordinates that are not finite numbers");
 }
 

@@ -45,12 +45,22 @@ PointGrid::PointGrid(const Points& points, const VertexIds& chosen, double side)
         entries_[next[slot_of(cells[k])]++] = {cells[k], chosen[k]};
 }
 
+// No number of a cell is so large that it is not exact: places far away are in the last.
 PointGrid::Cell PointGrid::cell_of(const Vector3& place) const
 {
-    const Vector3 cell = (place - low_) / side_;
+    constexpr double last = 1e15;
+    const Vector3 cell = ((place - low_) / side_).cwiseMax(-1.0).cwiseMin(last);
     return {static_cast<std::int64_t>(std::floor(cell.x())),
             static_cast<std::int64_t>(std::floor(cell.y())),
             static_cast<std::int64_t>(std::floor(cell.z()))};
+}
+
+double PointGrid::count_between(const Cell& first, const Cell& last)
+{
+    double count = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        count *= static_cast<double>(last[axis] - first[axis] + 1);
+    return count;
 }
 
 std::size_t PointGrid::slot_of(const Cell& cell) const

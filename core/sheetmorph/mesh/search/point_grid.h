@@ -9,7 +9,8 @@
 namespace sheetmorph
 {
 
-//! Points in cells of space, hashed: answers what lies in a box that is not much larger than one.
+//! Points in cells of space, hashed: answers what lies in a box, fast if it is not much larger than
+//! a cell.
 class PointGrid
 {
 public:
@@ -26,6 +27,13 @@ public:
     void for_each_in(const Vector3& low, const Vector3& high, const Use& use) const
     {
         const Cell first = cell_of(low), last = cell_of(high);
+        if (count_between(first, last) > static_cast<double>(entries_.size()))
+        {
+            for (const Entry& entry : entries_)
+                if (is_in(entry.point, low, high))
+                    use(entry.point);
+            return;
+        }
         for (std::int64_t x = first[0]; x <= last[0]; ++x)
             for (std::int64_t y = first[1]; y <= last[1]; ++y)
                 for (std::int64_t z = first[2]; z <= last[2]; ++z)
@@ -48,6 +56,7 @@ private:
     };
 
     Cell cell_of(const Vector3& place) const;
+    static double count_between(const Cell& first, const Cell& last);
     std::size_t slot_of(const Cell& cell) const;
     bool is_in(int point, const Vector3& low, const Vector3& high) const
     {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/response/response_kernel.h"
 
-#include "sheetmorph/base/instructions.h"
-#include "sheetmorph/base/vector_types.h"
+#include "sheetmorph/base/instructions/instructions.h"
+#include "sheetmorph/base/instructions/vector_types.h"
 
 #include <utility>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/thin/thickness_gauge.h"
 
+#include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 
 namespace sheetmorph
 {
@@ -113,6 +115,13 @@ private:
 ThicknessChange thickness_change(const TriangleMesh& mesh, const ThinSolid& solid,
                                  const Points& positions)
 {
+    if (solid.facets.size() != at(mesh.triangle_count())
+        || solid.vertices.size() != at(mesh.vertex_count()))
+        throw InvalidInput("the thin solid was found on another mesh; find it on this one");
+    if (positions.rows() != mesh.vertex_count())
+        throw InvalidInput("there are " + std::to_string(positions.rows())
+                           + " positions, the mesh has " + std::to_string(mesh.vertex_count())
+                           + " vertices");
     return Gauge(mesh, solid, positions).measure();
 }
 

@@ -25,8 +25,21 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 constexpr double most_triangles = 3e6;
 
+void require_three_corners(const Triangles& triangles)
+{
+    std::vector<int> bad;
+    for (int t = 0; t < triangles.rows(); ++t)
+        if (triangles(t, 0) == triangles(t, 1) || triangles(t, 1) == triangles(t, 2)
+            || triangles(t, 2) == triangles(t, 0))
+            bad.push_back(t);
+    if (!bad.empty())
+        throw InvalidInput("triangles with one vertex at two corners: " + list_ids(bad)
+                           + "; cure the mesh first, that removes them");
+}
+
 void check(const TriangleMesh& mesh, const RemeshOptions& options)
 {
+    require_three_corners(mesh.triangles());
     if (!(options.edge > 0.0) || !std::isfinite(options.edge))
         throw InvalidInput("the edge length to remesh with is " + std::to_string(options.edge)
                            + " mm; give a positive one");

@@ -36,7 +36,7 @@ struct RemeshedMesh
 //! keep all their vertices; on curved regions the new vertices lie on the facets. The facets must
 //! have no cuts they are not meant to have: see cured().
 //! \throws InvalidInput for an edge length that is not positive, or so short that more than three
-//!         million triangles would be needed; Cancelled
+//!         million triangles would be needed, and for triangles that repeat a vertex; Cancelled
 RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
                       const Progress& progress = {});
 

@@ -46,5 +46,16 @@ TEST(PointGrid, FindsTheBorderOfABoxAndOnlyWhatWasChosen)
     EXPECT_EQ(found_in(PointGrid(Points(0, 3), 1.0), {0, 0, 0}, {1, 1, 1}), VertexIds{});
 }
 
+TEST(PointGrid, ABoxOfAnySizeIsAnsweredAtOnce)
+{
+    Points points(4, 3);
+    points << 0, 0, 0, 1, 0, 0, 1, 1, 1, 2e29, 2, 2;
+    const PointGrid grid(points, 0.7);
+    const Vector3 far = Vector3::Constant(1e30);
+    EXPECT_EQ(found_in(grid, -far, far), (VertexIds{0, 1, 2, 3}));
+    EXPECT_EQ(found_in(grid, Vector3(0.5, -1e30, -1e30), far), (VertexIds{1, 2, 3}));
+    EXPECT_EQ(found_in(grid, 0.5 * far, far), VertexIds{});
+}
+
 }  // namespace
 }  // namespace sheetmorph

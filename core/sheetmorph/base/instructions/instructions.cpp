@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/base/instructions.h"
+#include "sheetmorph/base/instructions/instructions.h"
 
 #include <algorithm>
 #include <cstdlib>
