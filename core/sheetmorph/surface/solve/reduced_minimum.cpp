@@ -18,6 +18,8 @@ namespace
 constexpr int none = -1;
 constexpr int most_steps = 100;
 constexpr double smallest_step = 1e-14;  // radians, or of the size of the feature
+constexpr double largest_squared = 0.1;  // radians, and of the step before: Newton squares these
+constexpr double left_by_a_step = 10.0;  // of its square, at most
 constexpr double rounding = 1e-9;        // steps below it that shrink no more are noise
 constexpr double unseen_gain = 1e-10;    // of the energy: what rounding hides
 constexpr double unfelt = 1e-11;         // of the stiffest freedom: the energy does not feel it
@@ -32,6 +34,16 @@ Eigen::VectorXd scales(const Expansion& at)
     return stiff.unaryExpr(
         [largest](double value)
         { return value > 1e-18 * largest && value > 0.0 ? 1.0 / std::sqrt(value) : 0.0; });
+}
+
+// Whether what is left after a step is as good as nothing: it is small, or squares so fast that the
+// next would be.
+bool is_last(double step, double before, double precision)
+{
+    const double squared = step * (step / before) * (step / before);
+    return step <= std::max(precision, smallest_step)
+           || (before < largest_squared && step < largest_squared * before
+               && squared <= std::max(left_by_a_step * precision * precision, smallest_step));
 }
 
 // Factor of matrix + shift; nothing where a pivot is not positive, or as good as none.
@@ -146,8 +158,8 @@ Convergence minimise(Joints& joints, const Measure& measure, double precision)
             found.is_converged = gain <= unseen_gain * std::abs(here.value);
             return found;
         }
-        found.is_converged = found.miss <= std::max(precision, smallest_step)
-                             || (last < rounding && found.miss > 0.5 * last);
+        found.is_converged =
+            is_last(found.miss, last, precision) || (last < rounding && found.miss > 0.5 * last);
         last = found.miss;
     }
     return found;
