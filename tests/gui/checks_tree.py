@@ -12,6 +12,7 @@ __all__ = [
     "test_a_region_copied_and_pasted_belongs_to_the_morph",
     "test_a_part_deleted_in_the_tree_takes_its_regions_and_contacts_along",
     "test_a_morph_deleted_in_the_tree_leaves_the_meshes_in_view",
+    "test_nothing_hidden_is_said_to_break_when_a_region_or_part_is_deleted",
     "test_a_renamed_region_is_edited_by_a_double_click",
     "test_the_context_menu_of_a_part_marks_a_region_on_it",
 ]
@@ -93,6 +94,29 @@ def test_a_morph_deleted_in_the_tree_leaves_the_meshes_in_view():
     App.ActiveDocument.recompute()
     assert len(model.parts(assembly())) == 3 and len(contacts()) == 1
     assert "Invalid" not in part().State
+
+
+def test_nothing_hidden_is_said_to_break_when_a_region_or_part_is_deleted():
+    yield from new_assembly(is_joined=True)
+    for gone in (regions("fixed")[0], labelled("bracket"), labelled("sheet").Source):
+        name, asked = gone.Name, []
+        select(gone)
+        QtCore.QTimer.singleShot(500, lambda told=asked: told.append(refuse()))
+        Gui.runCommand("Std_Delete")
+        yield 700
+        if name == "sheet":
+            assert "sheet morphed" in asked[0] and "Deformation" not in asked[0], asked
+        else:
+            assert asked == [""] and App.ActiveDocument.getObject(name) is None, asked
+
+
+def refuse() -> str:
+    """Closes the question that is asked; returns its words, none if there is none."""
+    box = QtGui.QApplication.activeModalWidget()
+    words = f"{box.text()} {box.informativeText()} {box.detailedText()}" if box else ""
+    if box:
+        box.reject()
+    return words
 
 
 def test_a_renamed_region_is_edited_by_a_double_click():

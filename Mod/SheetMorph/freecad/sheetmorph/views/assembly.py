@@ -4,10 +4,10 @@
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.views import menus
-from freecad.sheetmorph.views.base import OwnerView, View
+from freecad.sheetmorph.views.base import FollowingView, OwnerView
 
 
-class AssemblyView(OwnerView):
+class AssemblyView(FollowingView, OwnerView):
     """A group; double click moves its first handle."""
 
     icon = "Morph"
@@ -45,7 +45,7 @@ class AssemblyView(OwnerView):
         return False
 
 
-class DeformationView(View):
+class DeformationView(FollowingView):
     """An object that only computes: not in the tree."""
 
     icon = "Morph"

@@ -42,6 +42,14 @@ class View:
         """Nothing is restored (FreeCAD before 0.21.2)."""
 
 
+class FollowingView(View):
+    """A view of what goes along with what it depends on, or does without it."""
+
+    def canDelete(self, _obj) -> bool:
+        """No warning that it might break, whatever of what it depends on is deleted."""
+        return True
+
+
 class OwnerView(View):
     """A view of what other objects of ours depend on: deleted in the tree, it takes them along."""
 

@@ -5,10 +5,10 @@ from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.scene import nodes
 from freecad.sheetmorph.scene.patch import Patch, group
-from freecad.sheetmorph.views.base import OwnerView
+from freecad.sheetmorph.views.base import FollowingView, OwnerView
 
 
-class PatchView(OwnerView):
+class PatchView(FollowingView, OwnerView):
     """Draws what ``patches`` returns; subclasses also name the properties that decide it."""
 
     drawn_properties: tuple[str, ...] = ()
