@@ -126,7 +126,10 @@ void bind_circle(py::module_& module)
             "axis", [](const CircleFit& c) { return to_numpy(c.axis); },
             "(3,) of length 1; the points run around it counter-clockwise")
         .def_readonly("radius", &CircleFit::radius, "mm")
-        .def_readonly("residual", &CircleFit::residual, "largest distance of a point from it, mm");
+        .def_readonly("residual", &CircleFit::residual, "largest distance of a point from it, mm")
+        .def_property_readonly(
+            "unsettled", [](const CircleFit& c) { return c.convergence.sentence(); },
+            "empty, or how far the fit got: nearly straight rows of points have no best circle");
     py::class_<RoundHole>(module, "RoundHole", "A boundary loop that is a circle.")
         .def_property_readonly(
             "rim", [](const RoundHole& hole) { return to_numpy(hole.rim); }, "(k,) int32, in order")

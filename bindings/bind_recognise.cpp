@@ -69,6 +69,9 @@ void bind_found_features(py::module_& module)
         .def_readonly("residual", &Feature::residual, "largest distance from the form, mm")
         .def_readonly("scatter", &Feature::scatter, "of the vertices as measured, mm")
         .def_readonly("area", &Feature::area, "mm^2")
+        .def_property_readonly(
+            "unsettled", [](const Feature& f) { return f.convergence.sentence(); },
+            "empty, or that growing a surface did not end, and how far it got")
         .def_readonly("is_hollow", &Feature::is_hollow, "seen from inside")
         .def_property_readonly("rims", lists(&Feature::rims), "closed loops, each (k,) int32")
         .def_property_readonly(

@@ -35,7 +35,10 @@ void bind_cured(py::module_& module)
         .def_readonly("welded", &CuredMesh::welded, "vertices that became one with another")
         .def_readonly("removed", &CuredMesh::removed, "triangles without height or doubled")
         .def_readonly("split", &CuredMesh::split, "triangles cut at T-junctions")
-        .def_readonly("turned", &CuredMesh::turned, "triangles turned over");
+        .def_readonly("turned", &CuredMesh::turned, "triangles turned over")
+        .def_property_readonly(
+            "unsettled", [](const CuredMesh& cure) { return cure.convergence.sentence(); },
+            "empty, or that the cuts did not end, and how far they got");
     module.def(
         "cured",
         [](const TriangleMesh& mesh, double tolerance)
@@ -100,7 +103,10 @@ void bind_remeshed_type(py::module_& module)
         .def_readonly("circles", &RemeshedMesh::circles, "rims put on their fitted circles")
         .def_readonly("deviation", &RemeshedMesh::deviation,
                       "farthest the new mesh and the facets given are from each other, mm")
-        .def_readonly("flat_deviation", &RemeshedMesh::flat_deviation, "the same on flats, mm");
+        .def_readonly("flat_deviation", &RemeshedMesh::flat_deviation, "the same on flats, mm")
+        .def_property_readonly(
+            "unsettled", [](const RemeshedMesh& m) { return m.convergence.sentence(); },
+            "empty, or that its edges did not settle, and how far they got");
 }
 
 }  // namespace

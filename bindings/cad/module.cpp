@@ -116,7 +116,10 @@ void bind_part(py::module_& module)
         .def_readonly("is_closed", &CadPart::is_closed)
         .def_readonly("deviation", &CadPart::deviation,
                       "largest distance found between mesh and surfaces, mm")
-        .def_readonly("skipped_faces", &CadPart::skipped_faces, "faces that were not meshed");
+        .def_readonly("skipped_faces", &CadPart::skipped_faces, "faces that were not meshed")
+        .def_property_readonly(
+            "unsettled", [](const CadPart& part) { return part.convergence.sentence(); },
+            "empty, or that the meshing of a face did not end, and how far it got");
 }
 
 // Kernel errors are those of sheetmorph._core, also when they are thrown here.

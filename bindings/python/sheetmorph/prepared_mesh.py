@@ -118,6 +118,7 @@ def prepared_mesh(
         "weld": wanted.weld,
         **{key: getattr(cure, key) for key in ("welded", "removed", "split", "turned")},
         "remesh": None,
+        "unsettled": cure.unsettled or None,
     }
     points, triangles, first = cure.points, cure.triangles, _first_of(cure)
     support, vertex_of = first[:, None], cure.vertex_of
@@ -129,6 +130,7 @@ def prepared_mesh(
         vertex_of = np.append(fresh.vertex_of, -1)[vertex_of]
         triangle_of = triangle_of[fresh.triangle[fresh.triangles].min(axis=1)]
         done["remesh"] = _told(fresh, wanted)
+        done["unsettled"] = done["unsettled"] or fresh.unsettled or None
         points, triangles = fresh.points, fresh.triangles
     made = PreparedMesh(
         points, triangles, name=mesh.name, source=mesh, support=support, vertex_of=vertex_of,

@@ -86,6 +86,7 @@ Matrix3 tilted_rotation(const Vector3& log, const Vector3& tilt)
                             : Matrix3(rotation_from_log(tilt) * rotation_from_log(log));
 }
 
+// Newton: each round doubles the digits. What has not settled after the last is found by an SVD.
 Matrix3 polar_rotation(const Matrix3& matrix)
 {
     Matrix3 rotation = matrix;

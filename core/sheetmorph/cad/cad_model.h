@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
 #include <string>
@@ -75,6 +76,7 @@ struct CadPart
     bool is_closed = false;          //!< every edge has two triangles; they look outwards then
     double deviation = 0.0;          //!< largest distance found between mesh and surfaces, mm
     std::vector<int> skipped_faces;  //!< faces that could not be meshed, ascending
+    Convergence convergence = {};    //!< of the face whose meshing took most rounds, or did not end
 };
 
 //! What a CAD file holds, placed as in its assembly; mm.

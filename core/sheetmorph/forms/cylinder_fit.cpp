@@ -14,6 +14,11 @@ namespace
 // Of the radius.
 constexpr double tolerance = 0.02;
 
+// Most rounds of the fit, and the step over the radius after which nothing counts.
+constexpr int most_rounds = 30;
+constexpr double at_rest = 1e-15;
+constexpr double settled = 1e-7;
+
 // Share of the normals' spread along the axis, at most, and along the second direction, at least.
 constexpr double most_axial = 0.01;
 constexpr double least_bent = 0.02;
@@ -58,8 +63,8 @@ RimProfile first_cylinder(const Points& points, const Vector3& axis)
     return cylinder;
 }
 
-// One Gauss-Newton step in the place and tilt of the axis and the radius.
-void improve(const Points& points, RimProfile& cylinder)
+// One Gauss-Newton step in the place and tilt of the axis and the radius; its length over that.
+double improve(const Points& points, RimProfile& cylinder)
 {
     const Vector3 u = cylinder.frame.col(0);
     const Vector3 v = cylinder.frame.col(1);
@@ -77,6 +82,7 @@ void improve(const Points& points, RimProfile& cylinder)
     cylinder.centre += cylinder.radius * (step(0) * u + step(1) * v);
     cylinder.radius *= 1.0 + step(4);
     set_axis(cylinder, cylinder.frame.col(2) + step(2) * u + step(3) * v);
+    return step.norm();
 }
 
 }  // namespace
@@ -90,9 +96,10 @@ std::optional<RimProfile> fit_cylinder(const TriangleMesh& mesh)
     if (!(shares(0) < most_axial && shares(1) > least_bent))
         return std::nullopt;
     RimProfile cylinder = first_cylinder(mesh.points(), spread.eigenvectors().col(0));
-    for (int round = 0; round < 8 && cylinder.radius > 0.0; ++round)
-        improve(mesh.points(), cylinder);
-    if (!(cylinder.radius > 0.0) || !cylinder.centre.allFinite())
+    double moved = 1.0;
+    for (int round = 0; round < most_rounds && moved > at_rest && cylinder.radius > 0.0; ++round)
+        moved = improve(mesh.points(), cylinder);
+    if (!(cylinder.radius > 0.0) || !cylinder.centre.allFinite() || !(moved <= settled))
         return std::nullopt;
     for (Eigen::Index i = 0; i < mesh.points().rows(); ++i)
         if (std::abs(cylinder.distance(mesh.points().row(i).transpose()))

@@ -8,7 +8,7 @@ namespace sheetmorph
 {
 
 //! The cylinder that all corners of a mesh's triangles lie on within 2 % of its radius, if there is
-//! one and the triangles go around enough of it (30 degrees) to tell.
+//! one, the triangles go around enough of it (30 degrees) to tell, and the fit settles.
 std::optional<RimProfile> fit_cylinder(const TriangleMesh& mesh);
 
 }  // namespace sheetmorph

@@ -111,7 +111,10 @@ std::optional<Core> wall(const FeaturePatch& patch, const VertexIds& vertices)
     const std::optional<RimProfile> profile = between(*one, *other);
     if (!profile)
         return std::nullopt;
-    core.profile = refit(*profile, patch.points_of(vertices));
+    const std::optional<RimProfile> settled = refit(*profile, patch.points_of(vertices));
+    if (!settled)
+        return std::nullopt;
+    core.profile = *settled;
     return core;
 }
 

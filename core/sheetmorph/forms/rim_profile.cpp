@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sheetmorph
 {
@@ -25,6 +26,10 @@ constexpr double shortest_slot = 0.05;
 // Enclosed area of the round ends over squared radius: 2.6 for a hexagon, 2 for three points an
 // end.
 constexpr double least_round_area = 1.8;
+
+// Rounds of the fit, and the step over the outline's size that counts as none.
+constexpr int most_rounds = 100;
+constexpr double settled = 1e-9;
 
 using Plane = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Vector2 = Eigen::Vector2d;
@@ -89,10 +94,12 @@ Stadium stepped(const Stadium& shape, const Eigen::VectorXd& step)
     return next;
 }
 
-// Gauss-Newton with step halving; points in units of the outline's size.
-Stadium fitted(const Plane& points, Stadium shape, bool is_slot)
+// Gauss-Newton with step halving; points in units of the outline's size. Every round lowers the sum
+// of squares; an outline that still moves after the last one is none.
+std::optional<Stadium> fitted(const Plane& points, Stadium shape, bool is_slot)
 {
-    for (int round = 0; round < 100; ++round)
+    double moved = 0.0;
+    for (int round = 0; round < most_rounds; ++round)
     {
         const Eigen::VectorXd miss = misses(points, shape);
         Eigen::VectorXd step = -jacobian(points, shape, is_slot).colPivHouseholderQr().solve(miss);
@@ -100,12 +107,13 @@ Stadium fitted(const Plane& points, Stadium shape, bool is_slot)
         for (int halving = 0; halving < 30 && misses(points, next).norm() >= miss.norm(); ++halving)
             next = stepped(shape, step *= 0.5);
         if (misses(points, next).norm() >= miss.norm())
-            break;
+            return shape;
         shape = next;
-        if (step.norm() <= 1e-16)
-            break;
+        moved = step.norm();
+        if (moved <= 1e-16)
+            return shape;
     }
-    return shape;
+    return moved <= settled ? std::optional(shape) : std::nullopt;
 }
 
 Stadium first_circle(const Plane& points)
@@ -160,12 +168,12 @@ std::optional<Stadium> outline(const Plane& points)
 {
     const auto fits = [&](const Stadium& shape)
     { return misses(points, shape).cwiseAbs().maxCoeff() < across_tolerance * shape.radius; };
-    const Stadium circle = fitted(points, first_circle(points), false);
-    if (fits(circle) && goes_around(points, circle))
+    const std::optional<Stadium> circle = fitted(points, first_circle(points), false);
+    if (circle && fits(*circle) && goes_around(points, *circle))
         return circle;
-    const Stadium slot = fitted(points, first_slot(points), true);
-    if (slot.half_segment > shortest_slot * slot.radius && fits(slot) && goes_around(points, slot)
-        && has_round_ends(points, slot))
+    const std::optional<Stadium> slot = fitted(points, first_slot(points), true);
+    if (slot && slot->half_segment > shortest_slot * slot->radius && fits(*slot)
+        && goes_around(points, *slot) && has_round_ends(points, *slot))
         return slot;
     return std::nullopt;
 }
@@ -258,12 +266,13 @@ std::optional<RimProfile> fit_rim(const Points& rim)
     return profile;
 }
 
-RimProfile refit(const RimProfile& profile, const Points& points)
+std::optional<RimProfile> refit(const RimProfile& profile, const Points& points)
 {
     const double unit = profile.radius + profile.half_segment;
     const Chart chart{profile.centre, profile.frame, unit};
     const Stadium start{Vector2::Zero(), 0.0, profile.half_segment / unit, profile.radius / unit};
-    return chart.profile(fitted(chart.flat(points), start, !profile.is_circle()));
+    const auto found = fitted(chart.flat(points), start, !profile.is_circle());
+    return found ? std::optional(chart.profile(*found)) : std::nullopt;
 }
 
 }  // namespace sheetmorph

@@ -37,8 +37,9 @@ struct RimProfile
 //! \param rim  (k, 3) mm, in order
 std::optional<RimProfile> fit_rim(const Points& rim);
 
-//! The outline through points near one: the same axis, its other numbers by least squares.
+//! The outline through points near one: the same axis, its other numbers by least squares; nothing
+//! if they do not settle.
 //! \param points  (k, 3) mm, in any order
-RimProfile refit(const RimProfile& profile, const Points& points);
+std::optional<RimProfile> refit(const RimProfile& profile, const Points& points);
 
 }  // namespace sheetmorph

@@ -179,9 +179,8 @@ int open_inner_walls(const TriangleMesh& mesh, Facets& facets)
 
 }  // namespace
 
-CuredMesh cured(const TriangleMesh& mesh, double tolerance)
+CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds)
 {
-    constexpr int most_rounds = 8;
     CuredMesh found;
     const Weld places = weld(mesh, tolerance);
     for (std::size_t i = 0; i < places.first.size(); ++i)
@@ -191,8 +190,14 @@ CuredMesh cured(const TriangleMesh& mesh, double tolerance)
         throw InvalidInput("no triangle is higher than the tolerance of the weld, "
                            + std::to_string(tolerance) + " mm; give a smaller one");
     found.removed = mesh.triangle_count() - static_cast<int>(facets.size());
-    for (int round = 0, cut = 1; round < most_rounds && cut > 0; ++round)
-        found.split += cut = cut_junctions(mesh.points(), facets, tolerance);
+    Convergence& cuts = found.convergence = {"the cuts at T-junctions", false, 0, 0.0, "triangles"};
+    for (; cuts.rounds < most_rounds && !cuts.is_converged; ++cuts.rounds)
+    {
+        const int cut = cut_junctions(mesh.points(), facets, tolerance);
+        found.split += cut;
+        cuts.miss = cut;
+        cuts.is_converged = cut == 0;
+    }
     put_together(mesh.points(), facets, places.first, found);
     if (const int inner = open_inner_walls(found.mesh, facets); inner > 0)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
 namespace sheetmorph
@@ -16,6 +17,7 @@ struct CuredMesh
     int removed = 0;               //!< triangles that stood twice or had no height, inner walls
     int split = 0;                 //!< triangles cut at vertices inside their edges
     int turned = 0;                //!< triangles turned to face as their neighbours do
+    Convergence convergence = {};  //!< of the cuts: each may leave new ends inside other edges
 };
 
 //! Welds vertices nearer than a tolerance to the place of the first of them (those of pieces that
@@ -24,9 +26,10 @@ struct CuredMesh
 //! inside them (T-junctions), and makes each piece face one way.
 //! Solids that have vertices in common and lie against each other in flat walls become one: their
 //! edges are cut alike along the seam, and the walls between them go.
-//! Edges with three triangles or more stay as they are; vertices in no triangle go. \param
-//! tolerance  mm, >= 0 \throws InvalidInput if it is negative or not finite, or no triangle would
-//! be left
-CuredMesh cured(const TriangleMesh& mesh, double tolerance);
+//! Edges with three triangles or more stay as they are; vertices in no triangle go.
+//! \param tolerance    mm, >= 0
+//! \param most_rounds  of cuts
+//! \throws InvalidInput if the tolerance is negative or not finite, or no triangle would be left
+CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds = 8);
 
 }  // namespace sheetmorph

@@ -55,6 +55,21 @@ TEST(Cures, CutEdgesAtTJunctionsAndFollowEveryTriangle)
     EXPECT_NEAR(diagnosis.pieces[0].area, 48.0, 1e-9);
 }
 
+TEST(Cures, TellWhenCutsWereLeft)
+{
+    const TriangleMesh left = shapes::grid(4, 2, 4.0, 6.0);
+    const TriangleMesh right = shapes::mapped(
+        shapes::grid(4, 3, 4.0, 6.0), [](Vector3 p) { return Vector3(p.x() + 4.0, p.y(), 0.0); });
+    const TriangleMesh misfit = shapes::welded({left, right});
+    EXPECT_TRUE(cured(misfit, 1e-6).convergence.is_converged);
+    const CuredMesh ended = cured(misfit, 1e-6, 1);
+    EXPECT_FALSE(ended.convergence.is_converged);
+    EXPECT_EQ(ended.convergence.miss, ended.split);
+    EXPECT_EQ(ended.convergence.sentence(),
+              "the cuts at T-junctions have not settled after 1 rounds (the last still changed "
+                  + std::to_string(ended.split) + " triangles)");
+}
+
 TEST(Cures, RemoveWhatHasNoHeightAndCloseTheGap)
 {
     Points points(5, 3);

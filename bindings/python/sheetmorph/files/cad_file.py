@@ -133,4 +133,6 @@ def _notes(model: Any) -> list[str]:
         if part.skipped_faces:
             faces = ", ".join(str(face) for face in part.skipped_faces)
             notes.append(f"faces {faces} of {part.name} are broken and left out")
+        if part.unsettled:
+            notes.append(f"{part.name}: {part.unsettled}")
     return notes

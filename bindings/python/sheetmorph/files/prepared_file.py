@@ -56,6 +56,8 @@ def _notes(done: dict) -> list[str]:
             f"remeshed with edges of {fresh['edge']:.6g} mm, at most {fresh['deviation']:.2g} mm "
             f"from the facets of the file ({fresh['flat_deviation']:.2g} mm on flats)"
         )
+    if done["unsettled"]:
+        notes.append(done["unsettled"])
     if done["scale"] != 1.0:
         notes.insert(0, f"coordinates times {done['scale']:.6g}: they are in mm now")
     return notes

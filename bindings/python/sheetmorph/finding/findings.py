@@ -78,6 +78,8 @@ def feature_entry(part: FindPart, found: Any) -> dict[str, Any]:
     entry["residual"] = found.residual
     if found.scatter > 0.0:
         entry["scatter"] = found.scatter
+    if found.unsettled:
+        entry["unsettled"] = found.unsettled
     entry["vertices"] = mesh.file_ids(found.vertices)
     if found.rims:
         entry["rims"] = [mesh.file_ids(rim) for rim in found.rims]

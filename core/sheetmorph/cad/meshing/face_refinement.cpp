@@ -13,6 +13,8 @@ namespace sheetmorph
 namespace
 {
 
+constexpr auto edges_of_face = "the edges of CAD faces";
+
 // The vertices beside every vertex, each as often as a triangle has both.
 class Neighbours
 {
@@ -63,20 +65,22 @@ FaceRefiner::FaceRefiner(FaceMesh& mesh, const FaceSurface& surface, const FaceS
     shortest_ = std::max(0.05 * shortest, 1e-4 * sizes.edge);
 }
 
-void FaceRefiner::run()
+// A given number of rounds, as the method has it; the splits and exchanges of the last must end.
+Convergence FaceRefiner::run()
 {
     flip_all();
-    split_all();
+    Convergence found = split_all();
     constexpr int rounds = 4;
     for (int round = 0; round < rounds; ++round)
     {
         collapse_all();
         smooth_all();
         flip_all();
-        split_all();
+        found = split_all();
     }
     smooth_all();
-    flip_all();
+    found.join(flip_all());
+    return found;
 }
 
 // By how much a side is too long; above 1 it should be split.
@@ -132,18 +136,25 @@ void FaceRefiner::spread_sizes()
     }
 }
 
-void FaceRefiner::split_all()
+Convergence FaceRefiner::split_all()
 {
     constexpr int most_rounds = 40;
-    for (int round = 0; round < most_rounds && mesh_.vertex_count() < sizes_.most_vertices; ++round)
+    Convergence found{edges_of_face, false, 0, 0.0, "edges"};
+    while (found.rounds < most_rounds && !found.is_converged)
     {
         spread_sizes();
-        if (!split_round())
-            return;
+        const int split = split_round();
+        ++found.rounds;
+        found.miss = split;
+        found.is_converged = split == 0;
+        if (mesh_.vertex_count() >= sizes_.most_vertices)
+            break;
     }
+    return found;
 }
 
-bool FaceRefiner::split_round()
+// How many sides were split.
+int FaceRefiner::split_round()
 {
     std::vector<Side> sides;
     for_each_side(
@@ -155,10 +166,10 @@ bool FaceRefiner::split_round()
         });
     std::stable_sort(sides.begin(), sides.end(),
                      [](const Side& one, const Side& other) { return one.excess > other.excess; });
-    bool is_changed = false;
+    int count = 0;
     for (const Side& side : sides)
-        is_changed = try_split(side) || is_changed;
-    return is_changed;
+        count += try_split(side);
+    return count;
 }
 
 bool FaceRefiner::try_split(const Side& side)
@@ -207,18 +218,21 @@ bool FaceRefiner::flip_if_better(int t, int k)
     return true;
 }
 
-void FaceRefiner::flip_all()
+Convergence FaceRefiner::flip_all()
 {
     constexpr int most_rounds = 30;
-    bool is_changed = true;
-    for (int round = 0; round < most_rounds && is_changed; ++round)
+    Convergence found{edges_of_face, false, 0, 0.0, "edges"};
+    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
-        is_changed = false;
-        for_each_side([&](int t, int k) { is_changed = flip_if_better(t, k) || is_changed; });
+        int count = 0;
+        for_each_side([&](int t, int k) { count += flip_if_better(t, k); });
+        found.miss = count;
+        found.is_converged = count == 0;
     }
+    return found;
 }
 
-// Flips outwards from a new vertex (Lawson).
+// Flips outwards from a new vertex (Lawson); what is left beyond `most` flip_all() finds.
 void FaceRefiner::legalise(int v)
 {
     std::vector<int> open = mesh_.around(v);
@@ -238,9 +252,9 @@ void FaceRefiner::legalise(int v)
     }
 }
 
-void refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes)
+Convergence refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes)
 {
-    FaceRefiner(mesh, surface, sizes).run();
+    return FaceRefiner(mesh, surface, sizes).run();
 }
 
 }  // namespace sheetmorph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/cad/meshing/face_mesh.h"
 
 namespace sheetmorph
@@ -39,7 +40,8 @@ struct FaceSizes
 //! surface, and no triangle turns over in the parameter plane. (Botsch and Kobbelt, A remeshing
 //! approach to multiresolution modeling, 2004, in the parameter plane and with sizes that grow.)
 //! \param mesh  its border, which stays, has the sizes wanted there
-void refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes);
+//! \returns whether its last splits and exchanges ended, before `most_vertices` too
+Convergence refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes);
 
 //! The largest distance between side middles, triangle centres and the surface, mm.
 double deviation(const FaceMesh& mesh, const FaceSurface& surface);

@@ -21,7 +21,7 @@ class FaceRefiner
 public:
     FaceRefiner(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes);
 
-    void run();
+    Convergence run();
 
 private:
     struct Side
@@ -60,10 +60,10 @@ private:
         return std::max(length_excess(a, b), bend_excess(a, b));
     }
     void spread_sizes();
-    void split_all();
-    bool split_round();
+    Convergence split_all();
+    int split_round();
     bool try_split(const Side& side);
-    void flip_all();
+    Convergence flip_all();
     bool flip_if_better(int t, int k);
     void legalise(int v);
     void collapse_all();

@@ -33,6 +33,7 @@ struct MeshedFace
     std::vector<std::array<int, 2>> shared;  // (point, its number in SharedVertices)
     CadSurface surface;
     double deviation = 0.0;
+    Convergence convergence = {};
 };
 
 void take(MeshedFace& face, const FaceMesh& mesh)
@@ -68,7 +69,7 @@ MeshedFace mesh_face(const TopoDS_Face& face, const SharedVertices& shared,
     try
     {
         FaceMesh mesh(std::move(nodes.vertices), nodes.triangles, nodes.locked);
-        refine_face(mesh, surface, sizes);
+        made.convergence = refine_face(mesh, surface, sizes);
         made.deviation = deviation(mesh, surface);
         take(made, mesh);
     }
@@ -237,6 +238,7 @@ CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing)
     {
         part.surfaces.push_back(faces[f].surface);
         part.deviation = std::max(part.deviation, faces[f].deviation);
+        part.convergence.join(faces[f].convergence);
         if (faces[f].triangles.empty())
             part.skipped_faces.push_back(static_cast<int>(f));
     }

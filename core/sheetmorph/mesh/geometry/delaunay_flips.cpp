@@ -4,6 +4,7 @@
 #include "sheetmorph/base/index.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
 namespace sheetmorph
@@ -14,9 +15,6 @@ namespace
 
 // Four points on a circle have the sum 0; rounding must not flip them for ever.
 constexpr double rounding = 1e-9;
-
-// A slow mesh takes a few flips a side; ever more means that rounding leads in circles.
-constexpr int most_flips_a_side = 100;
 
 //! A side as seen from its face: unit vectors along it and into the face, and the apex there.
 struct SideFrame
@@ -144,14 +142,14 @@ double worst_cotangent_sum(const LaidFaces& faces)
     return worst;
 }
 
-int flip_to_delaunay(LaidFaces& faces)
+Convergence flip_to_delaunay(LaidFaces& faces, int most_a_side)
 {
     std::vector<int> waiting;
     for (int side = 3 * faces.count() - 1; side >= 0; --side)
         waiting.push_back(side);
-    const int most = most_flips_a_side * static_cast<int>(waiting.size());
-    int flips = 0;
-    while (!waiting.empty() && flips < most)
+    const int most = most_a_side * static_cast<int>(waiting.size());
+    Convergence found{"the triangles laid over the sheet", false, 0, 0.0, "of a cotangent"};
+    while (!waiting.empty() && found.rounds < most)
     {
         const int side = waiting.back();
         waiting.pop_back();
@@ -160,12 +158,15 @@ int flip_to_delaunay(LaidFaces& faces)
             continue;
         if (!flip(faces, side))
             continue;
-        ++flips;
+        ++found.rounds;
         for (const int face : {side / 3, other / 3})
             for (int k = 1; k < 3; ++k)
                 waiting.push_back(3 * face + k);
     }
-    return flips;
+    found.is_converged = waiting.empty();
+    if (!found.is_converged)
+        found.miss = std::max(0.0, -worst_cotangent_sum(faces));
+    return found;
 }
 
 }  // namespace sheetmorph

@@ -22,6 +22,10 @@ constexpr double straightest = 1e-8;
 
 constexpr int fewest_rim_vertices = 6;
 
+// Rounds of the fit, and the step over the radius that counts as none. Rims take 3 to 10.
+constexpr int most_rounds = 100;
+constexpr double settled = 1e-9;
+
 // Enclosed area over squared radius that tells a rim (2.6 for a hexagon) from the border of a
 // narrow curved strip, which lies close to a large circle without going around it.
 constexpr double least_area = 2.0;
@@ -62,8 +66,8 @@ Eigen::VectorXd misses(const Plane& points, const Circle2& circle)
 }
 
 // One Gauss-Newton step for the distances to the circle, halved until it improves them.
-// Returns false when nothing is left to improve.
-bool improve(const Plane& points, Circle2& circle)
+// Returns its length, 0 when nothing is left to improve.
+double improve(const Plane& points, Circle2& circle)
 {
     const Eigen::VectorXd miss = misses(points, circle);
     const Plane out = points.rowwise() - circle.centre.transpose();
@@ -76,9 +80,22 @@ bool improve(const Plane& points, Circle2& circle)
         if (misses(points, next).squaredNorm() >= miss.squaredNorm())
             continue;
         circle = next;
-        return step.norm() > 1e-16 * circle.radius;
+        return step.norm();
     }
-    return false;
+    return 0.0;
+}
+
+// Every round lowers the sum of squares; it has settled when the circle moves no more.
+Convergence settle(const Plane& points, Circle2& circle)
+{
+    Convergence found{"the circle's place and radius", false, 0, 0.0};
+    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
+    {
+        found.miss = improve(points, circle);
+        found.is_converged = found.miss <= 1e-16 * circle.radius;
+    }
+    found.is_converged |= found.miss <= settled * circle.radius;
+    return found;
 }
 
 // Twice the area the points go around, as a vector: its side of the plane is their sense.
@@ -121,10 +138,9 @@ CircleFit fit_circle(const Points& points)
     const double scale = std::sqrt(offsets.squaredNorm() / static_cast<double>(offsets.rows()));
     const Plane flat = offsets * frame.leftCols<2>() / scale;
     Circle2 circle = algebraic_circle(flat);
-    for (int round = 0; round < 100 && improve(flat, circle); ++round)
-        continue;
-
     CircleFit fit;
+    fit.convergence = settle(flat, circle);
+    fit.convergence.miss *= scale;
     fit.centre = centroid.transpose() + frame.leftCols<2>() * circle.centre * scale;
     fit.axis = oriented_axis(frame.col(2), offsets);
     fit.radius = circle.radius * scale;
@@ -142,7 +158,7 @@ std::optional<CircleFit> round_rim(const Points& rim, double tolerance)
     if (area <= straightest * (rim.rowwise() - rim.row(0)).squaredNorm())
         return std::nullopt;  // a slit, which no circle fits
     const CircleFit circle = fit_circle(rim);
-    if (circle.residual < tolerance * circle.radius
+    if (circle.convergence.is_converged && circle.residual < tolerance * circle.radius
         && area > least_area * circle.radius * circle.radius)
         return circle;
     return std::nullopt;

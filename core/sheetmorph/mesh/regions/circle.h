@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
 #include <optional>
@@ -14,7 +15,8 @@ struct CircleFit
     Vector3 centre = Vector3::Zero();
     Vector3 axis = Vector3::UnitZ();  //!< of length 1; the points run around it counter-clockwise
     double radius = 0.0;
-    double residual = 0.0;  //!< largest distance of a point from the circle
+    double residual = 0.0;         //!< largest distance of a point from the circle
+    Convergence convergence = {};  //!< of the fit: nearly straight rows of points settle nowhere
 };
 
 //! The circle in the points' best plane with the least sum of squared distances in that plane.
@@ -25,7 +27,9 @@ struct CircleFit
 CircleFit fit_circle(const Points& points);
 
 //! The circle a closed rim of at least 6 points is, within tolerance * radius; nothing if it is
-//! none or has no extent. \param rim        (k, 3) mm, in order \param tolerance  no unit, > 0
+//! none, has no extent, or no circle settles on it.
+//! \param rim        (k, 3) mm, in order
+//! \param tolerance  no unit, > 0
 std::optional<CircleFit> round_rim(const Points& rim, double tolerance);
 
 //! A boundary loop that is a circle.

@@ -53,7 +53,8 @@ void take_off(const Eigen::MatrixXd& fields, Eigen::MatrixXd& wanted, Eigen::Mat
 }
 
 // The column that misses most becomes a field, until none misses by more than one (columns are in
-// units of their tolerances) or than their rounding in float32.
+// units of their tolerances) or than their rounding in float32. As many fields as rows miss
+// nothing.
 void extend(ResponseFields::Patch& patch, Eigen::MatrixXd wanted, const Eigen::VectorXd& units)
 {
     const Eigen::Index rows = wanted.rows();

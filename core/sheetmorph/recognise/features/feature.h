@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/base/types.h"
 
 namespace sheetmorph
@@ -51,6 +52,7 @@ struct Feature
     bool is_hollow = false;       //!< cylinder, cone, sphere of a closed part: seen from inside
     std::vector<VertexIds> rims;  //!< closed loops in order around; the first is the named one
     VertexIds vertices;           //!< ascending, rims and walls included
+    Convergence convergence = {};   //!< of a surface: growing its triangles and fitting it in turn
     std::vector<VertexIds> washer;  //!< ring k: the vertices one triangle around ring k - 1
 };
 

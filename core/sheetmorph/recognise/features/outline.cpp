@@ -96,8 +96,8 @@ RoundedBox smallest_rectangle(const Plane& points)
     return best;
 }
 
-// The corner radius with the smallest residual: a coarse scan, then around the
-// best ever finer.
+// The corner radius with the smallest residual: a coarse scan, then around the best ever finer.
+// Four scans leave 1e-4 of the half width, and the residual is that of the radius that is returned.
 RoundedBox rounded_box(const Plane& points)
 {
     RoundedBox box = smallest_rectangle(points);
@@ -220,7 +220,7 @@ Outline fit_outline(const Points& loop, double roundness, double scatter)
     circle.bulge = (off * circle.axis).cwiseAbs().maxCoeff();
 
     const RoundedBox box = rounded_box(flat);
-    if (is_round(circle, box, slack))
+    if (fit.convergence.is_converged && is_round(circle, box, slack))
         circle.kind = FeatureKind::round_hole;
     else if (fits(box, circle.area, slack))
         return outline_of(box, circle, frame);

@@ -173,6 +173,7 @@ Points calmed_normals(const EdgeTable& edges, const Points& normals,
     const Eigen::VectorXd area =
         Eigen::Map<const Eigen::VectorXd>(areas.data(), static_cast<Eigen::Index>(areas.size()));
     Points calm = normals;
+    // A filter of so many passes, not a search for something they would end at.
     for (int round = 0; round < rounds; ++round)
     {
         Points sums = area.asDiagonal() * calm;

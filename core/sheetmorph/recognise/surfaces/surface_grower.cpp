@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace sheetmorph
@@ -22,6 +23,27 @@ constexpr FeatureKind curved[] = {FeatureKind::cylinder, FeatureKind::sphere, Fe
 // Mean square difference of normals from which a patch turns; what calming leaves of scatter.
 constexpr double turning = 0.002;
 constexpr double left_over = 0.5;
+
+// Fits and growths in turn until a region stays as it is.
+constexpr int most_rounds = 8;
+const Convergence growth{"the triangles of a surface", false, 0, 0.0, "triangles"};
+
+// Gives a region the triangles that it grew to, and tells how many that changes.
+void take(SurfaceRegion& region, std::vector<int> triangles)
+{
+    const auto sorted = [](std::vector<int> list)
+    {
+        std::sort(list.begin(), list.end());
+        return list;
+    };
+    std::vector<int> changed;
+    const std::vector<int> before = sorted(region.triangles), after = sorted(triangles);
+    std::set_symmetric_difference(before.begin(), before.end(), after.begin(), after.end(),
+                                  std::back_inserter(changed));
+    region.triangles = std::move(triangles);
+    region.convergence.miss = static_cast<double>(changed.size());
+    region.convergence.is_converged = changed.empty();
+}
 
 // Cosine of the largest angle between a triangle and its curved surface (30 degrees).
 constexpr double along_surface = 0.866;
@@ -226,24 +248,25 @@ std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed, const std::vecto
                                                       FeatureKind kind)
 {
     std::optional<Surface> surface = fit_surface(graph_, patch, kind);
-    std::vector<int> region = patch;
-    for (int round = 0; round < 3 && surface; ++round)
+    SurfaceRegion region{{}, patch, 0.0, growth};
+    for (Convergence& of = region.convergence;
+         surface && !of.is_converged && of.rounds < most_rounds; ++of.rounds)
     {
-        *surface = refined(graph_, region, *surface);
+        *surface = refined(graph_, region.triangles, *surface);
         if (surface->radius > 2.0 * size_ || !is_near(*surface, seed))
             return std::nullopt;
-        region = grown(seed, *surface);
-        if (region.size() < fewest_triangles || !is_curved(*surface, region))
+        take(region, grown(seed, *surface));
+        if (region.triangles.size() < fewest_triangles || !is_curved(*surface, region.triangles))
             return std::nullopt;
-        surface = fit_surface(graph_, region, kind);
+        surface = fit_surface(graph_, region.triangles, kind);
     }
     if (!surface)
         return std::nullopt;
-    *surface = refined(graph_, region, *surface);
-    if (!is_near(*surface, seed) || !is_curved(*surface, region))
+    region.surface = refined(graph_, region.triangles, *surface);
+    if (!is_near(region.surface, seed) || !is_curved(region.surface, region.triangles))
         return std::nullopt;
-    const double area = area_of(region);
-    return SurfaceRegion{*surface, std::move(region), area};
+    region.area = area_of(region.triangles);
+    return region;
 }
 
 std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed)
@@ -283,18 +306,22 @@ double SurfaceGrower::bulge(const SurfaceRegion& region) const
 
 SurfaceRegion SurfaceGrower::plane_at(int seed)
 {
-    Surface surface;
-    surface.axis = graph_.normal(seed);
-    surface.point = graph_.centroid(seed);
-    std::vector<int> region = grown(seed, surface);
-    const std::optional<Surface> fitted = fit_surface(graph_, region, FeatureKind::plane);
-    if (fitted && is_near(*fitted, seed))
+    SurfaceRegion region{{}, {}, 0.0, growth};
+    region.surface.axis = graph_.normal(seed);
+    region.surface.point = graph_.centroid(seed);
+    region.triangles = grown(seed, region.surface);
+    for (Convergence& of = region.convergence; !of.is_converged && of.rounds < most_rounds;
+         ++of.rounds)
     {
-        surface = *fitted;
-        region = grown(seed, surface);
+        const auto fitted = fit_surface(graph_, region.triangles, FeatureKind::plane);
+        of.is_converged = !fitted || !is_near(*fitted, seed);
+        if (of.is_converged)
+            break;
+        region.surface = *fitted;
+        take(region, grown(seed, region.surface));
     }
-    const double area = area_of(region);
-    return {surface, std::move(region), area};
+    region.area = area_of(region.triangles);
+    return region;
 }
 
 }  // namespace sheetmorph

@@ -77,6 +77,7 @@ Points corners_of(const FacetGraph& graph, const std::vector<int>& triangles)
 
 Surface refined(const FacetGraph& graph, const std::vector<int>& triangles, const Surface& start)
 {
+    // Each step that is taken lowers the squares, and what fits is judged by the triangles near it.
     constexpr int most_steps = 12;
     const Points corners = corners_of(graph, triangles);
     Surface best = start;

@@ -59,6 +59,7 @@ Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region)
     feature.radius = region.surface.radius;
     feature.angle = region.surface.angle;
     feature.area = region.area;
+    feature.convergence = region.convergence;
     double inside = 0.0;
     std::set<int> vertices;
     for (const int t : region.triangles)

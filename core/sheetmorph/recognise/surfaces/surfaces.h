@@ -12,7 +12,8 @@ struct SurfaceRegion
 {
     Surface surface;
     std::vector<int> triangles;
-    double area = 0.0;  //!< mm^2
+    double area = 0.0;             //!< mm^2
+    Convergence convergence = {};  //!< of growing and fitting in turn
 };
 
 //! The planes, cylinders, spheres and cones of a part, by region growing (see

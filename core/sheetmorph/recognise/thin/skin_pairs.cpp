@@ -35,6 +35,7 @@ public:
             sets_.join(pair.one, pair.other, 1);
         seeds_.assign(graph.is_closed.size(), -1);
         choose_seeds();
+        // Ends, since each round joins sets of cells.
         while (grow())
             continue;
     }

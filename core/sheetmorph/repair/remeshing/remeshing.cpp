@@ -148,21 +148,28 @@ void project(WorkingMesh& work, const PatchTrees& trees)
     parallel_ranges(static_cast<Eigen::Index>(moving.size()), microsecond_items, project_some);
 }
 
-void improve(WorkingMesh& work, const PatchTrees& trees, const Progress& progress)
+// A given number of rounds, as the method has it: each is a step to even triangles, none is needed.
+// What must end are the steps inside the last that makes new edges, and the last flips.
+Convergence improve(WorkingMesh& work, const PatchTrees& trees, const Progress& progress)
 {
     constexpr int rounds = 8, finishing = 3;
+    Convergence found, cut;
     flip_to_delaunay(work);
     for (int round = 0; round < rounds + finishing; ++round)
     {
         progress.report(double(round) / (rounds + finishing), "remeshing");
         if (round < rounds)
-            split_long_edges(work);
-        collapse_short_edges(work);
+            cut = split_long_edges(work);
+        const Convergence collapsed = collapse_short_edges(work);
+        if (round + 1 == rounds + finishing)
+            found.join(collapsed);
         flip_to_delaunay(work, 4);
         smooth(work);
         project(work, trees);
     }
-    flip_to_delaunay(work);
+    found.join(cut);
+    found.join(flip_to_delaunay(work));
+    return found;
 }
 
 }  // namespace
@@ -198,9 +205,11 @@ RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
     WorkingMesh work(
         {worked.mesh, cut.ridges, worked.patch, cut.sizes, patches.is_flat, options.edge});
     const PatchTrees trees(mesh, patches.patch);
-    improve(work, trees, progress.part(0.1, 0.8));
+    const Convergence convergence = improve(work, trees, progress.part(0.1, 0.8));
     progress.report(0.8, "measuring the deviation");
-    return result_of(work, {mesh, table, patches, cut, trees, twins, rims.count()});
+    RemeshedMesh made = result_of(work, {mesh, table, patches, cut, trees, twins, rims.count()});
+    made.convergence = convergence;
+    return made;
 }
 
 }  // namespace sheetmorph

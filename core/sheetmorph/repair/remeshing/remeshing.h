@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
@@ -29,7 +30,8 @@ struct RemeshedMesh
     int circles = 0;             //!< rims that were put on their circles
     double deviation = 0.0;      //!< farthest the new mesh is from the facets given, or they from
                                  //!< it: at vertices, middles of edges and of triangles, mm
-    double flat_deviation = 0.0;  //!< the same on flats only
+    double flat_deviation = 0.0;   //!< the same on flats only
+    Convergence convergence = {};  //!< of cutting, collapsing and turning its edges
 };
 
 //! Well-shaped triangles on the facets given. Creases, borders, rims and edges of three triangles

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/topology/editable_triangles.h"
 
 namespace sheetmorph
@@ -58,15 +59,14 @@ private:
 
 //! Turns the edges that are not ridges until every pair of triangles is Delaunay (the two angles
 //! opposite an edge sum up to pi at most), or for so many rounds. Pairs that are bent stay.
-//! \returns how many edges were turned
-int flip_to_delaunay(WorkingMesh& work, int most_rounds = 40);
+Convergence flip_to_delaunay(WorkingMesh& work, int most_rounds = 40);
 
-//! Makes sizes grow slowly along the edges there are now.
+//! Makes sizes grow slowly along the edges there are now: a few passes each time, sizes only fall.
 void even_sizes(WorkingMesh& work);
 
 //! Splits edges longer than 4/3 of what is wanted, then collapses those shorter than 4/5.
-void split_long_edges(WorkingMesh& work);
-void collapse_short_edges(WorkingMesh& work);
+Convergence split_long_edges(WorkingMesh& work, int most_rounds = 40);
+Convergence collapse_short_edges(WorkingMesh& work, int most_rounds = 10);
 
 //! Moves every vertex off the ridges to the middle of the triangles around it, inside its surface.
 void smooth(WorkingMesh& work);

@@ -17,7 +17,8 @@ namespace
 
 constexpr double too_long = 4.0 / 3.0;
 constexpr double too_short = 4.0 / 5.0;
-constexpr double least_height = 0.02;    // over the longest edge, of a triangle that is made
+constexpr double least_height = 0.02;  // over the longest edge, of a triangle that is made
+constexpr auto edges_of_work = "the edges of the new mesh";
 constexpr double least_alignment = 0.8;  // cosine between a triangle before and after a step
 
 // Whether a triangle keeps its side, and keeps some height.
@@ -198,20 +199,22 @@ std::vector<Side> sides_where(const WorkingMesh& work, Choice excess_of)
 
 }  // namespace
 
-int flip_to_delaunay(WorkingMesh& work, int most_rounds)
+Convergence flip_to_delaunay(WorkingMesh& work, int most_rounds)
 {
-    int count = 0;
-    for (int round = 0, flipped = 1; round < most_rounds && flipped > 0; ++round, count += flipped)
+    Convergence found{edges_of_work, false, 0, 0.0, "edges"};
+    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
-        flipped = 0;
+        int flipped = 0;
         work.for_each_side(
             [&](int t, int k)
             {
                 if (work.is_free_side(t, k))
                     flipped += flip_if_better(work, t, k);
             });
+        found.miss = flipped;
+        found.is_converged = flipped == 0;
     }
-    return count;
+    return found;
 }
 
 void even_sizes(WorkingMesh& work)
@@ -228,10 +231,10 @@ void even_sizes(WorkingMesh& work)
             });
 }
 
-void split_long_edges(WorkingMesh& work)
+Convergence split_long_edges(WorkingMesh& work, int most_rounds)
 {
-    constexpr int most_rounds = 40;
-    for (int round = 0; round < most_rounds; ++round)
+    Convergence found{edges_of_work, false, 0, 0.0, "edges"};
+    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
         even_sizes(work);
         const std::vector<Side> sides =
@@ -239,18 +242,19 @@ void split_long_edges(WorkingMesh& work)
         for (const Side& side : sides)
             if (side.is_there(work))
                 work.split(side.t, side.k);
-        if (sides.empty())
-            return;
+        found.miss = static_cast<double>(sides.size());
+        found.is_converged = sides.empty();
     }
+    return found;
 }
 
 // A collapse renames the sides beside it: those are looked for again.
-void collapse_short_edges(WorkingMesh& work)
+Convergence collapse_short_edges(WorkingMesh& work, int most_rounds)
 {
-    constexpr int most_rounds = 10;
-    for (int round = 0, renamed = 1; round < most_rounds && renamed > 0; ++round)
+    Convergence found{edges_of_work, false, 0, 0.0, "edges"};
+    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
-        renamed = 0;
+        int renamed = 0;
         for (const Side& side : sides_where(work, [](double length) { return too_short / length; }))
         {
             if (!side.is_there(work))
@@ -258,7 +262,10 @@ void collapse_short_edges(WorkingMesh& work)
             else if (work.length(side.t, side.k) < too_short * work.wanted_length(side.t, side.k))
                 collapse_if_sound(work, side.t, side.k);
         }
+        found.miss = renamed;
+        found.is_converged = renamed == 0;
     }
+    return found;
 }
 
 void smooth(WorkingMesh& work)

@@ -165,8 +165,8 @@ void PoseNumbers::span_turns(const std::vector<KnownPose>& samples)
                        ++row;
                    });
         field_.middleCols(first, width) =
-            part_.field->logs(given_rotations(part_.placement(), targets, bodies).logs)
-                .leftCols(width);
+            part_.field->spread(given_rotations(part_.placement(), targets, bodies).logs)
+                .logs.leftCols(width);
     }
 }
 

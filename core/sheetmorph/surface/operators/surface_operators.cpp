@@ -28,14 +28,21 @@ constexpr double in_line = 1e-3;
 // Rows whose turning is worth a range of its own.
 constexpr Eigen::Index least_turned = 1000;
 
-LaidFaces faces_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+//! The triangles that are measured.
+struct MeasuredFaces
+{
+    LaidFaces faces;
+    Convergence convergence;
+};
+
+MeasuredFaces faces_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     const bool is_natural = constraints.energy == Energy::natural;
-    LaidFaces faces = is_natural ? laid_faces(mesh) : covered_faces(mesh);
+    MeasuredFaces found{is_natural ? laid_faces(mesh) : covered_faces(mesh), {}};
     if (constraints.laplacian == Laplacian::intrinsic
-        || worst_cotangent_sum(faces) < failing_cotangents)
-        flip_to_delaunay(faces);
-    return faces;
+        || worst_cotangent_sum(found.faces) < failing_cotangents)
+        found.convergence = flip_to_delaunay(found.faces);
+    return found;
 }
 
 // Cotangents and areas of the triangles as they are given.
@@ -182,8 +189,9 @@ SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstr
         add_laplacian(operators, mesh, constraints.energy);
         return operators;
     }
-    const LaidFaces faces = faces_of(mesh, constraints);
+    const auto [faces, convergence] = faces_of(mesh, constraints);
     SurfaceOperators operators = measured(faces, mesh.vertex_count());
+    operators.convergence = convergence;
     add_laplacian(operators, TriangleMesh(mesh.points(), faces.triangles), constraints.energy);
     if (constraints.energy != Energy::natural)
         return operators;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 #include "sheetmorph/surface/operators/vertex_roles.h"
@@ -17,6 +18,8 @@ struct SurfaceOperators
     VertexIds row_vertices;        //!< (r) the vertex whose rotation turns the rest row
     Points half_cotangents;        //!< (m, 3)
     Eigen::VectorXd vertex_areas;  //!< A (n) mm^2
+
+    Convergence convergence = {};  //!< of the intrinsic triangles they are measured on
 
     //! (n, n) stiffness of the rotation field: edge weights >= 0
     std::shared_ptr<const SparseMatrix> harmonic;

@@ -5,12 +5,16 @@
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
 #include <optional>
+#include <utility>
 
 namespace sheetmorph
 {
 
 namespace
 {
+
+// One or two do on clean meshes.
+constexpr int most_refinements = 8;
 
 class BiharmonicRotationField : public RotationField
 {
@@ -39,7 +43,7 @@ public:
                            earlier != nullptr ? &*earlier->minimiser_ : nullptr);
     }
 
-    Points logs(const KnownRotations& known) const override
+    SpreadRotations spread(const KnownRotations& known) const override
     {
         ConstrainedMinimiser::Targets targets;
         targets.offset = known.vertices;
@@ -51,7 +55,10 @@ public:
         for (std::size_t row = 0; row < turned_.size(); ++row)
             targets.constraints.row(static_cast<Eigen::Index>(row)) =
                 known.points.row(turned_[row]);
-        return minimiser_->solve(targets, 2);
+        ConstrainedMinimiser::Solution found = minimiser_->minimum(targets, most_refinements);
+        found.convergence.what = "the rotations of the sheet";
+        found.convergence.unit = "radians";
+        return {std::move(found.u), found.convergence};
     }
 
 private:

@@ -197,12 +197,12 @@ public:
           factor_(unknowns_.merged(harmonic_), input.operators.harmonic_tree,
                   earlier != nullptr ? &earlier->factor_ : nullptr),
           used_(used_sources(sources_)),
-          weights_(spread(indicator(sources_, used_)))
+          weights_(harmonic_values(indicator(sources_, used_)))
     {
         smooth_and_renormalise(weights_);
     }
 
-    Points logs(const KnownRotations& known) const override
+    SpreadRotations spread(const KnownRotations& known) const override
     {
         const Points of_source = source_logs(known);
         Points of_used(static_cast<Eigen::Index>(used_.size()), 3);
@@ -223,7 +223,7 @@ public:
         }
         if (!excess.isZero(0.0))
             add_harmonic_excess(logs, excess);
-        return logs;
+        return {logs, {}};
     }
 
 private:
@@ -248,7 +248,7 @@ private:
 
     // Harmonic values of the unknowns for given ones (n, k) of the known vertices, which are 0 at
     // most of them.
-    Eigen::MatrixXd spread(const Eigen::MatrixXd& given) const
+    Eigen::MatrixXd harmonic_values(const Eigen::MatrixXd& given) const
     {
         Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns_.count, given.cols());
         for (Eigen::Index i = 0; i < given.rows(); ++i)
@@ -261,7 +261,7 @@ private:
     // region's mean fades out harmonically.
     void add_harmonic_excess(Points& logs, const Points& excess) const
     {
-        const Eigen::MatrixXd of_unknown = spread(excess);
+        const Eigen::MatrixXd of_unknown = harmonic_values(excess);
         for (Eigen::Index i = 0; i < logs.rows(); ++i)
         {
             const int unknown = unknowns_.of_vertex[static_cast<std::size_t>(i)];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/surface/operators/surface_operators.h"
 #include "sheetmorph/surface/operators/vertex_roles.h"
 
@@ -19,6 +20,13 @@ struct KnownRotations
     Points points;    //!< (k, 3) rows read at turned points
 };
 
+//! Rotation logarithms of a whole sheet.
+struct SpreadRotations
+{
+    Points logs;                   //!< (n, 3)
+    Convergence convergence = {};  //!< where they were solved for in rounds
+};
+
 //! Spreads known rotations over the sheet (2.7 to 2.9); interpolated features get one rotation
 //! each. Where nothing on a component is turned or held, its rotation is none.
 class RotationField
@@ -26,8 +34,7 @@ class RotationField
 public:
     virtual ~RotationField() = default;
 
-    //! \returns (n, 3) rotation logarithms
-    virtual Points logs(const KnownRotations& known) const = 0;
+    virtual SpreadRotations spread(const KnownRotations& known) const = 0;
 };
 
 //! What both kinds of field are made from; only read during construction.

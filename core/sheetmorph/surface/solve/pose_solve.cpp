@@ -50,13 +50,20 @@ struct Field
 {
     Points logs;   // (n, 3)
     Points tilts;  // (n, 3)
+    Convergence convergence = {};
 };
 
 Field field_of(const PreparedSurface& part, const GivenRotations& given)
 {
-    Field field{part.field->logs(given.logs), Points::Zero(part.rest.vertex_count(), 3)};
+    SpreadRotations found = part.field->spread(given.logs);
+    Field field{std::move(found.logs), Points::Zero(part.rest.vertex_count(), 3),
+                found.convergence};
     if (given.is_tilted)
-        field.tilts = part.field->logs(given.tilts);
+    {
+        found = part.field->spread(given.tilts);
+        field.tilts = std::move(found.logs);
+        field.convergence.join(found.convergence);
+    }
     return field;
 }
 
@@ -143,6 +150,8 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
     const PlacementInput placement = part.placement();
     Solving pose{targets, exactness, known_body_motions(placement, targets), {}, {}, {}};
     pose.field = field_of(part, given_rotations(placement, targets, pose.bodies));
+    pose.convergence.join(part.operators.convergence);
+    pose.convergence.join(pose.field.convergence);
     turn_open_bodies(placement, pose.field.logs, pose.field.tilts, pose.bodies);
     pose.asked.constraints =
         point_displacements(part.rest, part.constraints.points, targets.points);

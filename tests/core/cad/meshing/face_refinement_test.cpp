@@ -106,11 +106,23 @@ FaceSizes sizes_of(double edge, double deflection, double angle)
 
 }  // namespace
 
+TEST(FaceRefinement, tells_when_it_has_no_more_vertices)
+{
+    const Plane plane;
+    FaceMesh mesh = rectangle(plane, {40.0, 30.0}, 40, 1.0);
+    FaceSizes sizes = sizes_of(4.0, 0.1, 0.35);
+    sizes.most_vertices = 90;
+    const Convergence found = refine_face(mesh, plane, sizes);
+    EXPECT_FALSE(found.is_converged);
+    EXPECT_GT(found.miss, 0.0);
+    EXPECT_EQ(found.sentence().find("the edges of CAD faces have not settled"), 0U);
+}
+
 TEST(FaceRefinement, fills_a_flat_face_with_well_shaped_triangles)
 {
     const Plane plane;
     FaceMesh mesh = rectangle(plane, {40.0, 30.0}, 40, 1.0);
-    refine_face(mesh, plane, sizes_of(4.0, 0.1, 0.35));
+    EXPECT_TRUE(refine_face(mesh, plane, sizes_of(4.0, 0.1, 0.35)).is_converged);
     EXPECT_NEAR(area(mesh), 1200.0, 1e-9);
     EXPECT_GT(smallest_angle(mesh), 5.0);  // at the ends: sides of 30 mm that must stay
     int fixed = 0;

@@ -42,7 +42,7 @@ Points half_cotangents_of(const LaidFaces& faces)
 TEST(DelaunayFlips, LeaveAGoodMeshAsItIs)
 {
     LaidFaces faces = laid_faces(shapes::grid(6, 4, 60.0, 40.0));
-    EXPECT_EQ(flip_to_delaunay(faces), 0);
+    EXPECT_EQ(flip_to_delaunay(faces).rounds, 0);
     EXPECT_EQ(faces.triangles, shapes::grid(6, 4, 60.0, 40.0).triangles());
 }
 
@@ -56,12 +56,25 @@ TEST(DelaunayFlips, MakeEveryCotangentSumNonNegativeAndKeepTheArea)
         LaidFaces faces = laid_faces(mesh);
         const double area = total_area(faces);
         EXPECT_LT(worst_cotangent_sum(faces), -0.5);
-        EXPECT_GT(flip_to_delaunay(faces), 0);
+        const Convergence flips = flip_to_delaunay(faces);
+        EXPECT_GT(flips.rounds, 0);
+        EXPECT_TRUE(flips.is_converged);
         EXPECT_GT(worst_cotangent_sum(faces), delaunay);
         EXPECT_NEAR(total_area(faces), area, 1e-4 * area);
         for (std::size_t side = 0; side < faces.glued.size(); ++side)
             EXPECT_NE(faces.glued[side] == LaidFaces::open, faces.rim[side] == LaidFaces::open);
     }
+}
+
+TEST(DelaunayFlips, TellWhenTheyEndBefore)
+{
+    LaidFaces faces = laid_faces(sheared_sheet());
+    const Convergence flips = flip_to_delaunay(faces, 0);
+    EXPECT_FALSE(flips.is_converged);
+    EXPECT_EQ(flips.rounds, 0);
+    EXPECT_DOUBLE_EQ(flips.miss, -worst_cotangent_sum(faces));
+    EXPECT_NE(flips.sentence().find("the triangles laid over the sheet have not settled"),
+              std::string::npos);
 }
 
 TEST(DelaunayFlips, KeepAFlatSheetFlatAndItsLinearFunctionsHarmonic)

@@ -113,6 +113,21 @@ TEST(Circle, TooFewOrStraightOrInfinitePointsAreRefused)
     EXPECT_THROW(fit_circle(straight), InvalidInput);
 }
 
+TEST(Circle, TellsWhenItDidNotSettle)
+{
+    EXPECT_TRUE(fit_circle(shapes::annulus(24, 2, 5, 8).points()).convergence.is_converged);
+    // Scattered about a line: circles on both sides of it are as good.
+    Points points(7, 3);
+    points << -1.0, -0.7, 0, -2.0 / 3.0, -0.8, 0, -1.0 / 3.0, 0.3, 0, 0, -0.2, 0, 1.0 / 3.0, 0.1, 0,
+        2.0 / 3.0, 0.8, 0, 1.0, 0.9, 0;
+    const CircleFit lost = fit_circle(points);
+    EXPECT_FALSE(lost.convergence.is_converged);
+    EXPECT_EQ(lost.convergence.rounds, 100);
+    EXPECT_GT(lost.convergence.miss, 1e-9 * lost.radius);
+    EXPECT_EQ(lost.convergence.sentence().find("the circle's place and radius have not settled"),
+              0U);
+}
+
 TEST(Circle, RoundHolesOfAPlateAreItsHolesAndNotItsBorder)
 {
     const shapes::PlateWithHoles plate = shapes::plate_with_holes();

@@ -6,6 +6,7 @@
 #include "sheetmorph/mesh/quality/quality.h"
 #include "sheetmorph/mesh/regions/circle.h"
 #include "sheetmorph/mesh/topology/boundary.h"
+#include "sheetmorph/repair/remeshing/working_mesh.h"
 #include "sheetmorph/repair/self_intersections.h"
 #include "shapes.h"
 
@@ -152,6 +153,29 @@ TEST(Remeshing, MeshesSkinsAlikeThoughARimHasAVertexMoreOnOneSide)
     EXPECT_LT(without_twin(found.mesh, 3.0, 0.0), 25);  // along the edge that differs alone
     EXPECT_GT(std::count_if(found.is_kept.begin(), found.is_kept.end(), [](char c) { return c; }),
               8);
+}
+
+TEST(Remeshing, TellsWhenEdgesAreLeft)
+{
+    const TriangleMesh plate = shapes::grid(2, 2, 40.0, 40.0);
+    EXPECT_TRUE(remeshed(plate, {2.0}).convergence.is_converged);
+    const std::vector<int> patch(8, 0);
+    const std::vector<char> is_flat{1};
+    const auto work_with = [&](double size) {
+        return WorkingMesh({plate, {}, patch, std::vector<double>(9, size), is_flat, size});
+    };
+    // Beside the border, whose edges of 20 mm stay, no cut makes sides of 2 mm.
+    WorkingMesh fine = work_with(2.0);
+    const Convergence cut = split_long_edges(fine, 5);
+    EXPECT_FALSE(cut.is_converged);
+    EXPECT_GT(cut.miss, 0.0);
+    EXPECT_EQ(cut.sentence().find("the edges of the new mesh have not settled after 5 rounds"), 0U);
+    EXPECT_FALSE(flip_to_delaunay(fine, 1).is_converged);
+    EXPECT_FALSE(collapse_short_edges(fine, 0).is_converged);
+    WorkingMesh coarse = work_with(25.0);
+    EXPECT_TRUE(split_long_edges(coarse).is_converged);
+    EXPECT_TRUE(flip_to_delaunay(coarse).is_converged);
+    EXPECT_TRUE(collapse_short_edges(coarse).is_converged);
 }
 
 TEST(Remeshing, RefusesEdgesThatMakeNoSense)

@@ -27,7 +27,8 @@ def prepare(part, **cures) -> dict:
     was added or imported, which stays as it is, whatever was prepared before. Regions, contacts
     and features move to the new vertices in their places. Returns scale, weld, welded, removed,
     split, turned, and in `remesh` edge, rims, rims_on_circles, flats, deviation and
-    flat_deviation (mm, from the old facets). Raises ValueError; then nothing has changed.
+    flat_deviation (mm, from the old facets); in `unsettled` what did not end, else None. Raises
+    ValueError; then nothing has changed.
     """
     original = read_original(checked(part))
     made = preparation(part, **cures)

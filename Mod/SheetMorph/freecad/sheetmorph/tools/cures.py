@@ -102,4 +102,6 @@ def summary(made) -> str:
         )
         if fresh["rims"] == "circle":
             lines.append(f"{fresh['rims_on_circles']} rims put on their circles")
+    if done["unsettled"]:
+        lines.append(escape(done["unsettled"]))
     return "<br>".join(lines)
