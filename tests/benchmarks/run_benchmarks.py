@@ -15,6 +15,7 @@ import sys
 from pathlib import Path
 
 import assemblies
+import real_part
 from goals import goal_table, write_page
 from plots import draw
 from tables import Measured, measured, memory_table, other_table, panel_table
@@ -62,7 +63,13 @@ def whole_run(
     peak = peaks(program, folder, is_large)
     sys.path.insert(0, str(folder.parent / "Mod" / "SheetMorph"))
     paper = [assemblies.timed(name) for name in assemblies.NAMES]
-    return [goal_table(found, peak, paper), memory_table(peak), assemblies.time_table(paper)]
+    real = real_part.timed()
+    return [
+        goal_table(found, peak, paper, real),
+        memory_table(peak),
+        assemblies.time_table(paper),
+        real_part.table(real),
+    ]
 
 
 def main(arguments: list[str]) -> int:

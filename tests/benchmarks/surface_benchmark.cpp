@@ -202,7 +202,7 @@ BENCHMARK(one_more_feature)->Apply(small_panel_sizes);
 BENCHMARK(one_more_fixed_region)->Apply(small_panel_sizes);
 BENCHMARK(live_frame)->Apply(panel_sizes);
 BENCHMARK(live_frame_50_free_features)->Apply(small_panel_sizes);
-BENCHMARK(three_handles_frame)->Apply(small_panel_sizes);
+BENCHMARK(three_handles_frame)->Apply(panel_sizes);
 BENCHMARK(response_set_up)->Apply(panel_sizes);
 BENCHMARK(substituted_frame)->Apply(panel_sizes);
 BENCHMARK(exact_frame)->Apply(panel_sizes);
