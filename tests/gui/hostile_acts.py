@@ -37,12 +37,11 @@ def delete(obj) -> None:
     """As the tree does; the question whether that may break something is answered with yes."""
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
-    later(answer_yes)
+    answering = QtCore.QTimer()  # it goes on while the question waits, however late that comes
+    answering.timeout.connect(answer_yes)
+    answering.start(50)
     Gui.runCommand("Std_Delete")
-
-
-def later(action) -> None:
-    QtCore.QTimer.singleShot(150, action)
+    answering.stop()
 
 
 def answer_yes() -> None:
