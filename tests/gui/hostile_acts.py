@@ -150,19 +150,6 @@ def close_active_window() -> None:
     Gui.getMainWindow().findChild(QtGui.QMdiArea).activeSubWindow().close()
 
 
-DESTRUCTIVE = (
-    undo,
-    undo_all,
-    undo_all_at_once,
-    undo_and_redo,
-    delete_subject,
-    delete_part,
-    delete_fixed,
-    delete_handle,
-    delete_contact,
-    delete_in_python,
-    close_document,
-)
 GENTLE = (
     close_dialog,
     another_document,
@@ -182,3 +169,4 @@ DELETIONS = (
     delete_contact,
     delete_in_python,
 )
+DESTRUCTIVE = STEPS + DELETIONS

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A value beside the cursor, over the 3D view."""
 
-from freecad.sheetmorph.qt import QtGui, QtWidgets, QtCore
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
+from freecad.sheetmorph.scene.overlay import laid_over, take_away
 
 BESIDE = QtCore.QPoint(18, 14)  # px from the tip of the cursor
 LOOK = (
@@ -14,10 +15,7 @@ class CursorValue:
     """A label that lets the mouse through, until ``remove`` is called."""
 
     def __init__(self, view):
-        self._label = QtWidgets.QLabel(view.graphicsView().viewport())
-        self._label.setObjectName("SheetMorphCursorValue")
-        self._label.setStyleSheet(LOOK)
-        self._label.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
+        self._label = laid_over(view, QtWidgets.QLabel, "SheetMorphCursorValue", LOOK)
         self._label.hide()
 
     def show(self, text: str) -> None:
@@ -35,9 +33,4 @@ class CursorValue:
 
     def remove(self) -> None:
         """Takes it away; the view may be closed already."""
-        try:
-            self._label.hide()
-            self._label.setParent(None)
-            self._label.deleteLater()
-        except RuntimeError:
-            return
+        take_away(self._label)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The legend in the corner of the 3D view: the colours of the roles, and the scale of values."""
 
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtWidgets
+from freecad.sheetmorph.scene.overlay import laid_over, take_away
 
 CORNER = 10  # px from the upper left
 LOOK = (
@@ -14,10 +15,7 @@ class ViewLegend:
     """Lies over a 3D view and lets the mouse through, until ``remove`` is called."""
 
     def __init__(self, view):
-        self._frame = QtWidgets.QFrame(view.graphicsView().viewport())
-        self._frame.setObjectName("SheetMorphLegend")
-        self._frame.setStyleSheet(LOOK)
-        self._frame.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
+        self._frame = laid_over(view, QtWidgets.QFrame, "SheetMorphLegend", LOOK)
         self._roles, self._scale, self._values = (QtWidgets.QLabel(self._frame) for _ in range(3))
         column = QtWidgets.QVBoxLayout(self._frame)
         column.setContentsMargins(8, 5, 8, 6)
@@ -42,12 +40,7 @@ class ViewLegend:
 
     def remove(self) -> None:
         """Takes it away; the view may be closed already."""
-        try:
-            self._frame.hide()
-            self._frame.setParent(None)
-            self._frame.deleteLater()
-        except RuntimeError:
-            return
+        take_away(self._frame)
 
     def _fit(self) -> None:
         self._frame.adjustSize()
