@@ -9,10 +9,10 @@ MAY_IMPORT = {
     "qt": set(),
     "tools": set(),
     "objects": {"doors", "kinds", "tools"},
-    "bridge": {"kinds", "objects", "tools"},
+    "bridge": {"kinds", "objects", "reporting", "tools"},
     "scene": {"bridge", "preferences", "qt", "tools"},
     "editing": {"qt"},
-    "interaction": {"actions", "api", "bridge", "live_session", "objects", "qt", "scene", "tools"},
+    "interaction": {"actions", "api", "bridge", "objects", "qt", "scene", "tools"},
 }
 """By room, a folder or a file at the top of the workbench. The others only stand in no circle."""
 

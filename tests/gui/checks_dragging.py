@@ -10,7 +10,8 @@ import numpy as np
 from checks_moving import lifted, open_panel
 from desk import child, click_widget, enter, on_screen, picture, press, tick, until, view
 from desk import xdotool
-from freecad.sheetmorph import live_session, preferences
+from freecad.sheetmorph import preferences
+from freecad.sheetmorph.bridge import live_session
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.updating import ON_OK, ON_PAUSE
 from pivy import coin

@@ -18,7 +18,7 @@ def _give_looks(obj) -> None:
 
 
 def _new_solver():
-    from freecad.sheetmorph.session import SessionCache
+    from freecad.sheetmorph.bridge.solving import SessionCache
 
     return SessionCache()
 

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from freecad.sheetmorph import seen
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import FAULTS, call, name
 from freecad.sheetmorph.api.regions import loose_vertices
 from freecad.sheetmorph.bridge.faults import named_by, parts_named_by

@@ -8,8 +8,7 @@ import os
 from pathlib import Path
 
 
-from freecad.sheetmorph import session
-from freecad.sheetmorph.bridge import conversion, kernel, written
+from freecad.sheetmorph.bridge import conversion, kernel, solving, written
 from freecad.sheetmorph.api.assemblies import (
     add_part,
     create_assembly,
@@ -82,9 +81,9 @@ def write_parts(assembly, folder: str | os.PathLike) -> list[Path]:
     files appear or none. Raises MorphError, ValueError, OSError.
     """
     require_assembly(assembly)
-    morph = session.read_morph(assembly)
-    cache = session.cache_of(assembly)
-    positions = session.deform(assembly)
+    morph = solving.read_morph(assembly)
+    cache = solving.cache_of(assembly)
+    positions = solving.deform(assembly)
     report = cache.result(morph).report() if morph.is_held() else None
     return written.write_parts(assembly, morph, positions, (Path(folder), report))
 
@@ -97,7 +96,7 @@ def export_recipe(assembly, path: str | os.PathLike) -> Path:
     """
     require_assembly(assembly)
     path = Path(path)
-    morph = session.read_morph(assembly)
+    morph = solving.read_morph(assembly)
     if not morph.rests:
         raise ValueError(f"The morph '{assembly.Label}' has no part yet; add one first.")
     return written.write_recipe(assembly, morph, path, named_poses(assembly, morph.names))

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import session
+from freecad.sheetmorph.bridge import solving
 from freecad.sheetmorph.api.checks import direction, number, require_assembly, require_role, vector
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import FORM_FEATURE, FREE, HANDLE, INTERPOLATED, PRESCRIBED
@@ -95,8 +95,8 @@ def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
     """Return the deformed positions (n, 3) float64, global, mm, of every part by `part.Name`.
 
     The properties of the document decide; nothing in it is changed and no recompute is needed.
-    Not `exact` is good to 1e-6 of the size. Raises freecad.sheetmorph.session.MorphError, a
+    Not `exact` is good to 1e-6 of the size. Raises freecad.sheetmorph.objects.errors.MorphError, a
     ValueError, with one sentence.
     """
     require_assembly(assembly)
-    return session.deform(assembly, exact)
+    return solving.deform(assembly, exact)

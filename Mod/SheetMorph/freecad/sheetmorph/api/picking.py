@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.bridge import kernel, seen
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.api.checks import indices, number, require_kind, vertex_count
 from freecad.sheetmorph.objects import model
@@ -41,13 +41,8 @@ def global_frame(part) -> tuple[np.ndarray, np.ndarray]:
     Local are the coordinates of its mesh as FreeCAD stores and draws it.
     """
     require_kind(part, model.PART, "part")
-    frame = frame_of(part)
+    frame = seen.frame_of(part)
     return frame.rotation, frame.base
-
-
-def frame_of(part) -> conversion.Frame:
-    """Return how the coordinates of a part's mesh become global ones."""
-    return conversion.frame_of(part.Source, np.zeros(3))
 
 
 def vertices_of_facets(part, facets: Iterable[int]) -> list[int]:
@@ -100,11 +95,11 @@ def vertices_inside(part, outline, camera: tuple, *, through: bool = False) -> l
     """
     require_kind(part, model.PART, "part")
     to_clip, width, height = camera
-    seen = Camera(np.asarray(to_clip, dtype=float), float(width), float(height))
+    view = Camera(np.asarray(to_clip, dtype=float), float(width), float(height))
     figure = np.asarray(outline, dtype=float)
-    meshes = {each.Name: mesh_as_seen(each) for each in model.parts(model.assembly_of(part))}
+    meshes = seen.part_meshes(model.assembly_of(part))
     hiding = None if through else list(meshes.values())
-    return meshes[part.Name].inside(seen, figure, hiding).tolist()
+    return meshes[part.Name].inside(view, figure, hiding).tolist()
 
 
 def hole_rim(part, vertex: int, rings: int = 0) -> list[int]:
@@ -139,15 +134,3 @@ def mesh_at_rest(part) -> PartMesh:
         return PartMesh(kernel.core(), (rest.points, rest.triangles), rest.points)
 
     return snapshot_of(part.Source).derived(f"picking at rest {part.Name}", rest, mesh)
-
-
-def mesh_as_seen(part) -> PartMesh:
-    """Return what can be picked on a part where it is now, deformed and placed."""
-    require_kind(part, model.PART, "part")
-    rest, frame, snapshot = read_rest(part), frame_of(part), snapshot_of(part)
-
-    def mesh() -> PartMesh:
-        seen = snapshot.points.astype(float) @ frame.rotation.T + frame.base
-        return PartMesh(kernel.core(), (rest.points, rest.triangles), seen)
-
-    return snapshot.derived("picking", (rest, frame.key), mesh)

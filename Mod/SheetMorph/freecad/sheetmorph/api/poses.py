@@ -8,8 +8,7 @@ from dataclasses import asdict, replace
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import session
-from freecad.sheetmorph.bridge import conversion
+from freecad.sheetmorph.bridge import conversion, solving
 from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
 from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.api.motions import rest_centroid, set_motion, set_rotation
@@ -83,11 +82,11 @@ def copy_as_meshes(assembly, pose=None, label: str | None = None):
     require_assembly(assembly)
     if pose is not None and assembly_of_poses(pose, pose) != assembly:
         raise ValueError(f"'{pose.Label}' is no pose of '{assembly.Label}'; pass one of its own.")
-    found = session.deform(assembly) if pose is None else deform_in(assembly, pose)
+    found = solving.deform(assembly) if pose is None else deform_in(assembly, pose)
     document = assembly.Document
     group = document.addObject("App::DocumentObjectGroup", "Meshes")
     group.Label = label or f"{assembly.Label} {pose.Label if pose else 'meshes'}"
-    morph = session.read_morph(assembly)
+    morph = solving.read_morph(assembly)
     for part in model.parts(assembly):
         rest = morph.rests[part.Name]
         mesh = document.addObject("Mesh::Feature", "Mesh")
@@ -272,7 +271,7 @@ def put(region, motion: Motion) -> None:
 
 def deform_in(assembly, pose) -> dict[str, np.ndarray]:
     """Return the positions (n, 3) of all parts by `part.Name` in a pose; the document stays."""
-    return session.deform_in(assembly, entries_in(assembly, pose))
+    return solving.deform_in(assembly, entries_in(assembly, pose))
 
 
 def entry_of(region, motion: Motion) -> dict:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from freecad.sheetmorph import session
+from freecad.sheetmorph.bridge import solving
 from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.assembly import LOCAL, SINGLE
@@ -64,13 +64,13 @@ def propagation(assembly) -> list[Step]:
     """Return how the motion goes through the parts: the primary first, unreached parts last.
 
     A `Step` is `(part, level, contacts)`. Empty as long as nothing is fixed or moved.
-    Raises freecad.sheetmorph.session.MorphError, a ValueError, with one sentence.
+    Raises freecad.sheetmorph.objects.errors.MorphError, a ValueError, with one sentence.
     """
     require_assembly(assembly)
     named = assembly.Document.getObject
     return [
         Step(named(part), level, [named(contact) for contact in contacts])
-        for part, level, contacts in session.steps(assembly)
+        for part, level, contacts in solving.steps(assembly)
     ]
 
 
@@ -79,11 +79,11 @@ def control_mesh(assembly, contact=None) -> tuple[np.ndarray, np.ndarray] | None
 
     In the pose of the document. Without `contact`: the single one around everything. None if
     there is none: the contact is tied, rigid or not in use, or the propagation is another.
-    Raises freecad.sheetmorph.session.MorphError, a ValueError, with one sentence.
+    Raises freecad.sheetmorph.objects.errors.MorphError, a ValueError, with one sentence.
     """
     require_assembly(assembly)
     if contact is not None:
         require_kind(contact, model.CONTACT, "contact")
         if assembly_of(contact) != assembly:
             raise ValueError(f"Contact '{contact.Label}' is not in '{assembly.Label}'.")
-    return session.control_mesh(assembly, contact)
+    return solving.control_mesh(assembly, contact)

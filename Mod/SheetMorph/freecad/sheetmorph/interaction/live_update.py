@@ -5,8 +5,7 @@ import time
 
 import FreeCAD as App
 
-from freecad.sheetmorph import live_session
-from freecad.sheetmorph.bridge import kernel
+from freecad.sheetmorph.bridge import kernel, live_session
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel in which a contact between two parts is marked."""
 
-from freecad.sheetmorph import actions, api, seen
+from freecad.sheetmorph import actions, api
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model

@@ -3,7 +3,8 @@
 
 import FreeCAD as App
 
-from freecad.sheetmorph import actions, mending, seen
+from freecad.sheetmorph import actions, mending
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.panels.base import say
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.scene import colours

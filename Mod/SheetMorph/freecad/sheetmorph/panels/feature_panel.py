@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of a form feature: how it turns, what it may do, its size, and its relations."""
 
-from freecad.sheetmorph import actions, api, live_session
+from freecad.sheetmorph import actions, api
+from freecad.sheetmorph.bridge import live_session
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing import transactions
 from freecad.sheetmorph.editing.session import EditingSession

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panels that propose what was found: a list with check boxes, filters and tolerances."""
 
-from freecad.sheetmorph import actions, api, seen
+from freecad.sheetmorph import actions, api
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table

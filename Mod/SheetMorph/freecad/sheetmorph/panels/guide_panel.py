@@ -3,7 +3,8 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import seen, subject
+from freecad.sheetmorph import subject
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.editing.session import Session
 from freecad.sheetmorph.panels import guide_facts
 from freecad.sheetmorph.panels.base import Panel, say

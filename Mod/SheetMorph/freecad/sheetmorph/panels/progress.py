@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Builds what a live view needs, with progress and Cancel."""
 
-from freecad.sheetmorph import actions, live_session
+from freecad.sheetmorph import actions
+from freecad.sheetmorph.bridge import live_session
 from freecad.sheetmorph.progress_dialog import Progress
 
 

@@ -3,7 +3,8 @@
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, api, seen
+from freecad.sheetmorph import actions, api
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel in which a region is picked."""
 
-from freecad.sheetmorph import actions, seen
+from freecad.sheetmorph import actions
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model

@@ -8,8 +8,8 @@ import unittest
 import FreeCAD
 import numpy as np
 
-from freecad.sheetmorph import api, objects, session
-from freecad.sheetmorph.bridge import recipes
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import recipes, solving
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tests import support
 
@@ -136,7 +136,7 @@ class TestSeveral(support.DocumentTest):
         self.assertEqual(len(objects.regions(assembly, other)), 1)
         self.assertEqual(assembly.Primary, part)
         api.set_primary(assembly, other)
-        self.assertEqual(session.read_morph(assembly).recipe["primary"], "Second")
+        self.assertEqual(solving.read_morph(assembly).recipe["primary"], "Second")
 
     def test_a_part_that_nothing_reaches_stays_at_rest_and_is_named(self):
         assembly, part, handle = self.add_morph()

@@ -5,8 +5,8 @@ import os
 
 import numpy as np
 
-from freecad.sheetmorph import api, objects, session
-from freecad.sheetmorph.bridge import kernel, recipes
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import kernel, recipes, solving
 from freecad.sheetmorph.objects.region import ROTATIONS
 from freecad.sheetmorph.tests import support
 
@@ -236,10 +236,10 @@ class TestDocument(FeatureTest):
         self.rich()
         self.document.recompute()
         expected = self.positions()
-        recipe = session.read_morph(self.assembly).recipe
+        recipe = solving.read_morph(self.assembly).recipe
         name = self.assembly.Name
         again = self.reopen(self.document).getObject(name)
-        self.assertEqual(session.read_morph(again).recipe, recipe)
+        self.assertEqual(solving.read_morph(again).recipe, recipe)
         np.testing.assert_array_equal(api.deform(again)[objects.parts(again)[0].Name], expected)
 
     def test_a_recipe_keeps_everything(self):
@@ -248,7 +248,7 @@ class TestDocument(FeatureTest):
         path = api.export_recipe(self.assembly, os.path.join(self.folder, "recipe", "all.json"))
         kernel.load().recipe.validate(kernel.load().recipe.read_json(path), path.parent)
         again = api.import_recipe(self.new_document(), path)
-        self.assertEqual(session.read_morph(again).recipe, session.read_morph(self.assembly).recipe)
+        self.assertEqual(solving.read_morph(again).recipe, solving.read_morph(self.assembly).recipe)
         self.assertEqual(recipes.pose_of(again), recipes.pose_of(self.assembly))
 
     def test_a_document_of_an_earlier_version_keeps_its_rotations(self):

@@ -5,7 +5,8 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, live_session, session
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import live_session, solving
 from freecad.sheetmorph.tests import support
 
 
@@ -38,22 +39,22 @@ class TestLive(support.DocumentTest):
         np.testing.assert_allclose(again, dragged, atol=1e-4)
 
     def test_a_drag_and_its_commit_use_one_session(self):
-        cache = session.cache_of(self.assembly)
-        before = cache.session(session.read_morph(self.assembly))
+        cache = solving.cache_of(self.assembly)
+        before = cache.session(solving.read_morph(self.assembly))
         api.set_motion(self.handle, (0, 0, 30))
         self.live.deform()
         self.document.recompute()
-        self.assertIs(cache.session(session.read_morph(self.assembly)), before)
+        self.assertIs(cache.session(solving.read_morph(self.assembly)), before)
 
     def test_an_exact_frame_that_is_kept_is_what_the_recompute_takes(self):
         api.set_motion(self.handle, (0, 0, 30), (0, 1, 0), 15)
         frame = self.live.answer(self.live.ask([self.handle.Name], exact=True))
         self.live.keep(frame)
-        cache = session.cache_of(self.assembly)
-        self.assertIs(cache.result(session.read_morph(self.assembly)), frame.result)
+        cache = solving.cache_of(self.assembly)
+        self.assertIs(cache.result(solving.read_morph(self.assembly)), frame.result)
         quick = self.live.answer(self.live.ask([self.handle.Name]))
         self.live.keep(quick)
-        self.assertIs(cache.result(session.read_morph(self.assembly)), frame.result)
+        self.assertIs(cache.result(solving.read_morph(self.assembly)), frame.result)
         np.testing.assert_allclose(
             quick.positions[self.part.Name], frame.positions[self.part.Name], atol=1e-3
         )
@@ -95,7 +96,7 @@ class TestLive(support.DocumentTest):
 
     def test_building_a_session_reports_progress_and_can_be_cancelled(self):
         api.add_fixed(self.assembly, self.part, [150])
-        with self.assertRaises(session.MorphError):
+        with self.assertRaises(solving.MorphError):
             live_session.live(self.assembly, progress=lambda fraction, task: False)
         seen: list[float] = []
 
@@ -108,10 +109,10 @@ class TestLive(support.DocumentTest):
         self.assertTrue(all(0.0 <= fraction <= 1.0 for fraction in seen))
 
     def test_errors_are_one_sentence(self):
-        with self.assertRaises(session.MorphError) as raised:
+        with self.assertRaises(solving.MorphError) as raised:
             self.live.deform({self.handle.Name: {"rotation": {"axis": [0, 0, 0], "degrees": 9}}})
         self.assertNotIn("\n", str(raised.exception))
-        with self.assertRaisesRegex(session.MorphError, "no complete morph"):
+        with self.assertRaisesRegex(solving.MorphError, "no complete morph"):
             live_session.live(self.part.Source)
 
 

@@ -5,7 +5,8 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, live_session, objects, session
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import live_session, solving
 from freecad.sheetmorph.tests import support
 
 
@@ -201,8 +202,8 @@ class TestControlMesh(ChainTest):
 class TestRebuild(ChainTest):
     def stages(self) -> list[str]:
         """Return what the latest session computed and did not take over."""
-        cache = session.cache_of(self.assembly)
-        return list(cache.session(session.read_morph(self.assembly)).timings)
+        cache = solving.cache_of(self.assembly)
+        return list(cache.session(solving.read_morph(self.assembly)).timings)
 
     def test_a_change_of_one_contact_rebuilds_only_what_depends_on_it(self):
         api.deform(self.assembly)
@@ -211,7 +212,7 @@ class TestRebuild(ChainTest):
         found = self.positions(self.third)
         self.assertLess(len(self.stages()), len(everything))
         self.assertFalse([stage for stage in self.stages() if "Strip" in stage])
-        session.cache_of(self.assembly).__init__()
+        solving.cache_of(self.assembly).__init__()
         np.testing.assert_array_equal(self.positions(self.third), found)
         self.assertEqual(len(self.stages()), len(everything))
 
@@ -227,7 +228,7 @@ class TestRebuild(ChainTest):
         ):
             change()
             found = api.deform(self.assembly)
-            session.cache_of(self.assembly).__init__()
+            solving.cache_of(self.assembly).__init__()
             for name, expected in api.deform(self.assembly).items():
                 np.testing.assert_array_equal(found[name], expected)
 

@@ -8,8 +8,8 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, objects, session
-from freecad.sheetmorph.bridge import kernel, recipes
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import kernel, recipes, solving
 from freecad.sheetmorph.tests import support
 
 
@@ -50,7 +50,7 @@ class TestRoundTrip(RecipeTest):
         assembly = self.rich_morph()
         again = api.import_recipe(self.new_document(), self.exported(assembly))
         self.assertEqual(recipes.pose_of(again), recipes.pose_of(assembly))
-        one, other = session.read_morph(assembly).recipe, session.read_morph(again).recipe
+        one, other = solving.read_morph(assembly).recipe, solving.read_morph(again).recipe
         self.assertEqual(other, one)
 
     def test_a_second_export_is_the_same_text(self):

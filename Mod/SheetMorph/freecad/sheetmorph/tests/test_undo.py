@@ -5,7 +5,8 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api, objects, session
+from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import solving
 from freecad.sheetmorph.tests import support
 
 
@@ -135,39 +136,39 @@ class TestUndo(UndoTest):
 
 class TestCost(UndoTest):
     def test_a_pose_does_not_rebuild_the_session(self):
-        cache = session.cache_of(self.assembly)
-        before = cache.session(session.read_morph(self.assembly))
+        cache = solving.cache_of(self.assembly)
+        before = cache.session(solving.read_morph(self.assembly))
         self.lift(10)
-        self.assertIs(cache.session(session.read_morph(self.assembly)), before)
+        self.assertIs(cache.session(solving.read_morph(self.assembly)), before)
 
     def test_undo_finds_the_session_again(self):
-        cache = session.cache_of(self.assembly)
-        before = cache.session(session.read_morph(self.assembly))
+        cache = solving.cache_of(self.assembly)
+        before = cache.session(solving.read_morph(self.assembly))
         self.act("Fix", lambda: api.add_fixed(self.assembly, self.part, [150]))
-        self.assertIsNot(cache.session(session.read_morph(self.assembly)), before)
+        self.assertIsNot(cache.session(solving.read_morph(self.assembly)), before)
         self.document.undo()
         self.document.recompute()
-        self.assertIs(cache.session(session.read_morph(self.assembly)), before)
+        self.assertIs(cache.session(solving.read_morph(self.assembly)), before)
 
     def test_undo_finds_the_result_again(self):
-        cache = session.cache_of(self.assembly)
+        cache = solving.cache_of(self.assembly)
         self.lift(10)
-        before = cache.result(session.read_morph(self.assembly))
+        before = cache.result(solving.read_morph(self.assembly))
         self.lift(20)
         self.document.undo()
         self.document.recompute()
-        self.assertIs(cache.result(session.read_morph(self.assembly)), before)
+        self.assertIs(cache.result(solving.read_morph(self.assembly)), before)
 
     def test_regions_meshes_and_energy_rebuild_it(self):
-        cache = session.cache_of(self.assembly)
-        known = [cache.session(session.read_morph(self.assembly))]
+        cache = solving.cache_of(self.assembly)
+        known = [cache.session(solving.read_morph(self.assembly))]
         for change in (
             lambda: api.set_vertices(self.handle, api.vertices(self.handle)[:5]),
             lambda: api.set_energy(self.assembly, "paper"),
             lambda: setattr(self.part.Source, "Placement", support.placement((0, 0, 1))),
         ):
             change()
-            found = cache.session(session.read_morph(self.assembly))
+            found = cache.session(solving.read_morph(self.assembly))
             self.assertNotIn(found, known)
             known.append(found)
 

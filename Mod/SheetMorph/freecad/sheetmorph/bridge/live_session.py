@@ -16,7 +16,7 @@ import numpy as np
 from freecad.sheetmorph.bridge import kernel, recipes
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.bridge.rest import RestPart
-from freecad.sheetmorph.session import (
+from freecad.sheetmorph.bridge.solving import (
     FAILURES,
     ControlMesh,
     Morph,

@@ -1,23 +1,40 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parts as they are seen now, for picking."""
+"""Parts as they are seen now, deformed and placed, for picking."""
 
 import numpy as np
 
-from freecad.sheetmorph.api.picking import frame_of, mesh_as_seen
+from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.part_mesh import PartMesh
 
 
+def frame_of(part) -> conversion.Frame:
+    """How the coordinates of a part's mesh become global ones."""
+    return conversion.frame_of(part.Source, np.zeros(3))
+
+
+def mesh_of(part) -> PartMesh:
+    """What can be picked on a part."""
+    rest, frame, snapshot = read_rest(part), frame_of(part), snapshot_of(part)
+
+    def mesh() -> PartMesh:
+        seen = snapshot.points.astype(float) @ frame.rotation.T + frame.base
+        return PartMesh(kernel.core(), (rest.points, rest.triangles), seen)
+
+    return snapshot.derived("picking", (rest, frame.key), mesh)
+
+
 def part_meshes(assembly) -> dict[str, PartMesh]:
     """What can be picked, for every part of a morph, by object name."""
-    return {part.Name: mesh_as_seen(part) for part in model.parts(assembly)}
+    return {part.Name: mesh_of(part) for part in model.parts(assembly)}
 
 
 def visible_meshes(assembly, part) -> dict[str, PartMesh]:
     """The same for those parts of a morph that are shown, and for one part in any case."""
     shown = [p for p in model.parts(assembly) if p == part or p.ViewObject.Visibility]
-    return {each.Name: mesh_as_seen(each) for each in shown}
+    return {each.Name: mesh_of(each) for each in shown}
 
 
 def triangles(part):
