@@ -81,8 +81,7 @@ KernelBlock::KernelBlock(const KernelMesh& mesh)
       cross(mesh.edge_count()),
       inverse_distance(mesh.vertex_count()),
       half_angle_ratio(mesh.edge_count()),
-      weights(mesh.vertex_count()),
-      flags(mesh.triangle_count())
+      weights(mesh.vertex_count())
 {
 }
 

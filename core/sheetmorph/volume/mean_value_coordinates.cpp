@@ -7,7 +7,6 @@
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
 
 namespace sheetmorph
 {
@@ -19,10 +18,6 @@ namespace
 // mean value weights to rounding; and the sign of the distance, so that of the weights, is noise.
 constexpr double surface_share = 1e-14;
 
-// Below this ratio of the sum to the sum of magnitudes no digit is left; only points millions of
-// sizes away, or on the zero set that a strongly non-convex mesh may have outside, come here.
-constexpr double lost_digits = 1e-12;
-
 }  // namespace
 
 MeanValueCoordinates::MeanValueCoordinates(const Points& vertices, const Triangles& triangles)
@@ -30,17 +25,18 @@ MeanValueCoordinates::MeanValueCoordinates(const Points& vertices, const Triangl
 {
     if (triangles.rows() < 4)
         throw InvalidInput("a control mesh needs at least four triangles");
-    centre_ = vertices_.colwise().mean();
+    const Eigen::RowVector3d centre = vertices_.colwise().mean();
     size_ = (vertices_.colwise().maxCoeff() - vertices_.colwise().minCoeff()).norm();
-    arms_ = vertices_.rowwise() - centre_;
-    const Matrix3 spread = arms_.transpose() * arms_;
-    affine_ = arms_ * spread.completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> arms = vertices_.rowwise() - centre;
+    const Matrix3 spread = arms.transpose() * arms;
+    const Eigen::Matrix<double, Eigen::Dynamic, 3> affine =
+        arms * spread.completeOrthogonalDecomposition().pseudoInverse();
     for (Eigen::Index v = 0; v < vertices_.rows(); ++v)
         for (int axis = 0; axis < 3; ++axis)
         {
-            mesh_.centre[axis] = centre_(axis);
-            mesh_.arms.push_back(arms_(v, axis));
-            mesh_.affine.push_back(affine_(v, axis));
+            mesh_.centre[axis] = centre(axis);
+            mesh_.arms.push_back(arms(v, axis));
+            mesh_.affine.push_back(affine(v, axis));
         }
 }
 
@@ -69,45 +65,47 @@ void MeanValueCoordinates::fill_block(const Points& points, Eigen::Index first, 
         block.points.y[0].at[l] = points(i, 1);
         block.points.z[0].at[l] = points(i, 2);
     }
-    run_kernel(mesh_, block);
+    add_up(mesh_, block);
+    const Surface surface = add_grazed(block);
+    finish(mesh_, block);
     const auto count = static_cast<int>(std::min<Eigen::Index>(lanes, last - first + 1));
     for (int l = 0; l < count; ++l)
         for (Eigen::Index v = 0; v < weights.cols(); ++v)
             weights(first + l, v) = block.weights[static_cast<std::size_t>(v)].at[l];
     for (int l = 0; l < count; ++l)
-        if (block.finished.at[l] == 0.0)
-            weights.row(first + l) = lane_weights(points.row(first + l).transpose(), l, block);
+        if (surface.triangle[l] >= 0)
+        {
+            const int* vertex = &mesh_.triangle_vertices[3 * surface.triangle[l]];
+            weights.row(first + l).setZero();
+            for (int k = 0; k < 3; ++k)
+                weights(first + l, vertex[k]) += surface.weights[l](k);
+        }
 }
 
-Eigen::VectorXd MeanValueCoordinates::lane_weights(const Vector3& point, int lane,
-                                                   const KernelBlock& block) const
+MeanValueCoordinates::Surface MeanValueCoordinates::add_grazed(KernelBlock& block) const
 {
-    Eigen::VectorXd weights(mesh_.vertex_count());
-    for (int v = 0; v < mesh_.vertex_count(); ++v)
-        weights(v) = block.weights[v].at[lane];
-    for (int t = 0; block.flagged.at[lane] != 0.0 && t < mesh_.triangle_count(); ++t)
+    Surface surface;
+    for (const auto& [triangle, lane] : block.grazed)
     {
-        if (block.flags[t].at[lane] == 0.0)
+        if (surface.triangle[lane] >= 0)
             continue;
-        const int* vertex = &mesh_.triangle_vertices[3 * t];
+        const int* vertex = &mesh_.triangle_vertices[3 * triangle];
+        const Vector3 point(block.points.x[0].at[lane], block.points.y[0].at[lane],
+                            block.points.z[0].at[lane]);
         Matrix3 corners;
         corners << vertices_.row(vertex[0]), vertices_.row(vertex[1]), vertices_.row(vertex[2]);
         const GrazedTriangle share = grazed_triangle(corners, point, surface_share * size_);
         if (share.on_surface)
-            weights.setZero();
+        {
+            surface.triangle[lane] = triangle;
+            surface.weights[lane] = share.weights;
+            continue;
+        }
         for (int k = 0; k < 3; ++k)
-            weights(vertex[k]) += share.weights(k);
-        if (share.on_surface)
-            return weights;
+            block.weights[vertex[k]].at[lane] +=
+                share.weights(k) / block.inverse_distance[vertex[k]].at[lane];
     }
-    const double sum = weights.sum();
-    if (std::isfinite(sum) && std::fabs(sum) > lost_digits * weights.cwiseAbs().sum())
-        weights /= sum;
-    else
-        weights.setConstant(1.0 / static_cast<double>(weights.size()));
-    // What rounding (or the constant) leaves of the affine precision, as the smallest correction.
-    weights += affine_ * (point - centre_.transpose() - arms_.transpose() * weights);
-    return weights;
+    return surface;
 }
 
 }  // namespace sheetmorph

@@ -28,13 +28,15 @@ public:
 private:
     void fill_block(const Points& points, Eigen::Index first, KernelBlock& block,
                     Weights& weights) const;
-    Eigen::VectorXd lane_weights(const Vector3& point, int lane, const KernelBlock& block) const;
+    struct Surface  // by lane: the triangle that the point lies on, or -1, and (2.14)
+    {
+        int triangle[lanes] = {-1, -1, -1, -1, -1, -1, -1, -1};
+        Vector3 weights[lanes];
+    };
+    Surface add_grazed(KernelBlock& block) const;
 
     Points vertices_;
-    Eigen::RowVector3d centre_;
     double size_;
-    Eigen::Matrix<double, Eigen::Dynamic, 3> arms_;    // vertices about their centre
-    Eigen::Matrix<double, Eigen::Dynamic, 3> affine_;  // times a vector: the smallest weights of it
     KernelMesh mesh_;
 };
 

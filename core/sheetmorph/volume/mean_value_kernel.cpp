@@ -17,11 +17,11 @@ namespace sheetmorph
 namespace
 {
 
-// Elevation of the point above a triangle's plane below which eps / elevation would show in the
-// weights; such pairs are left to the careful scalar path.
-constexpr double grazing = 1e-5;
+// Elevation of the point above a triangle's plane below which rounding, 2 to 3 eps / elevation of a
+// weight, would show; such pairs are left to grazed_triangle(), some one in eight points has one.
+constexpr double grazing = 1e-4;
 
-// Sums of weights below this share of their magnitudes, or beyond this one, are left to it too.
+// Sums of weights below this share of their magnitudes, or beyond this one, have no digit left.
 constexpr double lost_digits = 1e-12;
 constexpr double largest_sum = 1e300;
 
@@ -31,6 +31,7 @@ struct Kernel : LaneAngles<width>
 {
     using Lanes = typename VectorTypes<width>::Lanes;
     using Functions = LaneFunctions<width>;
+    using Bits = typename Functions::Bits;
     using Functions::any;
     using Functions::filled;
     using Functions::inverse_root;
@@ -111,50 +112,64 @@ struct Kernel : LaneAngles<width>
                                   (a.z * v[0] - a.x * v[2]) * inverse,
                                   (a.x * v[1] - a.y * v[0]) * inverse};
             const Lanes cosine = dot(a, b), t = 0.5 - 0.5 * cosine;
+            LaneValues& ratio = block.half_angle_ratio[e];
             store(cross, block.cross, e);
             if (__builtin_expect(any(t > 0.25), 0))
-                store(wide_half_angle_ratio(dot(cross, cross), cosine), block.half_angle_ratio[e]);
+                store(wide_half_angle_ratio(dot(cross, cross), cosine), ratio);
             else
-                store(narrow_half_angle_ratio(t), block.half_angle_ratio[e]);
+                store(narrow_half_angle_ratio(t), ratio);
         }
     }
 
-    SHEETMORPH_INLINE Lanes3 signed_cross(int edge, double sign) const
-    {
-        const Lanes3 cross = load(block.cross, edge);
-        return {sign * cross.x, sign * cross.y, sign * cross.z};
-    }
-
     // w_k += (c_k . m) / (d_k c_k . u_k) with c_k = u_i x u_j and m = sum theta_k c_k / (2 |c_k|);
-    // the distance d_k comes last, in run(). Returns which points are near the triangle's plane.
-    SHEETMORPH_INLINE Lanes add_triangle(int t) const
+    // the distance d_k comes last, in finish(). The signs of the c_k cancel but in m and between
+    // the corners.
+    SHEETMORPH_INLINE void add_triangle(int t) const
     {
-        const Lanes zero = {};
         const int* vertex = &mesh.triangle_vertices[3 * t];
         const int* edge = &mesh.triangle_edges[3 * t];
         const double* sign = &mesh.edge_signs[3 * t];
-        const Lanes3 a = signed_cross(edge[0], sign[0]), b = signed_cross(edge[1], sign[1]);
-        const Lanes3 c = signed_cross(edge[2], sign[2]);
-        const Lanes ra = load(block.half_angle_ratio[edge[0]]);
-        const Lanes rb = load(block.half_angle_ratio[edge[1]]);
-        const Lanes rc = load(block.half_angle_ratio[edge[2]]);
+        const Lanes3 a = load(block.cross, edge[0]), b = load(block.cross, edge[1]);
+        const Lanes3 c = load(block.cross, edge[2]);
+        const Lanes ra = sign[0] * load(block.half_angle_ratio[edge[0]]);
+        const Lanes rb = sign[1] * load(block.half_angle_ratio[edge[1]]);
+        const Lanes rc = sign[2] * load(block.half_angle_ratio[edge[2]]);
         const Lanes3 m = {ra * a.x + rb * b.x + rc * c.x, ra * a.y + rb * b.y + rc * c.y,
                           ra * a.z + rb * b.z + rc * c.z};
         const Lanes volume = dot(a, load(block.unit, vertex[0]));
         const Lanes aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
-        const auto clear = volume * volume > grazing * grazing * (aa * bb + bb * cc + cc * aa);
-        const Lanes inverse = clear ? reciprocal(volume) : zero;
-        const Lanes flag = clear ? zero : filled(1.0);
-        store(flag, block.flags[t]);
+        const Lanes least = grazing * grazing * (aa * bb + bb * cc + cc * aa);
+        const Lanes squared = volume * volume;
+        Lanes inverse = reciprocal(volume);
+        const auto is_clear = squared > least;
+        if (__builtin_expect(any(Bits(~is_clear)), 0))
+        {
+            inverse = is_clear ? inverse : Lanes{};
+            leave_out(t, is_clear ? filled(1.0) : Lanes{});
+        }
         add(dot(a, m) * inverse, block.weights[vertex[0]]);
-        add(dot(b, m) * inverse, block.weights[vertex[1]]);
-        add(dot(c, m) * inverse, block.weights[vertex[2]]);
-        return flag;
+        add(dot(b, m) * (sign[0] * sign[1] * inverse), block.weights[vertex[1]]);
+        add(dot(c, m) * (sign[0] * sign[2] * inverse), block.weights[vertex[2]]);
     }
 
-    // Normalises, and adds what rounding leaves of the affine precision as the smallest correction;
-    // not if a triangle is missing or no digit is left, which the careful path then sees to.
-    SHEETMORPH_INLINE void finish(const Lanes& flagged) const
+    SHEETMORPH_INLINE void leave_out(int triangle, const Lanes& clear) const
+    {
+        double is_clear[width];
+        std::memcpy(is_clear, &clear, sizeof clear);
+        for (int l = 0; l < width; ++l)
+            if (is_clear[l] == 0.0)
+                block.grazed.push_back({triangle, at + l});
+    }
+
+    SHEETMORPH_INLINE void add_up() const
+    {
+        directions_to_vertices();
+        spherical_edges();
+        for (int t = 0; t < mesh.triangle_count(); ++t)
+            add_triangle(t);
+    }
+
+    SHEETMORPH_INLINE void finish() const
     {
         const Lanes zero = {};
         Lanes sum = zero, magnitude = zero;
@@ -166,17 +181,13 @@ struct Kernel : LaneAngles<width>
             magnitude += weight < 0.0 ? -weight : weight;
         }
         const Lanes clear = (sum < 0.0 ? -sum : sum) > lost_digits * magnitude ? filled(1.0) : zero;
-        const Lanes sound = magnitude < largest_sum ? clear : zero;
-        const bool is_finished = !any(flagged > 0.0) && !any(sound == 0.0);
-        store(is_finished ? filled(1.0) : zero, block.finished);
-        if (!is_finished)
-            return;
-        const Lanes inverse = 1.0 / sum;
+        const auto is_sound = (magnitude < largest_sum ? clear : zero) > 0.0;
+        const Lanes inverse = 1.0 / sum, alike = filled(1.0 / mesh.vertex_count());
         Lanes3 rest = load(block.points, 0);
         rest = {rest.x - mesh.centre[0], rest.y - mesh.centre[1], rest.z - mesh.centre[2]};
         for (int v = 0; v < mesh.vertex_count(); ++v)
         {
-            const Lanes weight = load(block.weights[v]) * inverse;
+            const Lanes weight = is_sound ? load(block.weights[v]) * inverse : alike;
             const double* arm = &mesh.arms[3 * v];
             store(weight, block.weights[v]);
             rest = {rest.x - arm[0] * weight, rest.y - arm[1] * weight, rest.z - arm[2] * weight};
@@ -187,47 +198,66 @@ struct Kernel : LaneAngles<width>
             add(share[0] * rest.x + share[1] * rest.y + share[2] * rest.z, block.weights[v]);
         }
     }
-
-    SHEETMORPH_INLINE void run() const
-    {
-        directions_to_vertices();
-        spherical_edges();
-        Lanes flagged = {};
-        for (int t = 0; t < mesh.triangle_count(); ++t)
-            flagged += add_triangle(t);
-        store(flagged, block.flagged);
-        finish(flagged);
-    }
 };
 
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void kernel_512(
-    const KernelMesh& mesh, KernelBlock& block)
+// What is done with a block, by processors that compute `width` doubles at once.
+enum class Step
 {
-    Kernel<8>{{}, mesh, block, 0}.run();
+    add_up,
+    finish
+};
+
+template <int width>
+SHEETMORPH_INLINE void run(Step step, const KernelMesh& mesh, KernelBlock& block)
+{
+    for (int at = 0; at < lanes; at += width)
+    {
+        const Kernel<width> kernel{{}, mesh, block, at};
+        if (step == Step::add_up)
+            kernel.add_up();
+        else
+            kernel.finish();
+    }
 }
 
-__attribute__((target("avx2,fma"))) void kernel_256(const KernelMesh& mesh, KernelBlock& block)
+__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void run_512(
+    Step step, const KernelMesh& mesh, KernelBlock& block)
 {
-    for (int at = 0; at < lanes; at += 4)
-        Kernel<4>{{}, mesh, block, at}.run();
+    run<8>(step, mesh, block);
 }
 
-void kernel_128(const KernelMesh& mesh, KernelBlock& block)
+__attribute__((target("avx2,fma"))) void run_256(Step step, const KernelMesh& mesh,
+                                                 KernelBlock& block)
 {
-    for (int at = 0; at < lanes; at += 2)
-        Kernel<2>{{}, mesh, block, at}.run();
+    run<4>(step, mesh, block);
+}
+
+void run_128(Step step, const KernelMesh& mesh, KernelBlock& block)
+{
+    run<2>(step, mesh, block);
+}
+
+void run(Step step, const KernelMesh& mesh, KernelBlock& block)
+{
+    if (instructions() == Instructions::avx512)
+        run_512(step, mesh, block);
+    else if (instructions() == Instructions::avx2)
+        run_256(step, mesh, block);
+    else
+        run_128(step, mesh, block);
 }
 
 }  // namespace
 
-void run_kernel(const KernelMesh& mesh, KernelBlock& block)
+void add_up(const KernelMesh& mesh, KernelBlock& block)
 {
-    if (instructions() == Instructions::avx512)
-        kernel_512(mesh, block);
-    else if (instructions() == Instructions::avx2)
-        kernel_256(mesh, block);
-    else
-        kernel_128(mesh, block);
+    block.grazed.clear();
+    run(Step::add_up, mesh, block);
+}
+
+void finish(const KernelMesh& mesh, KernelBlock& block)
+{
+    run(Step::finish, mesh, block);
 }
 
 }  // namespace sheetmorph

@@ -53,20 +53,28 @@ struct KernelBlock
 {
     explicit KernelBlock(const KernelMesh& mesh);
 
+    //! A point too near to a triangle's plane for the kernel, which leaves the triangle out.
+    struct Grazed
+    {
+        int triangle, lane;
+    };
+
     LaneVectors points;                        //!< one
     LaneVectors unit;                          //!< a vertex: the direction from the point to it
     LaneVectors cross;                         //!< an edge: product of its ends' directions
     std::vector<LaneValues> inverse_distance;  //!< a vertex
     std::vector<LaneValues> half_angle_ratio;  //!< an edge: theta / (2 sin theta)
-    std::vector<LaneValues>
-        weights;  //!< a vertex; not finished: not normalised, flagged triangles missing
-    std::vector<LaneValues> flags;  //!< a triangle: not 0 if the point is near its plane
-    LaneValues flagged;             //!< not 0 if any triangle is flagged
-    LaneValues finished;            //!< not 0 if the weights are normalised and affine
+    std::vector<LaneValues> weights;           //!< a vertex; of add_up(): times the distance
+    std::vector<Grazed> grazed;
 };
 
-//! The mean value weights (2.12, 2.13) of block.points, in vector form (mathematics.md, section 5).
-//! Uses the widest instructions the processor has.
-void run_kernel(const KernelMesh& mesh, KernelBlock& block);
+//! The mean value weights (2.12, 2.13) of block.points, in vector form (mathematics.md, section 5),
+//! times the distances, not normalised. Uses the widest instructions the processor has.
+void add_up(const KernelMesh& mesh, KernelBlock& block);
+
+//! Divides by the distances, normalises, and adds what rounding leaves of the affine precision as
+//! the smallest correction; all alike where no digit is left of the sum, which happens millions of
+//! sizes away, or on the zero set that a strongly non-convex mesh may have outside.
+void finish(const KernelMesh& mesh, KernelBlock& block);
 
 }  // namespace sheetmorph

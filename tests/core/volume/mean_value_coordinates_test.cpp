@@ -140,6 +140,28 @@ TEST_F(MeanValueTest, AgreesWithTheTextbookFormInExtendedPrecision)
     }
 }
 
+TEST_F(MeanValueTest, LowOverThePlanesOfTrianglesItAgreesWithTheTextbookForm)
+{
+    for (Eigen::Index t = 0; t < shape_.triangles().rows(); t += 29)
+    {
+        const Vector3 a = shape_.vertices().row(shape_.triangles()(t, 0));
+        const Vector3 b = shape_.vertices().row(shape_.triangles()(t, 1));
+        const Vector3 c = shape_.vertices().row(shape_.triangles()(t, 2));
+        const Vector3 normal = (b - a).cross(c - a).normalized();
+        const Vector3 away = 0.7 * size_ * (a - b).normalized();
+        for (double lift : {1.5e-5, 3e-5, 1e-4, 3e-4, 1e-3})
+        {
+            Points point(1, 3);
+            point << (a + away + lift * size_ * normal).transpose();
+            const Eigen::VectorXd expected =
+                textbook_weights(shape_.vertices(), shape_.triangles(), point.row(0).transpose());
+            const Weights found = coordinates_.weights(point);
+            EXPECT_LT((found.row(0).transpose() - expected).cwiseAbs().maxCoeff(), 1e-11)
+                << t << ", " << lift;
+        }
+    }
+}
+
 TEST_F(MeanValueTest, AtAVertexOnlyThatVertexCounts)
 {
     const Weights weights = coordinates_.weights(shape_.vertices());
