@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the test suites one after another and closes with one line of counts.
+"""Runs the test suites and closes with one line of counts.
 
-Called by `./sheetmorph test`, after the build. A suite that is missing, empty, killed or silent
-counts as a failure.
+The GUI tests, which mostly wait, run beside the others; those run one after another. Called by
+`./sheetmorph test`, after the build. A suite that is missing, empty, killed or silent counts as a
+failure.
 """
 import argparse
 import os
 import re
 import subprocess
 import sys
+import threading
 import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -79,6 +82,9 @@ class Suites:
             log.unlink()
         self.failures: list[str] = []
         self.second_tries: list[str] = []
+        self._telling = threading.Lock()
+        self._calls = 0
+        self._running: list[subprocess.Popen] = []
 
     def core(self) -> Count:
         """The C++ tests, through ctest."""
@@ -113,12 +119,17 @@ class Suites:
         return read_unittest(code, output)
 
     def gui(self) -> Count:
-        """The GUI tests on a virtual display; their runner closes with `gui: N passed`."""
-        runner = ROOT / "tests" / "gui" / "run.sh"
-        if not runner.is_file():
-            return missing("tests/gui/run.sh is missing")
-        code, output = self._call(["bash", str(runner), str(self.staged)])
-        return read_closing_line(code, output)
+        """The GUI tests on virtual displays; their runner closes with `gui: N passed`."""
+        return self._gui()
+
+    def scale(self) -> Count:
+        """What FreeCAD takes with many parts and large ones; the lines `NOTE` tell it."""
+        return self._gui("large", SHEETMORPH_GUI_LANES="1")
+
+    def stop(self) -> None:
+        """Ends what is running."""
+        for process in self._running:
+            process.terminate()
 
     def style(self) -> Count:
         """Formatting, names and habits of both languages; one test a checker."""
@@ -134,6 +145,13 @@ class Suites:
     def tidy(self) -> Count:
         """clang-tidy over the kernel and the bindings: minutes, so not among the default suites."""
         return self._checked([[PYTHON, "-B", "tests/style/tidy.py", str(self.build)]])
+
+    def _gui(self, *tests: str, **settings: str) -> Count:
+        runner = ROOT / "tests" / "gui" / "run.sh"
+        if not runner.is_file():
+            return missing("tests/gui/run.sh is missing")
+        code, output = self._call(["bash", str(runner), str(self.staged), *tests], **settings)
+        return read_closing_line(code, output)
 
     def _ctest(self, build: Path, name: str, **settings: str) -> Count:
         """The C++ tests of a build; a test counts as failed if its program reports anything."""
@@ -167,7 +185,11 @@ class Suites:
 
     def _call(self, command: list[str], **settings: str) -> tuple[int, str]:
         """Runs a command in the repository, shows and returns what it says."""
-        print("+", " ".join(command[:8]), "..." if len(command) > 8 else "", flush=True)
+        said = " ".join(["+", *command[:8], *(["..."] if len(command) > 8 else [])])
+        with self._telling:
+            self._calls += 1
+            log = self.results / f"{self._calls:02d}-{Path(command[0]).name}.log"
+            print(said, flush=True)
         environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
         longest = (
             LONGEST_SANITIZED
@@ -176,28 +198,30 @@ class Suites:
         )
         environment |= {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1"} | settings
         try:
-            done = subprocess.run(
+            process = subprocess.Popen(
                 ["timeout", "--kill-after=10", str(longest), *command],
                 cwd=ROOT,
                 env=environment,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
-                check=False,
             )
         except OSError as error:
             print(error)
             return 127, str(error)
-        output = done.stdout.decode(errors="replace")
-        name = f"{len(list(self.results.glob('*.log'))):02d}-{Path(command[0]).name}.log"
-        (self.results / name).write_text(output)
+        self._running.append(process)
+        output = process.communicate()[0].decode(errors="replace")
+        self._running.remove(process)
+        log.write_text(output)
         lines = output.rstrip().splitlines()
         # All that went well is in the log; what went wrong is shown.
-        shown = lines[-3:] if done.returncode == 0 else lines[-LINES_OF_A_FAILURE:]
-        print("\n".join(shown), flush=True)
-        self.failures += [line[:300] for line in lines if FAILURE.match(line)]
-        self.second_tries += [m.group(1) for line in lines if (m := SECOND_TRY.match(line))]
-        return done.returncode, output
+        shown = lines[-3:] if process.returncode == 0 else lines[-LINES_OF_A_FAILURE:]
+        shown = [line for line in lines[:-3] if line.startswith("NOTE ")] + shown
+        with self._telling:
+            print("\n".join([said.replace("+", "=", 1), *shown]), flush=True)
+            self.failures += [line[:300] for line in lines if FAILURE.match(line)]
+            self.second_tries += [m.group(1) for line in lines if (m := SECOND_TRY.match(line))]
+        return process.returncode, output
 
 
 def python_with_sanitizers() -> dict[str, str]:
@@ -286,10 +310,34 @@ def closing_line(counts: dict[str, Count]) -> str:
     )
 
 
+def run_all(suites: Suites, names: list[str]) -> dict[str, Count]:
+    """Runs suites by name, the one with windows beside the others; returns their counts."""
+    with ThreadPoolExecutor() as pool:
+        beside = {name: pool.submit(run_one, suites, name) for name in names if name == "gui"}
+        try:
+            others = {name: run_one(suites, name) for name in names if name not in beside}
+        except BaseException:  # an interrupt, too, waits for what runs beside
+            suites.stop()
+            raise
+    done = others | {name: running.result() for name, running in beside.items()}
+    return {name: done[name] for name in names}
+
+
+def run_one(suites: Suites, name: str) -> Count:
+    """Runs a suite and tells its counts and how long it took."""
+    start = time.monotonic()
+    run: Callable[[], Count] = getattr(suites, name)
+    count = run()
+    seconds = time.monotonic() - start
+    told = f"{count.passed} passed, {count.failed} failed, {count.skipped} skipped"
+    print(f"--- {name}: {told} in {seconds:.0f} s", flush=True)
+    return count
+
+
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy", "sanitize"]
+    names = [*default, "tidy", "scale", "sanitize"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))
@@ -298,14 +346,7 @@ def main(arguments: list[str]) -> int:
     if unknown:
         parser.error(f"no suite '{unknown[0]}'; there are {', '.join(names)}")
     suites = Suites(options.build.resolve())
-    counts = {}
-    for name in options.suites or default:
-        start = time.monotonic()
-        run: Callable[[], Count] = getattr(suites, name)
-        counts[name] = run()
-        seconds = time.monotonic() - start
-        print(f"--- {name}: {counts[name].passed} passed, {counts[name].failed} failed, ", end="")
-        print(f"{counts[name].skipped} skipped in {seconds:.0f} s", flush=True)
+    counts = run_all(suites, options.suites or default)
     for name in suites.second_tries:
         print("passed only at the second try:", name)
     for failure in suites.failures:

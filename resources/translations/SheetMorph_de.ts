@@ -1246,6 +1246,10 @@
    <translation>{0} von {1} gewählt, {2} schon im Dokument</translation>
   </message>
   <message>
+   <source>{0} not certain (?): point at them to read why</source>
+   <translation>{0} nicht sicher (?): darauf zeigen, um zu lesen, warum</translation>
+  </message>
+  <message>
    <source>Nothing is checked; check proposals, or cancel.</source>
    <translation>Nichts ist angehakt; hake Vorschläge an oder brich ab.</translation>
   </message>

@@ -1246,6 +1246,10 @@
    <translation>{1} 件中 {0} 件を選択、{2} 件は文書に既存</translation>
   </message>
   <message>
+   <source>{0} not certain (?): point at them to read why</source>
+   <translation>{0} 件は不確か（?）: 指すと理由が読めます</translation>
+  </message>
+  <message>
    <source>Nothing is checked; check proposals, or cancel.</source>
    <translation>何もチェックされていません。提案をチェックするか、キャンセルしてください。</translation>
   </message>

@@ -3,6 +3,7 @@
 import importlib.util
 import json
 import sys
+import threading
 
 import pytest
 from source_tree import ROOT
@@ -86,6 +87,25 @@ def test_an_unknown_suite_is_refused(runner, tmp_path):
     with pytest.raises(SystemExit) as error:
         runner.main(["--build", str(tmp_path), "everything"])
     assert error.value.code == 2
+
+
+def test_the_gui_tests_run_beside_the_others_and_are_told_in_their_place(
+    runner, tmp_path, monkeypatch
+):
+    others_have_run = threading.Event()
+
+    def gui(_):
+        assert others_have_run.wait(60.0)
+        return runner.Count(2)
+
+    def style(_):
+        others_have_run.set()
+        return runner.Count(1)
+
+    monkeypatch.setattr(runner.Suites, "gui", gui)
+    monkeypatch.setattr(runner.Suites, "style", style)
+    counts = runner.run_all(runner.Suites(tmp_path), ["gui", "style"])
+    assert list(counts.items()) == [("gui", runner.Count(2)), ("style", runner.Count(1))]
 
 
 def test_sanitize_counts_every_part_and_a_dead_interpreter_as_a_failure(

@@ -136,9 +136,11 @@ def test_a_point_is_dragged_in_the_plane_of_the_view():
     sight = np.array(tuple(Gui.activeDocument().activeView().getViewDirection()))
     yield from until(lambda: largest(drawn() - rest) > 5, "the point")
     yield from xdotool("mouseup", 1)
-    assert regions("handle")[1].Label == "Point on sheet morphed"
+    shown = regions("handle")[1]
+    assert shown.Label == "Point on sheet morphed"
     yield from press("OK")
     point = regions("handle")[1]
+    assert point == shown, "OK keeps what is shown and makes nothing anew"
     assert point.FreeRotation and len(point.Vertices) == 1
     shift = np.array([point.TranslationX.Value, point.TranslationY.Value, point.TranslationZ.Value])
     assert np.linalg.norm(shift) > 5 and abs(shift @ sight) < 1e-3, shift

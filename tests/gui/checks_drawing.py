@@ -2,6 +2,7 @@
 """Regions are picked by figures drawn on the screen, and by the tools that go with them."""
 
 import math
+import time
 
 import FreeCADGui as Gui
 import numpy as np
@@ -10,6 +11,7 @@ from desk import picture, press, press_tool, tick, until, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.scene.figure import Figure
 from freecad.sheetmorph.scene.viewport import Listener, Viewport
 from PySide import QtCore, QtGui
 from scenes import handle_vertices, labelled, new_assembly, new_morph, part, regions
@@ -18,6 +20,7 @@ from shapes import HOLES, sheet
 __all__ = [
     "test_the_camera_maps_points_to_where_the_view_shows_them",
     "test_a_lasso_takes_what_it_runs_round",
+    "test_a_lasso_keeps_its_corners_while_the_view_is_slow",
     "test_rectangles_replace_add_and_remove",
     "test_a_brush_paints_as_wide_as_the_wheel_says",
     "test_what_another_part_hides_is_taken_only_when_asked_for",
@@ -99,6 +102,33 @@ def test_a_lasso_takes_what_it_runs_round():
     taken = np.isin(np.arange(len(away)), model.vertices(regions("form feature")[-1]))
     assert taken[away < radius + 5.5].all() and not taken[away > radius + 6.3].any()
     assert np.count_nonzero(taken) > 40
+
+
+def test_a_lasso_keeps_its_corners_while_the_view_is_slow():
+    yield from new_morph()
+    yield from start("Mark Form Features…", "lasso")
+    x, y, radius = HOLES[0]
+    corners = [on_screen(place) for place in ring(x, y, radius + 6)]
+    quick = Figure.show_outline
+
+    def slow(figure, outline):
+        time.sleep(0.05)
+        quick(figure, outline)
+
+    Figure.show_outline = slow
+    try:
+        yield from xdotool("mousemove", *corners[0], "mousedown", 1)
+        moves = [word for place in corners for word in ("mousemove", *place)]
+        yield from xdotool(*moves, "mouseup", 1)
+        yield from until(lambda: "piece" in child("count").text(), "the figure to be taken")
+    finally:
+        Figure.show_outline = quick
+    yield from press("OK")
+    away = np.linalg.norm(sheet()[0][:, :2] - (x, y), axis=1)
+    taken = np.isin(np.arange(len(away)), model.vertices(regions("form feature")[-1]))
+    assert taken[away < radius + 5.5].all() and not taken[away > radius + 6.3].any()
+    compress = QtCore.Qt.AA_CompressHighFrequencyEvents
+    assert QtCore.QCoreApplication.testAttribute(compress), "only while a figure is drawn"
 
 
 def test_rectangles_replace_add_and_remove():

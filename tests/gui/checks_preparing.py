@@ -10,15 +10,18 @@ import numpy as np
 from checks_finding import cancel
 from checks_tutorial import answer, menu
 from desk import WORK, activate, child, choose_below, enter, picture, press, press_tool, tick, until
+from desk import view
 from freecad.sheetmorph import api, progress_dialog
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import mesh_preview
-from PySide import QtCore
+from PySide import QtCore, QtGui
 from pivy import coin
-from scenes import assembly, look, part
+from scenes import assembly, labelled, look, new_assembly, part
 
 __all__ = [
     "test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes",
+    "test_of_several_parts_the_one_is_named_and_shown",
+    "test_the_view_fits_what_is_imported_from_step",
     "test_cancel_leaves_a_mesh_as_it_came",
     "test_a_preview_that_takes_long_is_cancelled",
     "test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled",
@@ -56,6 +59,78 @@ def coarse_plate():
     look()
     yield from press_tool("Create Morph")
     yield 300
+
+
+def test_of_several_parts_the_one_is_named_and_shown():
+    yield from new_assembly()
+    wanted = labelled("bracket")
+    before = view().getCameraNode().height.getValue()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(wanted)
+    counts = {p.Label: p.ViewObject.RootNode.getNumChildren() for p in model.parts(assembly())}
+    yield from press_tool("Prepare Mesh…")
+    yield from until(Gui.Control.activeDialog, "the panel")
+    assert wanted.Label in child("findings").text()
+    more = {
+        p.Label: p.ViewObject.RootNode.getNumChildren() - counts[p.Label]
+        for p in model.parts(assembly())
+    }
+    assert {label for label, count in more.items() if count} == {wanted.Label}, more
+    assert view().getCameraNode().height.getValue() < 0.95 * before
+    assert all(is_in_view(corner) for corner in corners_of(wanted))
+    picture("prepare-one-of-three")
+    yield from press("Cancel")
+    assert [p.ViewObject.RootNode.getNumChildren() for p in model.parts(assembly())] == list(
+        counts.values()
+    )
+
+
+def corners_of(which) -> list:
+    """The corners of the box around a part, global mm."""
+    box = which.Mesh.BoundBox
+    return [tuple(box.getPoint(k)) for k in range(8)]
+
+
+def all_corners() -> list:
+    """Those of all parts of the morph."""
+    return [corner for each in model.parts(assembly()) for corner in corners_of(each)]
+
+
+def is_in_view(point) -> bool:
+    """Whether a point is within the 3D view."""
+    x, y = view().getPointOnScreen(App.Vector(*point))
+    width, height = view().getSize()
+    return 0 <= x < width and 0 <= y < height
+
+
+def write_step(path: str) -> None:
+    """Two plates beside each other, far from the origin."""
+    import Part
+
+    boxes = [Part.makeBox(60, 40, 2, App.Vector(x, 900, 50)) for x in (1000, 1080)]
+    Part.makeCompound(boxes).exportStep(path)
+
+
+def test_the_view_fits_what_is_imported_from_step():
+    path = os.path.join(WORK, "plates.step")
+    write_step(path)
+    yield from activate()
+    App.newDocument("Step")
+    view().viewIsometric()
+    window, asked = QtGui.QFileDialog, QtGui.QFileDialog.getOpenFileNames
+    edge = QtGui.QInputDialog.getDouble
+    window.getOpenFileNames = lambda *_: ([path], "")
+    QtGui.QInputDialog.getDouble = lambda *_: (8.0, True)
+    try:
+        yield from press_tool("Import Part…")
+        yield from until(lambda: len(App.ActiveDocument.Objects) > 3, "the parts", 30.0)
+    finally:
+        window.getOpenFileNames, QtGui.QInputDialog.getDouble = asked, edge
+    yield from until(lambda: all(map(is_in_view, all_corners())), "all of both in the view")
+    (one, _), (other, _) = (view().getPointOnScreen(App.Vector(x, 920, 51)) for x in (1000, 1140))
+    assert len(all_corners()) == 16
+    assert abs(other - one) > 0.3 * view().getSize()[1], (one, other, view().getSize())
+    picture("imported-from-step")
 
 
 def is_previewed() -> bool:

@@ -13,6 +13,7 @@ from scenes import assembly, drawn, handle_vertices, largest, new_morph, part, r
 __all__ = [
     "test_undo_goes_back_step_by_step_inside_the_move_panel",
     "test_redo_in_the_move_panel_brings_back_what_was_moved",
+    "test_a_redo_after_a_part_was_undone_changes_nothing",
     "test_undo_of_the_creation_of_a_handle_ends_its_panel",
     "test_undo_goes_back_inside_the_blend_panel",
     "test_a_panel_in_which_nothing_changed_leaves_no_step_open",
@@ -80,6 +81,28 @@ def test_redo_in_the_move_panel_brings_back_what_was_moved():
     yield from press("OK")
     assert regions("handle")[0].TranslationZ.Value == 20.0
     assert App.ActiveDocument.UndoNames == ["Move Handle"]
+
+
+def test_a_redo_after_a_part_was_undone_changes_nothing():
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    for field, text in (("translation_z", "20"), ("translation_x", "5")):
+        yield from enter(child(field), text)
+        yield from settled()
+    yield from undo_with_the_tool()
+    yield from until(lambda: fields() == (0.0, 0.0, 20.0), "the first field's value alone")
+    assert not Gui.Command.get("Std_Redo").isActive(), "what was typed last is not kept"
+    Gui.runCommand("Std_Redo")
+    yield 300
+    assert is_shown() and fields() == (0.0, 0.0, 20.0)
+    yield from undo_with_the_tool()
+    yield from until(lambda: fields() == (0.0, 0.0, 0.0), "rest in the fields")
+    yield from press_tool("Redo")
+    yield from until(lambda: fields() == (0.0, 0.0, 20.0), "what was moved")
+    yield from press("Cancel")
+    assert np.array_equal(stored(), rest) and App.ActiveDocument.UndoNames == []
+    assert App.getActiveTransaction() is None
 
 
 def test_undo_of_the_creation_of_a_handle_ends_its_panel():

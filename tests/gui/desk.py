@@ -11,6 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+HERE = os.path.dirname(os.path.abspath(__file__))
 WORK = os.environ["SHEETMORPH_GUI_WORK"]
 
 

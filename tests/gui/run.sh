@@ -1,76 +1,108 @@
 #!/bin/bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Runs the GUI tests on a staged add-on, in a FreeCAD and on a screen of their own.
-# Usage: tests/gui/run.sh <staged add-on folder> [name of one test, or of one file tests_<name>.py]
+# Runs the GUI tests on a staged add-on, in FreeCADs and on screens of their own.
+# Usage: tests/gui/run.sh <staged add-on folder> [name of one test]
+#    or: tests/gui/run.sh <staged add-on folder> <name of a file tests_<name>.py> [name of one test]
+# Several FreeCADs run beside each other, as they mostly wait: each takes the next test that none
+# has begun. SHEETMORPH_GUI_LANES says how many, else one more than there are cores.
 # The pictures taken on the way stay in $SHEETMORPH_GUI_OUT if that is set.
 set -u
 staged=$(realpath "${1:?usage: run.sh <staged add-on folder> [test]}")
 only=${2:-}
 here=$(dirname "$(realpath "$0")")
 work=$(mktemp -d)
-pids=()
+lanes=${SHEETMORPH_GUI_LANES:-$(($(nproc) + 1))}
+touch "$work/all"
+mkdir "$work/claims"
 
 finish() {
-    for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null; done
+    for job in $(jobs -p); do kill "$job" 2>/dev/null; done
     wait 2>/dev/null
-    rm -rf "$work"
+    [ "$BASHPID" != "$$" ] || rm -rf "$work"
 }
 trap finish EXIT
+trap 'exit 130' INT TERM
 
+# A screen with a window manager; sets DISPLAY. $1: a folder for what they say.
 start_screen() {
-    mkfifo "$work/display"
+    mkfifo "$1/display"
     Xvfb -displayfd 3 -screen 0 1600x1000x24 -dpi 96 +extension GLX +render -noreset \
-        -nolisten tcp 3>"$work/display" >"$work/xvfb.log" 2>&1 &
-    pids+=($!)
-    DISPLAY=:$(head -1 "$work/display")
+        -nolisten tcp 3>"$1/display" >"$1/xvfb.log" 2>&1 &
+    DISPLAY=:$(head -1 "$1/display")
     export DISPLAY
-    openbox >"$work/openbox.log" 2>&1 &
-    pids+=($!)
+    openbox >"$1/openbox.log" 2>&1 &
     for _ in $(seq 50); do
         xdotool getdisplaygeometry >/dev/null 2>&1 && return
         sleep 0.1
     done
 }
 
-# A home of its own with the add-on in it; the default start page dies when run as root.
+# A home in folder $1 with add-on $2 in it; the default start page dies when run as root.
 make_home() {
-    mkdir -p "$work/$1/Mod"
-    ln -s "$2" "$work/$1/Mod/SheetMorph"
-    FREECAD_USER_HOME="$work/$1" freecadcmd "$here/settings.py" </dev/null >"$work/$1.log" 2>&1
+    mkdir -p "$1/home/Mod"
+    ln -s "$2" "$1/home/Mod/SheetMorph"
+    FREECAD_USER_HOME="$1/home" freecadcmd "$here/settings.py" </dev/null >"$1/home.log" 2>&1
 }
 
-# Runs tests $2 in the FreeCAD home $1, those whose name has $3 in it; results go to $work/$4.
+# Runs tests $2 in lane $1, those whose name has $3 in it and that nobody has claimed in folder $4.
+# The results go to "results" there.
 start_freecad() {
-    FREECAD_USER_HOME="$work/$1" QT_ENABLE_HIGHDPI_SCALING=0 SHEETMORPH_GUI_TESTS=$2 \
-        SHEETMORPH_GUI_ONLY=$3 SHEETMORPH_GUI_WORK=$work \
-        timeout 3000 freecad "$here/inside.py" </dev/null >"$work/$1-$4.out" 2>&1
+    FREECAD_USER_HOME="$1/home" QT_ENABLE_HIGHDPI_SCALING=0 SHEETMORPH_GUI_TESTS=$2 \
+        SHEETMORPH_GUI_ONLY=$3 SHEETMORPH_GUI_CLAIMS=$4 SHEETMORPH_GUI_WORK=$1 \
+        timeout 3000 freecad "$here/inside.py" </dev/null >>"$1/freecad.out" 2>&1
     local status=$?
-    touch "$work/results"
-    mv "$work/results" "$work/$4"
-    # A FreeCAD that died, hung or was killed leaves no closing line: its other tests did not run.
-    grep -q '^END$' "$work/$4" ||
-        echo "FAIL ${2}: FreeCAD ended with status $status before its tests did" >>"$work/$4"
+    touch "$1/results"
+    # A FreeCAD that died, hung or was killed leaves no closing line.
+    grep -q '^END$' "$1/results" ||
+        echo "FAIL $2: FreeCAD ended with status $status before its tests did" >>"$1/results"
 }
 
-# A test that fails is tried once more, alone in a fresh FreeCAD: the mouse is real, and so is the
-# load of the machine. What fails twice has failed; what passes only then is counted apart.
-run_freecad() {
-    start_freecad "$1" "$2" "$only" first
-    local name
+# A test that fails is tried once more in a fresh FreeCAD: the mouse is real, and so is the load of
+# the machine. What fails twice has failed; what passes only then is counted apart.
+run_tests() {
+    local lane=$1 name
+    start_freecad "$lane" "$2" "$only" "$work/claims"
+    mv "$lane/results" "$lane/first"
     while read -r name; do
-        start_freecad "$1" "$2" "$name" again
-        if grep -q '^FAIL' "$work/again"; then
-            sed -n '/^FAIL/,$p' "$work/again" | grep -v '^END$' >>"$work/all"
+        rm -rf "$lane/claims"
+        mkdir "$lane/claims"
+        start_freecad "$lane" "$2" "$name" "$lane/claims"
+        if grep -q '^FAIL' "$lane/results"; then
+            sed -n '/^FAIL/,$p' "$lane/results" | grep -v '^END$' >>"$lane/told"
         else
-            echo "PASS $name" >>"$work/all"
-            echo "SECOND TRY $name" >>"$work/all"
+            printf 'PASS %s\nSECOND TRY %s\n' "$name" "$name" >>"$lane/told"
+            echo "At the first try:" >>"$lane/told"
+            sed -n "/^FAIL $name /,/^\(PASS\|FAIL\|END\)/p" "$lane/first" |
+                sed 's/^/    /' >>"$lane/told"
         fi
-    done < <(sed -n 's/^FAIL \(test_[^ ]*\).*/\1/p' "$work/first")
-    grep -E '^(PASS|SKIP|NOTE)|^FAIL with' "$work/first" >>"$work/all"
+    done < <(sed -n 's/^FAIL \(test_[^ ]*\).*/\1/p' "$lane/first")
+    grep -E '^(PASS|SKIP|NOTE)|^FAIL [^t]|^FAIL the tests' "$lane/first" >>"$lane/told"
+}
+
+# Runs tests $3... with add-on $2 on a screen of their own; $1 is the name of the lane.
+run_lane() {
+    trap finish EXIT
+    local lane="$work/$1" addon=$2 tests
+    mkdir -p "$lane"
+    start_screen "$lane"
+    make_home "$lane" "$addon"
+    for tests in "${@:3}"; do
+        run_tests "$lane" "$tests"
+    done
     if [ -n "${SHEETMORPH_GUI_OUT:-}" ]; then
         mkdir -p "$SHEETMORPH_GUI_OUT"
-        cp "$work"/*.png "$work"/*.out "$SHEETMORPH_GUI_OUT/" 2>/dev/null
+        cp "$lane"/*.png "$SHEETMORPH_GUI_OUT/" 2>/dev/null
+        cp "$lane/freecad.out" "$SHEETMORPH_GUI_OUT/$1.out"
     fi
+}
+
+# Runs tests $@ in all lanes beside each other.
+run_lanes() {
+    local lane
+    for lane in $(seq "$lanes"); do
+        (run_lane "lane$lane" "$staged" "$@") &
+    done
+    wait
 }
 
 # The same add-on, its compiled kernel missing.
@@ -81,20 +113,23 @@ make_broken() {
     rm -f "$work/broken/sheetmorph/"_core*
 }
 
-start_screen
-make_home home "$staged"
+if [ -n "$only" ] && [ ! -f "$here/tests_$only.py" ]; then
+    lanes=1
+fi
 if [ -f "$here/tests_$only.py" ] && [ "$only" != without_kernel ]; then
     name=$only
-    only=""
-    run_freecad home "$name"
+    only=${3:-}
+    run_lanes "$name"
 else
-    run_freecad home with_kernel
-    run_freecad home hostile
+    run_lanes with_kernel hostile
     make_broken
-    make_home home2 "$work/broken"
-    run_freecad home2 without_kernel
+    mkdir -p "$work/broken_lane"
+    cp "$work"/lane*/saved.FCStd "$work/broken_lane/" 2>/dev/null # what a test with the kernel saved
+    (run_lane broken_lane "$work/broken" without_kernel) &
+    wait
 fi
 
+cat "$work"/*/told >"$work/all" 2>/dev/null
 cat "$work/all"
 passed=$(grep -c '^PASS' "$work/all")
 failed=$(grep -c '^FAIL' "$work/all")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One user action = one transaction = one line in the recorded macro, a call of the public API."""
 
+import sys
 from contextlib import contextmanager, nullcontext
 
 import FreeCAD as App
@@ -14,6 +15,7 @@ from freecad.sheetmorph.progress_dialog import Progress
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 API = "freecad.sheetmorph.api"
+IMPORTS = ("import FreeCAD as App", f"import {API}")
 LONGEST_SHOWN = 300  # characters
 FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
 
@@ -41,11 +43,40 @@ def record(*lines: str) -> None:
     a macro whose recording starts later.
     """
     told = reporting.progress()
-    for number, line in enumerate(("import FreeCAD as App", f"import {API}", *lines)):
-        if told is not None and not told(number / (2.0 + len(lines)), ""):
+    for number, line in enumerate((*IMPORTS, *lines)):
+        if told is not None and not told(number / (len(IMPORTS) + len(lines)), ""):
             return
         with unseen() if len(line) > LONGEST_SHOWN else nullcontext():
             Gui.doCommand(line)
+
+
+def note(*lines: str) -> None:
+    """Writes lines to the macro being recorded whose work is done already, as it is shown.
+
+    FreeCAD writes only what it runs: meanwhile the API's name stands for something that does
+    nothing, and what the lines call a result is forgotten.
+    """
+    record()
+    names = vars(sys.modules["__main__"])  # where FreeCAD runs lines
+    before = dict(names)
+    names[API.split(".", maxsplit=1)[0]] = Idle()
+    try:
+        for line in lines:
+            Gui.doCommand(line)
+    finally:
+        for new in names.keys() - before.keys():
+            del names[new]
+        names.update(before)
+
+
+class Idle:
+    """Has every attribute, takes every argument, and does nothing."""
+
+    def __getattr__(self, _name: str) -> "Idle":
+        return self
+
+    def __call__(self, *_arguments, **_keywords) -> "Idle":
+        return self
 
 
 @contextmanager

@@ -29,7 +29,8 @@ class FoundFeature:
     radius: of a circle or curved surface, the inner one of a bend, half the width of a slot, else
     0; size: the diameter, or the longer extent; residual: largest distance of a vertex from the
     fitted form; vertices: of its rims and walls; washer: rings of vertices around, the inner first;
-    is_marked: it is a form feature of the document already; angle: how far a bend turns, degrees.
+    is_marked: it is a form feature of the document already; angle: how far a bend turns, degrees;
+    unsettled: why its vertices are not certain, in words, empty if they are.
     """
 
     part: Any
@@ -44,6 +45,7 @@ class FoundFeature:
     washer: list[list[int]]
     is_marked: bool
     angle: float = 0.0
+    unsettled: str = ""
 
 
 @dataclass(frozen=True)
@@ -196,6 +198,7 @@ def _feature(part, entry: dict, marked: dict[str, set[int]]) -> FoundFeature:
         washer=entry.get("washer", []),
         is_marked=bool(marked[part.Name] & set(entry["vertices"])),
         angle=math.degrees(entry["angle"]) if entry["kind"] == "bend" else 0.0,
+        unsettled=entry.get("unsettled", ""),
     )
 
 

@@ -42,6 +42,11 @@ def triangles(part):
     return snapshot_of(part).triangles
 
 
+def corners(part) -> np.ndarray:
+    """Where a part is drawn, (k, 3) global mm: the corners of its triangles, once each."""
+    return positions([(part, np.unique(triangles(part)))])
+
+
 def positions(places) -> np.ndarray:
     """Where places are drawn, (k, 3) global mm; ``places``: parts, and vertices (k,) of each."""
     found = [np.zeros((0, 3))]

@@ -23,6 +23,7 @@ from freecad.sheetmorph.bridge.findings import Findings, Step, findings_of, show
 from freecad.sheetmorph.objects import assembly_of, deformation_of, model
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.bridge.rest import RestPart, read_rest
+from freecad.sheetmorph.tools import words
 
 ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
@@ -86,26 +87,38 @@ class SessionCache:
     def __init__(self) -> None:
         self._sessions: OrderedDict[str, Any] = OrderedDict()
         self._results: OrderedDict[tuple, Any] = OrderedDict()
+        self._refused: OrderedDict[str, ValueError] = OrderedDict()
         self._writers: dict[str, tuple] = {}
 
     def session(self, morph: Morph, progress: Progress | None = None):
-        """Return the sheetmorph.Session of `morph`, building it if it is not kept."""
+        """Return the sheetmorph.Session of `morph`, building it if it is not kept.
+
+        What was wrong with a morph is kept too: a large one takes as long to fail as to succeed.
+        """
         key = morph.key
+        if key in self._refused:
+            raise self._refused[key].with_traceback(None)
         if key not in self._sessions:
-            package = kernel.load()
-            meshes = {
-                morph.names[name]: package.PartMesh(
-                    rest.points, rest.triangles, ids=rest.ids, name=rest.label
-                )
-                for name, rest in morph.rests.items()
-            }
-            recipe = {**morph.recipe, "pose": {}}
-            previous = next(reversed(self._sessions.values()), None)
-            told = progress or reporting.progress()
-            found = package.Session(recipe, meshes, told, previous=previous)
-            self._keep(self._sessions, key, found)
+            try:
+                self._keep(self._sessions, key, self._built(morph, progress))
+            except ValueError as error:
+                self._keep(self._refused, key, error)
+                raise
         self._sessions.move_to_end(key)
         return self._sessions[key]
+
+    def _built(self, morph: Morph, progress: Progress | None):
+        package = kernel.load()
+        meshes = {
+            morph.names[name]: package.PartMesh(
+                rest.points, rest.triangles, ids=rest.ids, name=rest.label
+            )
+            for name, rest in morph.rests.items()
+        }
+        recipe = {**morph.recipe, "pose": {}}
+        previous = next(reversed(self._sessions.values()), None)
+        told = progress or reporting.progress()
+        return package.Session(recipe, meshes, told, previous=previous)
 
     def result(self, morph: Morph, exact: bool = True):
         """Return the sheetmorph.Result of `morph` in its pose, solving if it is not kept."""
@@ -268,9 +281,9 @@ def cache_of(obj) -> SessionCache:
 
 
 def one_sentence(error: Exception) -> str:
-    """Return the first fault of an error, and how many more there are."""
+    """Return the first fault of an error, without the numbers of vertices, and how many more."""
     faults = [line for line in str(error).splitlines() if line.strip()]
     if not faults:
         return f"{type(error).__name__} without a message."
     more = f" (and {len(faults) - 1} more)" if len(faults) > 1 else ""
-    return faults[0] + more
+    return words.counted(faults[0]) + more

@@ -71,11 +71,6 @@ class MovedHandles:
             if motion_of(handle).is_rest():
                 self.unmake(handle)
 
-    def unmake_all(self) -> None:
-        """Takes back all that was grabbed."""
-        for handle in self._made():
-            self.unmake(handle)
-
     def _made(self) -> list:
         return [handle for handle in self.all if handle.Name not in self._before]
 

@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.figure import Figure
-from freecad.sheetmorph.scene.viewport import Listener, Viewport
+from freecad.sheetmorph.scene.viewport import Listener, Viewport, take_every_move
 from freecad.sheetmorph.tools import figures
 from freecad.sheetmorph.tools.part_mesh import NOTHING
 from freecad.sheetmorph.tools.rims import Ray
@@ -32,6 +32,7 @@ class PickMouse(Listener):
 
     def remove(self) -> None:
         """Gives the mouse back."""
+        take_every_move(False)
         self._figure.remove()
         self._viewport.remove()
         self._picker = self._seen = self._host = None
@@ -71,6 +72,7 @@ class PickMouse(Listener):
         options = self._picker.options
         self._mode = self._picker.mode(pointer.shift, pointer.control)
         self._drawing = figures.Drawing(options.what, pointer.place, options.radius)
+        take_every_move(options.what == figures.LASSO)
         self._go_on(self._drawing.outline())
         return True
 
@@ -134,6 +136,7 @@ class PickMouse(Listener):
 
     def _end(self) -> None:
         """Forgets the figure that is being drawn."""
+        take_every_move(False)
         self._drawing = None
         self._figure.show_outline(None)
         if self._picker is not None:

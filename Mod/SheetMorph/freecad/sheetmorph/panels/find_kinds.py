@@ -47,16 +47,21 @@ class Features:
         """What the size filter goes by, mm."""
         return one.size
 
+    def doubt(self, one) -> str:
+        """Why its vertices are not certain; empty if they are."""
+        return one.unsettled
+
     def row(self, one) -> tuple:
         """What the list shows of a proposal."""
         quality = one.residual / (0.5 * one.size) if one.size else 0.0
         size = words.length(one.size, 4)
         if one.kind == "bend":
             size = f"R {words.length(one.radius, 4)}, {words.plain(one.angle)}°"
-        texts = (one.name, size, words.percent(quality))
+        mark = "? " if self.doubt(one) else ""
+        texts = (one.name, size, mark + words.percent(quality))
         is_checked = not one.is_marked and one.kind in _HOLES
         tip = MARKED if one.is_marked else f"{one.kind}, {len(one.vertices)} vertices"
-        tip = f"{one.name}\n{tip}"
+        tip = "\n".join(filter(None, (one.name, tip, self.doubt(one))))
         return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
 
     def places(self, one, colours) -> list:
@@ -113,6 +118,10 @@ class Contacts:
     def size(self, one) -> float:
         """What the size filter goes by, mm."""
         return one.size
+
+    def doubt(self, _one) -> str:
+        """A contact is certain, or not proposed."""
+        return ""
 
     def row(self, one) -> tuple:
         """What the list shows of a proposal."""

@@ -77,19 +77,23 @@ class FindPanel(Panel):
         """Hides the rows that the filters leave out; they are not taken either."""
         kind, any_kind = self.form.kind.currentText(), self.form.kind.currentIndex() <= 0
         low, high = number_in(self.form.smallest), number_in(self.form.largest)
-        for number, one in enumerate(self._found):
+        table = self.form.table
+        for row in range(table.rowCount()):
+            one = self._found[find_table.number_in(table, row)]
             size = self._what.size(one)
             is_shown = (
                 (any_kind or kind == one.kind) and size >= low and (high <= 0.0 or size <= high)
             )
-            self.form.table.setRowHidden(find_table.place_of(self.form.table, number), not is_shown)
+            table.setRowHidden(row, not is_shown)
         self._count()
 
     def _check_all(self) -> None:
         find_table.set_checks(self.form.table, True)
+        self._count()
 
     def _check_none(self) -> None:
         find_table.set_checks(self.form.table, False)
+        self._count()
 
     def _chosen(self) -> list:
         return [self._found[number] for number in find_table.checked(self.form.table)]
@@ -99,7 +103,12 @@ class FindPanel(Panel):
         text = translate("panels", "{0} of {1} chosen")
         if marked:
             text = translate("panels", "{0} of {1} chosen, {2} in the document already")
-        self.form.count.setText(text.format(len(self._chosen()), len(self._found), marked))
+        texts = [text.format(len(self._chosen()), len(self._found), marked)]
+        unsettled = sum(bool(self._what.doubt(one)) for one in self._found)
+        if unsettled:
+            text = translate("panels", "{0} not certain (?): point at them to read why")
+            texts.append(text.format(unsettled))
+        self.form.count.setText("; ".join(texts))
 
     # -- the 3D view
 

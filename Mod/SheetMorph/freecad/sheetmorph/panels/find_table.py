@@ -63,11 +63,6 @@ def number_in(table, row: int) -> int:
     return int(table.item(row, 0).data(NUMBER))
 
 
-def place_of(table, number: int) -> int:
-    """The row in which a proposal stands."""
-    return next(row for row in range(table.rowCount()) if number_in(table, row) == number)
-
-
 def checked(table) -> list[int]:
     """The proposals that are checked and not hidden, in their own order."""
     rows = [row for row in range(table.rowCount()) if not table.isRowHidden(row)]
@@ -76,8 +71,11 @@ def checked(table) -> list[int]:
 
 
 def set_checks(table, is_on: bool) -> None:
-    """Checks or clears all rows that are seen and enabled."""
+    """Checks or clears all rows that are seen and enabled; nobody is told of each."""
+    table.blockSignals(True)
     for row in range(table.rowCount()):
         cell = table.item(row, 0)
         if not table.isRowHidden(row) and cell.flags() & QtCore.Qt.ItemIsEnabled:
             cell.setCheckState(QtCore.Qt.Checked if is_on else QtCore.Qt.Unchecked)
+    table.blockSignals(False)
+    table.viewport().update()

@@ -78,7 +78,7 @@ class MovePanel(Panel):
             self.keep()
 
     def keep(self) -> bool:
-        """One undo step of what is seen, and one macro line a handle."""
+        """One undo step: what is seen as it is, and one macro line a handle that does the same."""
         self._stop_timers()
         fault = self._fields.read().fault()
         say(self.form.axis_message, fault, True)
@@ -92,9 +92,7 @@ class MovePanel(Panel):
             if fault:
                 self._faults.say(fault)
                 return False
-            self._handles.unmake_all()  # the lines make them, as a macro does
-            with actions.waiting():
-                actions.record(*lines, "App.ActiveDocument.recompute()")
+            actions.note(*lines, "App.ActiveDocument.recompute()")
         self._pending.keep()
         self._handles.begin()
         return True

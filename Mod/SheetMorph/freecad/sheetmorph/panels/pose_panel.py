@@ -63,8 +63,7 @@ class PosePanel(Panel):
             if fault:
                 self._faults.say(fault)
                 return False
-            with actions.waiting():
-                actions.record(line, "App.ActiveDocument.recompute()")
+            actions.note(line, "App.ActiveDocument.recompute()")
         self._pending.keep()
         return True
 

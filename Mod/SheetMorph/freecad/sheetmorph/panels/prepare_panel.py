@@ -7,9 +7,13 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.editing.session import EditingSession
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.scene.highlight import PartLight
+from freecad.sheetmorph.scene.looking import look_at
 from freecad.sheetmorph.scene.mesh_preview import MeshPreview
 from freecad.sheetmorph.tools import cures
 
@@ -52,6 +56,8 @@ class PreparePanel(Panel):
         self._preview = None
         session.at_end(self._end_preview)
         self._found = api.diagnose_original(part)
+        self._light = session.show(PartLight())
+        self._show_part()
         self._prepare_widgets()
         self._offer()
 
@@ -69,6 +75,14 @@ class PreparePanel(Panel):
             say(self.form.message, str(error), True)
             return False
         return True
+
+    def _show_part(self) -> None:
+        """Which one it is, where there are others: tinted, and brought into view."""
+        part = self._part
+        if len(model.parts(model.assembly_of(part))) > 1:
+            triangles = seen.triangles(part)
+            self._light.show(part.Name, part.ViewObject, triangles)
+            look_at(self.session.view, seen.corners(part))
 
     # -- the diagnosis
 
@@ -134,6 +148,7 @@ class PreparePanel(Panel):
             return
         if self.session.is_over:  # while the progress was shown
             return
+        self._light.show()
         view = self.session.view
         self._preview = MeshPreview(view, self._part.ViewObject, places, made.triangles)
         say(self.form.message, cures.summary(made))

@@ -152,6 +152,15 @@ class Viewport(QtCore.QObject):
         return pointer_of(self._view, self._widget, event)
 
 
+def take_every_move(is_wanted: bool) -> None:
+    """Whether moves of the mouse that wait come one by one, instead of the last one alone.
+
+    A figure that is drawn while the view is slow would lose its corners otherwise.
+    """
+    compress = QtCore.Qt.AA_CompressHighFrequencyEvents
+    QtCore.QCoreApplication.setAttribute(compress, not is_wanted)
+
+
 def camera_of(view) -> Camera:
     """What a view shows now."""
     width, height = view.getSize()

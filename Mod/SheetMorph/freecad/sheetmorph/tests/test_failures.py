@@ -2,11 +2,12 @@
 """What cannot be computed is said once, in one sentence, and the last mesh stays."""
 
 import unittest
+from unittest import mock
 
 import numpy as np
 
 from freecad.sheetmorph import api
-from freecad.sheetmorph.bridge import conversion
+from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.objects import deformation_of, model
 from freecad.sheetmorph.tests import support
 
@@ -72,6 +73,20 @@ class TestFailures(support.DocumentTest):
         self.assert_fails("Rigid bar")
         api.remove(other)
         self.assert_recovers()
+
+    def test_what_is_wrong_is_worked_out_once_until_something_changes(self):
+        clamp = self.document.getObjectsByLabel("Clamp")[0]
+        both = api.vertices(self.handle)[:4] + api.vertices(clamp)[:4]
+        other = api.add_feature(self.assembly, self.part, both, "Rigid bar")
+        package = kernel.load()
+        with mock.patch.object(package, "Session", wraps=package.Session) as built:
+            self.assert_fails("Rigid bar")
+            api.set_motion(self.handle, (0, 0, 12))
+            self.assert_fails("Rigid bar")
+            self.assertEqual(built.call_count, 1)
+            api.set_vertices(other, both[1:])
+            self.assert_fails("Rigid bar")
+            self.assertEqual(built.call_count, 2)
 
     def test_a_component_that_nothing_holds(self):
         points, triangles = support.strip()

@@ -3,8 +3,23 @@
 
 from __future__ import annotations
 
+import re
+
 LEAST_LENGTH = 0.0005  # mm: what is smaller is rounding, or nobody's concern
 LEAST_SHARE = 0.0005
+
+VERTICES = re.compile(r"\bvertices (\d+(?:, \d+)*)(?: and (\d+)( more)?)?(?![\w.])")
+
+
+def counted(sentence: str) -> str:
+    """A sentence of the kernel with how many vertices it means, where it lists their numbers."""
+
+    def count(found: re.Match) -> str:
+        listed, last, more = found.groups()
+        number = len(listed.split(",")) + (int(last) if more else 1 if last else 0)
+        return f"{number} vertices"
+
+    return VERTICES.sub(count, sentence)
 
 
 def plain(value: float, digits: int = 3) -> str:

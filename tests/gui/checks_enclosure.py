@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A sheet-metal enclosure of 38 parts, from its STEP file to a document that is opened again, by
+mouse. How long each step takes, and how long FreeCAD stands still meanwhile, is reported."""
+
+import os
+import time
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from checks_flow import draw_region, drag_arrow_up, look, loop_round, select
+from checks_finding import rows_shown
+from checks_moving import open_panel
+from checks_propagation import dialog
+from desk import HERE, WORK, activate, note, picture, press, press_tool, until, view
+from freecad.sheetmorph import api
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.qt import QtWidgets
+from hostile_panels import is_shown
+from PySide import QtCore
+from scenes import assembly, contacts, labelled, regions
+
+__all__ = ["test_the_enclosure_from_step_to_a_saved_drag_is_measured"]
+
+SHARED = os.environ.get("SHEETMORPH_SHARED", os.path.join(HERE, *[".."] * 3, "shared"))
+STEP = os.path.join(SHARED, "data", "03-laser4diy-enclosure", "Enclosure_v3_v9.step")
+BEAT = 20  # ms
+LONGEST = 300.0  # seconds to wait for a step
+
+
+class Steps:
+    """The time of every step, and the longest time in it in which no event was handled."""
+
+    def __init__(self):
+        self.told = []
+        self._beats = QtCore.QTimer()
+        self._beats.timeout.connect(self._beat)
+        self._beats.start(BEAT)
+
+    def _beat(self) -> None:
+        now = time.monotonic()
+        self._still, self._last = max(self._still, now - self._last), now
+
+    def step(self, title: str, action, is_done):
+        """Does what a generator does and waits; a picture shows the progress, if there is any."""
+        self._still, begin = 0.0, time.monotonic()
+        self._last = begin
+        yield from action
+        is_pictured = False
+        while not is_done():
+            assert time.monotonic() - begin < LONGEST, title
+            if not is_pictured and dialog() is not None and dialog().isVisible():
+                picture(f"enclosure-progress-{len(self.told)}")
+                is_pictured = True
+            yield 20
+        self._beat()
+        taken = time.monotonic() - begin
+        progress = ", progress shown" if is_pictured else ""
+        self.told.append(f"{title} {taken:.1f} s (still for {self._still:.1f} s{progress})")
+        note(f"the enclosure: {self.told[-1]}")
+        picture(f"enclosure-{len(self.told)}")
+
+
+def is_quiet() -> bool:
+    """Whether nothing is under way: no step of a command, no recompute, no progress."""
+    if App.ActiveDocument is None or App.ActiveDocument.Recomputing:
+        return False
+    is_waited_for = dialog() is not None and dialog().isVisible()
+    return App.getActiveTransaction() is None and not is_waited_for
+
+
+def count_of_parts() -> int:
+    """How many parts the document has."""
+    return sum(model.kind(obj) == model.PART for obj in App.ActiveDocument.Objects)
+
+
+def import_step():
+    """Import Part…, its dialogs answered."""
+    window, asked = QtWidgets.QFileDialog, QtWidgets.QFileDialog.getOpenFileNames
+    length = QtWidgets.QInputDialog.getDouble
+    window.getOpenFileNames = lambda *_: ([STEP], "")
+    QtWidgets.QInputDialog.getDouble = lambda *_: (0.0, True)
+    try:
+        yield from press_tool("Import Part…")
+    finally:
+        window.getOpenFileNames, QtWidgets.QInputDialog.getDouble = asked, length
+
+
+def mark_the_ends():
+    """The right side of the main sheet stays, its left end is the handle."""
+    sheet = labelled("MainEnclosure.MainSheet")
+    points = api.rest_mesh(sheet)[0]
+    x = points[:, 0]
+    yield from look("Front")
+    for command, chosen in (("Mark Fixed Region…", x > 400.0), ("Mark Handle…", x < 10.0)):
+        figure = [loop_round(points[chosen], (0, 2), 2.0)[k] for k in (0, 2)]
+        yield from draw_region(sheet, command, "rectangle", figure)
+        yield from until(lambda: not Gui.Control.activeDialog() and is_quiet(), command, LONGEST)
+    yield from look("Isometric")
+    select(regions("handle")[0])
+
+
+def found(command: str, steps: Steps):
+    """Searches, and takes everything that is found."""
+    Gui.Selection.clearSelection()
+    opened = lambda: is_shown() and is_quiet() and rows_shown() > 100  # noqa: E731
+    yield from steps.step(command, press_tool(command), opened)
+    closed = lambda: not Gui.Control.activeDialog() and is_quiet()  # noqa: E731
+    yield from steps.step(f"OK of {command}", press("OK"), closed)
+
+
+def reopened(path: str, steps: Steps):
+    def close_and_open():
+        App.closeDocument(App.ActiveDocument.Name)
+        yield 100
+        App.openDocument(path)
+
+    def save():
+        App.ActiveDocument.saveAs(path)
+        yield 0
+
+    yield from steps.step("save", save(), is_quiet)
+    yield from steps.step("close and open", close_and_open(), is_quiet)
+
+
+def test_the_enclosure_from_step_to_a_saved_drag_is_measured():
+    if not os.path.isfile(STEP):
+        note("the enclosure: its STEP file is not at hand; SHEETMORPH_SHARED names the folder")
+        return
+    yield from activate()
+    steps = Steps()
+    has_parts = lambda: is_quiet() and count_of_parts() == 38  # noqa: E731
+    yield from steps.step("STEP in", import_step(), has_parts)
+    if Gui.Control.activeDialog():  # Prepare Mesh is offered
+        yield from press("Cancel")
+    yield from found("Find Features…", steps)
+    yield from found("Find Contacts…", steps)
+    yield from mark_the_ends()
+    yield from steps.step("Move Handle", open_panel(), lambda: is_shown() and is_quiet())
+    yield from steps.step("a drag", drag_arrow_up(), is_quiet)
+    yield from steps.step("OK", press("OK"), lambda: not Gui.Control.activeDialog() and is_quiet())
+    wanted = (len(regions("form feature")), len(contacts()))
+    moved = {part.Name: part.Mesh.BoundBox.DiagonalLength for part in model.parts(assembly())}
+    yield from reopened(os.path.join(WORK, "enclosure.FCStd"), steps)
+    assert (len(regions("form feature")), len(contacts())) == wanted and min(wanted) > 100
+    again = {part.Name: part.Mesh.BoundBox.DiagonalLength for part in model.parts(assembly())}
+    assert np.allclose(list(again.values()), list(moved.values()))
+    view().viewIsometric()

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sentences of the kernel, as a person at the workbench reads them; needs no FreeCAD."""
+
+import pytest
+
+from freecad.sheetmorph.tools.words import counted
+
+
+@pytest.mark.parametrize(
+    ("said", "read"),
+    [
+        (
+            "'A' and 'B' both move vertices 15771, 15772, 15773 and 85 more; take these out",
+            "'A' and 'B' both move 88 vertices; take these out",
+        ),
+        ("vertices 3, 4 are not in part P", "2 vertices are not in part P"),
+        ("vertices 3, 4 and 5 are not in part P", "3 vertices are not in part P"),
+        ("region 'vertices of 3' has no vertices on part 'P 1'", None),
+        ("vertex 7 is not in part P", None),
+        ("it has 12 vertices, 3 more than its file", None),
+    ],
+)
+def test_lists_of_vertex_numbers_become_their_count(said, read):
+    assert counted(said) == (said if read is None else read)
