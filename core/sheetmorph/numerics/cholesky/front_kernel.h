@@ -6,13 +6,19 @@
 namespace sheetmorph
 {
 
-//! Four right sides at once, row by row.
-constexpr int right_sides_at_once = 4;
+//! How many right sides are computed side by side: few, as for one shape, or as many as the widest
+//! instructions hold.
+constexpr int few_sides = 4;
+constexpr int many_sides = 8;
 
-//! w (rows, 4): solves for the own rows and takes their part off the others.
-void run_forward(const Front& front, double* w);
+//! Whether `many_sides` take less time than twice `few_sides`.
+bool has_many_sides();
 
-//! w (rows, 4): solves for the own rows of the transposed, the others being known.
-void run_backward(const Front& front, double* w);
+//! w (rows, sides), row by row: solves for the own rows and takes their part off the others.
+//! \param sides  few_sides or many_sides
+void run_forward(const Front& front, int sides, double* w);
+
+//! w (rows, sides): solves for the own rows of the transposed, the others being known.
+void run_backward(const Front& front, int sides, double* w);
 
 }  // namespace sheetmorph

@@ -25,6 +25,25 @@ constexpr int share_count = 4;
 // A subtree is split until it is at most this part of all entries.
 constexpr double largest_subtree = 0.26;
 
+template <int sides>
+using FixedSides = Eigen::Matrix<double, Eigen::Dynamic, sides, Eigen::RowMajor>;
+
+template <int sides>
+Eigen::Map<FixedSides<sides>> fixed(FrontSolver::RightSides& x, const FixedSides<sides>&)
+{
+    return Eigen::Map<FixedSides<sides>>(x.data(), x.rows(), sides);
+}
+
+// Calls run(w) with scratch (rows, sides) whose width the compiler knows.
+template <class Run>
+void with_width(const FrontSolver::Groups& groups, int rows, const Run& run)
+{
+    if (groups.front().cols() == many_sides)
+        run(FixedSides<many_sides>(rows, many_sides));
+    else
+        run(FixedSides<few_sides>(rows, few_sides));
+}
+
 }  // namespace
 
 FrontSolver::FrontSolver(FrontList factor)
@@ -82,59 +101,66 @@ void FrontSolver::share_subtrees()
 }
 
 // What a front takes off rows above all shares goes to `above`, if there is one.
-void FrontSolver::forward(const Nodes& nodes, RightSides& x, RightSides* above) const
+void FrontSolver::forward(const Nodes& nodes, Groups& groups, Groups* above) const
 {
-    RightSides w(widest_, right_sides_at_once);
-    for (const int s : nodes)
+    const auto run = [&](auto w)
     {
-        const Front& own = front(s);
-        const int* rows = own.rows.data();
-        for (int k = 0; k < own.columns; ++k)
-            w.row(k) = x.row(rows[k]);
-        w.middleRows(own.columns, own.below()).setZero();
-        run_forward(own, w.data());
-        for (int k = 0; k < own.columns; ++k)
-            x.row(rows[k]) = w.row(k);
-        for (int k = own.columns; k < own.height(); ++k)
-            if (const int top = top_row_[at(rows[k])]; top >= 0 && above != nullptr)
-                above->row(top) += w.row(k);
-            else
-                x.row(rows[k]) += w.row(k);
-    }
+        for (const int s : nodes)
+            for (std::size_t g = 0; g < groups.size(); ++g)
+            {
+                auto x = fixed(groups[g], w);
+                const Front& own = front(s);
+                const int* rows = own.rows.data();
+                for (int k = 0; k < own.columns; ++k)
+                    w.row(k) = x.row(rows[k]);
+                w.middleRows(own.columns, own.below()).setZero();
+                run_forward(own, static_cast<int>(w.cols()), w.data());
+                for (int k = 0; k < own.columns; ++k)
+                    x.row(rows[k]) = w.row(k);
+                for (int k = own.columns; k < own.height(); ++k)
+                    if (const int top = top_row_[at(rows[k])]; top >= 0 && above != nullptr)
+                        fixed((*above)[g], w).row(top) += w.row(k);
+                    else
+                        x.row(rows[k]) += w.row(k);
+            }
+    };
+    with_width(groups, widest_, run);
 }
 
-void FrontSolver::backward(const Nodes& nodes, RightSides& x) const
+void FrontSolver::backward(const Nodes& nodes, Groups& groups) const
 {
-    RightSides w(widest_, right_sides_at_once);
-    for (auto s = nodes.rbegin(); s != nodes.rend(); ++s)
+    const auto run = [&](auto w)
     {
-        const Front& own = front(*s);
-        const int* rows = own.rows.data();
-        for (int k = 0; k < own.height(); ++k)
-            w.row(k) = x.row(rows[k]);
-        run_backward(own, w.data());
-        for (int k = 0; k < own.columns; ++k)
-            x.row(rows[k]) = w.row(k);
-    }
+        for (auto s = nodes.rbegin(); s != nodes.rend(); ++s)
+            for (RightSides& group : groups)
+            {
+                auto x = fixed(group, w);
+                const Front& own = front(*s);
+                const int* rows = own.rows.data();
+                for (int k = 0; k < own.height(); ++k)
+                    w.row(k) = x.row(rows[k]);
+                run_backward(own, static_cast<int>(w.cols()), w.data());
+                for (int k = 0; k < own.columns; ++k)
+                    x.row(rows[k]) = w.row(k);
+            }
+    };
+    with_width(groups, widest_, run);
 }
 
-void FrontSolver::solve(RightSides& x) const
+void FrontSolver::solve(Groups& x) const
 {
     const auto count = static_cast<Eigen::Index>(shares_.size());
     const auto share = [this](Eigen::Index k) -> const Nodes&
     { return shares_[static_cast<std::size_t>(k)]; };
-    std::vector<RightSides> above(shares_.size());
-    parallel_items(count,
-                   [&](Eigen::Index k)
-                   {
-                       RightSides& own = above[static_cast<std::size_t>(k)];
-                       own.setZero(static_cast<Eigen::Index>(top_rows_.size()),
-                                   right_sides_at_once);
-                       forward(share(k), x, &own);
-                   });
-    for (const RightSides& part : above)
-        for (std::size_t row = 0; row < top_rows_.size(); ++row)
-            x.row(top_rows_[row]) += part.row(static_cast<Eigen::Index>(row));
+    const RightSides nothing =
+        RightSides::Zero(static_cast<Eigen::Index>(top_rows_.size()), x.front().cols());
+    std::vector<Groups> above(shares_.size(), Groups(x.size(), nothing));
+    parallel_items(
+        count, [&](Eigen::Index k) { forward(share(k), x, &above[static_cast<std::size_t>(k)]); });
+    for (const Groups& part : above)
+        for (std::size_t g = 0; g < x.size(); ++g)
+            for (std::size_t row = 0; row < top_rows_.size(); ++row)
+                x[g].row(top_rows_[row]) += part[g].row(static_cast<Eigen::Index>(row));
     forward(top_, x, nullptr);
     backward(top_, x);
     parallel_items(count, [&](Eigen::Index k) { backward(share(k), x); });

@@ -9,25 +9,27 @@
 namespace sheetmorph
 {
 
-//! Triangular solves that read the factor once each way, at the speed of the memory; of large
-//! factors some shares at the same time, each subtrees of the elimination tree.
+//! Triangular solves that read the factor once each way for all right sides, at the speed of the
+//! memory; of large factors some shares at the same time, each subtrees of the elimination tree.
 class FrontSolver
 {
 public:
-    using RightSides = Eigen::Matrix<double, Eigen::Dynamic, right_sides_at_once, Eigen::RowMajor>;
+    //! (slots, few_sides or many_sides)
+    using RightSides = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    using Groups = std::vector<RightSides>;
 
     explicit FrontSolver(FrontList factor);
 
     const FrontList& factor() const { return factor_; }
 
-    //! \param x  (slots, 4) right sides in, solutions out
-    void solve(RightSides& x) const;
+    //! \param x  right sides in, solutions out; all groups of one width
+    void solve(Groups& x) const;
 
 private:
     using Nodes = std::vector<int>;
     const Front& front(int index) const { return *factor_.fronts[static_cast<std::size_t>(index)]; }
-    void forward(const Nodes& nodes, RightSides& x, RightSides* above) const;
-    void backward(const Nodes& nodes, RightSides& x) const;
+    void forward(const Nodes& nodes, Groups& x, Groups* above) const;
+    void backward(const Nodes& nodes, Groups& x) const;
     void share_subtrees();
 
     FrontList factor_;

@@ -2,6 +2,7 @@
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/numerics/cholesky/frontal_cholesky.h"
 
 #include <algorithm>
@@ -36,21 +37,38 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right_sides) const
 {
     const auto slot_of = [this](Eigen::Index row)
     { return elimination_.slot_of(static_cast<int>(row)); };
-    Eigen::MatrixXd result(right_sides.rows(), right_sides.cols());
-    FrontSolver::RightSides some =
-        FrontSolver::RightSides::Zero(solver_.factor().slots, right_sides_at_once);
-    for (Eigen::Index first = 0; first < right_sides.cols(); first += right_sides_at_once)
+    const Eigen::Index sides =
+        right_sides.cols() > few_sides && has_many_sides() ? many_sides : few_sides;
+    FrontSolver::Groups groups(static_cast<std::size_t>((right_sides.cols() + sides - 1) / sides));
+    if (groups.empty())
+        return right_sides;
+    const auto each_group = [&](const auto& visit)
     {
-        const Eigen::Index count =
-            std::min<Eigen::Index>(right_sides_at_once, right_sides.cols() - first);
-        for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
-            for (Eigen::Index column = 0; column < count; ++column)
-                some(slot_of(row), column) = right_sides(row, first + column);
-        solver_.solve(some);
-        for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
-            for (Eigen::Index column = 0; column < count; ++column)
-                result(row, first + column) = some(slot_of(row), column);
-    }
+        parallel_items(static_cast<Eigen::Index>(groups.size()),
+                       [&](Eigen::Index g)
+                       {
+                           const Eigen::Index first = g * sides;
+                           const auto count = std::min(sides, right_sides.cols() - first);
+                           visit(groups[static_cast<std::size_t>(g)], first, count);
+                       });
+    };
+    each_group(
+        [&](FrontSolver::RightSides& group, Eigen::Index first, Eigen::Index count)
+        {
+            group.setZero(solver_.factor().slots, sides);
+            for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+                for (Eigen::Index column = 0; column < count; ++column)
+                    group(slot_of(row), column) = right_sides(row, first + column);
+        });
+    solver_.solve(groups);
+    Eigen::MatrixXd result(right_sides.rows(), right_sides.cols());
+    each_group(
+        [&](const FrontSolver::RightSides& group, Eigen::Index first, Eigen::Index count)
+        {
+            for (Eigen::Index row = 0; row < right_sides.rows(); ++row)
+                for (Eigen::Index column = 0; column < count; ++column)
+                    result(row, first + column) = group(slot_of(row), column);
+        });
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace sheetmorph
@@ -15,7 +16,8 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr Eigen::Index block = 24;              // columns solved at once
+constexpr Eigen::Index block = 24;  // columns solved together
+constexpr Eigen::Index blocks_at_once = 4;
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
 constexpr int refinements = 1;
 constexpr Eigen::Index least_turned = 50000;  // rows of columns that are worth a thread
@@ -103,20 +105,30 @@ void FeatureResponses::respond()
 {
     responses_.emplace(mesh_.points(), count_);
     stiffness_.resize(count_, count_);
-    for (Eigen::Index first = 0; first < count_; first += block)
+    for (Eigen::Index first = 0; first < count_; first += blocks_at_once * block)
     {
-        const Eigen::Index count = std::min(block, count_ - first);
-        const ConstrainedMinimiser::Targets asked = asked_of(first, count);
-        const ConstrainedMinimiser::Solution answer = minimiser_.minimum(asked, refinements);
-        const ConstrainedMinimiser::Balance left = minimiser_.balance(asked, answer);
-        stiffness_.middleCols(first, count) = slopes(left);
-        if (responses_)
-            responses_->append(answer.u,
-                               Eigen::VectorXd::Constant(count, miss_a_size * mesh_.size()));
+        std::array<Eigen::MatrixXd, blocks_at_once> answers;
+        parallel_items(
+            blocks_at_once, [&](Eigen::Index k)
+            { answers[at(k)] = answer(std::min(first + k * block, Eigen::Index(count_))); });
+        for (const Eigen::MatrixXd& answer : answers)
+            if (responses_)
+                responses_->append(
+                    answer, Eigen::VectorXd::Constant(answer.cols(), miss_a_size * mesh_.size()));
         if (responses_ && responses_->bytes() > most_bytes)
             responses_.reset();
     }
     stiffness_ = 0.5 * (stiffness_ + stiffness_.transpose()).eval();
+}
+
+// Of the next columns, and their part of the stiffness.
+Eigen::MatrixXd FeatureResponses::answer(Eigen::Index first)
+{
+    const Eigen::Index count = std::min(block, count_ - first);
+    const ConstrainedMinimiser::Targets asked = asked_of(first, count);
+    ConstrainedMinimiser::Solution answer = minimiser_.minimum(asked, refinements);
+    stiffness_.middleCols(first, count) = slopes(minimiser_.balance(asked, answer));
+    return std::move(answer.u);
 }
 
 // Psi^T W residual without Psi: phi^T B^T W residual is offset^T forces, since forces vanish on

@@ -61,6 +61,7 @@ private:
     SparseMatrix direct_moves() const;
     ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
     void respond();
+    Eigen::MatrixXd answer(Eigen::Index first);
     Eigen::MatrixXd slopes(const ConstrainedMinimiser::Balance& left) const;
 
     const TriangleMesh& mesh_;

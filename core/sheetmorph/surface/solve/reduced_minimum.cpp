@@ -46,10 +46,10 @@ bool is_last(double step, double before, double precision)
                && squared <= std::max(left_by_a_step * precision * precision, smallest_step));
 }
 
-// Factor of matrix + shift; nothing where a pivot is not positive, or as good as none.
+// Factor of a symmetric matrix + shift; nothing where a pivot is not positive, or as good as none.
 std::optional<DenseCholesky> factored(const Eigen::MatrixXd& matrix, double shift)
 {
-    Weights shifted = matrix;
+    Weights shifted = matrix.transpose();  // as it lies in memory
     shifted.diagonal().array() += shift;
     try
     {
