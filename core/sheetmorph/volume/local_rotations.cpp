@@ -27,13 +27,14 @@ Vector3 arm(const Points& points, int from, int to)
     return (points.row(to) - points.row(from)).transpose();
 }
 
-// Sum of the products of a ring's edges: its normal, twice its area long.
-Vector3 area_vector(const Points& points, int vertex, const std::vector<int>& others)
+// Calls visit(index, count, is_first) along the chains of a ring: `count` triangles have that edge.
+template <class Visit>
+void along(const std::vector<int>& ends, const Visit& visit)
 {
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t k = 0; k + 1 < others.size(); k += 2)
-        sum += arm(points, vertex, others[k]).cross(arm(points, vertex, others[k + 1]));
-    return sum;
+    int k = 0;
+    for (const int end : ends)
+        for (const int first = k; k < end; ++k)
+            visit(static_cast<std::size_t>(k), k == first || k + 1 == end ? 1.0 : 2.0, k == first);
 }
 
 // Triangles of one ring that are oriented against the first ones, turned round: without this the
@@ -48,6 +49,45 @@ std::vector<int> same_sided(const Points& points, int vertex, std::vector<int> o
         if (area.dot(sum) < 0.0)
             std::swap(others[k], others[k + 1]);
         sum += area.dot(sum) < 0.0 ? Vector3(-area) : area;
+    }
+    return others;
+}
+
+// The sides opposite to a vertex, two ends each, joined end to end as far as they go.
+std::vector<int> chained(std::vector<int> sides, std::vector<int>& ends)
+{
+    std::vector<int> others;
+    const auto take = [&](std::size_t k, bool is_first)
+    {
+        if (is_first)
+            others.push_back(sides[k]);
+        others.push_back(sides[k + 1]);
+        sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(k),
+                    sides.begin() + static_cast<std::ptrdiff_t>(k) + 2);
+    };
+    const auto starting_at = [&](int vertex)
+    {
+        std::size_t k = 0;
+        while (k < sides.size() && sides[k] != vertex)
+            k += 2;
+        return k;
+    };
+    const auto is_entered = [&](int vertex)
+    {
+        std::size_t k = 1;
+        while (k < sides.size() && sides[k] != vertex)
+            k += 2;
+        return k < sides.size();
+    };
+    while (!sides.empty())
+    {
+        std::size_t first = 0;
+        while (first < sides.size() && is_entered(sides[first]))
+            first += 2;
+        take(first < sides.size() ? first : 0, true);
+        for (std::size_t k; (k = starting_at(others.back())) < sides.size();)
+            take(k, false);
+        ends.push_back(static_cast<int>(others.size()));
     }
     return others;
 }
@@ -111,13 +151,21 @@ void LocalRotationMeter::keep_rest(const Points& rest)
 }
 
 LocalRotationMeter::Ring LocalRotationMeter::rest_ring(const Points& rest, int vertex,
-                                                       const std::vector<int>& others)
+                                                       std::vector<int> sides)
 {
-    Ring ring{vertex, same_sided(rest, vertex, others), {}, Vector3::Zero(), 0.0, Matrix3::Zero()};
+    Ring ring{vertex, {}, {}, {}, Vector3::Zero(), 0.0, Matrix3::Zero()};
+    ring.others = chained(same_sided(rest, vertex, std::move(sides)), ring.ends);
     Matrix3 moments = Matrix3::Zero();
-    for (int other : others)
-        moments += arm(rest, vertex, other) * arm(rest, vertex, other).transpose();
-    const Vector3 area = area_vector(rest, vertex, ring.others);
+    Vector3 area = Vector3::Zero(), before = Vector3::Zero();
+    along(ring.ends,
+          [&](std::size_t k, double count, bool is_first)
+          {
+              const Vector3 edge = arm(rest, vertex, ring.others[k]);
+              moments += count * edge * edge.transpose();
+              if (!is_first)
+                  area += before.cross(edge);
+              before = edge;
+          });
     const double squares = moments.trace();
     if (area.norm() > no_area * squares)
     {
@@ -185,16 +233,22 @@ Matrix3 LocalRotationMeter::ring_rotation(const Ring& ring, const Points& deform
                                           const Matrix3& reference) const
 {
     Matrix3 unexplained = Matrix3::Zero();
-    for (std::size_t k = 0; k < ring.others.size(); ++k)
-    {
-        const int other = ring.others[k];
-        const Vector3 edge = ring.rows.empty() ? arm(rest_, ring.vertex, other)
-                                               : arm(rest_, ring.rows.front(), ring.rows[k + 1]);
-        unexplained += (arm(deformed, ring.vertex, other) - reference * edge) * edge.transpose();
-    }
+    Vector3 area = Vector3::Zero(), before = Vector3::Zero();
+    along(ring.ends,
+          [&](std::size_t k, double count, bool is_first)
+          {
+              const Vector3 edge = ring.rows.empty()
+                                       ? arm(rest_, ring.vertex, ring.others[k])
+                                       : arm(rest_, ring.rows.front(), ring.rows[k + 1]);
+              const Vector3 now = arm(deformed, ring.vertex, ring.others[k]);
+              const Vector3 left = count * (now - reference * edge);
+              unexplained += left * edge.transpose();
+              if (!is_first)
+                  area += before.cross(now);
+              before = now;
+          });
     if (unexplained.isZero(0.0) || ring.inverse_moments.isZero(0.0))
         return reference;
-    const Vector3 area = area_vector(deformed, ring.vertex, ring.others);
     if (ring.normal_weight > 0.0 && area.norm() > 0.0)
         unexplained += ring.normal_weight * (area.normalized() - reference * ring.normal)
                        * ring.normal.transpose();

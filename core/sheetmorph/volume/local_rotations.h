@@ -43,14 +43,15 @@ private:
     struct Ring
     {
         int vertex;
-        std::vector<int> others;  // two a triangle, in its order
+        std::vector<int> others;  // around it: every two that follow each other are a triangle
+        std::vector<int> ends;    // but across these, one past the last of every chain
         std::vector<int> rows;    // of rest_: the vertex, then the others; empty: their own
         Vector3 normal;           // unit; zero if the ring has none
         double normal_weight;
         Matrix3 inverse_moments;  // of the rest ring; zero if the ring determines no rotation
     };
 
-    static Ring rest_ring(const Points& rest, int vertex, const std::vector<int>& others);
+    static Ring rest_ring(const Points& rest, int vertex, std::vector<int> sides);
     void keep_rest(const Points& rest);
     Matrix3 ring_rotation(const Ring& ring, const Points& deformed, const Matrix3& reference) const;
 

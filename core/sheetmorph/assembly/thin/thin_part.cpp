@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/thin/thin_part.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/mesh/search/picking.h"
@@ -21,6 +22,8 @@ constexpr double farthest_foot = 1.8;
 
 // Of the distance, and a thousandth of the size.
 constexpr double equally_near = 1e-7;
+
+constexpr Eigen::Index least_searches = 50;  // worth a thread
 
 // A corner with less weight than this does not count.
 constexpr double no_weight = 1e-6;
@@ -102,6 +105,16 @@ Matrix3 strong_inverse(const Matrix3& moments)
     return inverse;
 }
 
+void each_in_parallel(std::size_t count, const std::function<void(int)>& work)
+{
+    parallel_ranges(static_cast<Eigen::Index>(count), least_searches,
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (auto k = static_cast<int>(begin); k < end; ++k)
+                            work(k);
+                    });
+}
+
 }  // namespace
 
 ThinPart::ThinPart(TriangleMesh mesh, ThinSolid solid)
@@ -130,20 +143,22 @@ void ThinPart::hang_on_skin()
     for (const auto& [of, facets] : facets_by_component(solid_, SolidSide::main))
         skins.emplace(of, Places(mesh_, facets));
     const Places whole(mesh_, all_on(solid_, SolidSide::main));
-    for (int v = 0; v < mesh_.vertex_count(); ++v)
+    anchors_.resize(at(mesh_.vertex_count()));
+    const auto hang = [&](int v)
     {
         if (const int own = skin_.index_of[at(v)]; own >= 0)
         {
-            anchors_.push_back({Anchor::at_vertex(own)});
-            continue;
+            anchors_[at(v)] = {Anchor::at_vertex(own)};
+            return;
         }
         const auto own = skins.find(component[at(v)]);
         const Places& places = own == skins.end() ? whole : own->second;
-        anchors_.push_back(places.nearest(mesh_.points().row(v).transpose()));
-        for (Anchor& anchor : anchors_.back())
+        anchors_[at(v)] = places.nearest(mesh_.points().row(v).transpose());
+        for (Anchor& anchor : anchors_[at(v)])
             for (int& corner : anchor.corners)
                 corner = skin_.index_of[at(corner)];
-    }
+    };
+    each_in_parallel(anchors_.size(), hang);
 }
 
 void ThinPart::find_feet()
@@ -153,15 +168,19 @@ void ThinPart::find_feet()
     for (const auto& [of, facets] : facets_by_component(solid_, SolidSide::opposite))
         opposite.emplace(of, Places(mesh_, facets));
     const double reach = farthest_foot * solid_.thickness;
-    for (const int v : skin_.vertices)
+    feet_.resize(skin_.vertices.size());
+    const auto find = [&](int s)
     {
+        const int v = skin_.vertices[at(s)];
         const auto own = opposite.find(component[at(v)]);
+        if (own == opposite.end())
+            return;
         const Vector3 point = mesh_.points().row(v).transpose();
-        feet_.push_back(own == opposite.end() ? Anchors() : own->second.nearest(point));
-        if (!feet_.back().empty()
-            && (feet_.back().front().on(mesh_.points()) - point).norm() > reach)
-            feet_.back().clear();
-    }
+        Anchors feet = own->second.nearest(point);
+        if (feet.empty() || (feet.front().on(mesh_.points()) - point).norm() <= reach)
+            feet_[at(s)] = std::move(feet);
+    };
+    each_in_parallel(feet_.size(), find);
 }
 
 // Every skin vertex half the way to the other skin, so that all facets around are pushed alike: at

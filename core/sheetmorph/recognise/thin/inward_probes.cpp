@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/thin/inward_probes.h"
 
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
 
@@ -14,6 +15,7 @@ namespace
 {
 
 constexpr int most_looks = 64;
+constexpr Eigen::Index least_looks = 50;  // worth a thread
 constexpr double looks_a_component = 2000.0;
 constexpr double facing = -0.70710678118654752;
 
@@ -48,16 +50,34 @@ public:
 
     void look(std::vector<InwardProbe>& probes) const
     {
+        struct Look
+        {
+            int facet, index, of;
+        };
+        std::vector<Look> looks;
         for (const int facet : facets_)
         {
             if (graph_.is_thin[static_cast<std::size_t>(facet)])
                 continue;
             const double share = graph_.areas(facet) / area_ * looks_a_component;
-            const int looks = std::clamp(static_cast<int>(std::ceil(share)), 1, most_looks);
-            for (int k = 0; k < looks; ++k)
-                probes.push_back(
-                    probe(facet, looks == 1 ? Vector3::Constant(1.0 / 3.0) : spread(k), looks));
+            const int count = std::clamp(static_cast<int>(std::ceil(share)), 1, most_looks);
+            for (int k = 0; k < count; ++k)
+                looks.push_back({facet, k, count});
         }
+        const std::size_t first = probes.size();
+        probes.resize(first + looks.size());
+        parallel_ranges(static_cast<Eigen::Index>(looks.size()), least_looks,
+                        [&](Eigen::Index begin, Eigen::Index end)
+                        {
+                            for (auto k = static_cast<std::size_t>(begin);
+                                 k < static_cast<std::size_t>(end); ++k)
+                            {
+                                const auto& [facet, index, of] = looks[k];
+                                const Vector3 middle = Vector3::Constant(1.0 / 3.0);
+                                probes[first + k] =
+                                    probe(facet, of == 1 ? middle : spread(index), of);
+                            }
+                        });
     }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
 
@@ -22,6 +23,8 @@ constexpr double thickest_of_skin = 1.8;  // more than sqrt(3): the corner of a 
 constexpr double across = 0.5;
 
 constexpr int on_both = 2;
+
+constexpr Eigen::Index least_facets = 50;  // worth a thread
 
 class Walls
 {
@@ -45,9 +48,14 @@ public:
     FacetSides run()
     {
         find_sides_of_patches();
-        for (int t = 0; t < graph_.facet_count(); ++t)
-            if (pairs_.side[at(t)] == 0 && !graph_.is_thin[at(t)] && thickness(t) > 0.0)
-                place(t);
+        parallel_ranges(
+            graph_.facet_count(), least_facets,
+            [this](Eigen::Index begin, Eigen::Index end)
+            {
+                for (auto t = static_cast<int>(begin); t < end; ++t)
+                    if (pairs_.side[at(t)] == 0 && !graph_.is_thin[at(t)] && thickness(t) > 0.0)
+                        place(t);
+            });
         give_steps_to_their_skin();
         place_thin_facets();
         return result_;
