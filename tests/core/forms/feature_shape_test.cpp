@@ -2,6 +2,7 @@
 #include "sheetmorph/forms/feature_shape.h"
 
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/forms/rim_profile.h"
 #include "sheetmorph/mesh/regions/circle.h"
 #include "shapes.h"
 
@@ -161,6 +162,21 @@ TEST(FeatureShape, OfAHoleThroughAThinSolidIsBothRimsAndTheWall)
         EXPECT_NEAR(shape->growth.rowwise().norm().minCoeff(), 0.5, 1e-12);
         EXPECT_NEAR(shape->growth.rowwise().norm().maxCoeff(), 0.5, 1e-12);
     }
+}
+
+TEST(FeatureShape, OutlinesThatDoNotSettleAreNone)
+{
+    const Points round = shapes::annulus(24, 2, 5, 8).points().topRows(24);
+    RimProfile circle;
+    circle.radius = 4.0;
+    ASSERT_TRUE(refit(circle, round));
+    EXPECT_NEAR(refit(circle, round)->radius, 5.0, 1e-12);
+    // Scattered about a line: circles on both sides of it are as good.
+    Points scattered(7, 3);
+    scattered << -1.0, -0.7, 0, -2.0 / 3.0, -0.8, 0, -1.0 / 3.0, 0.3, 0, 0, -0.2, 0, 1.0 / 3.0, 0.1,
+        0, 2.0 / 3.0, 0.8, 0, 1.0, 0.9, 0;
+    EXPECT_FALSE(refit(circle, scattered));
+    EXPECT_FALSE(fit_rim(scattered));
 }
 
 TEST(FeatureShape, OfAPipeOnASheetIsACylinder)

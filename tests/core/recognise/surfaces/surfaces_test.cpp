@@ -78,6 +78,28 @@ TEST(Surfaces, ASphereAndABoxAreWhatTheyAre)
         EXPECT_EQ(side.kind, FeatureKind::plane);
 }
 
+TEST(Surfaces, OfASaddleTheyTellThatTheyDidNotSettle)
+{
+    const TriangleMesh saddle =
+        shapes::mapped(shapes::grid(60, 40, 100.0, 60.0), [](const Vector3& p)
+                       { return Vector3(p.x(), p.y(), (p.x() * p.x() - p.y() * p.y()) / 200.0); });
+    int lost = 0;
+    for (const SurfaceRegion& region : find_surfaces(FacetGraph(saddle, 1e-7), {}))
+    {
+        const std::string told = region.convergence.sentence();
+        EXPECT_EQ(told.empty(), region.convergence.is_converged);
+        if (told.empty())
+            continue;
+        EXPECT_EQ(told.find("the triangles of a surface have not settled after 8 rounds"), 0U);
+        EXPECT_GT(region.convergence.miss, 0.0);
+        ++lost;
+    }
+    EXPECT_GT(lost, 0);
+    for (const SurfaceRegion& region :
+         find_surfaces(FacetGraph(shapes::box(6, Vector3(30.0, 40.0, 50.0)), 1e-7), {}))
+        EXPECT_TRUE(region.convergence.is_converged);
+}
+
 TEST(Surfaces, AMeasuredTubeIsOneCylinder)
 {
     for (unsigned seed = 0; seed < 3; ++seed)

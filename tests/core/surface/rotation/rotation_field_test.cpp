@@ -2,6 +2,7 @@
 // What the rotation field promises under `neumann` and `natural`, on both kinds of triangles.
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
+#include "shapes/variations.h"
 #include "surface/strip.h"
 
 #include <gtest/gtest.h>
@@ -86,6 +87,22 @@ TEST_P(RotationFields, TurnWithTheCoordinates)
     }
     const Points expected = solve(one).rotation_logs * rotation.transpose();
     EXPECT_LT((solve(seen).rotation_logs - expected).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(BiharmonicField, TellsThatItDidNotSettle)
+{
+    Case strip = cases::strip(24);
+    strip.constraints.energy = Energy::paper;
+    strip.targets.handles = {
+        cases::motion(Vector3::Zero(), Vector3::UnitX(), 30.0, {100.0, 12.5, 0.0})};
+    EXPECT_TRUE(solve(strip).convergence.is_converged);
+    // A thread, a thousand times longer than wide: no digit is left of what refines it.
+    strip.mesh = shapes::mapped(strip.mesh,
+                                [](const Vector3& p) { return Vector3(p.x(), 1e-3 * p.y(), 0.0); });
+    const Convergence lost = solve(strip).convergence;
+    EXPECT_FALSE(lost.is_converged);
+    EXPECT_GT(lost.rounds, 1);
+    EXPECT_EQ(lost.sentence().find("the rotations of the sheet have not settled"), 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, RotationFields,
