@@ -6,6 +6,7 @@
 #include "sheetmorph/repair/cures.h"
 #include "sheetmorph/repair/remeshing/remeshing.h"
 #include "panel.h"
+#include "sliver_sheet.h"
 
 #include <benchmark/benchmark.h>
 
@@ -15,7 +16,6 @@ namespace sheetmorph::benchmarks
 namespace
 {
 
-constexpr double edge = 10.0;  // mm, of the panel
 constexpr double thickness = 2.0;
 
 // Both skins; they stay open at the rims, for the wall adds hardly a triangle.
@@ -26,33 +26,6 @@ TriangleMesh both_skins(const TriangleMesh& sheet)
     points << sheet.points(), sheet.points().rowwise() - Eigen::RowVector3d(0, 0, thickness);
     Triangles triangles(2 * sheet.triangle_count(), 3);
     triangles << sheet.triangles(), sheet.triangles().rowwise().reverse().array() + count;
-    return TriangleMesh(std::move(points), std::move(triangles));
-}
-
-// Every third triangle gets a fourth vertex near the middle of one of its edges: three in its
-// place, one of them a sliver.
-TriangleMesh with_slivers(const TriangleMesh& mesh)
-{
-    const int count = mesh.triangle_count();
-    Points points(mesh.vertex_count() + (count + 2) / 3, 3);
-    points.topRows(mesh.vertex_count()) = mesh.points();
-    Triangles triangles(count + 2 * ((count + 2) / 3), 3);
-    int vertex = mesh.vertex_count(), row = 0;
-    for (int t = 0; t < count; ++t)
-    {
-        const int a = mesh.triangles()(t, 0), b = mesh.triangles()(t, 1),
-                  c = mesh.triangles()(t, 2);
-        if (t % 3 != 0)
-        {
-            triangles.row(row++) << a, b, c;
-            continue;
-        }
-        points.row(vertex) =
-            0.49 * mesh.points().row(a) + 0.49 * mesh.points().row(b) + 0.02 * mesh.points().row(c);
-        triangles.row(row++) << a, b, vertex;
-        triangles.row(row++) << b, c, vertex;
-        triangles.row(row++) << c, a, vertex++;
-    }
     return TriangleMesh(std::move(points), std::move(triangles));
 }
 
@@ -97,7 +70,7 @@ void remeshing(benchmark::State& state)
 {
     const TriangleMesh whole = cured(dirty_mesh(), 1e-4).mesh;
     RemeshOptions options;
-    options.edge = 0.77 * edge;
+    options.edge = wanted_edge;
     double made = 0.0, deviation = 0.0;
     for (auto _ : state)
     {
@@ -110,8 +83,19 @@ void remeshing(benchmark::State& state)
     state.counters["deviation_um"] = 1e3 * deviation;
 }
 
+void sheet_remeshing(benchmark::State& state)
+{
+    RemeshOptions options;
+    options.edge = wanted_edge;
+    TriangleMesh made;
+    for (auto _ : state)
+        made = remeshed(sliver_sheet(), options).mesh;
+    count_remeshed(made, state);
+}
+
 BENCHMARK(diagnosis)->Arg(300000)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(cures)->Arg(300000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(sheet_remeshing)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(remeshing)->Arg(300000)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 }  // namespace

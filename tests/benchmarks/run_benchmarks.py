@@ -18,7 +18,7 @@ import assemblies
 import real_part
 from goals import goal_table, write_page
 from plots import draw
-from tables import Measured, measured, memory_table, other_table, panel_table
+from tables import Measured, measured, memory_table, other_table, panel_table, remeshing_table
 
 SIZES = (1000, 10000, 100000)
 LARGE = 1000000
@@ -96,7 +96,7 @@ def main(arguments: list[str]) -> int:
     found = measured(report, "cpu_time" if options.processor_time else "real_time")
     is_whole = not any(word.startswith("--benchmark_filter") for word in passed_on)
     more = whole_run(found, program, folder, options.large) if is_whole else []
-    parts = [head, panel_table(found), *more, other_table(found)]
+    parts = [head, panel_table(found), *more, remeshing_table(found), other_table(found)]
     text = "\n\n".join(part for part in parts if part) + "\n"
     (folder / "tables.md").write_text(text, encoding="utf-8")
     draw(found, folder / "benchmarks.png")

@@ -24,6 +24,10 @@ PANEL_ROWS = {
     "exact_frame": "exact frame, refined",
     "reading_once": "reading a live frame's data once, one core",
 }
+REMESHING_ROWS = {
+    "sheet_remeshing": "SheetMorph",
+    "cgal_sheet_remeshing": "CGAL isotropic_remeshing(), 10 iterations",
+}
 RATIOS = (
     ("CGAL SRE_ARAP preprocess() / set-up", "cgal_sre_arap_set_up", "set_up"),
     ("CGAL SRE_ARAP iteration / live frame", "cgal_sre_arap_iteration", "live_frame"),
@@ -99,6 +103,24 @@ def panel_table(found: dict[str, dict[int, Measured]]) -> str:
     return markdown(head, rows)
 
 
+def remeshing_table(found: dict[str, dict[int, Measured]]) -> str:
+    """The same sheet remeshed by both, what was made of it in columns."""
+    rows = []
+    for name, words in REMESHING_ROWS.items():
+        entry = found.get(name, {}).get(0)
+        if entry is None:
+            continue
+        angles = ("worst_degrees", "hundredth_degrees", "median_degrees")
+        rows.append(
+            [words, time_text(entry.median), f"{entry.counters['triangles_made']:,.0f}"]
+            + [f"{entry.counters[angle]:.2g}" for angle in angles]
+            + [f"{entry.counters['deviation_um']:.1f} um"]
+        )
+    head = ["remeshing a sheet of slivers", "time", "triangles", "smallest angle, degrees"]
+    head += ["of all but a hundredth", "of half of them", "farthest from the sheet"]
+    return markdown(head, rows) if rows else ""
+
+
 def ratio(found: dict[str, dict[int, Measured]], above: str, below: str, size: int) -> float:
     """One median over another, 0 where either is missing."""
     if size not in found.get(above, {}) or size not in found.get(below, {}):
@@ -107,9 +129,9 @@ def ratio(found: dict[str, dict[int, Measured]], above: str, below: str, size: i
 
 
 def other_table(found: dict[str, dict[int, Measured]]) -> str:
-    """Everything that is no row of the panels' table."""
+    """Everything that is no row of another table."""
     rows = []
-    for name in sorted(set(found) - set(PANEL_ROWS)):
+    for name in sorted(set(found) - set(PANEL_ROWS) - set(REMESHING_ROWS)):
         for size, entry in sorted(found[name].items()):
             notes = [
                 f"{key.replace('_', ' ')} {value:,.4g}"

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+#include <benchmark/benchmark.h>
+
+namespace sheetmorph::benchmarks
+{
+
+//! mm: the edges of sliver_sheet(), and those that remeshing asks for.
+constexpr double sheet_edge = 10.0;
+constexpr double wanted_edge = 0.77 * sheet_edge;
+
+//! Every third triangle gets a fourth vertex near the middle of one of its edges: three in its
+//! place, one of them a sliver.
+TriangleMesh with_slivers(const TriangleMesh& mesh);
+
+//! A curved open sheet with 20 round holes, a third of its triangles slivers.
+const TriangleMesh& sliver_sheet();
+
+//! Counts what remeshing sliver_sheet() made: triangles, their smallest angles, and how far
+//! corners and middles of edges are from the sheet given.
+void count_remeshed(const TriangleMesh& made, benchmark::State& state);
+
+}  // namespace sheetmorph::benchmarks
