@@ -140,6 +140,8 @@ def is_previewed() -> bool:
 
 def test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes():
     yield from coarse_plate()
+    yield from until(Gui.Control.activeDialog, "the panel")
+    assert App.getActiveTransaction() is None and App.ActiveDocument.UndoNames == ["Create Morph"]
     found = child("findings").text()
     assert "slivers" in found and "2 mm thick" in found, found
     assert child("remesh").isChecked() and child("thin").isChecked()

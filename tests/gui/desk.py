@@ -28,8 +28,9 @@ NOTES = []
 
 
 def note(text: str) -> None:
-    """A line for the report of the run, beside the verdict of the test."""
+    """A line for the report of the run, beside the verdict of the test; and for who waits."""
     NOTES.append(text)
+    print(text, flush=True)
 
 
 def picture(name: str) -> str:

@@ -13,6 +13,10 @@ from freecad.sheetmorph.tools.words import counted
             "'A' and 'B' both move vertices 15771, 15772, 15773 and 85 more; take these out",
             "'A' and 'B' both move 88 vertices; take these out",
         ),
+        (
+            "feature 'F': it would turn over triangles 408, 409, 410 and 1 more; 3.2 mm",
+            "feature 'F': it would turn over 4 triangles; 3.2 mm",
+        ),
         ("vertices 3, 4 are not in part P", "2 vertices are not in part P"),
         ("vertices 3, 4 and 5 are not in part P", "3 vertices are not in part P"),
         ("region 'vertices of 3' has no vertices on part 'P 1'", None),
@@ -20,5 +24,5 @@ from freecad.sheetmorph.tools.words import counted
         ("it has 12 vertices, 3 more than its file", None),
     ],
 )
-def test_lists_of_vertex_numbers_become_their_count(said, read):
+def test_lists_of_numbers_become_their_count(said, read):
     assert counted(said) == (said if read is None else read)

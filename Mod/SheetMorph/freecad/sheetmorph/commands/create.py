@@ -65,11 +65,15 @@ def import_lines(owner: str, files: list[str], edge: float) -> list[str]:
 
 
 def look_at_new(before: set) -> None:
-    """Offers cures for the parts that are no objects of before, if one needs some."""
+    """Offers cures for the parts that are no objects of before, if one needs some.
+
+    When the command is over: FreeCAD leaves its step open if it ends with a panel.
+    """
     from freecad.sheetmorph.panels import prepare_panel
 
     new = [o for o in App.ActiveDocument.Objects if o not in before]
-    prepare_panel.offer([o for o in new if subject.kind(o) == subject.PART])
+    parts = [o for o in new if subject.kind(o) == subject.PART]
+    QtCore.QTimer.singleShot(0, lambda: prepare_panel.offer(parts))
 
 
 class CreateMorph(Command):

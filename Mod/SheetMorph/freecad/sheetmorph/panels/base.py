@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph import paths
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, translate
 from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 LEGEND = {
@@ -148,7 +149,7 @@ def put_number(field, value: float) -> None:
 
 def say(label, text: str, is_error: bool = False) -> None:
     """Shows a sentence in a label, errors on red; an empty one takes no room."""
-    label.setText(text)
+    label.setText(words.counted(text) if is_error else text)
     label.setStyleSheet(FAULT_STYLE if is_error else "")
     label.setVisible(bool(text))
 

@@ -8,18 +8,21 @@ import re
 LEAST_LENGTH = 0.0005  # mm: what is smaller is rounding, or nobody's concern
 LEAST_SHARE = 0.0005
 
-VERTICES = re.compile(r"\bvertices (\d+(?:, \d+)*)(?: and (\d+)( more)?)?(?![\w.])")
+LISTED = re.compile(r"\b(vertices|triangles) (\d+(?:, \d+)*)(?: and (\d+)( more)?)?(?![\w.])")
 
 
 def counted(sentence: str) -> str:
-    """A sentence of the kernel with how many vertices it means, where it lists their numbers."""
+    """A sentence of the kernel with how many vertices or triangles it means, without their numbers.
+
+    Those that it lists are counted; one alone keeps its number.
+    """
 
     def count(found: re.Match) -> str:
-        listed, last, more = found.groups()
+        things, listed, last, more = found.groups()
         number = len(listed.split(",")) + (int(last) if more else 1 if last else 0)
-        return f"{number} vertices"
+        return f"{number} {things}"
 
-    return VERTICES.sub(count, sentence)
+    return LISTED.sub(count, sentence)
 
 
 def plain(value: float, digits: int = 3) -> str:

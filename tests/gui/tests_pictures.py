@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Takes the pictures of panels in the user guide, doing what it says: `./sheetmorph test pictures`.
+
+They go to the folder that SHEETMORPH_PICTURES names, else beside the other pictures of a run.
+"""
+
+import os
+import subprocess
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+from checks_finding import bare_frame, cell_place
+from checks_flow import drag_arrow_up, loop_round, select, stroke_along
+from checks_moving import open_panel
+from checks_preparing import coarse_plate, is_previewed
+from checks_propagation import click_row
+from checks_thickness import is_drawn, thin_plate
+from checks_tutorial import mark, menu, near_edge
+from desk import (
+    WORK,
+    activate,
+    child,
+    choose_below,
+    click_widget,
+    draw_along,
+    enter,
+    panel,
+    picture,
+)
+from desk import press, press_tool, tick, until, view, xdotool
+from freecad.sheetmorph import api, paths
+from freecad.sheetmorph.api.features import shape_of
+from freecad.sheetmorph.commands import exchange
+from hostile_panels import is_shown
+from PySide import QtCore, QtGui
+from scenes import contacts, look, part, regions
+
+FOLDER = os.environ.get("SHEETMORPH_PICTURES", WORK)
+WIDTH = 1100  # px
+COLOURS = 128
+
+
+def taken(name: str):
+    """The task view and the 3D view as they are now, as a picture of the guide."""
+    yield 300  # what the last click has asked for is drawn
+    window = Gui.getMainWindow()
+    docks = [dock for dock in window.findChildren(QtGui.QDockWidget) if dock.isAncestorOf(panel())]
+    box = QtCore.QRect()
+    for widget in (*docks, window.findChild(QtGui.QMdiArea)):
+        box |= QtCore.QRect(widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size())
+    crop = f"{box.width()}x{box.height()}+{box.x()}+{box.y()}"
+    command = [
+        "convert",
+        picture(f"whole-{name}"),
+        "-crop",
+        crop,
+        "+repage",
+        "-resize",
+        f"{WIDTH}>",
+    ]
+    path = os.path.join(FOLDER, f"{name}.png")
+    subprocess.run([*command, "-colors", str(COLOURS), "-strip", f"PNG8:{path}"], check=True)
+    assert os.path.getsize(path) > 10_000
+
+
+def large_view():
+    """Nothing below the 3D view; the mouse is away from it."""
+    yield from activate()
+    for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
+        if dock.objectName() in ("Report view", "Python console"):
+            dock.hide()
+    yield 300
+
+
+def cover():
+    """The cover of the door mirror, seen from the front."""
+    yield from large_view()
+    document = App.newDocument("Mirror")
+    morph = api.create_assembly(document)
+    api.import_part(morph, os.path.join(paths.examples(), "door_mirror", "cover.obj"))
+    document.recompute()
+    view().viewFront()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 300
+
+
+def test_the_first_five_minutes():
+    yield from cover()
+    yield from mark("Mark Fixed Region…", near_edge(-1.0))
+    yield from press("OK")
+    yield from menu("SheetMorph", "Guide")
+    yield from until(is_shown, "the guide")
+    yield from taken("guide")
+    yield from press("Close")
+    yield from mark("Mark Handle…", near_edge(1.0))
+    yield from press("OK")
+    yield from menu("SheetMorph", "Mark Form Features…")
+    yield from enter(child("rings"), "1")
+    yield from click_widget(child("holes"))
+    yield from taken("picking")
+    yield from press("OK")
+    yield from menu("SheetMorph", "Move Handle…")
+    yield from until(is_shown, "the panel")
+    yield from enter(child("translation_z"), "30 mm")
+    yield from enter(child("angle"), "-15")
+    yield from click_widget(child("along_y"))
+    yield 600
+    yield from taken("panel")
+    yield from choose_below(child("colours"), 1)
+    yield from until(child("scale").isVisible, "the scale")
+    yield from taken("dragging")
+    yield from press("OK")
+    yield from feature_settings()
+
+
+def feature_settings():
+    """The largest hole slides in a plane and gets another size."""
+    hole = max(regions("form feature"), key=lambda one: shape_of(one).size)
+    select(hole)
+    yield 800
+    yield from press_tool("Form Feature Settings…")
+    yield from choose_below(child("motion"), 3)
+    yield from tick(child("has_size"))
+    yield from enter(child("feature_size"), "30 mm")
+    yield 900
+    yield from taken("feature")
+    yield from press("Cancel")
+
+
+def test_figures():
+    yield from cover()
+    points = api.rest_mesh(part())[0]
+    share = (points[:, 0] - points[:, 0].min()) / np.ptp(points[:, 0])
+    lasso = loop_round(points[share < 0.12], (0, 2), 4.0)
+    for tool, figure in (("lasso", lasso), ("brush", stroke_along(points[share > 0.9], 2))):
+        select(part())
+        yield from press_tool("Mark Fixed Region…")
+        yield from click_widget(child(tool))
+        yield from tick(child("through"))
+        yield from draw_along(figure)
+        yield from taken(f"picking-{tool}")
+        yield from press("Cancel")
+
+
+def test_other_parts_follow():
+    yield from large_view()
+    assert exchange.open_recipe(exchange.example_recipes()["Welded Frame"], "Frame")
+    look()
+    yield 300
+    (old,) = [c for c in contacts() if c.Label == "stringer right - seat plate"]
+    sides = (old.PartA, old.PartB)
+    App.ActiveDocument.removeObject(old.Name)
+    App.ActiveDocument.recompute()
+    Gui.Selection.clearSelection()
+    for each in sides:
+        Gui.Selection.addSelection(each)
+    yield from press_tool("Mark Contact…")
+    yield from until(is_shown, "the panel")
+    yield from taken("contact")
+    yield from press("OK")
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close", 30.0)
+    yield from press_tool("Propagation…")
+    yield from until(is_shown, "the panel")
+    yield from tick(child("meshes"))
+    yield from click_row(contacts()[-1].Label)
+    yield from taken("propagation")
+    yield from press("Close")
+    yield from open_panel()
+    yield from drag_arrow_up(72)
+    yield from taken("frame-dragged")
+    yield from press("Cancel")
+
+
+def test_proposals():
+    yield from large_view()
+    bare_frame()
+    Gui.Selection.clearSelection()
+    yield from press_tool("Find Contacts…")
+    yield from until(is_shown, "the panel", 60.0)
+    yield from xdotool("mousemove", *cell_place(2))
+    yield from taken("find-contacts")
+    yield from press("Cancel")
+
+
+def test_sheets_with_a_thickness():
+    yield from large_view()
+    yield from thin_plate()
+    view().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield from press_tool("Thickness…")
+    assert is_drawn()
+    yield from taken("thickness")
+    yield from press("Close")
+
+
+def test_preparing():
+    yield from large_view()
+    yield from coarse_plate()
+    yield from press("Preview")
+    yield from until(is_previewed, "the preview", 60.0)
+    yield from taken("prepare")
+    yield from press("Cancel")
