@@ -146,6 +146,11 @@ class Suites:
         """clang-tidy over the kernel and the bindings: minutes, so not among the default suites."""
         return self._checked([[PYTHON, "-B", "tests/style/tidy.py", str(self.build)]])
 
+    def pictures(self) -> Count:
+        """Takes the pictures of panels in the user guide anew, in its folder; look at them."""
+        folder = ROOT / "resources" / "docs" / "pictures"
+        return self._gui("pictures", SHEETMORPH_PICTURES=str(folder))
+
     def _gui(self, *tests: str, **settings: str) -> Count:
         runner = ROOT / "tests" / "gui" / "run.sh"
         if not runner.is_file():
@@ -337,7 +342,7 @@ def run_one(suites: Suites, name: str) -> Count:
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy", "scale", "sanitize"]
+    names = [*default, "tidy", "scale", "pictures", "sanitize"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

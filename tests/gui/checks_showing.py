@@ -12,6 +12,7 @@ from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, par
 
 __all__ = [
     "test_the_original_stays_as_a_ghost_while_the_part_moves",
+    "test_creases_stay_crisp_while_dragging_and_at_rest",
     "test_features_say_how_far_they_move",
     "test_displacement_has_colours_with_a_scale",
     "test_quality_and_gaps_have_colours_too",
@@ -64,6 +65,44 @@ def test_the_original_stays_as_a_ghost_while_the_part_moves():
     yield from xdotool("mouseup", 1)
     yield from press("Cancel")
     assert len(found(coin.SoCoordinate3, part().ViewObject.RootNode)) < len(shapes)
+
+
+def indices_in(field) -> np.ndarray:
+    """The triangles (m, 3) of an index field, each closed by -1."""
+    return np.array(field.getValues()).reshape(-1, 4)[:, :3]
+
+
+def corner_faults() -> np.ndarray:
+    """How far the normals (m, 3) that are drawn turn from those of their triangles, degrees."""
+    root = part().ViewObject.RootNode
+    (normals,) = [n for n in found(coin.SoNormal, root) if n.vector.getNum() > len(drawn()) // 2]
+    faces = [f for f in found(coin.SoIndexedFaceSet, root) if f.normalIndex.getNum() > 1]
+    faces = [f for f in faces if f.normalIndex.getNum() == f.coordIndex.getNum()]
+    triangles, corners = (
+        indices_in(field) for field in (faces[-1].coordIndex, faces[-1].normalIndex)
+    )
+    a, b, c = (drawn()[triangles[:, k]] for k in range(3))
+    flat = np.cross(b - a, c - a)
+    flat /= np.linalg.norm(flat, axis=1)[:, None]
+    shown = np.array([v.getValue() for v in normals.vector.getValues()])[corners]
+    return np.degrees(np.arccos(np.clip(np.einsum("mkx,mx->mk", shown, flat), -1.0, 1.0)))
+
+
+def test_creases_stay_crisp_while_dragging_and_at_rest():
+    yield from new_morph()
+    rest = stored()
+    at_rest = [
+        h.creaseAngle.getValue() for h in found(coin.SoShapeHints, part().ViewObject.RootNode)
+    ]
+    assert at_rest and max(at_rest) < 1.0, "the folds of a right angle are edges"
+    yield from open_panel()
+    start = yield from grab_up_arrow()
+    yield from drag_up(start, 8)
+    yield from until(lambda: largest(drawn() - rest) > 3, "the drag")
+    assert corner_faults().max() < 30.0, "at the folds normals would be 45 degrees off"
+    picture("creases")
+    yield from xdotool("mouseup", 1)
+    yield from press("Cancel")
 
 
 def test_features_say_how_far_they_move():

@@ -167,7 +167,9 @@ def test_other_parts_follow():
     yield from taken("propagation")
     yield from press("Close")
     yield from open_panel()
-    yield from drag_arrow_up(72)
+    yield from click_widget(child("reset"))  # the example comes moved
+    yield 500
+    yield from drag_arrow_up(40)
     yield from taken("frame-dragged")
     yield from press("Cancel")
 
@@ -197,6 +199,8 @@ def test_sheets_with_a_thickness():
 def test_preparing():
     yield from large_view()
     yield from coarse_plate()
+    yield from until(is_shown, "the panel")
+    yield from enter(child("edge"), "4 mm")
     yield from press("Preview")
     yield from until(is_previewed, "the preview", 60.0)
     yield from taken("prepare")

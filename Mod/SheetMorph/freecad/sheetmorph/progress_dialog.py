@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 PATIENCE = 1.0  # seconds until the dialog appears
+SHARE = 0.1  # of the time at most, to handle events: each look may draw a view of a million facets
 
 
 class Progress:
@@ -17,6 +18,7 @@ class Progress:
         self._title = title
         self._begin = time.monotonic()
         self._dialog = None
+        self._next = 0.0
         self.is_cancelled = False
 
     def __call__(self, fraction: float, task: str) -> bool:
@@ -28,12 +30,19 @@ class Progress:
             return not self.is_cancelled
         if self._dialog is None and time.monotonic() - self._begin > PATIENCE:
             self._open()
-        if self._dialog is not None:
-            self._dialog.setLabelText(task)
-            self._dialog.setValue(round(100 * fraction))
-            QtWidgets.QApplication.processEvents()
-            self.is_cancelled = self.is_cancelled or self._dialog.wasCanceled()
+        if self._dialog is not None and time.monotonic() >= self._next:
+            self._tell(fraction, task)
         return not self.is_cancelled
+
+    def _tell(self, fraction: float, task: str) -> None:
+        """Shows how far it is, and sees whether Cancel was pressed."""
+        begin = time.monotonic()
+        self._dialog.setLabelText(task)
+        self._dialog.setValue(round(100 * fraction))
+        QtWidgets.QApplication.processEvents()
+        self.is_cancelled = self.is_cancelled or self._dialog.wasCanceled()
+        now = time.monotonic()
+        self._next = now + min(1.0, (now - begin) / SHARE)
 
     def close(self) -> None:
         """Takes the dialog away."""
