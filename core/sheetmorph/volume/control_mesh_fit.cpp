@@ -48,7 +48,7 @@ ControlMeshFit::ControlMeshFit(const Weights& sample_weights, const Eigen::Vecto
 
 Points ControlMeshFit::displacements(const Points& sample_displacements) const
 {
-    return factor_.solve(weighted_.transpose() * sample_displacements);
+    return factor_.solve(Points(weighted_.transpose() * sample_displacements));
 }
 
 }  // namespace sheetmorph

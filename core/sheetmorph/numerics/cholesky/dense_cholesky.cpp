@@ -112,6 +112,12 @@ Points DenseCholesky::solve(const Points& right) const
     return solve_upper(lower_.triangularView<Eigen::Lower>().solve(right));
 }
 
+Eigen::VectorXd DenseCholesky::solve(const Eigen::VectorXd& right) const
+{
+    const auto lower = lower_.triangularView<Eigen::Lower>();
+    return lower.transpose().solve(lower.solve(right));
+}
+
 Points DenseCholesky::solve_upper(const Points& right) const
 {
     return lower_.triangularView<Eigen::Lower>().transpose().solve(right);

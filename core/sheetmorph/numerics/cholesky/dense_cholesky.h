@@ -32,6 +32,9 @@ public:
     //! N^-1 right, (m, 3).
     Points solve(const Points& right) const;
 
+    //! The same of one right side, (m).
+    Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+
     //! L^-T right, (m, 3): the second half of solve().
     Points solve_upper(const Points& right) const;
 

@@ -88,7 +88,7 @@ Eigen::VectorXd newton_step(const Expansion& at)
             factor = factored(scaled, shift);
     if (!factor)
         return scale.asDiagonal() * eigen_step(scaled, right);
-    return scale.asDiagonal() * Eigen::VectorXd(factor->solve(right.replicate(1, 3)).col(0));
+    return scale.asDiagonal() * factor->solve(right);
 }
 
 // No freedom turns or shifts by more than a quarter of a radian of its own scale at once.
