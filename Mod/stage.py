@@ -21,7 +21,7 @@ PLACES = {
     "CHANGELOG.md": "CHANGELOG.md",
     "LICENSE": "LICENSE",
 }
-LEFT_OUT_FOLDERS = {"__pycache__", ".pytest_cache"}
+LEFT_OUT_FOLDERS = {"__pycache__", ".pytest_cache", "packaging"}
 LEFT_OUT_ENDINGS = (".pyc", "~", ".swp", ".orig")
 
 

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PYTHON = "/usr/bin/python3"
+PYTHON = sys.executable  # the one FreeCAD embeds, which ./sheetmorph found
 PYTEST_FOLDERS = ("tests/architecture", "tests/bindings", "tests/package")
 LINES_OF_A_FAILURE = 400
 # How the runners name a test that failed: ctest, pytest, unittest, the GUI tests.

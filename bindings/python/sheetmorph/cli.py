@@ -28,7 +28,7 @@ _POSE_HELP = "name of one of the recipe's poses, or JSON file with a pose, inste
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns 0 done, 2 bad input, 3 no certificate (130 interrupted)."""
-    wanted = _parser().parse_args(arguments)
+    wanted = parser().parse_args(arguments)
     files = FileSet()
     numbers = [number for number in stopping_signals() if number != signal.SIGINT]
     previous = {number: signal.signal(number, _interrupt) for number in numbers}
@@ -102,9 +102,11 @@ def _printable(text: str, stream: TextIO | None) -> str:
     return text.encode(encoding, "backslashreplace").decode(encoding)
 
 
-def _parser() -> argparse.ArgumentParser:
+def parser() -> argparse.ArgumentParser:
+    """The command line's arguments; manual page and completion are made from them."""
+    started = Path(sys.argv[0]).name
     parser = argparse.ArgumentParser(
-        prog="python3 -m sheetmorph",
+        prog="python3 -m sheetmorph" if started == "__main__.py" else started,
         description="Deform sheet-metal parts as a recipe says; form features stay rigid.",
         epilog="Exit status: 0 done; 2 bad input, nothing written; 3 a certificate fails; "
         "130 interrupted.",

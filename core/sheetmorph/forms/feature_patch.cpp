@@ -62,7 +62,8 @@ FeaturePatch::FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices)
             touching.emplace_back(numbers.number(corners(0)), numbers.number(corners(1)),
                                   numbers.number(corners(2)));
     }
-    mesh_ = TriangleMesh(mesh.points()(numbers.vertices(), Eigen::all), stacked(touching));
+    mesh_ =
+        TriangleMesh(mesh.points()(numbers.vertices(), Eigen::indexing::all), stacked(touching));
     loops_ = border_loops();
     if (loops_.empty() && has_triangles(feature_))
     {
@@ -178,7 +179,7 @@ VertexIds FeaturePatch::neighbours_of(const VertexIds& vertices) const
 
 Points FeaturePatch::points_of(const VertexIds& vertices) const
 {
-    return mesh_.points()(vertices, Eigen::all);
+    return mesh_.points()(vertices, Eigen::indexing::all);
 }
 
 TriangleMesh FeaturePatch::covered_mesh() const
@@ -188,7 +189,7 @@ TriangleMesh FeaturePatch::covered_mesh() const
     for (Eigen::Index t = 0; t < triangles.rows(); ++t)
         for (int k = 0; k < 3; ++k)
             triangles(t, k) = numbers.number(triangles(t, k));
-    return TriangleMesh(mesh_.points()(numbers.vertices(), Eigen::all), triangles);
+    return TriangleMesh(mesh_.points()(numbers.vertices(), Eigen::indexing::all), triangles);
 }
 
 }  // namespace sheetmorph

@@ -85,7 +85,7 @@ private:
 // The inside of the box around a triangle.
 Planes box_around(const TriangleMesh& mesh, int t)
 {
-    const Points corners = mesh.points()(mesh.triangles().row(t), Eigen::all);
+    const Points corners = mesh.points()(mesh.triangles().row(t), Eigen::indexing::all);
     Planes planes = Planes::Zero(6, 4);
     for (int axis = 0; axis < 3; ++axis)
     {

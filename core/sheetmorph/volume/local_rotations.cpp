@@ -139,7 +139,7 @@ void LocalRotationMeter::keep_rest(const Points& rest)
         rest_ = rest;
         return;
     }
-    rest_ = rest(used, Eigen::all);
+    rest_ = rest(used, Eigen::indexing::all);
     const auto row_of = [&](int vertex)
     { return static_cast<int>(std::lower_bound(used.begin(), used.end(), vertex) - used.begin()); };
     for (Ring& ring : rings_)

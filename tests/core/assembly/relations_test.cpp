@@ -51,7 +51,7 @@ std::pair<double, double> misalignment(const Frame& frame, const Deformed& shape
     {
         const PartFeature& feature = frame.assembly.features[static_cast<std::size_t>(index)];
         const Points& points = shape.parts[static_cast<std::size_t>(feature.part)].positions;
-        return fit_circle(points(feature.vertices, Eigen::all));
+        return fit_circle(points(feature.vertices, Eigen::indexing::all));
     };
     const CircleFit one = circle(a);
     const CircleFit other = circle(b);

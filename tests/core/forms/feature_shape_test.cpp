@@ -74,7 +74,7 @@ TriangleMesh noisy(const TriangleMesh& mesh, double size)
 
 Points rest_of(const TriangleMesh& mesh, const VertexIds& vertices)
 {
-    return mesh.points()(vertices, Eigen::all);
+    return mesh.points()(vertices, Eigen::indexing::all);
 }
 
 // The feature's rim with a new size is a circle of this radius.
@@ -83,7 +83,7 @@ void expect_circle(const TriangleMesh& mesh, const VertexIds& vertices, double s
     const std::optional<FeatureShape> shape = feature_shape(mesh, vertices);
     ASSERT_TRUE(shape);
     const Points all = shape->resized(rest_of(mesh, vertices), size);
-    const CircleFit circle = fit_circle(all(shape->rim, Eigen::all));
+    const CircleFit circle = fit_circle(all(shape->rim, Eigen::indexing::all));
     EXPECT_NEAR(circle.radius, radius, 1e-11);
     EXPECT_LT(circle.residual, 1e-11);
 }

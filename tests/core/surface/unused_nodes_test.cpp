@@ -34,7 +34,10 @@ Case renamed(Case one, const shapes::Renumbered& other)
 double worst_difference(const Case& one, const Points& expected, const shapes::Renumbered& other,
                         const Points& found)
 {
-    return (Points(found(other.new_id, Eigen::all)) - expected).rowwise().norm().maxCoeff()
+    return (Points(found(other.new_id, Eigen::indexing::all)) - expected)
+               .rowwise()
+               .norm()
+               .maxCoeff()
            / one.mesh.size();
 }
 

@@ -1,15 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The only place that imports Qt: FreeCAD 0.20 lacks `PySide.QtWidgets`, later ones `PySide2`."""
+"""The only place that imports Qt and knows what differs between PySide2 and PySide6.
 
-import shiboken2
+FreeCAD's `PySide` stands for the one it was built with; FreeCAD 0.20's lacks `QtWidgets`.
+"""
+
 from PySide import QtCore, QtGui
 
 try:
     from PySide import QtWidgets
 except ImportError:
     QtWidgets = QtGui
+try:
+    import shiboken6 as shiboken
+except ImportError:
+    import shiboken2 as shiboken
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "forget", "translate"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "forget", "number", "translate"]
+
+
+def number(choice) -> int:
+    """The number of a Qt enumeration's value or flags, which PySide6 does not convert itself."""
+    return int(getattr(choice, "value", choice))
 
 
 def translate(context: str, text: str) -> str:
@@ -24,4 +35,4 @@ def forget(form) -> None:
     widgets by address, and would take the next widget at that address for the one deleted.
     """
     for widget in [form, *form.findChildren(QtWidgets.QWidget)]:
-        shiboken2.invalidate(widget)
+        shiboken.invalidate(widget)

@@ -103,7 +103,7 @@ void find_rims(const TriangleMesh& mesh, const EdgeTable& table, Diagnosis& foun
     RimDiagnosis& rims = found.rims;
     for (const VertexIds& loop : crease_loops(mesh, table, rim_angle))
     {
-        const auto circle = round_rim(mesh.points()(loop, Eigen::all), rim_roundness);
+        const auto circle = round_rim(mesh.points()(loop, Eigen::indexing::all), rim_roundness);
         if (!circle)
             continue;
         const int vertices = static_cast<int>(loop.size());

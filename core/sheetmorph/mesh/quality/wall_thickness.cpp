@@ -48,7 +48,7 @@ std::vector<Place> sample(const TriangleMesh& mesh, const std::vector<int>& tria
             const double root = std::sqrt(spread(k, 0.7548776662466927));
             const double turn = spread(k, 0.5698402909980532);
             const Vector3 weights(1.0 - root, root * (1.0 - turn), root * turn);
-            const auto corners = mesh.points()(mesh.triangles().row(t), Eigen::all);
+            const auto corners = mesh.points()(mesh.triangles().row(t), Eigen::indexing::all);
             places.push_back({t, corners.transpose() * weights, 1});
         }
     }

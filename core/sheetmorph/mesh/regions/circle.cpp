@@ -170,7 +170,7 @@ std::vector<RoundHole> round_holes(const TriangleMesh& mesh, double tolerance)
         throw InvalidInput("the tolerance of round holes must be greater than 0");
     std::vector<RoundHole> holes;
     for (const VertexIds& loop : boundary_loops(mesh))
-        if (const auto circle = round_rim(mesh.points()(loop, Eigen::all), tolerance))
+        if (const auto circle = round_rim(mesh.points()(loop, Eigen::indexing::all), tolerance))
             holes.push_back({loop, *circle});
     return holes;
 }

@@ -90,7 +90,7 @@ Weld weld(const TriangleMesh& mesh, double tolerance)
             distinct.push_back(vertex);
     Weld found;
     found.equal = static_cast<int>(order.size() - distinct.size());
-    for (const auto& [a, b] : near_pairs(points(distinct, Eigen::all), tolerance))
+    for (const auto& [a, b] : near_pairs(points(distinct, Eigen::indexing::all), tolerance))
         if (seams.may_join(distinct[a], distinct[b]))
         {
             sets.join(distinct[a], distinct[b]);

@@ -19,9 +19,9 @@ Submesh submesh(const TriangleMesh& mesh, const std::vector<int>& triangles)
     part.index_of.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
     for (std::size_t k = 0; k < part.vertices.size(); ++k)
         part.index_of[static_cast<std::size_t>(part.vertices[k])] = static_cast<int>(k);
-    const Triangles corners = mesh.triangles()(triangles, Eigen::all);
+    const Triangles corners = mesh.triangles()(triangles, Eigen::indexing::all);
     part.mesh =
-        TriangleMesh(mesh.points()(part.vertices, Eigen::all),
+        TriangleMesh(mesh.points()(part.vertices, Eigen::indexing::all),
                      corners.unaryExpr([&](int v) -> int
                                        { return part.index_of[static_cast<std::size_t>(v)]; }));
     return part;

@@ -229,7 +229,7 @@ void ContactCollector::measure(FoundContact& contact) const
     const Points& a = parts_[contact.part_a].mesh.points();
     const Points& b = parts_[contact.part_b].mesh.points();
     Points all(contact.a.size() + contact.b.size(), 3);
-    all << a(contact.a, Eigen::all), b(contact.b, Eigen::all);
+    all << a(contact.a, Eigen::indexing::all), b(contact.b, Eigen::indexing::all);
     const Eigen::RowVector3d low = all.colwise().minCoeff();
     const Eigen::RowVector3d high = all.colwise().maxCoeff();
     contact.center = 0.5 * (low + high).transpose();

@@ -94,7 +94,7 @@ std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
 {
     if (loop.vertices.size() < 4)
         return std::nullopt;
-    const Points rim = graph_.mesh().points()(loop.vertices, Eigen::all);
+    const Points rim = graph_.mesh().points()(loop.vertices, Eigen::indexing::all);
     const Outline outline = fit_outline(rim, tolerances_.roundness, graph_.scatter());
     const int count = static_cast<int>(loop.vertices.size());
     if (outline.kind != FeatureKind::rectangular_hole && count < tolerances_.fewest_rim_vertices)

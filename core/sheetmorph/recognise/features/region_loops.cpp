@@ -82,7 +82,7 @@ public:
         loop.region = cut_.region[cut_loop.front()];
         for (const int vertex : cut_loop)
             loop.vertices.push_back(cut_.welded[vertex]);
-        const Points points = graph_.mesh().points()(loop.vertices, Eigen::all);
+        const Points points = graph_.mesh().points()(loop.vertices, Eigen::indexing::all);
         const Vector3 doubled = doubled_area(points);
         loop.area = 0.5 * doubled.norm();
         loop.normal = doubled.normalized();

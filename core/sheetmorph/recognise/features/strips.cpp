@@ -136,7 +136,8 @@ std::optional<Feature> raised_inside(const FacetGraph& graph, const RegionLoop& 
 {
     if (wall.triangles.empty() || wall.leads_out || wall.covered < least_cover)
         return std::nullopt;
-    const Outline outline = fit_outline(graph.mesh().points()(loop.vertices, Eigen::all), 0.1);
+    const Outline outline =
+        fit_outline(graph.mesh().points()(loop.vertices, Eigen::indexing::all), 0.1);
     Feature feature;
     feature.kind = raised_kind(outline.length, outline.width);
     feature.center = outline.center;

@@ -139,7 +139,7 @@ double scatter_of(const TriangleMesh& mesh, const EdgeTable& edges, const Points
         const VertexIds patch = neighbours.patch(static_cast<int>(v));
         if (patch.empty())
             continue;
-        const Points points = mesh.points()(patch, Eigen::all);
+        const Points points = mesh.points()(patch, Eigen::indexing::all);
         const double value = left_of(points, neighbours.normal(patch.front()));
         if (value < 0.0)
             continue;
@@ -159,8 +159,8 @@ std::vector<double> unsure_normals(const TriangleMesh& mesh, const std::vector<d
     for (std::size_t t = 0; t < areas.size(); ++t)
     {
         const Points corners =
-            mesh.points()(mesh.triangles().row(static_cast<Eigen::Index>(t)), Eigen::all);
-        const Points sides = corners({1, 2, 0}, Eigen::all) - corners;
+            mesh.points()(mesh.triangles().row(static_cast<Eigen::Index>(t)), Eigen::indexing::all);
+        const Points sides = corners({1, 2, 0}, Eigen::indexing::all) - corners;
         const double height = 2.0 * areas[t] / sides.rowwise().norm().maxCoeff();
         unsure[t] = areas[t] > 0.0 ? of_normal * scatter / height : 0.0;
     }

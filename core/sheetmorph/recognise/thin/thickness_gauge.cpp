@@ -82,7 +82,7 @@ private:
     {
         const PickingTree rest(skin.mesh);
         PickingTree now = rest;
-        now.refit(positions_(skin.vertices, Eigen::all));
+        now.refit(positions_(skin.vertices, Eigen::indexing::all));
         for (const int vertex : vertices)
         {
             const Vector3 before = mesh_.points().row(vertex).transpose();

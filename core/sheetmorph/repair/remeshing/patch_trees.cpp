@@ -24,7 +24,7 @@ TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<int>& triangles
             corners(t, k) = static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(),
                                                               mesh.triangles()(triangles[t], k))
                                              - vertices.begin());
-    return TriangleMesh(mesh.points()(vertices, Eigen::all), std::move(corners));
+    return TriangleMesh(mesh.points()(vertices, Eigen::indexing::all), std::move(corners));
 }
 
 }  // namespace

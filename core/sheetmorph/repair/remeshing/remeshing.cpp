@@ -127,7 +127,8 @@ PatchTriangles without_twins(const PatchTriangles& given, const std::vector<Twin
     std::vector<int> patch;
     for (const int t : kept)
         patch.push_back(given.patch[static_cast<std::size_t>(t)]);
-    return {TriangleMesh(given.mesh.points(), given.mesh.triangles()(kept, Eigen::all)), patch};
+    return {TriangleMesh(given.mesh.points(), given.mesh.triangles()(kept, Eigen::indexing::all)),
+            patch};
 }
 
 void project(WorkingMesh& work, const PatchTrees& trees)

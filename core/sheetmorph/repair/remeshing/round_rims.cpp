@@ -30,7 +30,7 @@ RoundRims::RoundRims(const TriangleMesh& mesh, const EdgeTable& table)
 {
     for (const VertexIds& loop : crease_loops(mesh, table, rim_angle))
     {
-        const auto circle = round_rim(mesh.points()(loop, Eigen::all), roundness);
+        const auto circle = round_rim(mesh.points()(loop, Eigen::indexing::all), roundness);
         if (!circle)
             continue;
         for (std::size_t k = 0; k < loop.size(); ++k)

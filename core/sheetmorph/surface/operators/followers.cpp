@@ -36,7 +36,7 @@ Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles)
     if (std::find(roles.role.begin(), roles.role.end(), Role::follower) == roles.role.end())
         return;
     const std::vector<int> leading = leading_triangles(rest, roles);
-    const Triangles triangles = rest.triangles()(leading, Eigen::all);
+    const Triangles triangles = rest.triangles()(leading, Eigen::indexing::all);
     const PickingTree tree(TriangleMesh(rest.points(), triangles));
     for (int i = 0; i < rest.vertex_count(); ++i)
         if (roles.role[static_cast<std::size_t>(i)] == Role::follower)

@@ -58,7 +58,7 @@ TEST(TiedLink, AFewVerticesOfAPartTurnAsTheyDoAmongAll)
     const RigidMotion motion{{1.0, -2.0, 3.0}, {0.3, 0.9, -0.2}, {5.0, 4.0, 3.0}};
     const VertexIds region = {40, 41, 42, 53, 54, 55};
     const Points targets =
-        mesh.points()({40, 54}, Eigen::all).rowwise() + Eigen::RowVector3d(0.4, 0.3, 1.5);
+        mesh.points()({40, 54}, Eigen::indexing::all).rowwise() + Eigen::RowVector3d(0.4, 0.3, 1.5);
     const PartGeometry part(mesh);
     const auto link = tied_link({part, region, targets});
     Deformation shape{motion.apply(mesh.points()),

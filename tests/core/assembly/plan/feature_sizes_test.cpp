@@ -39,7 +39,7 @@ Frame flat_plate()
 CircleFit rim_of(const Frame& frame, const Deformed& shape, int hole)
 {
     const PartFeature& feature = frame.assembly.features[static_cast<std::size_t>(hole)];
-    return fit_circle(shape.parts[0].positions(feature.vertices, Eigen::all));
+    return fit_circle(shape.parts[0].positions(feature.vertices, Eigen::indexing::all));
 }
 
 }  // namespace

@@ -213,7 +213,8 @@ TEST(ThinSolid, PointsOnEveryFacetAreMet)
         const auto place = [&](const Points& points) -> Vector3
         {
             return (point.constraint.barycentric.transpose()
-                    * points(mesh.triangles().row(triangle).transpose().eval(), Eigen::all))
+                    * points(mesh.triangles().row(triangle).transpose().eval(),
+                             Eigen::indexing::all))
                 .transpose();
         };
         Pose pose;

@@ -172,7 +172,7 @@ TriangleMesh plate_with_boss()
             if (!is_contact)
                 kept.push_back(t);
         }
-        return TriangleMesh(mesh.points(), mesh.triangles()(kept, Eigen::all));
+        return TriangleMesh(mesh.points(), mesh.triangles()(kept, Eigen::indexing::all));
     };
     return shapes::welded({without_contact(plate), without_contact(boss)});
 }

@@ -47,7 +47,8 @@ Case shuffled(const Case& one, unsigned seed, VertexIds& new_id)
     std::iota(order.begin(), order.end(), 0);
     std::shuffle(order.begin(), order.end(), std::mt19937(seed));
     Case same = one;
-    same.mesh = TriangleMesh(other.mesh.points(), other.mesh.triangles()(order, Eigen::all));
+    same.mesh =
+        TriangleMesh(other.mesh.points(), other.mesh.triangles()(order, Eigen::indexing::all));
     for (KnownRegion* region : {&same.constraints.fixed[0], &same.constraints.handles[0]})
         for (int& id : region->vertices)
             id = new_id[static_cast<std::size_t>(id)];
@@ -78,7 +79,8 @@ TEST(Followers, TheOrderOfTrianglesAndVerticesInTheFileDoesNotChangeTheShape)
         {
             VertexIds new_id;
             const Case other = shuffled(one, seed, new_id);
-            const Points found = Points(cases::solve(other).positions(new_id, Eigen::all));
+            const Points found =
+                Points(cases::solve(other).positions(new_id, Eigen::indexing::all));
             EXPECT_LT((found - expected).rowwise().norm().maxCoeff(), 1e-9 * one.mesh.size())
                 << seed;
         }

@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, translate
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -84,7 +84,7 @@ class Panel:
     def getStandardButtons(self) -> int:
         """OK and Cancel."""
         buttons = QtWidgets.QDialogButtonBox.Ok | QtWidgets.QDialogButtonBox.Cancel
-        return int(buttons)
+        return number(buttons)
 
     def isAllowedAlterSelection(self) -> bool:
         """The selection plays no role while a panel is open."""

@@ -9,7 +9,7 @@ from freecad.sheetmorph.editing.session import Session
 from freecad.sheetmorph.panels import guide_facts
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.guide_step import StepView
-from freecad.sheetmorph.qt import QtWidgets
+from freecad.sheetmorph.qt import QtWidgets, number
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.tools import guide
@@ -51,7 +51,7 @@ class GuidePanel(Panel):
 
     def getStandardButtons(self) -> int:
         """Close: what was done stays."""
-        return int(QtWidgets.QDialogButtonBox.Close)
+        return number(QtWidgets.QDialogButtonBox.Close)
 
     def isAllowedAlterSelection(self) -> bool:
         """Meshes are selected in the tree to become parts."""

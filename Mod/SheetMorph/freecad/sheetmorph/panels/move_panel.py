@@ -18,7 +18,7 @@ from freecad.sheetmorph.panels.mouse_fields import MouseFields
 from freecad.sheetmorph.panels.motion_fields import MotionFields
 from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
-from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
+from freecad.sheetmorph.qt import QtCore, QtWidgets, number, translate
 from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
@@ -70,11 +70,11 @@ class MovePanel(Panel):
 
     def getStandardButtons(self) -> int:
         """OK, Apply and Cancel."""
-        return super().getStandardButtons() | int(QtWidgets.QDialogButtonBox.Apply)
+        return super().getStandardButtons() | number(QtWidgets.QDialogButtonBox.Apply)
 
     def clicked(self, button) -> None:
         """Apply: as OK, and the panel stays."""
-        if int(button) == int(QtWidgets.QDialogButtonBox.Apply):
+        if number(button) == number(QtWidgets.QDialogButtonBox.Apply):
             self.keep()
 
     def keep(self) -> bool:

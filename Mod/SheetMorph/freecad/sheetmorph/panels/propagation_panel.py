@@ -11,7 +11,7 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.panels import contact_types, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, say
-from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.qt import QtWidgets, number, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.wireframe import Wireframe
@@ -45,7 +45,7 @@ class PropagationPanel(Panel):
 
     def getStandardButtons(self) -> int:
         """Only Close."""
-        return int(QtWidgets.QDialogButtonBox.Close)
+        return number(QtWidgets.QDialogButtonBox.Close)
 
     def isAllowedAlterSelection(self) -> bool:
         """What is clicked in the panel is selected in the document."""

@@ -8,7 +8,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
-from freecad.sheetmorph.qt import QtWidgets, translate
+from freecad.sheetmorph.qt import QtWidgets, number, translate
 from freecad.sheetmorph.scene.value_map import ValueMap
 from freecad.sheetmorph.tools import colour_scale, words
 
@@ -35,7 +35,7 @@ class ThicknessPanel(Panel):
 
     def getStandardButtons(self) -> int:
         """Only Close."""
-        return int(QtWidgets.QDialogButtonBox.Close)
+        return number(QtWidgets.QDialogButtonBox.Close)
 
     def _show_switch(self) -> None:
         """Shows what an undo has made of the switch."""

@@ -5,6 +5,7 @@ import math
 
 from pivy import coin
 
+from freecad.sheetmorph import generations
 from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.viewport import mm_per_px
 
@@ -28,7 +29,7 @@ class Dragger:
         self._is_silent = False
         self._steps = FINEST
         self._pivot = coin.SoTranslation()
-        made = coin.SoType.fromName("SoFCCSysDragger").createInstance()
+        made = generations.dragger_type().createInstance()
         self._dragger = coin.cast(made, "SoDragger")
         self._root = coin.SoAnnotation()
         # Drawn over the parts, and so grabbed before them too.

@@ -73,7 +73,7 @@ class TestRoundTrip(RecipeTest):
         path = self.exported(self.rich_morph())
         package = os.path.dirname(kernel.package_folder())
         result = subprocess.run(
-            ["/usr/bin/python3", "-m", "sheetmorph", "check", path],
+            [support.interpreter(), "-m", "sheetmorph", "check", path],
             env={**os.environ, "PYTHONPATH": package},
             capture_output=True,
             text=True,

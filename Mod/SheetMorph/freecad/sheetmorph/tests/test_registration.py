@@ -2,19 +2,19 @@
 """FreeCAD knows the tests and starts without touching the kernel or a window."""
 
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
 import FreeCAD
 
 from freecad.sheetmorph import tests
+from freecad.sheetmorph.tests import support
 
 PACKAGE = Path(tests.__file__).resolve().parent.parent
 QUIET_START = """
 import sys
 import freecad.sheetmorph
-bad = [name for name in ("sheetmorph", "FreeCADGui", "numpy", "PySide2") if name in sys.modules]
+bad = [name for name in ("sheetmorph", "FreeCADGui", "numpy", "PySide2", "PySide6") if name in sys.modules]
 print("loaded at start:", bad)
 """
 
@@ -30,7 +30,7 @@ class TestRegistration(unittest.TestCase):
 
     def test_the_start_is_light(self):
         result = subprocess.run(
-            [sys.executable or "/usr/bin/python3", "-c", QUIET_START],
+            [support.interpreter(), "-c", QUIET_START],
             env={"PYTHONPATH": str(PACKAGE.parent.parent)},
             capture_output=True,
             text=True,

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run inside FreeCAD: writes what it is and which Python it embeds, for the shell to read.
+
+The file named by SHEETMORPH_ANSWER gets one line a value: FreeCAD's version, the prefix of its
+Python, that one's version, and how the names of compiled modules must end.
+"""
+
+import os
+import sys
+import sysconfig
+
+import FreeCAD
+
+lines = [
+    ".".join(FreeCAD.Version()[:3]),
+    sys.base_prefix,
+    "{}.{}".format(*sys.version_info),
+    sysconfig.get_config_var("EXT_SUFFIX"),
+]
+answer = os.environ["SHEETMORPH_ANSWER"]
+with open(answer + ".part", "w", encoding="utf-8") as file:
+    file.write("\n".join(lines) + "\n")
+os.replace(answer + ".part", answer)

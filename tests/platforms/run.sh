@@ -1,0 +1,117 @@
+#!/bin/bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Makes another Debian in a folder below build/platforms and does there what a new user would type:
+# the README's two commands. Called by `./sheetmorph test platforms [13|testing]...`, as root.
+# Usage: tests/platforms/run.sh BUILD [SYSTEM...]
+# What it needs of this machine: debootstrap, and the mirror that its apt knows.
+set -euo pipefail
+
+root=$(dirname "$(dirname "$(dirname "$(realpath "$0")")")")
+build=$(realpath "$1")/platforms
+shift
+[ "$#" -gt 0 ] || set -- 13 testing
+mounted=()
+
+finish() {
+    local place
+    for place in "${mounted[@]}"; do umount -l "$place" || true; done
+}
+trap finish EXIT
+trap 'exit 130' INT TERM
+
+fail() {
+    printf 'platforms: %s\n' "$*" >&2
+    exit 1
+}
+
+# The suite a system is made of, and debootstrap's script for it: names may be newer than the script.
+suite_of() {
+    case "$1" in
+        12) echo bookworm sid ;;
+        13) echo trixie sid ;;
+        testing) echo testing sid ;;
+        *) fail "no system '$1'; there are 12, 13 and testing" ;;
+    esac
+}
+
+# A bare system with a user who may become root, made once; what a run installs stays.
+make_system() {
+    local system="$1" folder="$build/$1" mirror suite script
+    [ ! -e "$folder/.made" ] || return 0
+    read -r suite script < <(suite_of "$system")
+    mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Component: main' | head -n 1)
+    [ -n "$mirror" ] || fail "apt of this machine names no mirror to take a Debian from"
+    rm -rf "$folder"
+    mkdir -p "$folder"
+    debootstrap --variant=minbase --include=ca-certificates,sudo "$suite" "$folder" "$mirror" \
+        "/usr/share/debootstrap/scripts/$script" >"$folder.log" 2>&1 ||
+        fail "debootstrap failed: $(tail -n 3 "$folder.log") (all of it: $folder.log)"
+    # The lists of testing may be older than they say they are good for.
+    echo 'Acquire::Check-Valid-Until "false";' >"$folder/etc/apt/apt.conf.d/90dates"
+    chroot "$folder" useradd --create-home --shell /bin/bash designer
+    echo 'designer ALL=(ALL) NOPASSWD: ALL' >"$folder/etc/sudoers.d/designer"
+    touch "$folder/.made"
+}
+
+# What a running system has besides its files, and the data beside the project.
+enter_system() {
+    local folder="$1" place
+    for place in proc sys dev dev/pts; do
+        mount --bind "/$place" "$folder/$place"
+        mounted=("$folder/$place" "${mounted[@]}")
+    done
+    mount -t tmpfs tmpfs "$folder/dev/shm"
+    mounted=("$folder/dev/shm" "${mounted[@]}")
+    cp -L /etc/resolv.conf "$folder/etc/resolv.conf" 2>/dev/null || true
+    cp -L /etc/hosts "$folder/etc/hosts"
+    if [ -d "$root/../shared" ]; then
+        mkdir -p "$folder/home/designer/shared"
+        mount --bind -o ro "$root/../shared" "$folder/home/designer/shared"
+        mounted=("$folder/home/designer/shared" "${mounted[@]}")
+    fi
+}
+
+# The files of this clone as they are now, without what git does not know.
+copy_clone() {
+    local clone="$1/home/designer/sheetmorph"
+    mkdir -p "$clone"
+    find "$clone" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
+    git -C "$root" ls-files -z --cached --others --exclude-standard |
+        (cd "$root" && tar --null --ignore-failed-read -T - -cf -) 2>/dev/null | tar -xf - -C "$clone"
+    chroot "$1" chown -R designer: /home/designer/sheetmorph
+}
+
+as_designer() {
+    local folder="$1"
+    shift
+    chroot "$folder" su designer -c "cd ~/sheetmorph && $*"
+}
+
+# One command there; its closing line and how long it took.
+try() {
+    local folder="$1" name="$2" start status=0
+    shift 2
+    start=$(date +%s)
+    as_designer "$folder" "$@" >"$folder-$name.log" 2>&1 </dev/null || status=$?
+    printf 'platforms: %s: %s: %s, %d min: %s\n' "$(basename "$folder")" "$name" \
+        "$([ "$status" -eq 0 ] && echo passed || echo "failed with $status")" \
+        $((($(date +%s) - start + 30) / 60)) "$(tail -n 1 "$folder-$name.log")"
+    return "$status"
+}
+
+[ "$(id -u)" -eq 0 ] || fail "making a system in a folder needs root: sudo ./sheetmorph test platforms"
+mkdir -p "$build"
+failed=0
+for system in "$@"; do
+    folder="$build/$system"
+    make_system "$system"
+    enter_system "$folder"
+    copy_clone "$folder"
+    try "$folder" run ./sheetmorph run || failed=1
+    rm -rf "$folder-pictures"
+    cp -r "$folder/home/designer/sheetmorph/build/run/output" "$folder-pictures" 2>/dev/null || true
+    try "$folder" test ./sheetmorph test || failed=1
+    finish
+    mounted=()
+done
+exit "$failed"
