@@ -9,6 +9,7 @@ from source_tree import IGNORED, ROOT, WORKBENCH, is_ignored
 
 TOP_LEVEL = {
     *("CMakeLists.txt", "README.md", "LICENSE", "CHANGELOG.md", "CMakePresets.json", "package.xml"),
+    "pyproject.toml",
     *("sheetmorph", "core", "bindings", "Mod", "resources", "tests"),
 }
 
@@ -49,6 +50,7 @@ def test_there_is_one_version_number():
     version = project_version()
     assert manifest().findtext("version") == version
     assert f"## {version}" in (ROOT / "CHANGELOG.md").read_text()
+    assert f'version = "{version}"' in (ROOT / "pyproject.toml").read_text()
 
 
 def test_the_manifest_names_what_exists():

@@ -7,10 +7,11 @@ MAY_IMPORT = {
     "paths": set(),
     "preferences": set(),
     "qt": set(),
+    "generations": set(),
     "tools": set(),
     "objects": {"doors", "kinds", "tools"},
     "bridge": {"kinds", "objects", "reporting", "tools"},
-    "scene": {"bridge", "preferences", "qt", "tools"},
+    "scene": {"bridge", "generations", "preferences", "qt", "tools"},
     "editing": {"qt"},
     "interaction": {"actions", "api", "bridge", "objects", "qt", "scene", "tools"},
 }

@@ -10,7 +10,7 @@ import numpy as np
 from checks_moving import lifted, open_panel
 from desk import child, click_widget, enter, on_screen, picture, press, tick, until, view
 from desk import xdotool
-from freecad.sheetmorph import preferences
+from freecad.sheetmorph import generations, preferences
 from freecad.sheetmorph.bridge import live_session
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools.updating import ON_OK, ON_PAUSE
@@ -267,7 +267,8 @@ def test_a_value_is_typed_beside_the_cursor_while_dragging():
 def arrows_px() -> float:
     """What the arrows take for one, on the screen."""
     search = coin.SoSearchAction()
-    search.setType(coin.SoType.fromName("SoFCCSysDragger"))
+    kinds = [coin.SoType.fromName(name) for name in generations.DRAGGERS]
+    search.setType(next(kind for kind in kinds if not kind.isBad()))
     search.apply(view().getSceneGraph())
     size = search.getPath().getTail().getField("draggerSize").getValue()
     mm_per_px = view().getCameraNode().height.getValue() / view().getSize()[1]

@@ -10,6 +10,7 @@ import numpy as np
 from checks_drawing import ring, start
 from checks_picking import start_morph, view_from
 from desk import (
+    Recorder,
     WORK,
     child,
     choose_below,
@@ -21,7 +22,7 @@ from desk import (
     until,
     xdotool,
 )
-from PySide import QtCore, QtGui
+from PySide import QtGui
 from scenes import add_bracket, assembly, labelled, largest, look, new_document, stored
 from scenes import stored_of_all
 from shapes import HOLES
@@ -42,7 +43,7 @@ def start_recording(name: str):
     if os.path.exists(earlier):  # of a first try; FreeCAD would ask
         os.remove(earlier)
     App.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", WORK)
-    QtCore.QTimer.singleShot(0, lambda: Gui.runCommand("Std_DlgMacroRecord"))
+    Recorder.start()
     yield from until(QtGui.QApplication.activeModalWidget, "the dialog")
     yield 300
     dialog = QtGui.QApplication.activeModalWidget()
@@ -56,7 +57,7 @@ def start_recording(name: str):
 
 def stop_recording(name: str):
     """Stops; then the macro ``name`` is there."""
-    Gui.runCommand("Std_MacroStopRecord")
+    Recorder.stop()
     yield from until(lambda: os.path.exists(macro_path(name)), "the macro")
 
 

@@ -24,6 +24,26 @@ def xdotool(*words):
     yield 80
 
 
+class Recorder:
+    """FreeCAD's macro recording: since 1.0 the command that starts it also ends it."""
+
+    is_on = False
+
+    @classmethod
+    def start(cls) -> None:
+        """Opens the dialog that asks for a name."""
+        cls.is_on = True
+        QtCore.QTimer.singleShot(0, lambda: Gui.runCommand("Std_DlgMacroRecord"))
+
+    @classmethod
+    def stop(cls) -> None:
+        """Ends a recording, if there is one."""
+        if cls.is_on:
+            own = "Std_MacroStopRecord" in Gui.listCommands()
+            Gui.runCommand("Std_MacroStopRecord" if own else "Std_DlgMacroRecord")
+        cls.is_on = False
+
+
 NOTES = []
 
 

@@ -76,8 +76,7 @@ class Runner:
             QtGui.QApplication.activeModalWidget().close()
         if Gui.Control.activeDialog():
             Gui.Control.closeDialog()
-        if Gui.Command.get("Std_MacroStopRecord").isActive():
-            Gui.runCommand("Std_MacroStopRecord")
+        desk.Recorder.stop()
         for name in list(App.listDocuments()):
             App.closeDocument(name)
         desk.clear_report_view()

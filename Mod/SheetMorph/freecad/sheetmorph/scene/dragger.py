@@ -29,8 +29,9 @@ class Dragger:
         self._is_silent = False
         self._steps = FINEST
         self._pivot = coin.SoTranslation()
-        made = generations.dragger_type().createInstance()
-        self._dragger = coin.cast(made, "SoDragger")
+        kinds = [coin.SoType.fromName(name) for name in generations.DRAGGERS]
+        kind = next(found for found in kinds if not found.isBad())
+        self._dragger = coin.cast(kind.createInstance(), "SoDragger")
         self._root = coin.SoAnnotation()
         # Drawn over the parts, and so grabbed before them too.
         first = coin.SoPickStyle()
