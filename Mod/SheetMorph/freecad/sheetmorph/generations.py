@@ -6,4 +6,4 @@ for itself.
 """
 
 DRAGGERS = ("SoFCCSysDragger", "SoTransformDragger")
-"""FreeCAD's dragger of arrows and arcs in Coin, until 1.0 and since 1.1; the fields are the same."""
+"""FreeCAD's dragger of arrows and arcs in Coin, until 1.0 and since 1.1, of the same fields."""

@@ -6,8 +6,8 @@
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
+#include <vector>
 
 namespace sheetmorph
 {
@@ -107,10 +107,10 @@ void FeatureResponses::respond()
     stiffness_.resize(count_, count_);
     for (Eigen::Index first = 0; first < count_; first += blocks_at_once * block)
     {
-        std::array<Eigen::MatrixXd, blocks_at_once> answers;
-        parallel_items(
-            blocks_at_once, [&](Eigen::Index k)
-            { answers[at(k)] = answer(std::min(first + k * block, Eigen::Index(count_))); });
+        const Eigen::Index left = (count_ - first + block - 1) / block;
+        std::vector<Eigen::MatrixXd> answers(at(std::min(blocks_at_once, left)));
+        parallel_items(static_cast<Eigen::Index>(answers.size()),
+                       [&](Eigen::Index k) { answers[at(k)] = answer(first + k * block); });
         for (const Eigen::MatrixXd& answer : answers)
             if (responses_)
                 responses_->append(

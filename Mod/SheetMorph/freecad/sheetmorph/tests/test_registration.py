@@ -14,7 +14,8 @@ PACKAGE = Path(tests.__file__).resolve().parent.parent
 QUIET_START = """
 import sys
 import freecad.sheetmorph
-bad = [name for name in ("sheetmorph", "FreeCADGui", "numpy", "PySide2", "PySide6") if name in sys.modules]
+heavy = ("sheetmorph", "FreeCADGui", "numpy", "PySide2", "PySide6")
+bad = [name for name in heavy if name in sys.modules]
 print("loaded at start:", bad)
 """
 
