@@ -90,9 +90,9 @@ def pieces(triangles: np.ndarray, vertices):
 
 def _edges(triangles: np.ndarray, count: int) -> np.ndarray:
     """The edges (3m,) of triangles, each a number: smaller vertex * ``count`` + larger one."""
-    ends = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    ends = np.sort(ends.astype(np.int64), axis=1)
-    return ends[:, 0] * count + ends[:, 1]
+    starts = triangles.astype(np.int64)
+    ends = starts[:, [1, 2, 0]]
+    return (np.minimum(starts, ends) * count + np.maximum(starts, ends)).ravel()
 
 
 def _appearance(colour, width):
