@@ -38,12 +38,12 @@ def test_a_typed_length_with_unit_moves_mesh_and_view():
     rest = stored()
     yield from open_panel()
     yield from enter(child("translation_z"), "2 cm")
-    assert np.allclose(lifted(rest, drawn()), (0, 0, 20), atol=1e-4)
+    is_lifted = lambda: np.allclose(lifted(rest, drawn()), (0, 0, 20), atol=1e-4)  # noqa: E731
+    yield from until(is_lifted, "the view to follow")
     yield from until(lambda: largest(stored() - rest) > 19, "the result mesh")
     picture("moving")
     yield from enter(child("angle"), "10")
-    yield 500
-    assert largest(drawn() - rest) > 20.5
+    yield from until(lambda: largest(drawn() - rest) > 20.5, "the turn")
     yield from press("OK")
     assert regions("handle")[0].TranslationZ.Value == 20.0
     assert regions("handle")[0].Angle.Value == 10.0
