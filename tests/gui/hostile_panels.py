@@ -5,7 +5,7 @@ import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import WORK, panel
+from desk import WORK, activate, panel
 from freecad.sheetmorph import api
 from PySide import QtGui
 from scenes import assembly, contacts, labelled, new_assembly, part, regions
@@ -15,6 +15,8 @@ def prepared():
     """The assembly joined by a contact, with a second handle and a pose as steps of their own."""
     path = os.path.join(WORK, "hostile.FCStd")
     if os.path.exists(path):
+        if Gui.activeWorkbench().name() != "SheetMorphWorkbench":
+            yield from activate()  # a fresh FreeCAD has no commands of ours yet
         App.openDocument(path)
         yield 60
     else:
