@@ -42,6 +42,17 @@ Mode mode_from(int mode)
     return static_cast<Mode>(mode);
 }
 
+Unheld unheld_from(const std::string& name)
+{
+    if (name == "rest")
+        return Unheld::rest;
+    if (name == "along")
+        return Unheld::along;
+    if (name == "refuse")
+        return Unheld::refuse;
+    throw InvalidInput("what nothing holds cannot '" + name + "'; use 'rest', 'along' or 'refuse'");
+}
+
 ContactType contact_type_from(const std::string& name)
 {
     if (name == "control mesh")
@@ -167,7 +178,13 @@ void bind_whole(py::module_& module)
         .def_readwrite("pairs", &Assembly::pairs)
         .def_readwrite("symmetry", &Assembly::symmetry)
         .def_readwrite("is_refined", &Assembly::is_refined)
-        .def_readwrite("propagation", &Assembly::propagation);
+        .def_readwrite("propagation", &Assembly::propagation)
+        .def(
+            "set_unheld",
+            [](Assembly& assembly, const std::string& name)
+            { assembly.unheld = unheld_from(name); },
+            py::arg("name"),
+            "What becomes of pieces that nothing holds: 'rest', 'along' or 'refuse'.");
 }
 
 void bind_pose(py::module_& module)

@@ -104,6 +104,9 @@ void bind_remeshed_type(py::module_& module)
         .def_readonly("deviation", &RemeshedMesh::deviation,
                       "farthest the new mesh and the facets given are from each other, mm")
         .def_readonly("flat_deviation", &RemeshedMesh::flat_deviation, "the same on flats, mm")
+        .def_readonly("least_edge", &RemeshedMesh::least_edge,
+                      "mm: no shorter edges were made, to stay in proportion to what was given; 0 "
+                      "if all that were wanted were made")
         .def_property_readonly(
             "unsettled", [](const RemeshedMesh& m) { return m.convergence.sentence(); },
             "empty, or that its edges did not settle, and how far they got");

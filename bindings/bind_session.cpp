@@ -185,6 +185,26 @@ void bind_order(py::class_<DeformationSession>& session)
                                { return names_of(of, of.plan().unreached); });
 }
 
+// What became of bodies and pieces that nobody listed as such.
+void bind_union(py::class_<DeformationSession>& session)
+{
+    session
+        .def_property_readonly("joined_bodies", &DeformationSession::joined_bodies,
+                               "Labels of form features and rigid contacts that are one body.")
+        .def_property_readonly(
+            "loose_pieces",
+            [](const DeformationSession& session)
+            {
+                std::vector<std::tuple<int, int, int>> found;
+                for (const LoosePieces& of : session.loose_pieces())
+                    found.emplace_back(of.part, of.pieces, of.vertices);
+                return found;
+            },
+            "(part index, pieces, vertices) of parts with pieces that nothing holds.")
+        .def("is_held", &DeformationSession::is_held, py::arg("part"),
+             "Whether a fixed region holds a part, its own or through rigid contacts.");
+}
+
 }  // namespace
 
 void bind_session(py::module_& module)
@@ -194,6 +214,7 @@ void bind_session(py::module_& module)
                                          "The assembly, ready to be deformed. Construction is "
                                          "the pre-processing phase; deform() only substitutes.");
     bind_order(bound);
+    bind_union(bound);
     bound
         .def(py::init(&session_from), py::arg("assembly"), py::arg("progress") = py::none(),
              py::arg("previous") = nullptr,

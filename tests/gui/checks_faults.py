@@ -100,6 +100,9 @@ def add_a_piece(document) -> None:
 
 def test_a_piece_that_nothing_holds_is_shown_and_left_at_rest():
     yield from new_morph(add_a_piece)
+    assert model.failure_of(assembly()) == "", "it stays at rest"
+    api.set_unheld(assembly(), "refuse")
+    App.ActiveDocument.recompute()
     clear_report_view()  # what FreeCAD says about a recompute that failed
     look()
     yield from open_panel()

@@ -83,8 +83,9 @@ def test_positions_that_are_not_finite_are_refused(sample: Path, tmp_path: Path)
     ("name", "what"),
     [
         ("part.step", "there is no such file"),
-        ("part.fcstd", "documents of FreeCAD are not read"),
-        ("part.xyz", 'unknown format ".xyz"'),
+        ("part.fcstd", 'unknown format ".fcstd", a document of FreeCAD'),
+        ("part.SLDPRT.gz", 'unknown format ".SLDPRT", a file of a CAD program'),
+        ("part.what", 'unknown format ".what"'),
         ("missing.obj", "there is no such file"),
     ],
 )

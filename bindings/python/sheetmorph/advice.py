@@ -25,6 +25,15 @@ def findings_of(diagnosis: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
+def part_entry(findings: list[dict[str, Any]]) -> dict[str, Any]:
+    """The keys of all cures together, as one part of a recipe has them."""
+    entry: dict[str, Any] = {}
+    for finding in findings:
+        entry |= finding["recipe"] or {}
+    order = ("split", "scale", "weld", "remesh", "thin")
+    return {key: entry[key] for key in order if key in entry}
+
+
 _Found = tuple[str, int, str, "str | None", "dict[str, Any] | None"]
 
 
@@ -67,8 +76,7 @@ def _in_mm(diagnosis: dict[str, Any], recipe: dict[str, Any]) -> dict[str, Any]:
     if "weld" in recipe:
         found["weld"] = scale * recipe["weld"]
     if "remesh" in recipe:
-        edge = recipe["remesh"]["edge"]
-        found["remesh"] = {**recipe["remesh"], "edge": edge and float(f"{scale * edge:.6g}")}
+        found["remesh"] = recipe["remesh"]
     return found
 
 

@@ -13,10 +13,11 @@ import traceback
 from collections.abc import Sequence
 from pathlib import Path
 from types import FrameType
-from typing import TextIO
+from typing import Any, TextIO
 
 from . import __version__
 from .cli_find import add_find_arguments, run_find
+from .cli_progress import progress_on
 from .errors import FileError, KernelError, RecipeError
 from .files.atomic import FileSet
 from .files.signals import stopping_signals
@@ -119,8 +120,12 @@ def parser() -> argparse.ArgumentParser:
     run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
     run.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
     run.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
-    check = commands.add_parser("check", help="validate a recipe and the parts it names")
+    check = commands.add_parser("check", help="do what run does, and write nothing")
     check.add_argument("recipe", help="JSON file")
+    for command in (run, check):
+        text = "warnings (badly opened contacts and others) end with exit status 3"
+        command.add_argument("--strict", action="store_true", help=text)
+        command.add_argument("--quiet", action="store_true", help="no progress on stderr")
     doctor = commands.add_parser("doctor", help="say what meshes are and what is wrong with them")
     doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
     text = "vertices nearer than this are one place (mm; a millionth of the size)"
@@ -140,18 +145,18 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     # Imported here, so that --help answers at once.
     from .running import run
 
-    report = run(wanted.recipe, wanted.output, wanted.pose, wanted.report, files=files)
-    worst = max((feature["edge_error"] for feature in report["features"]), default=0.0)
-    parts, features = len(report["parts"]), len(report["features"])
+    with progress_on(sys.stderr, wanted.quiet) as progress:
+        report = run(
+            wanted.recipe, wanted.output, wanted.pose, wanted.report,
+            files=files, strict=wanted.strict, progress=progress,
+        )  # fmt: skip
     lines = [
         f"{contact['name']}: {contact['source']} drives {contact['target']}, gap change "
         f"{contact['gap_change']:.2g} mm"
         for contact in report["contacts"]
     ]
-    lines.append(
-        f"{wanted.output}: {parts} part(s) written, {features} form feature(s) rigid to "
-        f"{worst:.2g} mm"
-    )
+    lines += [f"warning: {text}" for text in report["warnings"]]
+    lines.append(f"{wanted.output}: {len(report['parts'])} part(s) written, {_rigid(report)}")
     return lines + [
         f"{part['name']}: not reached by any motion, unchanged"
         for part in report["parts"]
@@ -159,10 +164,22 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     ]
 
 
+def _rigid(report: dict[str, Any]) -> str:
+    features, left_out = report["features"], report.get("found", {}).get("left_out", [])
+    worst = max((feature["edge_error"] for feature in features), default=0.0)
+    text = f"{len(features)} form feature(s) rigid to {worst:.2g} mm"
+    if left_out:
+        text += f"; {len(left_out)} proposal(s) changed or left out: {left_out[0]}"
+        text += " (all in the report)" if len(left_out) > 1 else ""
+    return text
+
+
 def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     from .running import check
 
-    return ["; ".join([f"{wanted.recipe}: valid", *check(wanted.recipe)])]
+    with progress_on(sys.stderr, wanted.quiet) as progress:
+        told = check(wanted.recipe, strict=wanted.strict, progress=progress)
+    return ["; ".join([f"{wanted.recipe}: valid", *told])]
 
 
 def _doctor(wanted: argparse.Namespace, _files: FileSet) -> list[str]:

@@ -10,8 +10,8 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from .advice import findings_of
-from .files import read_part
+from .advice import findings_of, part_entry
+from .files import read_part, unpacked_name
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 
@@ -30,7 +30,11 @@ def diagnose_files(files: list[str | Path], tolerance: float | None = None) -> d
 
     Raises FileError, KernelError, OSError.
     """
-    found = [{"file": str(file), **diagnose(read_part(file).mesh, tolerance)} for file in files]
+    found = []
+    for file in map(str, files):
+        told = diagnose(read_part(file).mesh, tolerance)
+        name = {} if "split" in told["part"] else {"name": unpacked_name(file).stem}
+        found.append({"file": file, **told, "part": {**name, "file": file, **told["part"]}})
     return {"sheetmorph_doctor": 1, "files": found}
 
 
@@ -58,9 +62,10 @@ def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
         "components": [_piece(piece) for piece in found.pieces],
         "counts": {name: getattr(found, name) for name in _COUNTS},
         "is_one_sided": found.is_one_sided,
-        "suggested_edge": _suggested_edge(found),
+        "suggested_edge": _in_mm(_suggested_edge(found), _unit(found.size)["scale"]),
     }
-    return {**diagnosis, "findings": findings_of(diagnosis)}
+    findings = findings_of(diagnosis)
+    return {**diagnosis, "findings": findings, "part": part_entry(findings)}
 
 
 _COUNTS = (
@@ -127,6 +132,11 @@ def _rims(found: Any) -> dict[str, Any]:
         "largest_radius": largest if found.round_rims else None,
         "fewest_vertices": found.fewest_rim_vertices if found.round_rims else None,
     }
+
+
+def _in_mm(length: float | None, scale: float) -> float | None:
+    """A length of the file in the mm of a recipe."""
+    return length and float(f"{scale * length:.6g}")
 
 
 def _suggested_edge(found: Any) -> float | None:

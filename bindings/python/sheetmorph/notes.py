@@ -11,6 +11,7 @@ from .preprocessed import Preprocessed
 from .recipe.model import Model, PartEntry
 from .thin import crossings
 
+_MOST_BODIES = 5
 _ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
 
 
@@ -18,7 +19,23 @@ def notes_of(session: Preprocessed) -> list[str]:
     """What the recipe asks for in vain, one sentence each."""
     model = session.model
     found = _single(model) if model.propagation.type == "single" else _local(session)
-    return [*_primary(model), *_thin(session), *found]
+    return [*_primary(model), *_thin(session), *found, *_joined(session)]
+
+
+def _joined(session: Preprocessed) -> Iterator[str]:
+    """What moves as one rigid body though it was listed one by one; a few of them."""
+    declared = [set(entry.features) for entry in session.model.relations if entry.type == "group"]
+    joined = [
+        labels
+        for labels in session.joined_bodies
+        if {label.partition(" ")[2].strip("'") for label in labels} not in declared
+    ]
+    for labels in joined[:_MOST_BODIES]:
+        names = ", ".join(labels[:_MOST_BODIES])
+        more = f" and {len(labels) - _MOST_BODIES} more" if len(labels) > _MOST_BODIES else ""
+        yield f"{names}{more} are one rigid body: they share vertices"
+    if len(joined) > _MOST_BODIES:
+        yield f"so are {len(joined) - _MOST_BODIES} more sets of form features and rigid contacts"
 
 
 def shape_notes(result: Answer, parts: list[dict[str, Any]]) -> Iterator[str]:

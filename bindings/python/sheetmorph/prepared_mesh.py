@@ -104,13 +104,16 @@ class PreparedMesh(PartMesh):
 def prepared_mesh(
     core: ModuleType, mesh: PartMesh, wanted: Wanted, progress: Progress | None = None
 ) -> tuple[PartMesh, np.ndarray]:
-    """The mesh after scale, weld and remesh, and the triangle of the file (m,) of each of its own.
+    """The mesh after scale, weld and remesh (scale alone changes no triangle), and of each of
+    its triangles (m,) that of the file.
 
     `progress(fraction, task)` returns whether to go on. Raises InvalidInput of the kernel (a
     ValueError), and its Cancelled.
     """
     if wanted.scale != 1.0:
         mesh = replace(mesh, points=wanted.scale * mesh.points)
+    if wanted.weld is None and wanted.edge is None:
+        return _only_scaled(mesh, wanted.scale), np.arange(len(mesh.triangles))
     tolerance = 0.0 if wanted.weld is None else wanted.weld
     cure = core.cured(core.TriangleMesh(mesh.points, mesh.triangles), tolerance)
     done: dict[str, Any] = {
@@ -137,6 +140,17 @@ def prepared_mesh(
         done=done,
     )  # fmt: skip
     return made, triangle_of
+
+
+def _only_scaled(mesh: PartMesh, scale: float) -> PreparedMesh:
+    """Every vertex and every triangle as the file has them."""
+    ids = np.arange(len(mesh.points))
+    counts = dict.fromkeys(("welded", "removed", "split", "turned"), 0)
+    done = {"scale": scale, "weld": None, **counts, "remesh": None, "unsettled": None}
+    return PreparedMesh(
+        mesh.points, mesh.triangles, name=mesh.name, source=mesh, support=ids[:, None],
+        vertex_of=ids, done=done,
+    )  # fmt: skip
 
 
 def placed_on(core: ModuleType, made: PartMesh, before: PartMesh) -> PreparedMesh:
@@ -187,5 +201,6 @@ def _told(fresh: Any, wanted: Wanted) -> dict[str, Any]:
         "flats": fresh.flats,
         "deviation": fresh.deviation,
         "flat_deviation": fresh.flat_deviation,
+        "least_edge": fresh.least_edge or None,
         "kept_vertices": int(fresh.is_kept.sum()),
     }

@@ -87,6 +87,30 @@ class Preprocessed:
         return list(self._kernel.unreached)
 
     @property
+    def joined_bodies(self) -> list[list[str]]:
+        """What is one rigid body because it shares vertices or a group, by body: "feature 'a'",
+        "rigid contact 'b'"."""
+        return [list(labels) for labels in self._kernel.joined_bodies]
+
+    @property
+    def loose_pieces(self) -> dict[str, tuple[int, int]]:
+        """By part: how many pieces, with how many vertices, nothing holds; see `unheld`."""
+        found = self._kernel.loose_pieces
+        return {self.parts[part]: (pieces, vertices) for part, pieces, vertices in found}
+
+    def is_held(self, part: str) -> bool:
+        """Whether a fixed region holds a part, its own or through rigid contacts."""
+        return bool(self._kernel.is_held(self.parts.index(part)))
+
+    def sides_of(self, contact: str) -> tuple[np.ndarray, np.ndarray]:
+        """Rest positions (k, 3) of the sides a and b of a contact, mm."""
+        entry = next(entry for entry in self._model.contacts if entry.name == contact)
+        return tuple(
+            self.meshes[side.part].points[self._translator.indices(side)]
+            for side in (entry.a, entry.b)
+        )
+
+    @property
     def timings(self) -> dict[str, float]:
         """Seconds of pre-processing, stage by stage."""
         return {timing.stage: float(timing.seconds) for timing in self._kernel.timings}

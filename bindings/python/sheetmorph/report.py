@@ -19,7 +19,9 @@ from .notes import notes_of, shape_notes
 from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
 from .results import FeatureResult
+from .strain import worst_fold, worst_strain
 from .thin import thin_failures, thin_report
+from .cautions import warnings_of
 
 
 @dataclass(frozen=True)
@@ -51,10 +53,9 @@ def make_report(
     rests = {part: session.rest_of(part, result.features) for part in session.parts}
     features = [_feature(result, feature, files, rests) for feature in result.features]
     parts = [_part(result, name, files.get(name)) for name in session.parts]
-    failures = [
-        f"{e['name']} on {e['part']}: {_worst_error(e):.3g} mm"
-        for e in features if not _worst_error(e) <= tol
-    ] + thin_failures(result, tol) + unsettled_failures({"parts": parts})  # fmt: skip
+    warnings = warnings_of(result, parts)
+    failures = [*_torn(features, tol), *thin_failures(result, tol)]
+    failures += unsettled_failures({"parts": parts})
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
@@ -74,7 +75,8 @@ def make_report(
         "order": session.order,
         "levels": session.levels,
         "unreached": session.unreached,
-        "notes": [*notes_of(session), *shape_notes(result, parts)],
+        "notes": [*notes_of(session), *shape_notes(result, parts), *warnings],
+        "warnings": warnings,
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
@@ -91,6 +93,15 @@ def unsettled_failures(report: Mapping[str, Any]) -> list[str]:
 
 def _symmetry(plane: SymmetryEntry | None) -> dict[str, list[float]] | None:
     return None if plane is None else {"point": [*plane.point], "normal": [*plane.normal]}
+
+
+def _torn(features: list[dict[str, Any]], tol: float) -> list[str]:
+    """A sentence for every feature that is off by more than a tolerance, mm."""
+    return [
+        f"{entry['name']} on {entry['part']}: {_worst_error(entry):.3g} mm"
+        for entry in features
+        if not _worst_error(entry) <= tol
+    ]
 
 
 def _worst_error(feature: Mapping[str, Any]) -> float:
@@ -163,6 +174,8 @@ def _quality(core: Any, mesh: PartMesh, positions: np.ndarray) -> dict[str, Any]
         "before": _shape_of(core.quality(mesh.points, mesh.triangles)),
         "after": _shape_of(change),
         "flipped": int(change.flipped),
+        "worst_strain": worst_strain(mesh.points, positions, mesh.triangles),
+        "worst_fold_degrees": worst_fold(mesh.points, positions, mesh.triangles),
     }
 
 

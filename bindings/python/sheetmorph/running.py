@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import json
+import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -19,9 +20,12 @@ from .recipe.parts import Source
 from .report import WrittenPart, make_report, unsettled_failures
 from .session import Result, Session
 
+Progress = Callable[[float, str], bool]
+
 
 class CertificateError(RuntimeError):
-    """A form feature lost its form, or a part is not solved to its end; ``report`` tells more."""
+    """A form feature lost its form, or a part is not solved to its end, or the warnings of a strict
+    run; ``report`` tells more."""
 
     def __init__(self, report: dict[str, Any]):
         unsettled = unsettled_failures(report)
@@ -29,30 +33,30 @@ class CertificateError(RuntimeError):
         if rigid:
             tol = report["tolerance"]
             unsettled.append(f"form features are not rigid to {tol:.3g} mm: {'; '.join(rigid)}")
-        super().__init__("; ".join(unsettled))
+        warned = [] if unsettled else report["warnings"]
+        super().__init__("; ".join([*unsettled, *warned]))
         self.report = report
 
 
-# Beyond it, in vertices, trying out a recipe takes too long for a check.
-_TOO_MANY_TO_TRY = 300_000
+def check(
+    recipe_path: str | Path, *, strict: bool = False, progress: Progress | None = None
+) -> list[str]:
+    """Do what run() does with a recipe, and with each of its poses, into a folder thrown away.
 
-
-def check(recipe_path: str | Path) -> list[str]:
-    """Validate a recipe file and the parts it names, and try it out; nothing is written.
-
-    Returns what could not be checked, one sentence each. Raises RecipeError, SolverError of the
-    kernel (a RuntimeError).
+    So what it passes runs. Returns what could not be checked, one sentence each. Raises what run()
+    raises.
     """
     path = Path(recipe_path)
-    recipe = read_json(path)
-    with _named(path):
-        parts = prepare(recipe, path.parent)
-        if sum(len(mesh.points) for mesh in parts.meshes.values()) > _TOO_MANY_TO_TRY:
-            return ["not tried out, the meshes are too large for it"]
-        try:
-            Session(recipe, parts.meshes, _keep_going, found=parts.found).deform(exact=False)
-        except KernelError as error:
-            return [f"not tried out: {error}"]
+    ways = Ways(strict, progress or _keep_going)
+    try:
+        with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as folder:
+            morph = _Morph(path, ways)
+            places = morph.places([], Path(folder) / "parts", None)
+            morph.factorise()
+            for pose in (None, *morph.recipe.get("poses", {})):
+                morph.write(_named_pose(morph.recipe, pose), places, FileSet())
+    except KernelError as error:
+        return [f"not tried out: {error}"]
     return []
 
 
@@ -63,35 +67,76 @@ def run(
     report: str | Path | None = None,
     *,
     files: FileSet | None = None,
+    strict: bool = False,
+    progress: Progress | None = None,
 ) -> dict[str, Any]:
     """Deform the parts of a recipe file and write them under out_dir; returns the report.
 
     pose: instead of the recipe's a pose, the name of one of its `poses`, or the path of a JSON file
     with one; report: path to write
     the report to; files: a new FileSet for the parts, whose ``committed`` tells, also after an
-    interrupt, whether they were written. Raises RecipeError, FileError, KernelError,
-    CertificateError, OSError; then no part is written.
+    interrupt, whether they were written; strict: the report's warnings are failures of the
+    certificate; progress(fraction, task) returns whether to go on. Raises RecipeError, FileError,
+    KernelError, CertificateError, OSError; then no part is written.
     """
     path, out = Path(recipe_path), Path(out_dir)
-    recipe = read_json(path)
-    pose = _named_pose(recipe, pose)
+    morph = _Morph(path, Ways(strict, progress or _keep_going))
+    pose = _named_pose(morph.recipe, pose)
     pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
-    begin = time.perf_counter()
     with _named(path):
-        parts = prepare(recipe, path.parent)
-        read = [path, *([pose_path] if pose_path else []), *(s.file.path for s in parts.sources)]
-        targets = [out / source.file.output_name for source in parts.sources]
-        places = Places(read, out, targets, None if report is None else Path(report))
-        places.check()
+        read = [pose_path] if pose_path else []
+        places = morph.places(read, out, None if report is None else Path(report))
         wanted = pose if pose_path is None else read_json(pose_path)
-        reading = time.perf_counter() - begin
-        session = Session(recipe, parts.meshes, _keep_going, found=parts.found)
-    begin = time.perf_counter()
+    morph.factorise()
     with _named(pose_path or path):
-        result = session.deform(wanted)
-    timings = {"read": reading, "deform": time.perf_counter() - begin}
-    _certify(result, timings, report)
-    return _Writer(result, parts.sources, places, timings).write(files or FileSet())
+        return morph.write(wanted, places, files or FileSet())
+
+
+@dataclass(frozen=True)
+class Ways:
+    """strict: warnings are failures of the certificate; progress: of the long steps."""
+
+    strict: bool
+    progress: Progress
+
+
+class _Morph:
+    """A recipe file on its way to files; all that run() and check() have in common."""
+
+    def __init__(self, path: Path, ways: Ways):
+        self.recipe = read_json(path)
+        self._path, self._ways = path, ways
+        begin = time.perf_counter()
+        with _named(path):
+            self._parts = prepare(self.recipe, path.parent, ways.progress)
+        self._timings = {"read": time.perf_counter() - begin}
+        self._session: Session | None = None
+
+    def places(self, read: list[Path], out: Path, report: Path | None) -> Places:
+        """Where its files go. Raises RecipeError."""
+        sources = self._parts.sources
+        targets = [out / source.file.output_name for source in sources]
+        places = Places(
+            [self._path, *read, *(s.file.origin for s in sources)], out, targets, report
+        )
+        places.check()
+        return places
+
+    def factorise(self) -> None:
+        """The pre-processing phase."""
+        with _named(self._path):
+            self._session = Session(
+                self.recipe, self._parts.meshes, self._ways.progress, found=self._parts.found
+            )
+
+    def write(self, pose: dict[str, Any] | None, places: Places, files: FileSet) -> dict[str, Any]:
+        """Deform, certify and write; returns the report."""
+        begin = time.perf_counter()
+        self._ways.progress(0.95, "deforming")
+        result = self._session.deform(pose)
+        timings = {**self._timings, "deform": time.perf_counter() - begin}
+        _certify(result, timings, places.report, self._ways.strict)
+        return _Writer(result, self._parts.sources, places, timings).write(files)
 
 
 def _named_pose(recipe: Any, pose: Any) -> Any:
@@ -116,13 +161,13 @@ def _named(path: Path) -> Iterator[None]:
         raise RecipeError(faults) from error
 
 
-def _certify(result: Result, timings: dict[str, float], report: str | Path | None) -> None:
+def _certify(result: Result, timings: dict[str, float], report: Path | None, strict: bool) -> None:
     found = make_report(result, None, timings)
-    if found["certificate"]["passed"]:
+    if found["certificate"]["passed"] and not (strict and found["warnings"]):
         return
     if report is not None:
         with FileSet() as out:
-            _put_report(out, Path(report), found)
+            _put_report(out, report, found)
             out.commit()
     raise CertificateError(found)
 
@@ -167,7 +212,7 @@ class _Writer:
         positions = source.positions(self.result.positions)
         temporary = file.write_into(files, self.places.out / file.output_name, positions)
         with files.named(temporary):
-            stored = file.stored_positions(temporary)
+            stored = source.placement.placed(file.stored_positions(temporary))
         return {
             name: WrittenPart(file.output_name, stored[vertices], file.precision, list(file.notes))
             for name, vertices in source.members.items()

@@ -70,6 +70,7 @@ class Translator:
         if (plane := self._model.symmetry) is not None:
             assembly.symmetry = core.SymmetryPlane(plane.point, plane.normal)
         assembly.is_refined = self._model.refine
+        assembly.set_unheld(self._model.unheld)
         way = self._model.propagation
         assembly.propagation = core.Propagation(way.type == "single", way.levels, way.smoothness)
         return assembly

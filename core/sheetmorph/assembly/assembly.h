@@ -29,6 +29,14 @@ enum class Thin
     yes         //!< an error if it is none
 };
 
+//! What becomes of pieces of a part that nothing holds, while other pieces of it move.
+enum class Unheld
+{
+    rest,   //!< they stay where they are
+    along,  //!< each goes rigidly along with the nearest place of what is held
+    refuse  //!< an error that names them
+};
+
 //! One mesh of the assembly.
 struct Part
 {
@@ -87,6 +95,7 @@ struct Assembly
     std::optional<SymmetryPlane> symmetry;
     bool is_refined = false;  //!< exact answers are refined for large rotations (local-global)
     Propagation propagation;
+    Unheld unheld = Unheld::rest;
 };
 
 }  // namespace sheetmorph

@@ -21,44 +21,6 @@ auto prepares(const Assembly& assembly)
     return [assembly] { DeformationSession session(assembly); };
 }
 
-TEST(AssemblyChecks, RefusesTwoRigidWeldsThatWouldTearOneRegion)
-{
-    Frame frame = frames::ring(ContactType::rigid);
-    frame.assembly.contacts[3].b = frame.assembly.contacts[1].b;
-    EXPECT_THAT(
-        prepares(frame.assembly),
-        ThrowsMessage<InvalidInput>(AllOf(HasSubstr("part 'third'"), HasSubstr("'second - third'"),
-                                          HasSubstr("'fourth - third'"))));
-}
-
-TEST(AssemblyChecks, RefusesAFeatureTornBetweenTwoRigidWelds)
-{
-    Frame frame = frames::ring(ContactType::rigid);
-    const PartFeature torn{"brace",
-                           2,
-                           {frame.assembly.contacts[1].b.vertices.front(),
-                            frame.assembly.contacts[3].b.vertices.front()},
-                           FeatureRotation::interpolated,
-                           {},
-                           {},
-                           false};
-    frame.assembly.features.push_back(torn);
-    EXPECT_THAT(prepares(frame.assembly),
-                ThrowsMessage<InvalidInput>(
-                    AllOf(HasSubstr("'brace'"), HasSubstr("torn"), HasSubstr("'second - third'"))));
-}
-
-TEST(AssemblyChecks, RefusesARigidWeldOntoFixedVertices)
-{
-    Frame frame = frames::ring(ContactType::rigid);
-    Part& second = frame.assembly.parts[1];
-    second.ids.assign(static_cast<std::size_t>(second.mesh.vertex_count()), 77);
-    frame.assembly.fixed.push_back({"clamp", 1, {frame.assembly.contacts[0].b.vertices[2]}});
-    EXPECT_THAT(prepares(frame.assembly),
-                ThrowsMessage<InvalidInput>(
-                    AllOf(HasSubstr("'first - second'"), HasSubstr("fixed"), HasSubstr("77"))));
-}
-
 TEST(AssemblyChecks, RefusesIdsOutOfRangeOfPartsThatNothingReaches)
 {
     Frame frame = frames::ring(ContactType::tied);

@@ -13,11 +13,13 @@ from .meshio_file import SUFFIXES, MeshioFile
 from .nastran import NastranFile
 from .obj import ObjFile
 from .off import OffFile
+from .packed import is_packed, read_packed, unpacked_name
 from .part_file import PartFile
 from .ply import read_ply
 from .stl import read_stl
+from .unknown import unknown_format
 
-__all__ = ["FileSet", "PartFile", "is_cad", "output_name", "read_part", "suffixes"]
+__all__ = ["FileSet", "PartFile", "is_cad", "output_name", "read_part", "suffixes", "unpacked_name"]
 
 _READERS: dict[str, Callable[[Path], PartFile]] = {
     ".obj": ObjFile.read,
@@ -36,12 +38,12 @@ def suffixes() -> list[str]:
 
 def is_cad(path: str | Path) -> bool:
     """Whether a file is read by meshing what it holds."""
-    return Path(path).suffix.lower() in CAD_SUFFIXES
+    return unpacked_name(path).suffix.lower() in CAD_SUFFIXES
 
 
 def output_name(path: str | Path) -> str:
     """The name under which a run writes the file; deformed CAD parts are meshes, in OBJ."""
-    place = Path(path)
+    place = unpacked_name(path)
     return f"{place.stem}.obj" if is_cad(place) else place.name
 
 
@@ -57,15 +59,13 @@ def read_part(
     Raises FileError if the file is missing, empty, cut short, corrupt or of an unknown format.
     """
     place = Path(path)
-    suffix = place.suffix.lower()
-    if suffix == ".fcstd":
-        todo = "open it in FreeCAD and export STEP"
-        raise FileError(place, "documents of FreeCAD are not read", todo)
+    suffix = unpacked_name(place).suffix.lower()
     if suffix not in _READERS and not is_cad(place):
-        todo = f"use one of {', '.join(suffixes())}"
-        raise FileError(place, f'unknown format "{place.suffix}"', todo)
+        raise unknown_format(place, suffixes())
     if not place.is_file():
         raise FileError(place, "there is no such file", "check the path")
+    if is_packed(place):
+        return read_packed(place, lambda inner: read_part(inner, meshing, progress))
     if is_cad(place):
         return read_cad(place, meshing, progress)
     if meshing:

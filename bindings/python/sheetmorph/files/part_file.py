@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -18,11 +19,14 @@ class PartFile(ABC):
     path; mesh: PartMesh; precision: how the file stores a coordinate ("double", "float32",
     "8 characters", "16 characters"); notes: what a user should know, for the report; properties:
     (m,) property id of every triangle of a deck, None for other formats; bodies: (k,) indices of
-    the triangles of every part of a CAD file by name, None for other formats.
+    the triangles of every part of a CAD file by name, None for other formats; origin: the file of
+    the user, another than path where it was unpacked into the folder unpacked_in.
     """
 
     def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):
         self.path = path
+        self.origin = path
+        self.unpacked_in: TemporaryDirectory | None = None
         self.mesh = mesh
         self.precision = precision
         self.notes: list[str] = []

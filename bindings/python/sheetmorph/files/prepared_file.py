@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ..kernel import load_kernel
-from ..prepared_mesh import Wanted, prepared_mesh
+from ..prepared_mesh import Progress, Wanted, prepared_mesh
 from .obj import ObjFile
 from .part_file import PartFile
 
@@ -19,9 +19,10 @@ class PreparedFile(PartFile):
     Properties and bodies of the other go with its triangles.
     """
 
-    def __init__(self, file: PartFile, wanted: Wanted):
-        mesh, triangle_of = prepared_mesh(load_kernel(), file.mesh, wanted)
+    def __init__(self, file: PartFile, wanted: Wanted, progress: Progress | None = None):
+        mesh, triangle_of = prepared_mesh(load_kernel(), file.mesh, wanted, progress)
         super().__init__(file.path, mesh)
+        self.origin, self.unpacked_in = file.origin, file.unpacked_in
         self.notes = [*file.notes, *_notes(mesh.preparation)]
         if file.properties is not None:
             self.properties = file.properties[triangle_of]
@@ -55,6 +56,11 @@ def _notes(done: dict) -> list[str]:
         notes.append(
             f"remeshed with edges of {fresh['edge']:.6g} mm, at most {fresh['deviation']:.2g} mm "
             f"from the facets of the file ({fresh['flat_deviation']:.2g} mm on flats)"
+        )
+    if fresh and fresh["least_edge"]:
+        notes.append(
+            f"edges on bends and beside rims were kept above {fresh['least_edge']:.2g} mm, for "
+            "shorter ones the mesh would be too large for its file; remesh with a shorter edge"
         )
     if done["unsettled"]:
         notes.append(done["unsettled"])

@@ -69,8 +69,10 @@ def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator
     for name in source.members:
         for index, node in enumerate(meshes[name].file_ids(range(len(meshes[name].points)))):
             places[node] = (name, index)
-    for nodes in _joined(source.file, places):
-        yield from _pairs(nodes, places, meshes)
+    # Several springs between the same two nodes, one a direction, are one connection.
+    yield from dict.fromkeys(
+        pair for nodes in _joined(source.file, places) for pair in _pairs(nodes, places, meshes)
+    )
 
 
 def _joined(file: NastranFile, places: Mapping[int, tuple[str, int]]) -> list[list[int]]:

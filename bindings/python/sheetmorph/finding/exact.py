@@ -21,7 +21,8 @@ def exact_of(source: Source) -> dict[str, list[Entry]]:
     if not isinstance(source.file, CadFile):
         return {}
     parts = source.file.model.parts
-    bodies = [exact_features(part) for part in parts]
+    placed = source.placement.placed_entry
+    bodies = [[placed(entry) for entry in exact_features(part)] for part in parts]
     names = [f"{source.file.path.stem}/{part.name}" for part in parts]
     if len(source.members) > 1 or names[0] in source.members:
         return dict(zip(names, bodies))

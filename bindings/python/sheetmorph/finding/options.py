@@ -11,8 +11,8 @@ from typing import Any
 HOLES = ("round hole", "slotted hole", "rectangular hole", "hole")
 SURFACES = ("plane", "cylinder", "cone", "sphere")
 KINDS = (*HOLES, "round edge", *SURFACES, "flange", "bead", "emboss", "bend")
-# What keeps its form on a real part without being asked: free outlines are often borders.
-USUAL_FEATURES = ("round hole", "slotted hole", "rectangular hole")
+# What keeps its form on a real part without being asked: whatever has a rim and is no outline.
+USUAL_FEATURES = HOLES
 
 CONTACT_KINDS = ("bolt", "weld", "flange", "face", "edge")
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import Fault, RecipeError
-from ..files import is_cad, read_part
+from ..files import is_cad, read_part, unpacked_name
 from ..recipe.model import model_of
 from ..recipe.parts import Parts, read_parts
 from ..recipe.splitting import split_triangles
@@ -42,7 +42,7 @@ def find_in_files(
     return {
         "sheetmorph_find": 1,
         "options": {**options.as_dict(), "gap": found.gap},
-        "parts": [_entry(source.file.path, source.members, meshing) for source in parts.sources],
+        "parts": [_entry(source.file.origin, source.members, meshing) for source in parts.sources],
         **asdict(found),
     }
 
@@ -91,7 +91,7 @@ def parts_of_files(
     for path in map(os.fspath, paths):
         way = _way(path) if split == "auto" else split
         if way == "none":
-            name = _free_name(Path(path).stem, names)
+            name = _free_name(unpacked_name(path).stem, names)
             entries.append({"file": path, "name": name})
         else:
             entries.append({"file": path, "split": way})
@@ -127,7 +127,8 @@ def _free_name(name: str, names: set[str]) -> str:
 def _entry(path: Path, members: dict[str, np.ndarray], meshing: Any) -> dict[str, Any]:
     """The entry of a recipe that stands for a file, and the parts it stands for."""
     names = list(members)
-    is_split = len(names) != 1 or names[0].startswith(f"{path.stem}/")
+    stem = unpacked_name(path).stem
+    is_split = len(names) != 1 or names[0].startswith(f"{stem}/")
     entry = (
         {"file": str(path), "split": True} if is_split else {"name": names[0], "file": str(path)}
     )

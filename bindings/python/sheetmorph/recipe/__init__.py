@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,8 @@ from .reading import read_json
 from .structure import pose_faults, schema, structural_faults
 from .unavailable import take_out
 from .values import depth_faults
+
+Progress = Callable[[float, str], bool]
 
 __all__ = [
     "check_pose",
@@ -41,20 +43,21 @@ def validate(recipe: dict[str, Any], base: str | Path = ".") -> None:
     prepare(recipe, base)
 
 
-def prepare(recipe: Any, base: str | Path) -> Parts:
+def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> Parts:
     """The parts of a recipe, read from their files; what it asks to find in them is in ``found``.
 
-    Raises RecipeError, KernelError if something is to be found without a kernel.
+    progress(fraction, task) may return False to cancel (RuntimeError). Raises RecipeError,
+    KernelError if something is to be found without a kernel.
     """
     model, faults = _model(recipe)
-    parts = read_parts(model.parts, base)
+    parts = read_parts(model.parts, base, progress)
     model = model.with_parts(parts.entries)
     faults += meaning_faults(model, Known.of(model, recipe, parts.unread))
     faults += [*parts.faults, *mesh_faults(model, parts.meshes)]
     if faults:
         raise RecipeError(faults)
     if asked_sections(recipe):
-        parts.found = search(recipe, find_parts(parts), connections_of(parts))
+        parts.found = search(recipe, find_parts(parts), connections_of(parts), progress)
     return parts
 
 

@@ -8,12 +8,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ..finding.findings import FindPart, Findings
-from ..finding.options import USUAL_FEATURES, FindOptions
-from ..finding.search import Connection, find
+from ..finding.options import HOLES, USUAL_FEATURES, FindOptions
+from ..finding.search import Connection, Progress, find
 from .found import Found
+from .stacks import regions_by_vertex, solvable
 
 SECTIONS = ("features", "contacts")
-_REGIONS = ("fixed", "handles", "regions")
 
 
 def asked_sections(recipe: Any) -> dict[str, dict[str, Any]]:
@@ -35,7 +35,10 @@ def without_auto(recipe: Any) -> Any:
 
 
 def search(
-    recipe: dict[str, Any], parts: Sequence[FindPart], connections: Sequence[Connection] = ()
+    recipe: dict[str, Any],
+    parts: Sequence[FindPart],
+    connections: Sequence[Connection] = (),
+    progress: Progress | None = None,
 ) -> Found:
     """What is found in the parts for a recipe of sound form.
 
@@ -43,7 +46,8 @@ def search(
     Raises RuntimeError if the kernel is missing.
     """
     asked = asked_sections(recipe)
-    found = find(parts, _options(asked), connections, with_contacts="contacts" in asked)
+    with_contacts = "contacts" in asked
+    found = find(parts, _options(asked), connections, progress, with_contacts=with_contacts)
     return _taken(recipe, asked, found)
 
 
@@ -70,13 +74,7 @@ def _taken(
 ) -> Found:
     result = Found(gap=found.gap)
     if "features" in asked:
-        options = asked["features"]
-        kinds, parts = options.get("kinds", USUAL_FEATURES), options.get("parts")
-        chosen = [
-            entry
-            for entry in found.features
-            if entry["kind"] in kinds and (parts is None or entry["part"] in parts)
-        ]
+        chosen = _wanted_features(asked["features"], found.features, result.left_out)
         result.features = _without_conflicts(recipe, chosen, result.left_out)
     if "contacts" in asked:
         options = asked["contacts"]
@@ -85,7 +83,24 @@ def _taken(
             if parts is None or {entry["a"]["part"], entry["b"]["part"]} <= set(parts):
                 kind = {"type": options["type"]} if "type" in options else {}
                 result.contacts.append({**entry, **kind})
+        if "type" not in options:
+            features = result.features if "features" in asked else recipe.get("features", [])
+            result.contacts = solvable(recipe, features, result.contacts, result.left_out)
     return result
+
+
+def _wanted_features(
+    options: Mapping[str, Any], found: list[dict[str, Any]], left_out: list[str]
+) -> list[dict[str, Any]]:
+    """Those of the kinds and parts asked for; holes of other kinds are told."""
+    kinds, parts = options.get("kinds", USUAL_FEATURES), options.get("parts")
+    on_parts = [entry for entry in found if parts is None or entry["part"] in parts]
+    left_out += [
+        f"{entry['name']}: \"kinds\" leaves {entry['kind']}s out"
+        for entry in on_parts
+        if entry["kind"] in HOLES and entry["kind"] not in kinds
+    ]
+    return [entry for entry in on_parts if entry["kind"] in kinds]
 
 
 def _without_conflicts(
@@ -93,9 +108,10 @@ def _without_conflicts(
 ) -> list[dict[str, Any]]:
     """The features with those of their washer rings that no other feature or region claims.
 
-    A feature torn between two regions, or that shares vertices with one before, is left out.
+    Those that share vertices become one; one torn between two regions is left out.
     """
-    regions = _regions_by_vertex(recipe)
+    regions = regions_by_vertex(recipe)
+    entries = _joined(entries, left_out)
     claims: dict[tuple[str, int], set[str]] = defaultdict(set)
     for entry in entries:
         for vertex in entry["vertices"]:
@@ -105,9 +121,8 @@ def _without_conflicts(
     for entry in entries:
         own = {(entry["part"], vertex) for vertex in entry["vertices"]}
         holders = set().union(*(regions.get(place, set()) for place in own))
-        if len(holders) > 1 or own & taken:
-            why = "two regions hold it" if len(holders) > 1 else "it overlaps another feature"
-            left_out.append(f"{entry['name']}: {why}")
+        if len(holders) > 1:
+            left_out.append(f"{entry['name']}: two regions hold it")
             continue
         vertices = set(own)
         for ring in entry.get("washer", ()):
@@ -124,11 +139,22 @@ def _without_conflicts(
     return kept
 
 
-def _regions_by_vertex(recipe: Mapping[str, Any]) -> dict[tuple[str, int], set[str]]:
-    found: dict[tuple[str, int], set[str]] = defaultdict(set)
-    for section in _REGIONS:
-        entries = recipe.get(section, [])
-        for k, entry in enumerate(entries if isinstance(entries, list) else []):
-            for vertex in (entry or {}).get("vertices", ()):
-                found[entry["part"], vertex].add(f"{section}{k}")
-    return found
+def _joined(entries: list[dict[str, Any]], told: list[str]) -> list[dict[str, Any]]:
+    """Entries that share vertices as one, under the name of the first."""
+    kept: dict[str, dict[str, Any]] = {}
+    owner: dict[tuple[str, int], str] = {}
+    for entry in entries:
+        places = [(entry["part"], vertex) for vertex in entry["vertices"]]
+        touched = list(dict.fromkeys(owner[place] for place in places if place in owner))
+        first = touched[0] if touched else entry["name"]
+        joined = [kept.pop(name) for name in touched[1:]] + [entry]
+        for other in joined if touched else []:
+            vertices = {*kept[first]["vertices"], *other["vertices"]}
+            # Rings around one of them go through the other.
+            kept[first] = {**kept[first], "vertices": sorted(vertices), "washer": []}
+            told.append(f"{other['name']}: one feature with {first}, they share vertices")
+        if not touched:
+            kept[first] = entry
+        for vertex in kept[first]["vertices"]:
+            owner[entry["part"], vertex] = first
+    return list(kept.values())

@@ -6,9 +6,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
+from ..files import unpacked_name
 from ..prepared_mesh import Wanted
 from .feature_entries import (
     RELATIONS,
@@ -22,6 +22,7 @@ from .feature_entries import (
     symmetry_of,
     vector_of,
 )
+from .placement import Placement
 from .places import place_of
 
 
@@ -40,7 +41,8 @@ class PartEntry:
     mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
     entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
     thin: "auto" if it is solved as a thin solid where it is one, "yes" if it must be one, "" if it
-    is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh.
+    is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh; placement:
+    from the coordinates of the file, in mm, to those of the assembly.
     """
 
     where: str
@@ -52,11 +54,12 @@ class PartEntry:
     thin: str = ""
     thickness: float = 0.0
     wanted: Wanted = Wanted()
+    placement: Placement = Placement()
 
     @property
     def stem(self) -> str:
         """What stands before the "/" in the names of the parts of a split file."""
-        return Path(self.file).stem
+        return unpacked_name(self.file).stem
 
 
 @dataclass(frozen=True)
@@ -135,6 +138,7 @@ class Model:
     relations: list[RelationEntry] = field(default_factory=list)
     symmetry: SymmetryEntry | None = None
     refine: bool = False
+    unheld: str = "rest"
     propagation: PropagationEntry = PropagationEntry()
     pose: dict[str, Motion] = field(default_factory=dict)
     poses: dict[str, dict[str, Motion]] = field(default_factory=dict)
@@ -189,6 +193,7 @@ def model_of(recipe: dict[str, Any]) -> Model:
         ],
         symmetry=symmetry_of(recipe.get("symmetry")),
         refine=bool(recipe.get("refine", False)),
+        unheld=recipe.get("unheld", Model.unheld),
         propagation=_propagation(**recipe.get("propagation", {})),
         pose=motions_of(recipe.get("pose", {})),
         poses={
@@ -211,8 +216,9 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
     name = entry.get("name", "" if split else f"part{k}")
     file, mode = entry.get("file", ""), int(entry.get("mode", 0))
     return PartEntry(
-        where, name, file, mode, split, entry.get("mesh"), *_thin(entry), wanted=_wanted(entry)
-    )
+        where, name, file, mode, split, entry.get("mesh"), *_thin(entry), wanted=_wanted(entry),
+        placement=_placement(entry.get("placement") or {}),
+    )  # fmt: skip
 
 
 def _thin(entry: dict[str, Any]) -> tuple[str, float]:
@@ -231,6 +237,12 @@ def _wanted(entry: dict[str, Any]) -> Wanted:
         remesh.get("rims", "polygon"),
         entry.get("scale", 1.0),
     )
+
+
+def _placement(entry: dict[str, Any]) -> Placement:
+    turn = entry.get("rotation")
+    axis, degrees = ((0.0, 0.0, 1.0), 0.0) if turn is None else (turn["axis"], turn["degrees"])
+    return Placement.of(entry.get("translation", (0.0, 0.0, 0.0)), axis, degrees)
 
 
 def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -14,7 +15,10 @@ from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
 from .found import Found
 from .model import PartEntry
+from .placement import Placement
 from .splitting import SplitError, part_of, split_triangles
+
+Progress = Callable[[float, str], bool]
 
 
 @dataclass
@@ -22,14 +26,19 @@ class Source:
     """A file and the parts in it: name -> indices (k,) of their vertices in the file."""
 
     file: PartFile
+    placement: Placement = Placement()
     members: dict[str, np.ndarray] = field(default_factory=dict)
 
     def positions(self, of_parts: dict[str, np.ndarray]) -> np.ndarray:
-        """Positions (n, 3) of the whole file; vertices of no part stay at rest."""
-        whole = self.file.mesh.points.copy()
+        """Positions (n, 3) of the whole file as it stands there; vertices of no part, and those
+        that did not move, stay as they are."""
+        own = self.file.mesh.points
+        rest = self.placement.placed(own)
+        whole = rest.copy()
         for name, vertices in self.members.items():
             whole[vertices] = of_parts[name]
-        return whole
+        moved = (whole != rest).any(axis=1)
+        return np.where(moved[:, None], self.placement.taken_back(whole), own)
 
 
 @dataclass
@@ -45,24 +54,32 @@ class Parts:
 
     def add(self, entry: PartEntry, file: PartFile) -> None:
         """Put the part, or the parts, of a file in."""
-        source = Source(file)
+        source = Source(file, entry.placement)
+        whole = entry.placement.placed_mesh(file.mesh)
         if not entry.split:
             source.members[entry.name] = np.arange(len(file.mesh.points))
-            self.meshes[entry.name] = file.mesh
+            self.meshes[entry.name] = whole
             self.entries.append(entry)
         else:
             for number, rows in split_triangles(file, entry.split).items():
                 name = f"{entry.stem}/{number}"
-                mesh, source.members[name] = part_of(file.mesh, rows, name)
+                mesh, source.members[name] = part_of(whole, rows, name)
                 self.meshes[name] = mesh
                 self.entries.append(replace(entry, name=name, split=""))
         self.sources.append(source)
 
 
-def read_parts(entries: list[PartEntry], base: str | Path) -> Parts:
-    """The parts of a recipe, paths relative to `base`; what fails is in `faults`."""
+def read_parts(
+    entries: list[PartEntry], base: str | Path, progress: Progress | None = None
+) -> Parts:
+    """The parts of a recipe, paths relative to `base`; what fails is in `faults`.
+
+    progress(fraction, task) may return False to cancel (RuntimeError).
+    """
     parts = Parts()
-    for entry in entries:
+    for number, entry in enumerate(entries):
+        if progress is not None:
+            progress(number / len(entries), f"reading {entry.file}")
         if not entry.file:
             what = 'the key "file" is missing'
             parts.faults.append(Fault(entry.where, what, "add the path of its mesh file"))
@@ -74,7 +91,7 @@ def read_parts(entries: list[PartEntry], base: str | Path) -> Parts:
         try:
             meshing = entry.meshing if is_cad(entry.file) else None
             file = read_part(Path(base) / entry.file, meshing)
-            parts.add(entry, _prepared(file, entry) if entry.wanted else file)
+            parts.add(entry, _prepared(file, entry, progress) if entry.wanted else file)
         except (FileError, SplitError) as error:
             parts.faults.append(_fault(entry, error))
             parts.entries += [] if entry.split else [entry]
@@ -83,10 +100,10 @@ def read_parts(entries: list[PartEntry], base: str | Path) -> Parts:
     return parts
 
 
-def _prepared(file: PartFile, entry: PartEntry) -> PartFile:
+def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> PartFile:
     """The file after weld and remesh. Raises FileError."""
     try:
-        return PreparedFile(file, entry.wanted)
+        return PreparedFile(file, entry.wanted, progress)
     except ValueError as error:
         what, _, todo = str(error).rpartition("; ")
         raise FileError(file.path, f"it cannot be prepared: {what}", todo) from error

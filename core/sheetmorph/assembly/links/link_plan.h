@@ -27,15 +27,17 @@ struct PlannedLink
     VertexIds enclosed;               //!< further vertices of targets[0].part inside the box
 };
 
-//! Rigid contacts between the same two parts that one rigid body has to serve.
+//! What a stack of rigid contacts does to one part: all of them are one rigid body, which moves
+//! with the part of the stack that is deformed first.
 struct RigidWeld
 {
-    std::string name;  //!< of its contacts
-    std::vector<int> contacts;
+    std::string name;           //!< of its contacts on the part it moves
+    std::vector<int> contacts;  //!< all of the stack
     int source_part = 0;
     VertexIds source;
     int target_part = 0;
     VertexIds target;
+    bool is_held = false;  //!< a fixed region holds the stack, on whichever part: it stays
 };
 
 //! Control mesh and tied links with the vertices each part's mode gives them (section 4.1).
@@ -50,7 +52,8 @@ std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationP
 OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
                         const ControlBoxes& boxes);
 
-//! \throws InvalidInput if a rigid contact's driven side is partly fixed
+//! Rigid contacts that touch one body of a part are one stack, across all parts: a bolt through
+//! three layers, a loop of welds.
 std::vector<RigidWeld> plan_welds(const Assembly& assembly, const PropagationPlan& plan);
 
 }  // namespace sheetmorph

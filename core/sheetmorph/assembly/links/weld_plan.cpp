@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/link_plan.h"
 #include "sheetmorph/base/disjoint_sets.h"
-#include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 namespace sheetmorph
 {
@@ -40,6 +42,14 @@ std::vector<int> rigid_clusters(const Assembly& assembly, int part,
     for (const PartFeature& feature : assembly.features)
         if (feature.part == part)
             cover(feature.vertices);
+    for (const PartHandle& handle : assembly.handles)
+        if (handle.part == part && handle.is_rotation_free)
+            cover(handle.vertices);
+    for (const FeatureGroup& group : assembly.groups)
+        for (const int feature : group.features)
+            if (assembly.features[at(feature)].part == part)
+                sets.join(assembly.features[at(group.features.front())].vertices.front(),
+                          assembly.features[at(feature)].vertices.front());
     for (const DirectedContact& directed : rigid)
         for (const PartRegion* side : {&directed.source(assembly), &directed.target(assembly)})
             if (side->part == part)
@@ -51,79 +61,146 @@ std::vector<int> rigid_clusters(const Assembly& assembly, int part,
     return cluster;
 }
 
-void require_free_side(const Assembly& assembly, const DirectedContact& directed)
+//! Rigid bodies of several parts that rigid contacts join: a stack moves as one.
+class Stacks
 {
-    const PartRegion& side = directed.target(assembly);
-    VertexIds held;
-    for (const PartRegion& fixed : assembly.fixed)
-        if (fixed.part == side.part)
-            for (const int vertex : side.vertices)
-                if (std::find(fixed.vertices.begin(), fixed.vertices.end(), vertex)
-                    != fixed.vertices.end())
-                    held.push_back(vertex);
-    if (!held.empty())
+public:
+    Stacks(const Assembly& assembly, const PropagationPlan& plan)
+        : assembly_(assembly),
+          rigid_(rigid_contacts(assembly, plan)),
+          sets_(static_cast<int>(rigid_.size())),
+          rank_(assembly.parts.size(), 0)
     {
-        const Part& part = assembly.parts[at(side.part)];
-        throw InvalidInput("rigid contact '" + assembly.contacts[at(directed.contact)].name
-                               + "' should move vertices ",
-                           held, ", which are fixed; take them out of one, or make it tied")
-            .in_part(part.name, part.ids);
+        for (std::size_t k = 0; k < plan.order.size(); ++k)
+            rank_[at(plan.order[k])] = static_cast<int>(k);
+        for (std::size_t k = 0; k < rigid_.size(); ++k)
+            for (const PartRegion* side : sides_of(k))
+            {
+                if (clusters_.find(side->part) == clusters_.end())
+                    clusters_[side->part] = rigid_clusters(assembly, side->part, rigid_);
+                const std::pair body(side->part, clusters_[side->part][at(side->vertices.front())]);
+                sets_.join(first_of_.emplace(body, static_cast<int>(k)).first->second,
+                           static_cast<int>(k));
+            }
     }
-}
 
-void append(const Assembly& assembly, const DirectedContact& directed, RigidWeld& weld)
-{
-    const PartRegion& source = directed.source(assembly);
-    const PartRegion& target = directed.target(assembly);
-    weld.name +=
-        (weld.name.empty() ? "" : "' and '") + assembly.contacts[at(directed.contact)].name;
-    weld.contacts.push_back(directed.contact);
-    weld.source_part = source.part;
-    weld.target_part = target.part;
-    weld.source.insert(weld.source.end(), source.vertices.begin(), source.vertices.end());
-    weld.target.insert(weld.target.end(), target.vertices.begin(), target.vertices.end());
-}
+    //! Welds from the part of each stack that is deformed first to every other one.
+    std::vector<RigidWeld> welds()
+    {
+        const std::set<int> held = held_stacks();
+        std::vector<RigidWeld> found;
+        for (int stack = 0; stack < static_cast<int>(rigid_.size()); ++stack)
+        {
+            if (sets_.root(stack) != stack)
+                continue;
+            const std::map<int, VertexIds> sides = sides_by_rank(stack);
+            const auto& [first, source] = *sides.begin();
+            for (auto side = std::next(sides.begin()); side != sides.end(); ++side)
+            {
+                RigidWeld weld{{},
+                               contacts_of(stack),
+                               part_at(first),
+                               source,
+                               part_at(side->first),
+                               side->second,
+                               held.count(stack) > 0};
+                weld.name = name_of(weld);
+                found.push_back(std::move(weld));
+            }
+        }
+        return found;
+    }
+
+private:
+    std::array<const PartRegion*, 2> sides_of(std::size_t k) const
+    {
+        return {&rigid_[k].source(assembly_), &rigid_[k].target(assembly_)};
+    }
+
+    int part_at(int rank) const
+    {
+        return static_cast<int>(std::find(rank_.begin(), rank_.end(), rank) - rank_.begin());
+    }
+
+    // The sides of a stack, by the rank of their parts in the order of propagation.
+    std::map<int, VertexIds> sides_by_rank(int stack)
+    {
+        std::map<int, VertexIds> found;
+        for (std::size_t k = 0; k < rigid_.size(); ++k)
+            if (sets_.root(static_cast<int>(k)) == stack)
+                for (const PartRegion* side : sides_of(k))
+                    merge_into(found[rank_[at(side->part)]], side->vertices);
+        return found;
+    }
+
+    std::vector<int> contacts_of(int stack)
+    {
+        std::vector<int> found;
+        for (std::size_t k = 0; k < rigid_.size(); ++k)
+            if (sets_.root(static_cast<int>(k)) == stack)
+                found.push_back(rigid_[k].contact);
+        return found;
+    }
+
+    // What is held anywhere holds: stacks with a vertex of a fixed region, or of a feature that
+    // stays.
+    std::set<int> held_stacks()
+    {
+        std::set<int> found;
+        for (const PartRegion& fixed : assembly_.fixed)
+            add_touched(fixed.part, fixed.vertices, found);
+        for (const PartFeature& feature : assembly_.features)
+            if (feature.motion.type == FeatureMotion::Type::fixed)
+                add_touched(feature.part, feature.vertices, found);
+        return found;
+    }
+
+    void add_touched(int part, const VertexIds& vertices, std::set<int>& stacks)
+    {
+        const auto clusters = clusters_.find(part);
+        if (clusters == clusters_.end())
+            return;
+        for (const int vertex : vertices)
+        {
+            const auto first = first_of_.find({part, clusters->second[at(vertex)]});
+            if (first != first_of_.end())
+                stacks.insert(sets_.root(first->second));
+        }
+    }
+
+    // Of the contacts on the part it moves, a few.
+    std::string name_of(const RigidWeld& weld) const
+    {
+        std::string name;
+        std::size_t count = 0;
+        for (const int index : weld.contacts)
+        {
+            const Contact& contact = assembly_.contacts[at(index)];
+            if (contact.a.part != weld.target_part && contact.b.part != weld.target_part)
+                continue;
+            if (count++ < most_names)
+                name += (name.empty() ? "" : "' and '") + contact.name;
+        }
+        if (count > most_names)
+            name += "' and '" + std::to_string(count - most_names) + " more";
+        return name;
+    }
+
+    static constexpr std::size_t most_names = 4;
+
+    const Assembly& assembly_;
+    std::vector<DirectedContact> rigid_;
+    DisjointSets sets_;      // of rigid contacts: the stacks
+    std::vector<int> rank_;  // by part
+    std::map<int, std::vector<int>> clusters_;
+    std::map<std::pair<int, int>, int> first_of_;  // by part and cluster: a rigid contact on it
+};
 
 }  // namespace
 
 std::vector<RigidWeld> plan_welds(const Assembly& assembly, const PropagationPlan& plan)
 {
-    const std::vector<DirectedContact> rigid = rigid_contacts(assembly, plan);
-    std::map<int, std::vector<int>> clusters;
-    for (const DirectedContact& directed : rigid)
-        for (const PartRegion* side : {&directed.source(assembly), &directed.target(assembly)})
-            if (clusters.find(side->part) == clusters.end())
-                clusters[side->part] = rigid_clusters(assembly, side->part, rigid);
-
-    // Two rigid contacts between the same parts are one weld if they touch one body on either side.
-    DisjointSets groups(static_cast<int>(rigid.size()));
-    std::map<std::vector<int>, int> first_of;
-    for (std::size_t k = 0; k < rigid.size(); ++k)
-    {
-        require_free_side(assembly, rigid[k]);
-        const PartRegion& source = rigid[k].source(assembly);
-        const PartRegion& target = rigid[k].target(assembly);
-        for (const PartRegion* side : {&source, &target})
-        {
-            const int body = clusters[side->part][at(side->vertices.front())];
-            const std::vector<int> key = {source.part, target.part, side->part, body};
-            groups.join(first_of.emplace(key, static_cast<int>(k)).first->second,
-                        static_cast<int>(k));
-        }
-    }
-    std::vector<RigidWeld> welds;
-    std::vector<int> weld_of(rigid.size(), -1);
-    for (std::size_t k = 0; k < rigid.size(); ++k)
-    {
-        int& weld = weld_of[at(groups.root(static_cast<int>(k)))];
-        if (weld < 0)
-        {
-            weld = static_cast<int>(welds.size());
-            welds.emplace_back();
-        }
-        append(assembly, rigid[k], welds[at(weld)]);
-    }
-    return welds;
+    return Stacks(assembly, plan).welds();
 }
 
 }  // namespace sheetmorph

@@ -17,6 +17,13 @@ void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& wel
     for (std::size_t k = 0; k < welds.size(); ++k)
     {
         const RigidWeld& weld = welds[k];
+        if (weld.is_held && (weld.target_part == part || weld.source_part == part))
+        {
+            const VertexIds& side = weld.target_part == part ? weld.target : weld.source;
+            problem.own.surface.fixed.push_back({weld.name, side, "rigid contact"});
+            problem.held.push_back(static_cast<int>(k));
+            continue;
+        }
         if (weld.target_part == part)
         {
             problem.own.surface.handles.push_back({weld.name, weld.target, "rigid contact"});

@@ -25,6 +25,10 @@ struct PartProblem
     PartConstraints own;        //!< own.surface holds the welds and links too
     std::vector<int> carried;   //!< welds that move this part: handles after the own ones
     std::vector<int> carriers;  //!< welds this part moves others by: features after the own ones
+    std::vector<int> held;      //!< welds that a fixed region of some part holds: fixed here too
+
+    std::vector<VertexIds>
+        loose;  //!< pieces that nothing else holds: fixed, or features at the end
 
     //! By propagated region and vertex: the rows whose weighted mean is its target. On one vertex
     //! tied comes before control mesh; of equal rank all count.

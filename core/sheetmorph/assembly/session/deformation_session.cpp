@@ -5,6 +5,9 @@
 #include "sheetmorph/assembly/session/wave.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/surface/bodies/bodies.h"
+
+#include <algorithm>
 
 namespace sheetmorph
 {
@@ -88,6 +91,51 @@ const ThinSolid* DeformationSession::thin_solid(int part) const
 const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() const
 {
     return data_->shapes;
+}
+
+std::vector<std::vector<std::string>> DeformationSession::joined_bodies() const
+{
+    std::vector<std::vector<std::string>> found;
+    for (std::size_t part = 0; part < data_->parts.size(); ++part)
+    {
+        const SurfaceConstraints& surface = data_->parts[part].problem.own.surface;
+        for (const Body& body : merge_bodies(data_->assembly.parts[part].mesh, surface))
+        {
+            std::vector<std::string> labels;
+            for (const int feature : body.features)
+                labels.push_back(surface.features[at(feature)].label());
+            std::sort(labels.begin(), labels.end());
+            labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+            if (labels.size() > 1)
+                found.push_back(std::move(labels));
+        }
+    }
+    return found;
+}
+
+std::vector<LoosePieces> DeformationSession::loose_pieces() const
+{
+    std::vector<LoosePieces> found;
+    for (std::size_t part = 0; part < data_->parts.size(); ++part)
+    {
+        const std::vector<VertexIds>& loose = data_->parts[part].problem.loose;
+        LoosePieces pieces{static_cast<int>(part), static_cast<int>(loose.size()), 0};
+        for (const VertexIds& piece : loose)
+            pieces.vertices += static_cast<int>(piece.size());
+        if (pieces.pieces > 0)
+            found.push_back(pieces);
+    }
+    return found;
+}
+
+bool DeformationSession::is_held(int part) const
+{
+    if (part < 0 || at(part) >= data_->parts.size())
+        throw InvalidInput("part " + std::to_string(part) + " does not exist");
+    const auto is_here = [part](const PartRegion& fixed) { return fixed.part == part; };
+    const std::vector<PartRegion>& fixed = data_->assembly.fixed;
+    return !data_->parts[at(part)].problem.held.empty()
+           || std::any_of(fixed.begin(), fixed.end(), is_here);
 }
 
 const PropagationPlan& DeformationSession::plan() const

@@ -42,6 +42,14 @@ struct Timing
     double seconds = 0.0;
 };
 
+//! Pieces of one part that nothing holds, decided as Assembly::unheld says.
+struct LoosePieces
+{
+    int part = 0;
+    int pieces = 0;
+    int vertices = 0;  //!< of all of them, on the skin of a thin solid
+};
+
 class LiveDrag;
 struct PreparedAssembly;
 
@@ -86,6 +94,17 @@ public:
 
     //! Order, levels, directions of contacts and unreached parts.
     const PropagationPlan& plan() const;
+
+    //! Form features, lumps and stacks of rigid contacts that are one rigid body because they share
+    //! vertices or a group: their labels, body by body, of bodies with more than one.
+    std::vector<std::vector<std::string>> joined_bodies() const;
+
+    //! By part, of parts that have any.
+    std::vector<LoosePieces> loose_pieces() const;
+
+    //! Whether a fixed region of its own holds a part, or one that reaches it through rigid
+    //! contacts.
+    bool is_held(int part) const;
 
     //! What pre-processing took, stage by stage; stages taken over are not listed.
     const std::vector<Timing>& timings() const;

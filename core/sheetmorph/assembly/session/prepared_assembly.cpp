@@ -5,6 +5,7 @@
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/assembly/links/link_blending.h"
 #include "sheetmorph/assembly/links/patch_anchors.h"
+#include "sheetmorph/assembly/plan/loose_pieces.h"
 #include "sheetmorph/assembly/session/reuse.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
@@ -232,7 +233,10 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
         prepared.links.push_back(described_link(given, planned, boxes));
     const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
+    {
         prepared.parts.push_back({problem_of_part(given, part, passages), {}, nullptr, nullptr});
+        hold_loose_pieces(given.parts[at(part)], given.unheld, prepared.parts.back().problem);
+    }
     Preparation preparation(prepared, geometries, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/thin/thin_reduction.h"
 
+#include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/search/picking.h"
 
 #include <algorithm>
+#include <map>
 
 namespace sheetmorph
 {
@@ -36,7 +39,9 @@ class SkinRegions
 {
 public:
     explicit SkinRegions(const ThinPart& part)
-        : part_(part), owner_(part.skin().vertices.size(), nullptr)
+        : part_(part),
+          owner_(part.skin().vertices.size(), nullptr),
+          claims_(at(part.mesh().vertex_count()), 0)
     {
     }
 
@@ -45,9 +50,32 @@ public:
     {
         for (const int vertex : part_.on_skin(region.vertices).own)
             owner_[at(vertex)] = &region;
+        count(region.vertices);
     }
 
-    //! The region's own skin vertices, and those below it that are nobody else's.
+    void count(const VertexIds& vertices)
+    {
+        for (const int vertex : vertices)
+            ++claims_[at(vertex)];
+    }
+
+    //! Skin vertices nearest to vertices that other regions have too: what touches on the whole
+    //! part touches on its skin.
+    VertexIds shared(const VertexIds& vertices) const
+    {
+        VertexIds found;
+        for (const int vertex : vertices)
+            if (const auto& anchors = part_.anchors(vertex);
+                claims_[at(vertex)] > 1 && !anchors.empty())
+            {
+                Eigen::Index nearest = 0;
+                anchors.front().weights.maxCoeff(&nearest);
+                found.push_back(anchors.front().corners[static_cast<std::size_t>(nearest)]);
+            }
+        return found;
+    }
+
+    //! The region's own skin vertices, those below it that are nobody else's, and shared ones.
     template <typename Region>
     VertexIds of(const Region& region)
     {
@@ -61,13 +89,14 @@ public:
             }
         if (vertices.empty())
             vertices = found.below;
-        std::sort(vertices.begin(), vertices.end());
+        merge_into(vertices, shared(region.vertices));
         return vertices;
     }
 
 private:
     const ThinPart& part_;
     std::vector<const void*> owner_;
+    std::vector<int> claims_;  // by vertex of the whole part: how many regions have it
 };
 
 //! Moves everything on one thin part to its skin.
@@ -80,6 +109,10 @@ public:
         each(whole_.fixed, [&](const auto& region, std::size_t) { regions_.claim(region); });
         each(whole_.handles, [&](const auto& region, std::size_t) { regions_.claim(region); });
         each(whole_.features, [&](const auto& region, std::size_t) { regions_.claim(region); });
+        for (const Contact& contact : whole_.contacts)
+            for (const PartRegion* side : {&contact.a, &contact.b})
+                if (side->part == part_ && contact.type == ContactType::rigid)
+                    regions_.count(side->vertices);
     }
 
     void write_to(Assembly& reduced)
@@ -94,8 +127,9 @@ public:
              { reduced.points[k].constraint = on_skin(point.constraint); });
         for (std::size_t k = 0; k < whole_.contacts.size(); ++k)
         {
-            move_side(whole_.contacts[k].a, reduced.contacts[k].a);
-            move_side(whole_.contacts[k].b, reduced.contacts[k].b);
+            const bool is_rigid = whole_.contacts[k].type == ContactType::rigid;
+            move_side(whole_.contacts[k].a, reduced.contacts[k].a, is_rigid);
+            move_side(whole_.contacts[k].b, reduced.contacts[k].b, is_rigid);
         }
     }
 
@@ -115,10 +149,13 @@ private:
              [&](const Region& region, std::size_t k) { to[k].vertices = regions_.of(region); });
     }
 
-    void move_side(const PartRegion& from, PartRegion& to)
+    void move_side(const PartRegion& from, PartRegion& to, bool is_rigid)
     {
-        if (from.part == part_)
-            to.vertices = every_vertex_below(from.vertices);
+        if (from.part != part_)
+            return;
+        to.vertices = every_vertex_below(from.vertices);
+        if (is_rigid)
+            merge_into(to.vertices, regions_.shared(from.vertices));
     }
 
     VertexIds every_vertex_below(const VertexIds& vertices) const
@@ -175,6 +212,28 @@ std::string unused_name(const Assembly& assembly, const std::string& wanted)
     return name;
 }
 
+// Features of one part that share vertices are one rigid body. On the skin they may share none, so
+// that a group has to say it.
+void group_touching_features(Assembly& assembly, int part)
+{
+    std::vector<int> first_owner(at(assembly.parts[at(part)].mesh.vertex_count()), -1);
+    DisjointSets sets(static_cast<int>(assembly.features.size()));
+    for (std::size_t k = 0; k < assembly.features.size(); ++k)
+        for (const int vertex :
+             assembly.features[k].part == part ? assembly.features[k].vertices : VertexIds())
+        {
+            int& owner = first_owner[at(vertex)];
+            owner = owner < 0 ? static_cast<int>(k) : owner;
+            sets.join(owner, static_cast<int>(k));
+        }
+    std::map<int, FeatureGroup> groups;
+    for (int k = 0; k < static_cast<int>(assembly.features.size()); ++k)
+        groups[sets.root(k)].features.push_back(k);
+    for (auto& [first, group] : groups)
+        if (group.features.size() > 1)
+            assembly.groups.push_back(std::move(group));
+}
+
 }  // namespace
 
 ThinParts find_thin_parts(const Assembly& assembly, const Assembly* earlier_assembly,
@@ -210,6 +269,9 @@ Assembly with_lumps(Assembly assembly, const ThinParts& thin)
             lump.vertices = thin[part]->solid().lumps[k];
             assembly.features.push_back(lump);
         }
+    for (std::size_t part = 0; part < thin.size(); ++part)
+        if (thin[part])
+            group_touching_features(assembly, static_cast<int>(part));
     return assembly;
 }
 

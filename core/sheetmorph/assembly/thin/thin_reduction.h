@@ -19,7 +19,8 @@ ThinParts find_thin_parts(const Assembly& assembly, const Assembly* earlier_asse
                           const ThinParts& earlier);
 
 //! The assembly with every feature of a thin part grown along the walls of its holes, and a feature
-//! more for every lump: "cover lump 1". They come last.
+//! more for every lump: "cover lump 1". They come last. Features that share vertices become a
+//! group.
 Assembly with_lumps(Assembly assembly, const ThinParts& thin);
 
 //! What the solvers see: the main skin of every thin part, regions, features, points and contacts

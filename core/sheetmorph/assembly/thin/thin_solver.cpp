@@ -106,6 +106,8 @@ void ThinSolver::find_movers(const ThinSolverInput& input)
     for (const PartRegion& region : input.whole.fixed)
         if (region.part == input.index)
             fixed.push_back(region.vertices);
+    for (const int weld : input.problem.held)
+        fixed.push_back(side_of_weld(input.whole, input.welds[at(weld)], input.index));
     for (const VertexIds& feature : features)
         centres_.push_back(centre_of(part_->mesh(), feature));
     for (const int feature : own.features)

@@ -62,6 +62,7 @@ public:
 
 private:
     std::optional<Feature> outlined(const RegionLoop& loop) const;
+    Feature plain_hole(const RegionLoop& loop) const;
     void take_walled(const RegionLoop& loop, const WallTracer& tracer);
     void take_free(const RegionLoop& loop);
     void take_edge(const RegionLoop& loop);
@@ -112,6 +113,21 @@ std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
     feature.rims = {loop.vertices};
     feature.vertices = loop.vertices;
     std::sort(feature.vertices.begin(), feature.vertices.end());
+    return feature;
+}
+
+// A free rim that the sheet lies around, whatever its form: too few vertices, or far from plane.
+Feature RimFinder::plain_hole(const RegionLoop& loop) const
+{
+    const Points rim = graph_.mesh().points()(loop.vertices, Eigen::indexing::all);
+    Feature feature;
+    feature.kind = FeatureKind::hole;
+    feature.center = rim.colwise().mean().transpose();
+    feature.axis = loop.normal;
+    feature.length = feature.width = 2.0 * std::sqrt(loop.area / 3.14159265358979323846);
+    feature.rims = {loop.vertices};
+    feature.vertices = loop.vertices;
+    make_set(feature.vertices);
     return feature;
 }
 
@@ -214,6 +230,8 @@ bool RimFinder::spreads_beyond(const RegionLoop& loop, double radius) const
 void RimFinder::take_free(const RegionLoop& loop)
 {
     std::optional<Feature> feature = outlined(loop);
+    if (!feature && loop.inwards < -0.35)
+        feature = plain_hole(loop);
     if (!feature)
         return;
     for (const int triangle : loop.triangles)

@@ -25,6 +25,10 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 constexpr double most_triangles = 3e6;
 
+// What a remesh may make, so that its work grows with what it is given: of the facets given, of the
+// triangles that the edge length alone needs, and at least.
+constexpr double per_facet = 12.0, per_needed = 4.0, always_allowed = 50e3;
+
 void require_three_corners(const Triangles& triangles)
 {
     std::vector<int> bad;
@@ -37,21 +41,40 @@ void require_three_corners(const Triangles& triangles)
                            + "; cure the mesh first, that removes them");
 }
 
+double total_area(const TriangleMesh& mesh)
+{
+    double area = 0.0;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        area += 0.5 * doubled_area(mesh, t).norm();
+    return area;
+}
+
+// Equilateral triangles of an edge length that cover an area.
+double needed(double area, double edge)
+{
+    return area / (0.433 * edge * edge);
+}
+
 void check(const TriangleMesh& mesh, const RemeshOptions& options)
 {
     require_three_corners(mesh.triangles());
     if (!(options.edge > 0.0) || !std::isfinite(options.edge))
         throw InvalidInput("the edge length to remesh with is " + std::to_string(options.edge)
                            + " mm; give a positive one");
-    double area = 0.0;
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        area += 0.5 * doubled_area(mesh, t).norm();
-    const double equilateral = 0.433 * options.edge * options.edge;
-    if (area > most_triangles * equilateral)
+    const double area = total_area(mesh);
+    if (needed(area, options.edge) > most_triangles)
         throw InvalidInput("edges of " + std::to_string(options.edge) + " mm would need "
-                           + std::to_string(std::lround(area / equilateral / 1e6))
+                           + std::to_string(std::lround(needed(area, options.edge) / 1e6))
                            + " million triangles; give a longer edge, "
                            + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
+}
+
+// Small facets on bends and beside rims ask for short edges far beyond what the edge length does.
+std::size_t allowed_triangles(const TriangleMesh& mesh, double edge)
+{
+    const double wanted =
+        per_facet * mesh.triangle_count() + per_needed * needed(total_area(mesh), edge);
+    return static_cast<std::size_t>(std::clamp(wanted, always_allowed, 2.0 * most_triangles));
 }
 
 // The edges of a table for which a condition holds, as sorted pairs of vertices.
@@ -203,13 +226,14 @@ RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
     const std::vector<TwinFlats> twins =
         twins_after_cuts(found.twins, {cut.mesh, patch, cut.ridges});
     const PatchTriangles worked = without_twins({cut.mesh, patch}, twins);
-    WorkingMesh work(
-        {worked.mesh, cut.ridges, worked.patch, cut.sizes, patches.is_flat, options.edge});
+    WorkingMesh work({worked.mesh, cut.ridges, worked.patch, cut.sizes, patches.is_flat,
+                      options.edge, allowed_triangles(mesh, options.edge)});
     const PatchTrees trees(mesh, patches.patch);
     const Convergence convergence = improve(work, trees, progress.part(0.1, 0.8));
     progress.report(0.8, "measuring the deviation");
     RemeshedMesh made = result_of(work, {mesh, table, patches, cut, trees, twins, rims.count()});
     made.convergence = convergence;
+    made.least_edge = work.least_size;
     return made;
 }
 

@@ -31,6 +31,8 @@ struct RemeshedMesh
     double deviation = 0.0;      //!< farthest the new mesh is from the facets given, or they from
                                  //!< it: at vertices, middles of edges and of triangles, mm
     double flat_deviation = 0.0;   //!< the same on flats only
+    double least_edge = 0.0;       //!< mm: no shorter edge was made, or there would have been too
+                                   //!< many triangles for what was given; 0: all that were wanted
     Convergence convergence = {};  //!< of cutting, collapsing and turning its edges
 };
 

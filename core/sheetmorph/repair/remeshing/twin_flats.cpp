@@ -123,6 +123,9 @@ public:
     //! has such a beginning and nothing stands against it.
     bool pair_up(const std::map<int, int>& same, const Vector3& way)
     {
+        // An outline that comes twice to one vertex can be followed for ever.
+        if (!one_.is_simple || !other_.is_simple)
+            return false;
         way_ = way;
         for (const auto& [a, b] : same)
             twin_of_[b] = a;

@@ -14,6 +14,7 @@ WorkingMesh::WorkingMesh(const WorkingInput& input)
     : EditableTriangles(
         oriented(input.mesh, consistent_orientation(input.mesh, EdgeTable(input.mesh))),
         input.ridges),
+      most_triangles(input.most_triangles),
       is_frozen(static_cast<std::size_t>(vertex_count()), 0),
       size(input.sizes),
       patch(input.patch),
@@ -51,6 +52,17 @@ Vector3 WorkingMesh::area_vector(const Vector3& a, const Vector3& b, const Vecto
 Vector3 WorkingMesh::area_vector(int t) const
 {
     return area_vector(at(t, 0), at(t, 1), at(t, 2));
+}
+
+bool WorkingMesh::raise_least_size(double factor)
+{
+    const auto least = std::min_element(size.begin(), size.end());
+    if (least == size.end() || *least >= largest_)
+        return false;
+    least_size = std::min(largest_, factor * std::max(*least, least_size));
+    for (double& wanted : size)
+        wanted = std::max(wanted, least_size);
+    return true;
 }
 
 void WorkingMesh::split(int t, int k)

@@ -16,6 +16,7 @@ struct WorkingInput
     const std::vector<double>& sizes;                //!< (n) edge length wanted, mm
     const std::vector<char>& is_flat;                //!< of every patch
     double largest = 0.0;                            //!< edge length wanted far from all ridges, mm
+    std::size_t most_triangles = static_cast<std::size_t>(-1);  //!< that splits may make
 };
 
 //! A copy of a mesh, turned so that neighbours face the same way, that can be flipped, split and
@@ -43,6 +44,13 @@ public:
 
     //! Puts a vertex on the middle of a free side.
     void split(int t, int k);
+
+    //! Makes the shortest edge length wanted anywhere longer, up to the largest of all.
+    //! \returns whether anything became longer
+    bool raise_least_size(double factor);
+
+    std::size_t most_triangles;
+    double least_size = 0.0;  //!< mm, to which it was raised; 0: never
 
     std::vector<Vector3> point;   //!< (n) mm
     std::vector<int> origin;      //!< (n) vertex of the input, -1 if it is new

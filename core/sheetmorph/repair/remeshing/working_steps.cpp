@@ -231,14 +231,40 @@ void even_sizes(WorkingMesh& work)
             });
 }
 
+namespace
+{
+
+std::vector<Side> long_sides(const WorkingMesh& work)
+{
+    return sides_where(work, [](double length) { return length / too_long; });
+}
+
+// Where the shortest edges wanted would make more triangles than allowed, they are wanted longer.
+std::vector<Side> affordable_sides(WorkingMesh& work)
+{
+    constexpr double growth = 1.25;
+    std::vector<Side> sides = long_sides(work);
+    const auto is_too_much = [&]
+    { return static_cast<std::size_t>(work.count()) + 2 * sides.size() > work.most_triangles; };
+    while (is_too_much() && work.raise_least_size(growth))
+        sides = long_sides(work);
+    if (is_too_much())
+        sides.resize(std::min(
+            sides.size(), (work.most_triangles
+                           - std::min(work.most_triangles, static_cast<std::size_t>(work.count())))
+                              / 2));
+    return sides;
+}
+
+}  // namespace
+
 Convergence split_long_edges(WorkingMesh& work, int most_rounds)
 {
     Convergence found{edges_of_work, false, 0, 0.0, "edges"};
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
         even_sizes(work);
-        const std::vector<Side> sides =
-            sides_where(work, [](double length) { return length / too_long; });
+        const std::vector<Side> sides = affordable_sides(work);
         for (const Side& side : sides)
             if (side.is_there(work))
                 work.split(side.t, side.k);

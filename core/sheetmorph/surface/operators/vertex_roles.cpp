@@ -147,8 +147,9 @@ std::vector<char> held_components(const VertexRoles& roles)
     return held;
 }
 
-void require_held_components(VertexRoles& roles, const TriangleMesh& mesh,
-                             const SurfaceConstraints& constraints)
+// Marks components that points alone hold. \returns those that nothing holds
+std::vector<int> find_held_components(VertexRoles& roles, const TriangleMesh& mesh,
+                                      const SurfaceConstraints& constraints)
 {
     const std::vector<char> held = held_components(roles);
     std::vector<char> pointed(held.size(), 0);
@@ -158,23 +159,14 @@ void require_held_components(VertexRoles& roles, const TriangleMesh& mesh,
         if (component != Components::unused)
             pointed[at(component)] = 1;
     }
+    std::vector<int> unheld;
     for (int component = 0; component < roles.components.count; ++component)
-    {
-        if (held[at(component)])
-            continue;
-        if (!pointed[at(component)])
-        {
-            throw InvalidInput("nothing holds the component of vertices ",
-                               roles.components.vertices(component),
-                               "; mark a fixed region or a handle on it, or remove it");
-        }
-        roles.held_by_points.push_back(component);
-    }
+        if (!held[at(component)])
+            (pointed[at(component)] ? roles.held_by_points : unheld).push_back(component);
+    return unheld;
 }
 
-}  // namespace
-
-VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+VertexRoles roles_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     check_constraints(mesh, constraints);
     VertexRoles roles;
@@ -192,7 +184,35 @@ VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& con
             mark_handle(roles, constraints, static_cast<int>(handle));
     mark_bodies(roles, mesh, constraints);
     require_bodies_on_the_sheet(roles, constraints);
-    require_held_components(roles, mesh, constraints);
+    return roles;
+}
+
+}  // namespace
+
+std::vector<VertexIds> unheld_components(const TriangleMesh& mesh,
+                                         const SurfaceConstraints& constraints)
+{
+    VertexRoles roles = roles_of(mesh, constraints);
+    const std::vector<int> unheld = find_held_components(roles, mesh, constraints);
+    std::vector<int> place(at(roles.components.count), -1);
+    for (std::size_t k = 0; k < unheld.size(); ++k)
+        place[at(unheld[k])] = static_cast<int>(k);
+    std::vector<VertexIds> found(unheld.size());
+    for (int i = 0; i < mesh.vertex_count() && !found.empty(); ++i)
+        if (const int label = roles.components.label[at(i)];
+            label != Components::unused && place[at(label)] >= 0)
+            found[at(place[at(label)])].push_back(i);
+    return found;
+}
+
+VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+{
+    VertexRoles roles = roles_of(mesh, constraints);
+    const std::vector<int> unheld = find_held_components(roles, mesh, constraints);
+    if (!unheld.empty())
+        throw InvalidInput("nothing holds the component of vertices ",
+                           roles.components.vertices(unheld.front()),
+                           "; mark a fixed region or a handle on it, or remove it");
     for (std::size_t i = 0; i < roles.role.size(); ++i)
         if (roles.role[i] == Role::free && roles.components.label[i] == Components::unused)
             roles.role[i] = Role::follower;

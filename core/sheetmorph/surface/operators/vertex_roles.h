@@ -48,4 +48,9 @@ struct VertexRoles
 //! overlap, a feature between regions that can move differently, a component that nothing holds
 VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& constraints);
 
+//! The components that assign_roles() would refuse since nothing holds them; ascending vertices.
+//! \throws InvalidInput for anything else that it refuses
+std::vector<VertexIds> unheld_components(const TriangleMesh& mesh,
+                                         const SurfaceConstraints& constraints);
+
 }  // namespace sheetmorph

@@ -122,6 +122,36 @@ TEST(ThinSolid, FixedAndHandleVerticesAreMetBitwiseOnEverySide)
         EXPECT_EQ(Vector3(positions.row(vertex)), motion.apply(Vector3(mesh.points().row(vertex))));
 }
 
+// A feature on one skin and another on the other one touch in a vertex of the wall alone.
+TEST(ThinSolid, FeaturesThatShareAVertexAreOneBodyOnEverySkin)
+{
+    const shapes::PlateWithHoles plate = shapes::plate_with_holes();
+    const TriangleMesh mesh = shapes::two_skinned(plate.mesh, thickness);
+    const int opposite = plate.mesh.vertex_count();
+    Assembly assembly = plate_assembly(mesh, Thin::yes);
+    add_rims(assembly, plate.rims);
+    PartFeature tab;
+    tab.name = "tab";
+    const Vector3 centre =
+        plate.mesh.points()(plate.rims[1], Eigen::indexing::all).colwise().mean();
+    const int shared = plate.rims[1].front() + opposite;
+    tab.vertices = {shared};
+    const Vector3 way = Vector3(mesh.points().row(shared)) - centre;
+    for (int v = opposite; v < 2 * opposite; ++v)
+    {
+        const Vector3 off = Vector3(mesh.points().row(v)) - centre;
+        if (off.dot(way) > 1.3 * way.squaredNorm() && off.norm() < 2.0 * way.norm())
+            tab.vertices.push_back(v);
+    }
+    ASSERT_GT(tab.vertices.size(), 2U);
+    assembly.features.push_back(tab);
+    const DeformationSession session(assembly);
+    const Deformed shape = session.deform(pose_of(bent(60.0)));
+    for (const FeatureResult& feature : shape.features)
+        EXPECT_LT(feature.edge_error, 1e-9) << feature.name;
+    EXPECT_FALSE(session.joined_bodies().empty());
+}
+
 TEST(ThinSolid, RegionsOnTheOppositeSkinAloneHoldAndMoveThePart)
 {
     const shapes::PlateWithHoles plate = shapes::plate_with_holes();

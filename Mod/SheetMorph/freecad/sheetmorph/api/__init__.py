@@ -17,6 +17,7 @@ from freecad.sheetmorph.api.assemblies import (
     set_primary,
     set_refine,
     set_symmetry,
+    set_unheld,
 )
 from freecad.sheetmorph.api.cad import add_shape, exact_features, import_cad
 from freecad.sheetmorph.api.contacts import (
@@ -170,6 +171,7 @@ __all__ = [
     "set_size",
     "set_symmetry",
     "set_thin",
+    "set_unheld",
     "set_vertices",
     "shape_of",
     "shrink",

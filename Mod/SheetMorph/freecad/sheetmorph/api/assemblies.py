@@ -17,7 +17,13 @@ from freecad.sheetmorph.objects import (
     regions,
     relations,
 )
-from freecad.sheetmorph.objects.assembly import ENERGIES, OPERATORS, AssemblyProxy, follow_group
+from freecad.sheetmorph.objects.assembly import (
+    ENERGIES,
+    OPERATORS,
+    UNHELD,
+    AssemblyProxy,
+    follow_group,
+)
 from freecad.sheetmorph.objects.deformation import DeformationProxy
 from freecad.sheetmorph.objects.part import PartProxy
 
@@ -120,6 +126,18 @@ def set_refine(assembly, refine: bool) -> None:
     """Refine large rotations, or not: slower, and nearer to how sheet bends."""
     require_assembly(assembly)
     assembly.Refine = bool(refine)
+
+
+def set_unheld(assembly, way: str) -> None:
+    """Decide what becomes of pieces of a part that nothing holds, while others of it move.
+
+    `way`: "rest" (they stay), "along" (each goes rigidly along with the nearest place that is
+    held) or "refuse" (the morph fails). Raises ValueError.
+    """
+    require_assembly(assembly)
+    if way not in UNHELD:
+        raise ValueError(f"'{way}' cannot become of them; choose {', '.join(UNHELD)}.")
+    assembly.Unheld = way
 
 
 def remove(obj) -> None:

@@ -139,13 +139,14 @@ def import_recipe(document, path: str | os.PathLike):
 def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
     """Add what one entry of a recipe's parts stands for; return parts by name in the recipe.
 
-    The parts of a split file, and those that are welded or remeshed, become parts of their own,
-    that know nothing of the file: only so can each be exchanged, removed and written.
+    The parts of a split file, and those that are welded, remeshed or placed, become parts of
+    their own, that know nothing of the file: only so can each be exchanged, removed and written.
     """
     if entry.get("split"):
-        names = [name for name in meshes if name.startswith(f"{file.stem}/")]
+        stem = kernel.load().files.unpacked_name(file).stem
+        names = [name for name in meshes if name.startswith(f"{stem}/")]
         added = {name: add_mesh(assembly, without_ids(meshes[name]), name) for name in names}
-    elif meshes[entry["name"]].preparation is not None:
+    elif meshes[entry["name"]].preparation is not None or entry.get("placement"):
         mesh = without_ids(meshes[entry["name"]])
         added = {entry["name"]: add_mesh(assembly, mesh, entry["name"])}
     else:

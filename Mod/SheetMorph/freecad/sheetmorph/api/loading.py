@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 
 
-from freecad.sheetmorph.api.assemblies import set_refine, set_symmetry
+from freecad.sheetmorph.api.assemblies import set_refine, set_symmetry, set_unheld
 from freecad.sheetmorph.api.contacts import add_contact
 from freecad.sheetmorph.api.features import add_relation, set_feature_motion, set_size
 from freecad.sheetmorph.api.motions import set_free_rotation, set_motion, set_rotation
@@ -96,10 +96,11 @@ def add_relations(assembly, recipe: dict, regions: dict) -> None:
 
 
 def apply_options(assembly, recipe: dict) -> None:
-    """Set the plane of symmetry and the refinement as a recipe has them."""
+    """Set symmetry, refinement and what becomes of loose pieces as a recipe has them."""
     if "symmetry" in recipe:
         set_symmetry(assembly, recipe["symmetry"]["normal"], recipe["symmetry"]["point"])
     set_refine(assembly, recipe.get("refine", False))
+    set_unheld(assembly, recipe.get("unheld", "rest"))
 
 
 def apply_allowed(feature, entry: dict) -> None:

@@ -102,13 +102,15 @@ def relation_entries(assembly, names: dict[str, str]) -> dict[str, list]:
 
 
 def answer_options(assembly) -> dict:
-    """Return the plane of symmetry and the refinement, where they are switched on."""
+    """Return the plane of symmetry, the refinement, what becomes of loose pieces, where chosen."""
     found: dict = {}
     if assembly.Symmetry:
         point, normal = list(assembly.SymmetryPoint), list(assembly.SymmetryNormal)
         found["symmetry"] = {"point": point, "normal": normal}
     if assembly.Refine:
         found["refine"] = True
+    if assembly.Unheld != "rest":
+        found["unheld"] = assembly.Unheld
     return found
 
 

@@ -46,8 +46,14 @@ SYMMETRY_DOC = (
     "rotations act on both sides"
 )
 REFINE_DOC = "Refine large rotations: slower and nearer to the true bending; off by default"
+UNHELD = ["rest", "along", "refuse"]
+UNHELD_DOC = (
+    "What becomes of pieces of a part that nothing holds, while others of it move. Rest: they "
+    "stay. Along: each goes rigidly along with the nearest place that is held. Refuse: the "
+    "morph fails"
+)
 INPUTS = ("Group", "Primary", "Energy", "Extras", "Propagation", "Levels", "Smoothness")
-INPUTS += ("Operator", "Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine")
+INPUTS += ("Operator", "Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine", "Unheld")
 
 
 class AssemblyProxy(ObjectProxy):
@@ -73,6 +79,7 @@ class AssemblyProxy(ObjectProxy):
             "Vector", "SymmetryNormal", "Symmetry", "Normal of the plane", FreeCAD.Vector(1, 0, 0)
         ),
         Property("Bool", "Refine", "Morph", REFINE_DOC),
+        Property("Enumeration", "Unheld", "Morph", UNHELD_DOC, UNHELD),
         Property(
             "StringList",
             "Order",

@@ -104,7 +104,8 @@ class PreparePanel(Panel):
         name_of_part = html.escape(self._part.Label)
         form.findings.setText(f"<b>{name_of_part}</b><br>{cures.as_text(found)}")
         form.tolerance.setProperty("rawValue", cures.tolerance_of(found))
-        form.edge.setProperty("rawValue", found["suggested_edge"] or 1.0)
+        suggested = (found["suggested_edge"] or 1.0) / found["unit"]["scale"]
+        form.edge.setProperty("rawValue", suggested)
         self._refresh()
 
     # -- what is asked for

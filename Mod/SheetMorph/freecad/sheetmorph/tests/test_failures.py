@@ -89,6 +89,7 @@ class TestFailures(support.DocumentTest):
             self.assertEqual(built.call_count, 2)
 
     def test_a_component_that_nothing_holds(self):
+        api.set_unheld(self.assembly, "refuse")
         points, triangles = support.strip()
         double = np.concatenate([points, points + (0, 0, 50)])
         source = self.part.Source

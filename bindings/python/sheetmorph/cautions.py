@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a morph does that is likely not wanted, and what to do; a strict run fails for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .answer import Answer
+from .preprocessed import Preprocessed
+from .results import ContactResult
+from .words import counted
+
+# How far a contact may open: of the gap at rest, of the region; below the last share it is nothing.
+_OF_GAP, _OF_REGION, _NOTHING = 0.5, 0.1, 1e-3
+# From which an edge is stretched or pressed by too much: half its length.
+_STRAIN = 0.5
+_MOST_SAMPLES = 400
+
+
+def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
+    """One sentence each; parts: as the report tells them."""
+    session = result.session
+    return [
+        *_loose(session),
+        *_unheld_primary(session),
+        *_open_contacts(result),
+        *_stretched(parts),
+    ]
+
+
+def open_contacts(result: Answer) -> dict[str, str]:
+    """By the name of every contact that opens or closes too far: by what, and what to do."""
+    found = {}
+    for contact in result.contacts:
+        limit, of_what = _limit(result.session, contact)
+        if contact.gap_change > limit:
+            found[contact.name] = (
+                f'"{contact.name}" opens or closes by {contact.gap_change:.2g} mm, beyond '
+                f"{limit:.2g} mm, {of_what}: {_todo(contact)}"
+            )
+    return found
+
+
+def _open_contacts(result: Answer) -> Iterator[str]:
+    yield from open_contacts(result).values()
+
+
+def _todo(contact: ContactResult) -> str:
+    if contact.type == "control mesh":
+        return "make it tied or rigid, or split it into smaller regions"
+    if contact.type == "tied":
+        return "make it rigid, split it into smaller regions, or move the handle less"
+    return "look at what holds both parts"
+
+
+def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
+    """How far a contact may open, mm, and why no farther."""
+    region = contact.region_size
+    limits = [(_OF_REGION * region, "a tenth of its region")]
+    gap = _gap(*session.sides_of(contact.name))
+    if gap > _NOTHING * region:
+        limits.append((_OF_GAP * gap, f"half its gap of {gap:.2g} mm"))
+    for part in (contact.source, contact.target):
+        solid = session.thin_solid(part)
+        if solid is not None:
+            limits.append((solid.thickness, f'the thickness of "{part}"'))
+    limit, why = min(limits)
+    return max(limit, _NOTHING * region), why
+
+
+def _gap(a: np.ndarray, b: np.ndarray) -> float:
+    """The median distance of vertices of one side (k, 3) from the nearest of the other, mm."""
+    few, many = sorted((a, b), key=len)
+    few = few[:: max(1, len(few) // _MOST_SAMPLES)]
+    nearest = [np.linalg.norm(many - place, axis=1).min() for place in few]
+    return float(np.median(nearest))
+
+
+def _loose(session: Preprocessed) -> Iterator[str]:
+    for part, (pieces, vertices) in session.loose_pieces.items():
+        what = f'{counted(pieces, "piece", "pieces")} of "{part}" ({vertices} vertices) that '
+        if session.model.unheld == "along":
+            yield what + "nothing holds go along with the nearest place of the others"
+        else:
+            yield (
+                what + "nothing holds stay at rest: mark a fixed region or a handle on them, make "
+                'parts of them ("split": true) with contacts, or set "unheld" to "along"'
+            )
+
+
+def _unheld_primary(session: Preprocessed) -> Iterator[str]:
+    model, primary = session.model, session.model.primary
+    movers = [e for k in ("handle", "point") for e in model.of_kind(k) if e.part == primary]
+    others = {entry.part for entry in model.of_kind("fixed")} - {primary, *session.unreached}
+    if others and len(movers) == 1 and not session.is_held(primary):
+        names = ", ".join(f'"{name}"' for name in sorted(others))
+        yield (
+            f'nothing of its own holds the primary part "{primary}": it moves as one piece, and '
+            f"what is fixed on {names} stretches the parts between; fix some of the primary too, "
+            "or make the contacts on the way rigid"
+        )
+
+
+def _stretched(parts: list[dict[str, Any]]) -> Iterator[str]:
+    for entry in parts:
+        strain = entry["quality"]["worst_strain"]
+        if strain is not None and strain > _STRAIN:
+            yield (
+                f'an edge of "{entry["name"]}" changes its length by {100.0 * strain:.0f} % in '
+                "this pose: move less, remesh it, or hold what is small there in a form feature"
+            )

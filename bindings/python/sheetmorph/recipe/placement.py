@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a part stands in the assembly: its file may have coordinates of its own."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ..part_mesh import PartMesh
+from ..prepared_mesh import PreparedMesh
+
+_IDENTITY = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+@dataclass(frozen=True)
+class Placement:
+    """x -> rotation x + translation, mm; rows of the rotation."""
+
+    rotation: tuple[tuple[float, ...], ...] = _IDENTITY
+    translation: tuple[float, ...] = (0.0, 0.0, 0.0)
+
+    @classmethod
+    def of(cls, translation: Sequence[float], axis: Sequence[float], degrees: float) -> Placement:
+        """A turn about the origin of the file, then a shift; an axis without length turns nothing.
+
+        Quarter turns about an axis of the coordinates are exact.
+        """
+        length = float(np.linalg.norm(axis))
+        x, y, z = (np.asarray(axis, dtype=float) / length) if length > 1e-100 else (0.0, 0.0, 0.0)
+        quarter, rest = divmod(degrees % 360.0, 90.0)
+        if rest == 0.0:
+            sine, cosine = ((0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0))[int(quarter)]
+        else:
+            sine, cosine = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+        cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+        rotation = np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross)
+        return cls(tuple(map(tuple, rotation.tolist())), tuple(map(float, translation)))
+
+    def __bool__(self) -> bool:
+        return self != Placement()
+
+    def placed(self, points: np.ndarray) -> np.ndarray:
+        """Points (n, 3) of the file in the assembly."""
+        return points @ np.array(self.rotation).T + self.translation if self else points
+
+    def taken_back(self, points: np.ndarray) -> np.ndarray:
+        """Points (n, 3) of the assembly in the file."""
+        return (points - self.translation) @ np.array(self.rotation) if self else points
+
+    def placed_mesh(self, mesh: PartMesh) -> PartMesh:
+        """A mesh of the file in the assembly, the one whose ids it understands too."""
+        if not self:
+            return mesh
+        placed = replace(mesh, points=self.placed(mesh.points))
+        if isinstance(placed, PreparedMesh):
+            placed = replace(placed, source=self.placed_mesh(placed.source))
+        return placed
+
+    def placed_entry(self, entry: dict[str, Any]) -> dict[str, Any]:
+        """What is told of a feature of the file, told of the assembly."""
+        turn = np.array(self.rotation)
+        found = dict(entry)
+        if "center" in entry:
+            found["center"] = (turn @ np.array(entry["center"]) + self.translation).tolist()
+        if "axis" in entry:
+            found["axis"] = (turn @ np.array(entry["axis"])).tolist()
+        return found

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/plan/loose_pieces.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/mesh/topology/components.h"
+#include "sheetmorph/surface/operators/vertex_roles.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Enough to find a place beside a piece, however fine it is.
+constexpr std::size_t most_samples = 200;
+
+// The triangles that no loose piece has.
+TriangleMesh held_mesh(const TriangleMesh& mesh, const std::vector<VertexIds>& loose)
+{
+    std::vector<char> is_loose(at(mesh.vertex_count()), 0);
+    for (const VertexIds& piece : loose)
+        for (const int vertex : piece)
+            is_loose[at(vertex)] = 1;
+    Triangles held(mesh.triangle_count(), 3);
+    Eigen::Index count = 0;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (!is_loose[at(mesh.triangles()(t, 0))] && !is_loose[at(mesh.triangles()(t, 1))]
+            && !is_loose[at(mesh.triangles()(t, 2))])
+            held.row(count++) = mesh.triangles().row(t);
+    return {mesh.points(), held.topRows(count)};
+}
+
+// What decides a vertex before the sheet does; -2 for nothing.
+std::vector<int> movers_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+{
+    std::vector<int> mover(at(mesh.vertex_count()), -2);
+    for (std::size_t k = 0; k < constraints.handles.size(); ++k)
+        for (const int vertex : constraints.handles[k].vertices)
+            mover[at(vertex)] = static_cast<int>(k);
+    for (const KnownRegion& region : constraints.fixed)
+        for (const int vertex : region.vertices)
+            mover[at(vertex)] = -1;
+    return mover;
+}
+
+// The corners of the triangle nearest to a piece, those alone that one and the same thing moves.
+VertexIds place_beside(const VertexIds& piece, const TriangleMesh& held, const PickingTree& tree,
+                       const std::vector<int>& movers)
+{
+    std::optional<Hit> nearest;
+    const std::size_t step = std::max<std::size_t>(1, piece.size() / most_samples);
+    for (std::size_t k = 0; k < piece.size(); k += step)
+    {
+        const std::optional<Hit> hit = tree.nearest_point(held.points().row(piece[k]).transpose());
+        if (hit && (!nearest || hit->distance < nearest->distance))
+            nearest = hit;
+    }
+    if (!nearest)
+        return {};
+    VertexIds corners;
+    Eigen::Index most = 0;
+    nearest->barycentric.maxCoeff(&most);
+    const int first = held.triangles()(nearest->triangle, most);
+    for (int k = 0; k < 3; ++k)
+        if (const int corner = held.triangles()(nearest->triangle, k);
+            movers[at(corner)] == movers[at(first)])
+            corners.push_back(corner);
+    return corners;
+}
+
+void send_along(const TriangleMesh& mesh, PartProblem& problem)
+{
+    SurfaceConstraints& surface = problem.own.surface;
+    const TriangleMesh held = held_mesh(mesh, problem.loose);
+    const PickingTree tree(held);
+    const std::vector<int> movers = movers_of(mesh, surface);
+    for (const VertexIds& piece : problem.loose)
+    {
+        FormFeature body{"around vertex " + std::to_string(piece.front()),
+                         piece,
+                         FeatureRotation::interpolated,
+                         "loose piece",
+                         {},
+                         false};
+        const VertexIds beside = place_beside(piece, held, tree, movers);
+        body.vertices.insert(body.vertices.end(), beside.begin(), beside.end());
+        surface.features.push_back(std::move(body));
+    }
+}
+
+}  // namespace
+
+void hold_loose_pieces(const Part& part, Unheld unheld, PartProblem& problem)
+{
+    if (unheld == Unheld::refuse || !problem.is_driven()
+        || connected_components(part.mesh).count < 2)
+        return;
+    SurfaceConstraints& surface = problem.own.surface;
+    try
+    {
+        problem.loose = unheld_components(part.mesh, surface);
+    }
+    catch (const InvalidInput& fault)
+    {
+        throw fault.in_part(part.name, part.ids);
+    }
+    if (problem.loose.empty())
+        return;
+    if (unheld == Unheld::along)
+        return send_along(part.mesh, problem);
+    KnownRegion rest{"loose pieces", {}, "what nothing holds:"};
+    for (const VertexIds& piece : problem.loose)
+        rest.vertices.insert(rest.vertices.end(), piece.begin(), piece.end());
+    surface.fixed.push_back(std::move(rest));
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `check` passes runs: examples, public files and recipes drawn at random."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import sheetmorph
+from plates import plate
+
+EXAMPLES = Path(__file__).resolve().parents[2] / "resources/examples"
+# `SHEETMORPH_DRAWN=200` draws so many.
+DRAWN = int(os.environ.get("SHEETMORPH_DRAWN", "12"))
+
+
+def verdict(action: Any) -> str:
+    """What kind of refusal it ends with, empty if it passes."""
+    try:
+        action()
+    except (ValueError, RuntimeError) as error:
+        return type(error).__name__
+    return ""
+
+
+def require_agreement(path: Path, out: Path) -> str:
+    """Both refuse, or none does; returns the kind of the refusal."""
+    checked = verdict(lambda: sheetmorph.check(path))
+    ran = verdict(lambda: sheetmorph.run(path, out))
+    assert checked == ran
+    return ran
+
+
+@pytest.mark.parametrize("name", ["door_mirror", "body_panels", "welded_frame"])
+def test_examples_pass_both(name: str, tmp_path: Path):
+    assert require_agreement(EXAMPLES / name / "recipe.json", tmp_path / "out") == ""
+
+
+def written(folder: Path, parts: int) -> list[dict[str, Any]]:
+    made = plate()
+    entries = []
+    for k in range(parts):
+        lines = [f"v {x!r} {y!r} {1.0 * k!r}" for x, y, _ in made.points.tolist()]
+        lines += [f"f {a} {b} {c}" for a, b, c in (made.triangles + 1).tolist()]
+        (folder / f"part{k}.obj").write_text("\n".join(lines) + "\n")
+        entries.append({"name": f"part{k}", "file": f"part{k}.obj"})
+    return entries
+
+
+def around(made: Any, place: tuple[float, float], radius: float) -> list[int]:
+    away = np.linalg.norm(made.points[:, :2] - place, axis=1)
+    return np.flatnonzero(away <= max(radius, away.min())).tolist()
+
+
+_PLACES = st.tuples(st.floats(-10.0, 50.0), st.floats(-10.0, 10.0))
+
+
+@st.composite
+def recipes(draw: Any) -> dict[str, Any]:
+    """A few plates one above the other with regions anywhere, contacts, sizes, motions."""
+    made = plate()
+    parts = draw(st.integers(1, 4))
+    some_part = st.integers(0, parts - 1).map(lambda k: f"part{k}")
+
+    def region(radius: float) -> dict[str, Any]:
+        return {"part": draw(some_part), "vertices": around(made, draw(_PLACES), radius)}
+
+    features = []
+    for k in range(draw(st.integers(0, 4))):
+        entry = {"name": f"f{k}", **region(draw(st.floats(0.5, 8.0)))}
+        kind = draw(st.sampled_from(["free", "interpolated", "rim", "fixed"]))
+        if kind == "rim":
+            entry["vertices"] = made.rims[draw(st.integers(0, 2))]
+            entry["size"] = draw(st.floats(4.0, 12.0))
+        elif kind == "fixed":
+            entry["motion"] = {"type": "fixed"}
+        else:
+            entry["rotation"] = kind
+        features.append(entry)
+    contacts = []
+    for _ in range(draw(st.integers(0, 5)) if parts > 1 else 0):
+        a, b = draw(st.lists(some_part, min_size=2, max_size=2, unique=True))
+        vertices = around(made, draw(_PLACES), draw(st.floats(0.5, 8.0)))
+        kind = draw(st.sampled_from(["rigid", "tied", "control mesh"]))
+        sides = {side: {"part": part, "vertices": vertices} for side, part in zip("ab", (a, b))}
+        contacts.append({"type": kind, **sides})
+    translation = draw(st.tuples(*[st.floats(-5.0, 5.0)] * 3))
+    return {
+        "parts": parts,
+        "primary": draw(some_part),
+        "fixed": [region(draw(st.floats(1.0, 6.0))) for _ in range(draw(st.integers(0, 2)))],
+        "handles": [{"name": "tip", **region(draw(st.floats(1.0, 6.0)))}],
+        "features": features,
+        "contacts": contacts,
+        "refine": draw(st.booleans()),
+        "pose": {"tip": {"translation": list(translation)}},
+    }
+
+
+@settings(
+    max_examples=DRAWN, deadline=None, derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
+)  # fmt: skip
+@given(recipe=recipes())
+def test_recipes_drawn_at_random_are_refused_by_both_or_by_none(
+    recipe: dict[str, Any], tmp_path: Path
+):
+    whole = {"sheetmorph": 1, **recipe, "parts": written(tmp_path, recipe["parts"])}
+    path = tmp_path / "recipe.json"
+    path.write_text(json.dumps(whole))
+    # What contradicts itself is bad input; a certificate fails only where rounds do not settle.
+    verdicts = ("", "RecipeError", "CertificateError" if recipe["refine"] else "")
+    assert require_agreement(path, tmp_path / "out") in verdicts
