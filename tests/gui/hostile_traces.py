@@ -4,6 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import report_view
+from freecad.sheetmorph import generations
 from freecad.sheetmorph.api.poses import motion_of
 from freecad.sheetmorph.objects import model
 from pivy import coin
@@ -37,7 +38,9 @@ class Traces:
                     faults.append("an annotation stays in the view")
             if overlays(one) != self.widgets.get(str(one), overlays(one)):
                 faults.append(f"over the view: {overlays(one)}")
-            if one.getSceneGraph().getField("selectionRole").get().getString() != "TRUE":
+            fields = map(one.getSceneGraph().getField, generations.SELECTION_SWITCHES)
+            switch = next(field for field in fields if field is not None)
+            if switch.get().getString() != "TRUE":
                 faults.append("the view selects nothing any more")
         for name, nodes in self.nodes.items():
             obj = App.ActiveDocument.getObject(name)

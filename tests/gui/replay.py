@@ -20,6 +20,8 @@ def replay() -> None:
     parts = [o for o in App.ActiveDocument.Objects if model.kind(o) == model.PART]
     points = [conversion.read_mesh(part.Mesh)[0] for part in parts]
     np.save(os.environ["SHEETMORPH_REPLAYED"], np.concatenate(points))
+    # FreeCAD 1.1 dies at its end while a document whose mesh Python has seen is open.
+    App.closeDocument(App.ActiveDocument.Name)
 
 
 # FreeCAD ends with status 0 whatever a script raises.

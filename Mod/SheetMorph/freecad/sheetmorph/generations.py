@@ -7,3 +7,6 @@ for itself.
 
 DRAGGERS = ("SoFCCSysDragger", "SoTransformDragger")
 """FreeCAD's dragger of arrows and arcs in Coin, until 1.0 and since 1.1, of the same fields."""
+
+SELECTION_SWITCHES = ("selectionRole", "selectionEnabled")
+"""The field of a 3D view's root that says whether clicks select, until 1.0 and since 1.1."""

@@ -15,7 +15,7 @@ try:
 except ImportError:
     import shiboken2 as shiboken
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "forget", "number", "translate"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "forget", "number", "translate", "widen"]
 
 
 def number(choice) -> int:
@@ -36,3 +36,25 @@ def forget(form) -> None:
     """
     for widget in [form, *form.findChildren(QtWidgets.QWidget)]:
         shiboken.invalidate(widget)
+
+
+def widen(dock, width: int) -> None:
+    """Makes a dock of the main window at least so wide, px.
+
+    Since FreeCAD 1.0 a dock may lie over the 3D view, in a widget at the window's edge of which the
+    window's layout knows nothing.
+    """
+    if dock.width() >= width and dock.visibleRegion().boundingRect().width() >= width:
+        return
+    window, over = dock.window(), dock.parentWidget()
+    while over is not None and not over.metaObject().className().endswith("OverlayTabWidget"):
+        over = over.parentWidget()
+    if over is None:
+        window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+        return
+    place = over.geometry()
+    if place.right() >= window.width() - 2:
+        place.setLeft(place.right() + 1 - width)
+    else:
+        place.setWidth(width)
+    over.setGeometry(place)

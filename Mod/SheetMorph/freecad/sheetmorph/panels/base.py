@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate, widen
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -125,12 +125,9 @@ class Panel:
 
     def _widen(self) -> None:
         """Makes the dock around the panel wide enough; a wider one stays as it is."""
-        window = Gui.getMainWindow()
-        for dock in window.findChildren(QtWidgets.QDockWidget):
+        for dock in Gui.getMainWindow().findChildren(QtWidgets.QDockWidget):
             if self.form and dock.isAncestorOf(self.form):
-                wanted = max(self.width, self.form.minimumSizeHint().width() + MARGINS)
-                if dock.width() < wanted:
-                    window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)
+                widen(dock, max(self.width, self.form.minimumSizeHint().width() + MARGINS))
 
 
 def number_in(field) -> float:

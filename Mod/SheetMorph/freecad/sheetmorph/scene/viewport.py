@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from pivy import coin
 
+from freecad.sheetmorph import generations
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools.figures import Camera
 
@@ -69,7 +70,8 @@ class Viewport(QtCore.QObject):
         self._down = None
         self._is_claimed = False
         self._widget = view.graphicsView().viewport()
-        self._role = view.getSceneGraph().getField("selectionRole")
+        fields = map(view.getSceneGraph().getField, generations.SELECTION_SWITCHES)
+        self._role = next(field for field in fields if field is not None)
         self._role.set("FALSE")
         self._tracked = self._widget.hasMouseTracking()
         self._widget.setMouseTracking(True)
