@@ -103,6 +103,7 @@ def test_a_piece_that_nothing_holds_is_shown_and_left_at_rest():
     assert model.failure_of(assembly()) == "", "it stays at rest"
     api.set_unheld(assembly(), "refuse")
     App.ActiveDocument.recompute()
+    yield 300  # until FreeCAD has said it
     clear_report_view()  # what FreeCAD says about a recompute that failed
     look()
     yield from open_panel()

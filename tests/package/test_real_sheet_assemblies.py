@@ -26,7 +26,7 @@ def test_a_finger_jointed_box_turns_as_a_whole_and_its_plates_stay_plates():
     result = Session(recipe, meshes).deform()
     report = result.report()
     assert report["certificate"]["passed"] and report["unreached"] == []
-    assert len(report["parts"]) == 10 and len(report["features"]) == 20
+    assert len(report["parts"]) == 10 and len(report["features"]) == 21
     for part in report["parts"]:
         thin = part["thin"]
         assert part["quality"]["flipped"] == 0, part["name"]

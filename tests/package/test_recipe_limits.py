@@ -148,7 +148,8 @@ VAIN = [
 @pytest.mark.parametrize("case", VAIN, ids=[f"{c[1]}: {c[2]}" for c in VAIN])
 def test_the_report_tells_what_has_no_effect(case: tuple):
     wanted, lead, reason = case
-    (note,) = Session(wanted, meshes()).deform().report()["notes"]
+    notes = Session(wanted, meshes()).deform().report()["notes"]
+    (note,) = [text for text in notes if "one rigid body" not in text]
     assert note.startswith(lead) and reason in note
 
 

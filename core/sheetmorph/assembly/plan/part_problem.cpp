@@ -14,6 +14,7 @@ namespace
 
 void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& welds)
 {
+    std::vector<FormFeature> held;
     for (std::size_t k = 0; k < welds.size(); ++k)
     {
         const RigidWeld& weld = welds[k];
@@ -21,6 +22,8 @@ void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& wel
         {
             const VertexIds& side = weld.target_part == part ? weld.target : weld.source;
             problem.own.surface.fixed.push_back({weld.name, side, "rigid contact"});
+            // As a body, so that what else would move a part of it is refused.
+            held.push_back({weld.name, side, FeatureRotation::free, "rigid contact", {}, false});
             problem.held.push_back(static_cast<int>(k));
             continue;
         }
@@ -36,6 +39,8 @@ void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& wel
             problem.carriers.push_back(static_cast<int>(k));
         }
     }
+    problem.own.surface.features.insert(problem.own.surface.features.end(), held.begin(),
+                                        held.end());
 }
 
 void add_pairs(const Assembly& assembly, int part, const std::vector<PlannedPair>& pairs,

@@ -27,7 +27,7 @@ constexpr double most_triangles = 3e6;
 
 // What a remesh may make, so that its work grows with what it is given: of the facets given, of the
 // triangles that the edge length alone needs, and at least.
-constexpr double per_facet = 12.0, per_needed = 4.0, always_allowed = 50e3;
+constexpr double per_facet = 50.0, per_needed = 4.0, always_allowed = 50e3;
 
 void require_three_corners(const Triangles& triangles)
 {
