@@ -117,6 +117,8 @@ def test_messages_name_the_part_and_the_files_own_vertex_numbers():
     numbers = np.arange(len(loose), dtype=np.int32) + 7000
     numbered = _core.Assembly([_core.Part("rail", mesh, numbers)])
     numbered.fixed, numbered.handles = whole.fixed, whole.handles
+    _core.DeformationSession(numbered)  # the loose triangle stays at rest
+    numbered.set_unheld("refuse")
     with pytest.raises(_core.InvalidInput, match=f"part 'rail'.*{n + 7000}.*mark a fixed region"):
         _core.DeformationSession(numbered)
 
