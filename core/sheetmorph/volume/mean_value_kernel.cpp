@@ -18,8 +18,8 @@ namespace
 {
 
 // Elevation of the point above a triangle's plane below which rounding, 2 to 3 eps / elevation of a
-// weight, would show; such pairs are left to grazed_triangle(), some one in eight points has one.
-constexpr double grazing = 1e-4;
+// weight, would show; such pairs are left to grazed_triangle(), some two in five points have one.
+constexpr double grazing = 3e-4;
 
 // Sums of weights below this share of their magnitudes, or beyond this one, have no digit left.
 constexpr double lost_digits = 1e-12;
