@@ -66,11 +66,20 @@ def test_the_window_tests_of_the_test_workbench_pass():
     assert result.wasSuccessful() and not result.skipped, said.getvalue()
 
 
+def dark_sheet() -> str:
+    """A dark style sheet of this FreeCAD; 1.1 composes its own from parameters."""
+    folder = os.path.join(App.getResourceDir(), "Gui", "Stylesheets")
+    for name in ("Dark-blue.qss", "FreeCAD Dark.qss"):
+        path = os.path.join(folder, name)
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as file:
+                return file.read().replace("qss:", folder + "/")
+    return "QWidget { background-color: #2d2d2d; color: #e0e0e0; }"
+
+
 def test_panels_are_readable_in_a_dark_theme_and_in_german():
     yield from new_morph()
-    path = os.path.join(App.getResourceDir(), "Gui", "Stylesheets", "Dark-blue.qss")
-    with open(path, encoding="utf-8") as file:
-        sheet = file.read().replace("qss:", os.path.dirname(path) + "/")
+    sheet = dark_sheet()
     before = QtGui.QApplication.instance().styleSheet()
     Gui.setLocale("German")
     QtGui.QApplication.instance().setStyleSheet(sheet)

@@ -44,17 +44,16 @@ def widen(dock, width: int) -> None:
     Since FreeCAD 1.0 a dock may lie over the 3D view, in a widget at the window's edge of which the
     window's layout knows nothing.
     """
-    if dock.width() >= width and dock.visibleRegion().boundingRect().width() >= width:
-        return
-    window, over = dock.window(), dock.parentWidget()
+    over = dock.parentWidget()
     while over is not None and not over.metaObject().className().endswith("OverlayTabWidget"):
         over = over.parentWidget()
     if over is None:
-        window.resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+        if dock.width() < width:
+            dock.window().resizeDocks([dock], [width], QtCore.Qt.Horizontal)
         return
     place = over.geometry()
-    if place.right() >= window.width() - 2:
-        place.setLeft(place.right() + 1 - width)
+    if place.right() >= dock.window().width() - 2:
+        place.setLeft(min(place.left(), place.right() + 1 - width))
     else:
-        place.setWidth(width)
+        place.setWidth(max(place.width(), width))
     over.setGeometry(place)

@@ -108,7 +108,11 @@ class Dragger:
     def resize(self, *_) -> None:
         """The same size in px at every zoom, in every view; FreeCAD's way is not for Python."""
         place = self._pivot.translation.getValue() + self._field("translation").getValue()
-        self._field("draggerSize").setValue(SIZE * mm_per_px(self._view, place))
+        try:
+            scale = mm_per_px(self._view, place)
+        except RuntimeError:  # the view is closed, and its camera told us so
+            return
+        self._field("draggerSize").setValue(SIZE * scale)
 
 
 def rounded(value: float) -> float:
