@@ -17,6 +17,7 @@ LEGEND = {
 }
 WIDTH = 340  # px at which a panel is readable
 FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"  # any theme
+WIDENING = (0, 300, 1000)  # ms: a dock over the 3D view is laid out again after it has appeared
 MARGINS = 110  # px of the task view around a panel, with its scroll bar
 
 
@@ -79,7 +80,8 @@ class Panel:
         self.session.ending.connect(self._fade)
         self.session.over.connect(self._close)
         Gui.Control.showDialog(self)
-        QtCore.QTimer.singleShot(0, self._widen)
+        for delay in WIDENING:
+            QtCore.QTimer.singleShot(delay, self._widen)
 
     def getStandardButtons(self) -> int:
         """OK and Cancel."""
