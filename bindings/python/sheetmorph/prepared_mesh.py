@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from .part_mesh import PartMesh
-
-Progress = Callable[[float, str], bool]
+from .progress import Progress
 
 # Barycentric coordinates below it count as zero: the vertex lies on the edge or the corner.
 _ON_EDGE = 1e-9

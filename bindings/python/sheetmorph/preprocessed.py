@@ -3,20 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from .kernel import load_kernel
 from .part_mesh import PartMesh
+from .progress import Progress
 from .recipe import check_with_meshes
 from .recipe.found import Found
 from .recipe.model import Model
 from .results import FeatureResult
 from .translation import Translator, kernel_faults
-
-Progress = Callable[[float, str], bool]
 
 
 class Preprocessed:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,12 +15,11 @@ from typing import Any
 from .errors import KernelError, RecipeError
 from .files import FileSet
 from .places import Places
+from .progress import Progress
 from .recipe import prepare, read_json
 from .recipe.parts import Source
 from .report import WrittenPart, make_report, unsettled_failures
 from .session import Result, Session
-
-Progress = Callable[[float, str], bool]
 
 
 class CertificateError(RuntimeError):

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,10 +13,10 @@ import numpy as np
 from ..errors import FileError
 from ..kernel import load_cad
 from ..part_mesh import PartMesh
+from ..progress import Progress
 from .obj import ObjFile
 from .part_file import PartFile
 
-Progress = Callable[[float, str], bool]
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 
 

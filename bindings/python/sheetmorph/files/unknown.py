@@ -18,17 +18,7 @@ _MESHES = (
     *(".pcd", ".usd", ".usdz", ".wrl", ".x3d", ".xyz"),
 )
 _DECKS = (
-    ".ans",
-    ".cas",
-    ".cdb",
-    ".e",
-    ".exo",
-    ".k",
-    ".key",
-    ".med",
-    ".op2",
-    ".rad",
-    ".unv",
+    *(".ans", ".cas", ".cdb", ".e", ".exo", ".k", ".key", ".med", ".op2", ".rad", ".unv"),
     ".xdmf",
 )
 _PACKED = (".7z", ".bz2", ".rar", ".tar", ".tgz", ".xz", ".zip", ".zst")

@@ -6,18 +6,18 @@ from __future__ import annotations
 import os
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
 
 from ..kernel import load_kernel
+from ..progress import Progress
 from .exact import with_exact
 from .findings import FindPart, Findings, contact_entry, feature_entry
 from .options import FindOptions
 
-Progress = Callable[[float, str], bool]
 Connection = tuple[int, int, int, int]
 
 

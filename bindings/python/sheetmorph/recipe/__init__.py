@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ from ..errors import Fault, RecipeError
 from ..finding.findings import FindPart
 from ..finding.reading import connections_of, find_parts
 from ..part_mesh import PartMesh
+from ..progress import Progress
 from .auto import asked_sections, filled, search, without_auto
 from .checks import Known, mesh_faults, meaning_faults, pose_meaning_faults
 from .found import Found
@@ -21,8 +22,6 @@ from .reading import read_json
 from .structure import pose_faults, schema, structural_faults
 from .unavailable import take_out
 from .values import depth_faults
-
-Progress = Callable[[float, str], bool]
 
 __all__ = [
     "check_pose",

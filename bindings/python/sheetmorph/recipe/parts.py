@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -13,12 +12,11 @@ from ..errors import Fault, FileError
 from ..files import PartFile, is_cad, output_name, read_part
 from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
+from ..progress import Progress
 from .found import Found
 from .model import PartEntry
 from .placement import Placement
 from .splitting import SplitError, part_of, split_triangles
-
-Progress = Callable[[float, str], bool]
 
 
 @dataclass
