@@ -8,14 +8,13 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from checks_flow import draw_region, drag_arrow_up, look, loop_round, select
+from checks_flow import count_of_parts, draw_region, drag_arrow_up, look, loop_round, select
 from checks_finding import rows_shown
 from checks_moving import open_panel
 from checks_propagation import dialog
-from desk import HERE, WORK, activate, note, picture, press, press_tool, until, view
+from desk import HERE, WORK, activate, import_files, note, picture, press, press_tool, until, view
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.qt import QtWidgets
 from hostile_panels import is_shown
 from PySide import QtCore
 from scenes import assembly, contacts, labelled, regions
@@ -75,23 +74,6 @@ def is_quiet() -> bool:
     return not under_way()
 
 
-def count_of_parts() -> int:
-    """How many parts the document has."""
-    return sum(model.kind(obj) == model.PART for obj in App.ActiveDocument.Objects)
-
-
-def import_step():
-    """Import Part…, its dialogs answered."""
-    window, asked = QtWidgets.QFileDialog, QtWidgets.QFileDialog.getOpenFileNames
-    length = QtWidgets.QInputDialog.getDouble
-    window.getOpenFileNames = lambda *_: ([STEP], "")
-    QtWidgets.QInputDialog.getDouble = lambda *_: (0.0, True)
-    try:
-        yield from press_tool("Import Part…")
-    finally:
-        window.getOpenFileNames, QtWidgets.QInputDialog.getDouble = asked, length
-
-
 def mark_the_ends(steps: Steps):
     """The right side of the main sheet stays, its left end is the handle."""
     sheet = labelled("MainEnclosure.MainSheet")
@@ -143,7 +125,7 @@ def test_the_enclosure_from_step_to_a_saved_drag_is_measured():
     yield from activate()
     steps = Steps()
     has_parts = lambda: is_quiet() and count_of_parts() == 38  # noqa: E731
-    yield from steps.step("STEP in", import_step(), has_parts)
+    yield from steps.step("STEP in", import_files([STEP], 0.0, lambda: True), has_parts)
     yield from until(is_shown, "Prepare Mesh to be offered", LONGEST)
     yield 1000  # the view fits, and is drawn
     yield from press("Cancel")

@@ -13,12 +13,11 @@ from checks_finding import press_ok
 from checks_macro import Replay, calls_in, start_recording, stop_recording
 from checks_moving import open_panel
 from desk import WORK, activate, child, click_point, click_widget, draw_along, enter, on_screen
-from desk import picture, press, press_tool, tick, until, view, xdotool
+from desk import import_files, picture, press, press_tool, tick, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.actions import call, name, record
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.qt import QtWidgets
 from scenes import assembly, contacts, drawn, labelled, largest, regions, stored, stored_of_all
 
 __all__ = [
@@ -27,18 +26,17 @@ __all__ = [
 ]
 
 
+def count_of_parts() -> int:
+    """How many parts the document has; none without a document."""
+    objects = App.ActiveDocument.Objects if App.ActiveDocument else []
+    return sum(model.kind(obj) == model.PART for obj in objects)
+
+
 def import_mirror():
     """Import Part… without a document, its dialog answered."""
     folder = os.path.join(paths.examples(), "door_mirror")
     files = [os.path.join(folder, file) for file in ("cover.obj", "frame.ply", "foot.obj")]
-    asked = QtWidgets.QFileDialog.getOpenFileNames
-    QtWidgets.QFileDialog.getOpenFileNames = lambda *_: (files, "")
-    try:
-        yield from press_tool("Import Part…")
-        yield from until(lambda: App.ActiveDocument is not None, "a document", 30)
-        yield from until(lambda: len(model.parts(assembly())) == 3, "the parts", 30)
-    finally:
-        QtWidgets.QFileDialog.getOpenFileNames = asked
+    yield from import_files(files, 0.0, lambda: count_of_parts() == 3)
 
 
 def select(obj) -> None:

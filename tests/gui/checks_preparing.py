@@ -10,11 +10,11 @@ import numpy as np
 from checks_finding import cancel
 from checks_tutorial import answer, menu
 from desk import WORK, activate, child, choose_below, enter, picture, press, press_tool, tick, until
-from desk import view
+from desk import import_files, view
 from freecad.sheetmorph import api, progress_dialog
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import mesh_preview
-from PySide import QtCore, QtGui
+from PySide import QtCore
 from pivy import coin
 from scenes import assembly, labelled, look, new_assembly, part
 
@@ -117,15 +117,7 @@ def test_the_view_fits_what_is_imported_from_step():
     yield from activate()
     App.newDocument("Step")
     view().viewIsometric()
-    window, asked = QtGui.QFileDialog, QtGui.QFileDialog.getOpenFileNames
-    edge = QtGui.QInputDialog.getDouble
-    window.getOpenFileNames = lambda *_: ([path], "")
-    QtGui.QInputDialog.getDouble = lambda *_: (8.0, True)
-    try:
-        yield from press_tool("Import Part…")
-        yield from until(lambda: len(App.ActiveDocument.Objects) > 3, "the parts", 30.0)
-    finally:
-        window.getOpenFileNames, QtGui.QInputDialog.getDouble = asked, edge
+    yield from import_files([path], 8.0, lambda: len(App.ActiveDocument.Objects) > 3)
     yield from until(lambda: all(map(is_in_view, all_corners())), "all of both in the view")
     (one, _), (other, _) = (view().getPointOnScreen(App.Vector(x, 920, 51)) for x in (1000, 1140))
     assert len(all_corners()) == 16

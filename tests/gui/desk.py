@@ -24,6 +24,21 @@ def xdotool(*words):
     yield 80
 
 
+def import_files(files: list[str], edge: float, arrived):
+    """Import Part…, its dialogs answered: files, and the edge of CAD files in mm; then waits."""
+    from freecad.sheetmorph.qt import QtWidgets
+
+    asked, length = QtWidgets.QFileDialog.getOpenFileNames, QtWidgets.QInputDialog.getDouble
+    QtWidgets.QFileDialog.getOpenFileNames = lambda *_: (files, "")
+    QtWidgets.QInputDialog.getDouble = lambda *_: (edge, True)
+    try:
+        yield from press_tool("Import Part…")
+        yield from until(arrived, "the parts", 30.0)
+    finally:
+        QtWidgets.QFileDialog.getOpenFileNames = asked
+        QtWidgets.QInputDialog.getDouble = length
+
+
 class Recorder:
     """FreeCAD's macro recording: since 1.0 the command that starts it also ends it."""
 
