@@ -58,7 +58,7 @@ def test_the_recipe_document_names_every_key_of_the_schema():
     definitions = schema()["$defs"].values()
     keys = {key for entry in definitions for key in entry.get("properties", {})}
     keys |= set(schema()["properties"])
-    assert [key for key in sorted(keys) if not re.search(rf'[`"]{key}[`"]', text)] == []
+    assert [key for key in sorted(keys) if not re.search(rf'[`"]{re.escape(key)}[`"]', text)] == []
 
 
 def test_the_package_document_names_every_public_name():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: python3 -m sheetmorph run | check | doctor | find."""
+"""The command line: python3 -m sheetmorph init | show | check | run | doctor | find | schema."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ from typing import Any, TextIO
 from . import __version__
 from .cli_find import add_find_arguments, run_find
 from .cli_progress import progress_on
+from .cli_recipes import RECIPE_COMMANDS, add_recipe_commands
+from .cli_table import ending_of
 from .errors import FileError, KernelError, RecipeError
 from .files.atomic import FileSet
 from .files.signals import stopping_signals
@@ -49,7 +51,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _input_of(wanted: argparse.Namespace) -> str:
-    return wanted.files[0] if wanted.command in ("doctor", "find") else wanted.recipe
+    files = getattr(wanted, "files", None)
+    return files[0] if files else getattr(wanted, "recipe", wanted.command)
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> None:
@@ -113,13 +116,15 @@ def parser() -> argparse.ArgumentParser:
         "130 interrupted.",
     )
     parser.add_argument("--version", action="version", version=f"sheetmorph {__version__}")
-    names = "run | check | doctor | find"
-    commands = parser.add_subparsers(dest="command", required=True, metavar=names)
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     run = commands.add_parser("run", help="deform the parts of a recipe and write them")
-    run.add_argument("recipe", help="JSON file; the part files are relative to it")
+    run.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
     run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
     run.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
     run.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
+    run.add_argument("--json", action="store_true", help="print the report instead of a table")
+    text = "write before.png and after.png beside the parts"
+    run.add_argument("--pictures", action="store_true", help=text)
     check = commands.add_parser("check", help="do what run does, and write nothing")
     check.add_argument("recipe", help="JSON file")
     for command in (run, check):
@@ -131,6 +136,7 @@ def parser() -> argparse.ArgumentParser:
     text = "vertices nearer than this are one place (mm; a millionth of the size)"
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     add_find_arguments(commands)
+    add_recipe_commands(commands)
     return parser
 
 
@@ -148,30 +154,15 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     with progress_on(sys.stderr, wanted.quiet) as progress:
         report = run(
             wanted.recipe, wanted.output, wanted.pose, wanted.report,
-            files=files, strict=wanted.strict, progress=progress,
+            files=files, strict=wanted.strict, pictures=wanted.pictures, progress=progress,
         )  # fmt: skip
-    lines = [
-        f"{contact['name']}: {contact['source']} drives {contact['target']}, gap change "
-        f"{contact['gap_change']:.2g} mm"
-        for contact in report["contacts"]
-    ]
-    lines += [f"warning: {text}" for text in report["warnings"]]
-    lines.append(f"{wanted.output}: {len(report['parts'])} part(s) written, {_rigid(report)}")
-    return lines + [
-        f"{part['name']}: not reached by any motion, unchanged"
-        for part in report["parts"]
-        if not part["is_reached"]
-    ]
+    if wanted.json:
+        return _as_json(report)
+    return ending_of(report, wanted.output, is_quiet=wanted.quiet)
 
 
-def _rigid(report: dict[str, Any]) -> str:
-    features, left_out = report["features"], report.get("found", {}).get("left_out", [])
-    worst = max((feature["edge_error"] for feature in features), default=0.0)
-    text = f"{len(features)} form feature(s) rigid to {worst:.2g} mm"
-    if left_out:
-        text += f"; {len(left_out)} proposal(s) changed or left out: {left_out[0]}"
-        text += " (all in the report)" if len(left_out) > 1 else ""
-    return text
+def _as_json(found: Any) -> list[str]:
+    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False).splitlines()
 
 
 def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
@@ -186,11 +177,17 @@ def _doctor(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     from .doctor import diagnose_files
 
     found = diagnose_files(wanted.files, wanted.tolerance)
-    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False).splitlines()
+    return _as_json(found)
 
 
 def _find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     return run_find(wanted, files)
 
 
-_COMMANDS = {"run": _run, "check": _check, "doctor": _doctor, "find": _find}
+_COMMANDS = {
+    "run": _run,
+    "check": _check,
+    "doctor": _doctor,
+    "find": _find,
+    **RECIPE_COMMANDS,
+}

@@ -6,17 +6,16 @@ from __future__ import annotations
 import json
 import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .errors import KernelError, RecipeError
+from .errors import KernelError
 from .files import FileSet
+from .pictures import Scene, before_and_after, draw
 from .places import Places
 from .progress import Progress
-from .recipe import prepare, read_json
+from .recipe import named_in, prepare, read_json
 from .recipe.parts import Source
 from .report import WrittenPart, make_report, unsettled_failures
 from .session import Result, Session
@@ -67,6 +66,7 @@ def run(
     *,
     files: FileSet | None = None,
     strict: bool = False,
+    pictures: bool = False,
     progress: Progress | None = None,
 ) -> dict[str, Any]:
     """Deform the parts of a recipe file and write them under out_dir; returns the report.
@@ -75,28 +75,31 @@ def run(
     with one; report: path to write
     the report to; files: a new FileSet for the parts, whose ``committed`` tells, also after an
     interrupt, whether they were written; strict: the report's warnings are failures of the
-    certificate; progress(fraction, task) returns whether to go on. Raises RecipeError, FileError,
-    KernelError, CertificateError, OSError; then no part is written.
+    certificate; pictures: before.png and after.png beside the parts; progress(fraction, task)
+    returns whether to go on. Raises RecipeError, FileError, KernelError, CertificateError,
+    PictureError, OSError; then no part is written.
     """
     path, out = Path(recipe_path), Path(out_dir)
-    morph = _Morph(path, Ways(strict, progress or _keep_going))
+    morph = _Morph(path, Ways(strict, progress or _keep_going, pictures))
     pose = _named_pose(morph.recipe, pose)
     pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
-    with _named(path):
+    with named_in(path):
         read = [pose_path] if pose_path else []
         places = morph.places(read, out, None if report is None else Path(report))
         wanted = pose if pose_path is None else read_json(pose_path)
     morph.factorise()
-    with _named(pose_path or path):
+    with named_in(pose_path or path):
         return morph.write(wanted, places, files or FileSet())
 
 
 @dataclass(frozen=True)
 class Ways:
-    """strict: warnings are failures of the certificate; progress: of the long steps."""
+    """strict: warnings are failures of the certificate; progress: of the long steps; pictures: are
+    drawn beside the parts."""
 
     strict: bool
     progress: Progress
+    pictures: bool = False
 
 
 class _Morph:
@@ -106,7 +109,7 @@ class _Morph:
         self.recipe = read_json(path)
         self._path, self._ways = path, ways
         begin = time.perf_counter()
-        with _named(path):
+        with named_in(path):
             self._parts = prepare(self.recipe, path.parent, ways.progress)
         self._timings = {"read": time.perf_counter() - begin}
         self._session: Session | None = None
@@ -123,7 +126,7 @@ class _Morph:
 
     def factorise(self) -> None:
         """The pre-processing phase."""
-        with _named(self._path):
+        with named_in(self._path):
             self._session = Session(
                 self.recipe, self._parts.meshes, self._ways.progress, found=self._parts.found
             )
@@ -135,7 +138,11 @@ class _Morph:
         result = self._session.deform(pose)
         timings = {**self._timings, "deform": time.perf_counter() - begin}
         _certify(result, timings, places.report, self._ways.strict)
-        return _Writer(result, self._parts.sources, places, timings).write(files)
+        scenes = before_and_after(result) if self._ways.pictures else ()
+        pictures = [
+            (scene, places.out / name) for scene, name in zip(scenes, ("before.png", "after.png"))
+        ]
+        return _Writer(result, self._parts.sources, places, timings, pictures).write(files)
 
 
 def _named_pose(recipe: Any, pose: Any) -> Any:
@@ -148,16 +155,6 @@ def _named_pose(recipe: Any, pose: Any) -> Any:
 def _keep_going(_fraction: float, _task: str) -> bool:
     """Being called is enough: Python handles Ctrl-C here."""
     return True
-
-
-@contextmanager
-def _named(path: Path) -> Iterator[None]:
-    """Faults inside say which recipe they are in."""
-    try:
-        yield
-    except RecipeError as error:
-        faults = [replace(fault, where=f"{path}, {fault.where}") for fault in error.faults]
-        raise RecipeError(faults) from error
 
 
 def _certify(result: Result, timings: dict[str, float], report: Path | None, strict: bool) -> None:
@@ -179,6 +176,7 @@ class _Writer:
     sources: list[Source]
     places: Places
     timings: dict[str, float]
+    pictures: list[tuple[Scene, Path]]
 
     def write(self, files: FileSet) -> dict[str, Any]:
         """Returns the report."""
@@ -199,6 +197,8 @@ class _Writer:
         parts: dict[str, WrittenPart] = {}
         for source in self.sources:
             parts |= self._written_parts(files, source)
+        if self.pictures:
+            draw(self.pictures, files)
         taken = {**self.timings, "write": time.perf_counter() - begin}
         report = make_report(self.result, parts, taken)
         if self.places.report is not None:

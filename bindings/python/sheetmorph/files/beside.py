@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from collections.abc import Collection
 from pathlib import Path
 
 from ..errors import FileError
+from .comments import plain_json
 
 
 def require_unread(path: Path, replaced: Collection[Path]) -> None:
@@ -20,7 +22,7 @@ def require_unread(path: Path, replaced: Collection[Path]) -> None:
     place = path.resolve()
     others = [file for file in sorted(path.parent.iterdir()) if file not in replaced]
     for recipe in others:
-        if recipe.suffix.lower() == ".json" and place in _read_by(recipe):
+        if recipe.suffix.lower() in (".json", ".toml") and place in _read_by(recipe):
             what = f'the recipe "{recipe.name}" beside it reads this file'
             raise FileError(path, what, "name another folder")
 
@@ -28,7 +30,9 @@ def require_unread(path: Path, replaced: Collection[Path]) -> None:
 def _read_by(path: Path) -> set[Path]:
     """The mesh files that a recipe names; none if the file is no recipe."""
     try:
-        recipe = json.loads(path.read_bytes())
+        text = path.read_text("utf-8-sig")
+        is_toml = path.suffix.lower() == ".toml"
+        recipe = tomllib.loads(text) if is_toml else json.loads(plain_json(text))
     except (OSError, ValueError, RecursionError):
         return set()
     parts = recipe.get("parts") if isinstance(recipe, dict) and "sheetmorph" in recipe else None

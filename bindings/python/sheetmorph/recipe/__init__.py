@@ -18,7 +18,7 @@ from .checks import Known, mesh_faults, meaning_faults, pose_meaning_faults
 from .found import Found
 from .model import Model, Motion, model_of, motions_of
 from .parts import Parts, parts_of_meshes, read_parts
-from .reading import read_json
+from .reading import named_in, read_json
 from .structure import pose_faults, schema, structural_faults
 from .unavailable import take_out
 from .values import depth_faults
@@ -27,6 +27,7 @@ __all__ = [
     "check_pose",
     "check_with_meshes",
     "filled",
+    "named_in",
     "prepare",
     "read_json",
     "schema",

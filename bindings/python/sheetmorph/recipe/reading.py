@@ -1,26 +1,36 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""JSON files of people: recipes and poses, with faults that give line and column."""
+"""Recipes and poses as people write them: JSON, JSON with comments, TOML; faults give line and
+column."""
 
 from __future__ import annotations
 
 import json
+import re
+import tomllib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from ..errors import Fault, RecipeError
+from ..files.comments import plain_json
+from .lines import Lines
+
+_TOML_PLACE = re.compile(r" \((?:at line (\d+), column (\d+)|at end of document)\)$")
 
 
 def read_json(path: str | Path) -> Any:
-    """The content of a JSON file. Raises RecipeError with one fault."""
+    """The content of a recipe or a pose. Raises RecipeError with one fault.
+
+    A file called .toml is TOML 1.0; any other is JSON, with // and /* */ comments and commas
+    before a closing bracket if one likes.
+    """
+    text = _text_of(path)
+    if Path(path).suffix.lower() == ".toml":
+        return _read_toml(path, text)
     try:
-        text = Path(path).read_text("utf-8-sig")
-    except OSError as error:
-        what = f"cannot be read ({error.strerror or error})"
-        raise _error(path, what, "check the path and its rights") from None
-    except UnicodeDecodeError:
-        raise _error(path, "is not text in UTF-8", "save it as UTF-8") from None
-    try:
-        return json.loads(text, object_pairs_hook=_without_repeats)
+        return json.loads(plain_json(text), object_pairs_hook=_without_repeats)
     except json.JSONDecodeError as error:
         where = f"{path}, line {error.lineno}, column {error.colno}"
         raise _error(where, f"not JSON: {error.msg}", "correct it there or just before") from None
@@ -29,6 +39,58 @@ def read_json(path: str | Path) -> Any:
         raise _error(path, what, "keep one of them") from None
     except (RecursionError, ValueError) as error:
         raise _error(path, f"not JSON that can be used: {error}", "simplify it") from None
+
+
+@contextmanager
+def named_in(path: Path) -> Iterator[None]:
+    """Faults inside say which recipe they are in, and where."""
+    try:
+        yield
+    except RecipeError as error:
+        faults = _with_lines(path, error.faults)
+        faults = [replace(fault, where=f"{path}, {fault.where}") for fault in faults]
+        raise RecipeError(faults) from error
+
+
+def _with_lines(path: str | Path, faults: Sequence[Fault]) -> list[Fault]:
+    """The faults of a recipe that was read from a JSON file, each with the line it is in.
+
+    Those of a TOML file, or whose place is not in the file, stay as they are.
+    """
+    if Path(path).suffix.lower() == ".toml":
+        return list(faults)
+    try:
+        lines = Lines(plain_json(_text_of(path)), read_json(path))
+    except RecipeError:  # the file has changed since
+        return list(faults)
+    return [lines.of(fault) for fault in faults]
+
+
+def _text_of(path: str | Path) -> str:
+    try:
+        return Path(path).read_text("utf-8-sig")
+    except OSError as error:
+        what = f"cannot be read ({error.strerror or error})"
+        raise _error(path, what, "check the path and its rights") from None
+    except UnicodeDecodeError:
+        raise _error(path, "is not text in UTF-8", "save it as UTF-8") from None
+
+
+def _read_toml(path: str | Path, text: str) -> Any:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        said = str(error)
+        place = _TOML_PLACE.search(said)
+        what = f"not TOML: {said[:place.start()] if place else said}"
+        where = str(path)
+        if place and place[1]:
+            where += f", line {place[1]}, column {place[2]}"
+        elif place:
+            where += f", line {text.count(chr(10)) + 1}"
+        raise _error(where, what, "correct it there or just before") from None
+    except RecursionError as error:
+        raise _error(path, f"not TOML that can be used: {error}", "simplify it") from None
 
 
 class _Repeated(ValueError):

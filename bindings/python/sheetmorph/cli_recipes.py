@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands around writing a recipe: `init`, `show`, `schema`."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from .cli_progress import progress_on
+from .errors import Fault, RecipeError
+from .files.atomic import FileSet
+
+_SCHEMAS = ("recipe", "report", "find", "doctor")
+
+
+def add_recipe_commands(commands: Any) -> None:
+    """Adds them to the commands of a parser."""
+    init = commands.add_parser("init", help="write a first recipe of some files, to be edited")
+    init.add_argument("files", nargs="+", metavar="FILE", help="mesh, deck or CAD file")
+    init.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+    init.add_argument("--quiet", action="store_true", help="no progress on stderr")
+    show = commands.add_parser("show", help="draw what a recipe means")
+    show.add_argument("recipe", help="JSON or TOML file")
+    show.add_argument("-o", "--output", required=True, metavar="FILE", help="picture (PNG)")
+    show.add_argument("--pose", metavar="NAME", help="one of its poses instead of its own")
+    show.add_argument("--after", action="store_true", help="the parts in the pose, how far moved")
+    text = "from the middle to the eye (default: 0.55,-1,0.75)"
+    show.add_argument("--view", type=_direction, metavar="X,Y,Z", help=text)
+    show.add_argument("--quiet", action="store_true", help="no progress on stderr")
+    schema = commands.add_parser("schema", help="print the JSON Schema of recipes")
+    text = "of what (default: recipe)"
+    schema.add_argument("of", nargs="?", choices=_SCHEMAS, default="recipe", help=text)
+
+
+def _direction(text: str) -> tuple[float, float, float]:
+    try:
+        values = [float(part) for part in text.split(",")]
+    except ValueError:
+        values = []
+    if len(values) != 3 or not 0.0 < math.hypot(*values) < math.inf:
+        raise argparse.ArgumentTypeError(f"{text} is no direction; give three numbers, 1,0,0")
+    return values[0], values[1], values[2]
+
+
+def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    # Imported here, so that --help answers at once; so below.
+    from .starting import starting_recipe
+
+    folder = Path(wanted.output).parent if wanted.output else Path()
+    with progress_on(sys.stderr, wanted.quiet) as progress:
+        text = starting_recipe(wanted.files, folder, progress)
+    if not wanted.output:
+        return [text.rstrip("\n")]
+    path = Path(wanted.output)
+    if any(path.resolve() == Path(file).resolve() for file in wanted.files):
+        raise RecipeError([Fault("-o", f"{path} is one of the files", "name another file")])
+    with files:
+        files.temporary_for(path).write_text(text, "utf-8")
+        files.commit()
+    return [f"{path}: written; look at it with `show`, edit it, `run` it"]
+
+
+def _show(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    from .showing import show
+
+    with progress_on(sys.stderr, wanted.quiet) as progress:
+        show(
+            wanted.recipe, wanted.output, wanted.pose, after=wanted.after, view=wanted.view,
+            files=files, progress=progress,
+        )  # fmt: skip
+    return [f"{wanted.output}: written"]
+
+
+def _schema(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
+    text = resources.files("sheetmorph").joinpath(f"{wanted.of}.schema.json").read_text("utf-8")
+    return text.splitlines()
+
+
+RECIPE_COMMANDS = {"init": _init, "show": _show, "schema": _schema}

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a run ended: a short table of its report, for a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+# Rows of parts and of contacts; the rest is in the report.
+_MOST = 12
+
+
+def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[str]:
+    """What `run` prints: tables unless it is quiet, warnings, and how exact the features are."""
+    lines = [] if is_quiet else [*_parts(report), *_contacts(report)]
+    lines += [f"warning: {text}" for text in report["warnings"]]
+    lines.append(f"{output}: {len(report['parts'])} part(s) written, {_rigid(report)}")
+    return lines + [
+        f"{part['name']}: not reached by any motion, unchanged"
+        for part in report["parts"]
+        if not part["is_reached"]
+    ]
+
+
+def _parts(report: dict[str, Any]) -> list[str]:
+    """The parts that moved farthest."""
+    parts = sorted(report["parts"], key=lambda part: -part["largest_displacement"])
+    features = [feature["part"] for feature in report["features"]]
+    rows = [("part", "vertices", "moved, mm", "features", "strain", "thickness")]
+    for part in parts[:_MOST]:
+        strain, thin = part["quality"]["worst_strain"], part["thin"]
+        rows.append(
+            (
+                part["name"],
+                str(part["vertices"]),
+                f"{part['largest_displacement']:.3g}",
+                str(features.count(part["name"])),
+                "" if strain is None else f"{100.0 * strain:.2g} %",
+                "" if thin is None else f"+-{100.0 * thin['largest_change']:.2g} %",
+            )
+        )
+    return [*_aligned(rows), *_more(len(parts), "parts")]
+
+
+def _contacts(report: dict[str, Any]) -> list[str]:
+    """The contacts that opened or closed most."""
+    contacts = sorted(report["contacts"], key=lambda contact: -contact["gap_change"])
+    lines = [
+        f"{contact['name']}: {contact['source']} drives {contact['target']}, gap change "
+        f"{contact['gap_change']:.2g} mm"
+        for contact in contacts[:_MOST]
+    ]
+    return [*lines, *_more(len(contacts), "contacts")]
+
+
+def _more(number: int, what: str) -> list[str]:
+    return [f"and {number - _MOST} more {what}, see the report"] if number > _MOST else []
+
+
+def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Columns of equal width, numbers to the right."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return [
+        "  ".join(
+            cell.rjust(width) if k else cell.ljust(width)
+            for k, (cell, width) in enumerate(zip(row, widths))
+        ).rstrip()
+        for row in rows
+    ]
+
+
+def _rigid(report: dict[str, Any]) -> str:
+    features, left_out = report["features"], report.get("found", {}).get("left_out", [])
+    worst = max((feature["edge_error"] for feature in features), default=0.0)
+    text = f"{len(features)} form feature(s) rigid to {worst:.2g} mm"
+    if left_out:
+        text += f"; {len(left_out)} proposal(s) changed or left out: {left_out[0]}"
+        text += " (all in the report)" if len(left_out) > 1 else ""
+    return text

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""JSON as people write it: with comments, and commas before closing brackets."""
+
+from __future__ import annotations
+
+import re
+
+_STRING_OR_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_STRING_OR_LAST_COMMA = re.compile(r'"(?:\\.|[^"\\\n])*"|,(?=\s*[}\]])')
+
+
+def plain_json(text: str) -> str:
+    """The JSON without comments and last commas; blanks in their places, so that places stay."""
+    for pattern, start in ((_STRING_OR_COMMENT, "/"), (_STRING_OR_LAST_COMMA, ",")):
+        text = pattern.sub(
+            lambda found: _blank(found[0]) if found[0][0] == start else found[0], text
+        )
+    return text
+
+
+def _blank(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)

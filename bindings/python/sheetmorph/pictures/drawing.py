@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scenes drawn by VTK on a virtual screen, in a process of its own.
+
+A graphics driver that gives up takes its process along; here that is one sentence.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import pickle
+import select
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..files.atomic import FileSet
+from .scene import Scene
+
+_SECONDS_TO_START = 20.0
+_SECONDS_FOR_ONE = 120.0
+
+
+class PictureError(RuntimeError):
+    """A picture that cannot be drawn here, and what to install or do."""
+
+
+def draw(pictures: Sequence[tuple[Scene, Path]], files: FileSet | None = None) -> None:
+    """Draw every scene into its PNG file; all files appear, or none.
+
+    files: put them with other files, which the caller commits. Raises PictureError, FileError.
+    """
+    if files is None:
+        with FileSet() as own:
+            draw(pictures, own)
+            own.commit()
+        return
+    require_tools()
+    temporaries = [(scene, files.temporary_for(path)) for scene, path in pictures]
+    with tempfile.TemporaryDirectory(prefix="sheetmorph-picture-") as folder, _screen() as screen:
+        wanted = Path(folder) / "scenes"
+        wanted.write_bytes(pickle.dumps([(scene, str(path)) for scene, path in temporaries]))
+        _draw_on(screen, wanted, len(pictures))
+
+
+def require_tools() -> None:
+    """Raises PictureError if what draws is not installed."""
+    missing = []
+    if importlib.util.find_spec("vtkmodules") is None:
+        missing.append("python3-vtk9")
+    if shutil.which("Xvfb") is None:
+        missing.append("xvfb")
+    if missing:
+        raise PictureError(f"no picture can be drawn; install {' and '.join(missing)}")
+
+
+def _draw_on(screen: str, wanted: Path, count: int) -> None:
+    package = Path(__file__).resolve().parent.parent
+    environment = {
+        **os.environ,
+        "DISPLAY": screen,
+        "PYTHONPATH": str(package.parent),
+        "LIBGL_ALWAYS_SOFTWARE": "1",
+    }
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "sheetmorph.pictures.painter", str(wanted)],
+            env=environment,
+            capture_output=True,
+            timeout=_SECONDS_FOR_ONE * max(1, count),
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise PictureError("the picture took too long; try a coarser mesh") from None
+    if done.returncode:
+        lines = done.stderr.decode(errors="replace").strip().splitlines()
+        said = lines[-1] if lines else f"status {done.returncode}"
+        raise PictureError(f"VTK could not draw the picture ({said}); see that python3-vtk9 works")
+
+
+@contextmanager
+def _screen() -> Iterator[str]:
+    """A virtual screen of our own, ":7" for example, as long as the block lasts."""
+    reading, writing = os.pipe()
+    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1600x1200x24", "-noreset"]
+    try:
+        server = subprocess.Popen(
+            [*command, "-nolisten", "tcp"],
+            pass_fds=[writing],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
+    finally:
+        os.close(writing)
+    try:
+        yield f":{_number_from(reading)}"
+    finally:
+        os.close(reading)
+        server.terminate()
+        server.wait()
+
+
+def _number_from(reading: int) -> int:
+    """What the server tells when it is ready."""
+    told = b""
+    while not told.endswith(b"\n"):
+        ready, _, _ = select.select([reading], [], [], _SECONDS_TO_START)
+        more = os.read(reading, 64) if ready else b""
+        if not more:
+            raise PictureError("no virtual screen starts; see that Xvfb works")
+        told += more
+    return int(told)

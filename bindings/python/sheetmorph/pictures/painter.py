@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draws the scenes of a file with VTK; a program of its own, started by `drawing`."""
+
+from __future__ import annotations
+
+import pickle
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+# What the rendering classes are made of must be loaded, though nothing here names it.
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkArrowSource
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+from .scene import SHEET, Arrow, Colour, Scene, Sheet
+
+_TEXT: Colour = (0.13, 0.17, 0.22)
+_CREASE = 30.0  # degrees; a sharper edge stays one
+_MARGIN = 1.12
+_RAMP = (SHEET, (0.99, 0.86, 0.45), (0.93, 0.45, 0.17), (0.62, 0.05, 0.15))
+_SHADES = 256
+
+
+def paint(scene: Scene, path: str) -> None:
+    """One scene into one file."""
+    window, renderer = vtkRenderWindow(), vtkRenderer()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(*scene.size)
+    window.AddRenderer(renderer)
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    renderer.SetBackground2(0.88, 0.91, 0.94)
+    renderer.GradientBackgroundOn()
+    table = _table(scene)
+    for sheet in scene.sheets:
+        for actor in _actors(sheet, table):
+            renderer.AddActor(actor)
+    size = _size(scene)
+    for arrow in scene.arrows:
+        renderer.AddActor(_arrow(arrow, size))
+    _look(renderer, scene)
+    _write_texts(renderer, scene, table)
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(path)
+    writer.Write()
+
+
+def _table(scene: Scene) -> Any:
+    """From the grey of the sheet over yellow to dark red."""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(_SHADES)
+    places = np.linspace(0.0, 1.0, len(_RAMP))
+    for k, share in enumerate(np.linspace(0.0, 1.0, _SHADES)):
+        shade = [np.interp(share, places, channel) for channel in zip(*_RAMP)]
+        table.SetTableValue(k, *shade, 1.0)
+    table.SetTableRange(*scene.span)
+    return table
+
+
+def _actors(sheet: Sheet, table: Any) -> list[Any]:
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(sheet.points, np.float64), deep=True))
+    found = []
+    if len(sheet.triangles):
+        data = vtkPolyData()
+        data.SetPoints(points)
+        data.SetPolys(_cells(sheet.triangles))
+        if sheet.values is not None:
+            data.GetPointData().SetScalars(numpy_to_vtk(sheet.values.astype(np.float64), deep=True))
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(data)
+        normals.SetFeatureAngle(_CREASE)
+        normals.SplittingOn()
+        normals.ConsistencyOff()
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(normals.GetOutputPort())
+        mapper.SetScalarVisibility(sheet.values is not None)
+        mapper.SetLookupTable(table)
+        mapper.UseLookupTableScalarRangeOn()
+        if sheet.is_mark:
+            _lift(mapper, -1.0)
+        found.append(_coloured(mapper, sheet.colour))
+    if sheet.lines is not None and len(sheet.lines):
+        data = vtkPolyData()
+        data.SetPoints(points)
+        data.SetLines(_cells(sheet.lines))
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(data)
+        _lift(mapper, -4.0)
+        actor = _coloured(mapper, sheet.colour)
+        actor.GetProperty().SetLineWidth(4.0)
+        actor.GetProperty().LightingOff()
+        found.append(actor)
+    return found
+
+
+def _lift(mapper: Any, offset: float) -> None:
+    """Before what lies in the same place."""
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(offset, offset)
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(offset, offset)
+
+
+def _cells(rows: np.ndarray) -> Any:
+    """Cells of the same number of corners each, (m, k)."""
+    whole = np.column_stack([np.full(len(rows), rows.shape[1]), rows]).astype(np.int64)
+    cells = vtkCellArray()
+    cells.SetCells(len(rows), numpy_to_vtkIdTypeArray(whole.ravel(), deep=True))
+    return cells
+
+
+def _coloured(mapper: Any, colour: Colour) -> Any:
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    looks = actor.GetProperty()
+    looks.SetColor(*colour)
+    looks.SetAmbient(0.35)
+    looks.SetDiffuse(0.75)
+    looks.SetSpecular(0.15)
+    return actor
+
+
+def _size(scene: Scene) -> float:
+    """The diagonal of all there is, mm."""
+    points = [sheet.points for sheet in scene.sheets if len(sheet.points)]
+    if not points:
+        return 1.0
+    whole = np.concatenate(points)
+    return float(np.linalg.norm(np.ptp(whole, axis=0))) or 1.0
+
+
+def _arrow(arrow: Arrow, size: float) -> Any:
+    start, end = np.asarray(arrow.start, float), np.asarray(arrow.end, float)
+    length = float(np.linalg.norm(end - start))
+    shape = vtkArrowSource()
+    thickness = min(0.25, 0.006 * size / max(length, 1e-300))
+    shape.SetShaftRadius(thickness)
+    shape.SetTipRadius(2.6 * thickness)
+    shape.SetTipLength(min(0.5, 8.0 * thickness))
+    shape.SetShaftResolution(24)
+    shape.SetTipResolution(24)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(shape.GetOutputPort())
+    actor = _coloured(mapper, arrow.colour)
+    along = (end - start) / max(length, 1e-300)
+    turn = np.cross([1.0, 0.0, 0.0], along)
+    place = vtkTransform()
+    place.Translate(*start)
+    angle = np.degrees(np.arctan2(np.linalg.norm(turn), along[0]))
+    axis = turn if np.linalg.norm(turn) > 1e-12 else np.array([0.0, 0.0, 1.0])
+    place.RotateWXYZ(angle, *axis)
+    place.Scale(length, length, length)
+    actor.SetUserTransform(place)
+    return actor
+
+
+def _look(renderer: Any, scene: Scene) -> None:
+    renderer.ResetCamera()
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    view = np.asarray(scene.view, float)
+    middle = np.asarray(camera.GetFocalPoint())
+    camera.SetPosition(*(middle + view / np.linalg.norm(view)))
+    upright = abs(view[2]) < 0.999 * np.linalg.norm(view)
+    camera.SetViewUp(*((0.0, 0.0, 1.0) if upright else (0.0, 1.0, 0.0)))
+    renderer.ResetCamera()
+    _fit(renderer, scene)
+    renderer.ResetCameraClippingRange()
+
+
+def _fit(renderer: Any, scene: Scene) -> None:
+    """Fills the picture: what is seen from there, not the ball around it."""
+    ends = [np.array([a.start, a.end], float) for a in scene.arrows]
+    points = [s.points for s in scene.sheets if len(s.points)] + ends
+    if not points:
+        return
+    camera = renderer.GetActiveCamera()
+    matrix = camera.GetViewTransformMatrix()
+    turn = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(3)])
+    seen = np.concatenate(points) @ turn[:, :3].T + turn[:, 3]
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    middle = 0.5 * (low + high)
+    shift = turn[:2, :3].T @ middle[:2]
+    for get, put in (
+        (camera.GetFocalPoint, camera.SetFocalPoint),
+        (camera.GetPosition, camera.SetPosition),
+    ):
+        put(*(np.asarray(get()) + shift))
+    width, height = scene.size
+    half = 0.5 * (high - low)
+    camera.SetParallelScale(_MARGIN * max(half[1], half[0] * height / width, 1e-9))
+
+
+def _write_texts(renderer: Any, scene: Scene, table: Any) -> None:
+    height = scene.size[1]
+    if scene.title:
+        renderer.AddActor2D(_text(scene.title, (18, height - 36), 20))
+    for row, (name, colour) in enumerate(scene.legend.items()):
+        y = 16 + 24 * (len(scene.legend) - 1 - row)
+        square = _text("    ", (18, y), 16)
+        square.GetTextProperty().SetBackgroundColor(*colour)
+        square.GetTextProperty().SetBackgroundOpacity(1.0)
+        renderer.AddActor2D(square)
+        renderer.AddActor2D(_text(name, (46, y), 16))
+    if scene.values:
+        bar = vtkScalarBarActor()
+        bar.SetLookupTable(table)
+        bar.SetTitle(scene.values)
+        bar.SetNumberOfLabels(5)
+        bar.UnconstrainedFontSizeOn()
+        for style, size in ((bar.GetTitleTextProperty(), 16), (bar.GetLabelTextProperty(), 14)):
+            style.SetColor(*_TEXT)
+            style.SetFontSize(size)
+            style.ItalicOff()
+            style.ShadowOff()
+            style.BoldOff()
+        bar.SetLabelFormat("%.3g")
+        bar.SetOrientationToHorizontal()
+        bar.SetPosition(0.33, 12 / height)
+        bar.SetWidth(0.34)
+        bar.SetHeight(56 / height)
+        renderer.AddActor2D(bar)
+
+
+def _text(text: str, place: tuple[float, float], size: int) -> Any:
+    actor = vtkTextActor()
+    actor.SetInput(text)
+    actor.SetPosition(*place)
+    style = actor.GetTextProperty()
+    style.SetFontSize(size)
+    style.SetColor(*_TEXT)
+    return actor
+
+
+def main(path: str) -> None:
+    """Draw what stands in the file."""
+    for scene, picture in pickle.loads(Path(path).read_bytes()):
+        paint(scene, picture)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

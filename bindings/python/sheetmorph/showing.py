@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures of a recipe file, without a window."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from .errors import Fault, RecipeError
+from .files.atomic import FileSet
+from .pictures import Scene, draw, scene_of_answer, scene_of_recipe
+from .progress import Progress
+from .recipe import check_with_meshes, named_in, prepare, read_json
+from .session import Session
+
+
+def show(
+    recipe_path: str | Path,
+    picture: str | Path,
+    pose: str | None = None,
+    *,
+    after: bool = False,
+    view: tuple[float, float, float] | None = None,
+    files: FileSet | None = None,
+    progress: Progress | None = None,
+) -> None:
+    """Draw what a recipe means into a PNG file: regions in the colours of their roles, arrows.
+
+    pose: name of one of its poses; after: the parts in that pose instead, coloured by how far each
+    place moved; view: from the middle to the eye; files: a new FileSet. Raises RecipeError,
+    FileError, KernelError, PictureError.
+    """
+    path = Path(recipe_path)
+    recipe = read_json(path)
+    with named_in(path):
+        parts = prepare(recipe, path.parent, progress)
+        if pose is not None and pose not in recipe.get("poses", {}):
+            known = ", ".join(recipe.get("poses", {})) or "none"
+            raise RecipeError([Fault("poses", f'there is no pose "{pose}"', f"it has {known}")])
+        if after:
+            session = Session(recipe, parts.meshes, progress, found=parts.found)
+            wanted = recipe["poses"][pose] if pose else None
+            scene = scene_of_answer(session.deform(wanted), _title(path, pose))
+        else:
+            model = check_with_meshes(recipe, parts.meshes, parts.found)
+            scene = scene_of_recipe(model, parts.meshes, _title(path, pose), pose or "")
+    with files or FileSet() as out:
+        draw([(_seen_from(scene, view), Path(picture))], out)
+        out.commit()
+
+
+def _title(path: Path, pose: str | None) -> str:
+    return f"{path.name}, pose {pose}" if pose else path.name
+
+
+def _seen_from(scene: Scene, view: tuple[float, float, float] | None) -> Scene:
+    return scene if view is None else replace(scene, view=view)

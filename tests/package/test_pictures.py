@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures without a display: what they show, and what is said where none can be drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+from plates import plate, recipe_of, save_recipe, write_plate
+from sheetmorph.cli import main
+from sheetmorph.pictures import Arrow, PictureError, Scene, Sheet, draw, drawing
+from sheetmorph.pictures.scene import ROLES
+
+SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+HALVES = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def pixels(path: Path) -> np.ndarray:
+    """(height, width, channels) of a PNG, as VTK reads it."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
+
+
+def share_near(picture: np.ndarray, colour: tuple[float, float, float], within: int = 60) -> float:
+    """The share of pixels that look like a colour."""
+    apart = np.abs(picture[..., :3].astype(int) - (255 * np.array(colour)).astype(int))
+    return float((apart.max(axis=2) < within).mean())
+
+
+def test_a_scene_shows_its_sheets_marks_and_arrows(tmp_path: Path):
+    red, blue = (0.9, 0.1, 0.1), (0.1, 0.1, 0.9)
+    marked = [Sheet(SQUARE, HALVES), Sheet(SQUARE, HALVES[:1], red, is_mark=True)]
+    arrow = Arrow((0.5, 0.5, 0.0), (0.5, 0.5, 0.8), blue)
+    first = Scene(marked, [arrow], "a title", {"red": red}, size=(320, 240), view=(0, 0, 1))
+    second = Scene([Sheet(SQUARE, HALVES)], size=(320, 240), view=(0, 0, 1))
+    draw([(first, tmp_path / "first.png"), (second, tmp_path / "second.png")])
+    seen, plain = pixels(tmp_path / "first.png"), pixels(tmp_path / "second.png")
+    assert seen.shape[:2] == (240, 320)
+    # The square is as high as the picture but for the margin; its half is marked.
+    assert share_near(seen, red) == pytest.approx(0.5 * (240 / 1.12) ** 2 / (240 * 320), abs=0.05)
+    assert share_near(plain, red) == 0.0
+
+
+def test_no_picture_appears_where_none_can_be_drawn(tmp_path: Path, monkeypatch):
+    monkeypatch.setattr(drawing.shutil, "which", lambda _: None)
+    with pytest.raises(PictureError, match="install xvfb"):
+        draw([(Scene([Sheet(SQUARE, HALVES)]), tmp_path / "no.png")])
+    assert list(tmp_path.iterdir()) == []
+
+
+@contextmanager
+def no_screen() -> Iterator[str]:
+    """The name of a display that does not exist."""
+    yield ":987"
+
+
+def test_a_driver_that_gives_up_is_one_sentence(tmp_path: Path, monkeypatch):
+    monkeypatch.setattr(drawing, "_screen", no_screen)
+    with pytest.raises(PictureError, match="VTK could not draw"):
+        draw([(Scene([Sheet(SQUARE, HALVES)]), tmp_path / "no.png")])
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.fixture
+def recipe(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """A recipe of a plate in the working folder of the test."""
+    part = plate()
+    write_plate(part, tmp_path / "plate.obj", "obj")
+    save_recipe(recipe_of(part, "plate.obj"), tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return "recipe.json"
+
+
+def test_show_draws_what_a_recipe_means(recipe: str, capsys):
+    assert main(["show", recipe, "-o", "rest.png", "--view", "0.1,-0.3,1"]) == 0
+    picture = pixels(Path("rest.png"))
+    for role in ("fixed", "handle", "form feature"):
+        assert share_near(picture, ROLES[role]) > 1e-4, role
+    assert main(["show", recipe, "-o", "moved.png", "--after"]) == 0
+    moved = pixels(Path("moved.png"))
+    assert share_near(moved, ROLES["fixed"], 20) == 0.0
+    assert main(["show", recipe, "-o", "no.png", "--pose", "open"]) == 2
+    assert 'there is no pose "open"' in capsys.readouterr().err
+    assert not Path("no.png").exists()
+
+
+def test_run_puts_pictures_beside_the_parts(recipe: str):
+    assert main(["run", recipe, "-o", "out", "--pictures"]) == 0
+    assert sorted(path.name for path in Path("out").iterdir()) == [
+        "after.png",
+        "before.png",
+        "plate.obj",
+    ]
+    assert not np.array_equal(pixels(Path("out/before.png")), pixels(Path("out/after.png")))

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recipes as people write them: with comments, in TOML, with mistakes on a line."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import jsonschema
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from plates import plate, recipe_of, save_recipe, write_plate
+from sheetmorph.cli import main
+from sheetmorph.errors import RecipeError
+from sheetmorph.files.comments import plain_json
+from sheetmorph.recipe import read_json
+
+VALUES = st.recursive(
+    st.none() | st.booleans() | st.integers(-9, 9) | st.text('ab/*,"\\]}', max_size=6),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text("k/", max_size=3), inner),
+    max_leaves=12,
+)
+
+
+@settings(database=None)
+@given(VALUES)
+def test_comments_and_last_commas_change_nothing(value: object):
+    text = json.dumps(value, indent=1)
+    decorated = "// so: {\n" + text.replace("\n", " /* , ] */ // [\n") + "/* end\n */"
+    assert json.loads(plain_json(decorated)) == value
+    assert plain_json(text) == text
+
+
+def test_a_comma_before_a_bracket_is_no_mistake(tmp_path: Path):
+    path = tmp_path / "recipe.json"
+    path.write_text('{"a": [1, 2, ], "b": ",]" , // last\n}')
+    assert read_json(path) == {"a": [1, 2], "b": ",]"}
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ('{\n  // note\n  "a": 1\n  "b": 2\n}', "line 4, column 3"),
+        ('{"a": /* one\ntwo */ ]}', "line 2, column 8"),
+        ('{"a": "//"\n', "line 2, column 1"),
+    ],
+)
+def test_a_mistake_is_told_where_it_is_in_the_file(tmp_path: Path, text: str, place: str):
+    path = tmp_path / "recipe.json"
+    path.write_text(text)
+    with pytest.raises(RecipeError, match=f"{place}: not JSON"):
+        read_json(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "place"), [("a = 1\nb = = 2\n", "line 2, column 5"), ("a = [1,\n", "line 2")]
+)
+def test_a_mistake_in_toml_is_told_where_it_is(tmp_path: Path, text: str, place: str):
+    path = tmp_path / "recipe.toml"
+    path.write_text(text)
+    with pytest.raises(RecipeError, match=f"{place}: not TOML"):
+        read_json(path)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with plate.obj and recipe.json; the working folder of the test."""
+    part = plate()
+    write_plate(part, tmp_path / "plate.obj", "obj")
+    save_recipe(recipe_of(part, "plate.obj"), tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_every_entry_that_is_wrong_has_its_line(folder: Path, capsys):
+    Path("recipe.json").write_text(
+        '{\n  // the plate\n  "sheetmorph": 1, "parts": [{"name": "plate", "file": "plate.obj"}],\n'
+        '  "fixed": [{"part": "plate", "vertices": [0, 1]},\n'
+        '            {"part": "plane", "vertices": [2]}],\n'
+        '  "handles": [\n    {"name": "end", "part": "plate", "vertices": [5, 9999999]}],\n'
+        '  "pose": {"end": {"translation": [0, 0, "1"]}}\n}\n'
+    )
+    assert main(["check", "recipe.json"]) == 2
+    told = capsys.readouterr().err
+    assert "recipe.json, line 8, column 42, pose.end.translation[2]" in told
+    assert "recipe.json, line 5, column 14, fixed[1].part" in told
+    assert "recipe.json, line 7, column 38, handles[0] (end).vertices" in told
+
+
+def test_a_recipe_in_toml_runs(folder: Path):
+    recipe = json.loads(Path("recipe.json").read_text())
+    lines = ["sheetmorph = 1"]
+    for section in ("parts", "fixed", "handles", "features"):
+        for entry in recipe.get(section, []):
+            lines.append(f"[[{section}]]")
+            lines += [f"{key} = {json.dumps(value)}" for key, value in entry.items()]
+    lines += ["[pose.handle0]", "translation = [0, 0, 3]"]
+    handle = recipe["handles"][0].get("name", "handle0")
+    Path("recipe.toml").write_text("\n".join(lines).replace("pose.handle0", f'pose."{handle}"'))
+    assert main(["run", "recipe.toml", "-o", "out"]) == 0
+    assert (folder / "out" / "plate.obj").is_file()
+    assert main(["run", "recipe.json", "-o", "."]) == 2  # both recipes read plate.obj
+
+
+def test_schema_prints_what_editors_need(folder: Path, capsys):
+    assert main(["schema"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["$id"] and found["title"] and found["description"]
+    for example in found["examples"]:
+        jsonschema.validate(example, found)
+    missing = [
+        f"{name}.{key}"
+        for name, entry in [("recipe", found), *found["$defs"].items()]
+        for key, value in entry.get("properties", {}).items()
+        if not {"description", "$ref", "const"} & value.keys()
+    ]
+    assert missing == []
+    recipe = json.loads(Path("recipe.json").read_text())
+    save_recipe({"$schema": "recipe.schema.json", **recipe}, folder)
+    assert main(["check", "recipe.json"]) == 0
