@@ -39,7 +39,7 @@ def share_near(picture: np.ndarray, colour: tuple[float, float, float], within: 
 
 def test_a_scene_shows_its_sheets_marks_and_arrows(tmp_path: Path):
     red, blue = (0.9, 0.1, 0.1), (0.1, 0.1, 0.9)
-    marked = [Sheet(SQUARE, HALVES), Sheet(SQUARE, HALVES[:1], red, is_mark=True)]
+    marked = [Sheet(SQUARE, HALVES[1:]), Sheet(SQUARE, HALVES[:1], red)]
     arrow = Arrow((0.5, 0.5, 0.0), (0.5, 0.5, 0.8), blue)
     first = Scene(marked, [arrow], "a title", {"red": red}, size=(320, 240), view=(0, 0, 1))
     second = Scene([Sheet(SQUARE, HALVES)], size=(320, 240), view=(0, 0, 1))

@@ -61,7 +61,10 @@ def _entry(file: str) -> Entry:
     keys = {} if "split" in told["part"] else {"name": name}
     cures = [finding["text"] for finding in told["findings"] if finding["cure"]]
     remark = f"{told['triangles']} triangles, {told['size']:.4g} {told['unit']['guess']} large"
-    return Entry({**keys, "file": file, **told["part"]}, "; ".join([remark, *cures]))
+    cure = told["part"]
+    if "weld" in cure:
+        cure = {**cure, "weld": float(f"{cure['weld']:.2g}")}
+    return Entry({**keys, "file": file, **cure}, "; ".join([remark, *cures]))
 
 
 def _read(entries: list[dict[str, Any]], progress: Progress | None) -> Parts:

@@ -12,7 +12,7 @@ import numpy as np
 from ..answer import Answer
 from ..part_mesh import PartMesh
 from ..recipe.model import Model, Motion, RegionEntry, motions_of
-from .scene import ROLES, Arrow, Colour, Scene, Sheet
+from .scene import ROLES, SHEET, Arrow, Scene, Sheet
 
 _ROLE_OF = {
     "fixed": "fixed",
@@ -32,16 +32,15 @@ def scene_of_recipe(
 
     pose: name of one of its poses instead of its own.
     """
-    sheets = [Sheet(mesh.points, mesh.triangles) for mesh in meshes.values()]
-    marked = _marked(model, meshes)
-    sheets += [sheet for _, sheet in marked]
-    names = dict.fromkeys(role for role, _ in marked)
+    regions = _regions(model, meshes)
+    sheets = [sheet for name, mesh in meshes.items() for sheet in _painted(mesh, regions[name])]
+    names = {role for of_part in regions.values() for role, _ in of_part}
     motions = model.poses[pose] if pose else model.pose
     return Scene(
         sheets,
         arrows=_arrows(model, meshes, motions),
         title=title,
-        legend={role: ROLES[role] for role in ROLES if role in names},
+        legend={role: colour for role, colour in ROLES.items() if role in names},
     )
 
 
@@ -78,28 +77,46 @@ def _corners(scene: Scene) -> np.ndarray:
     return np.concatenate([whole[whole.argmin(axis=0)], whole[whole.argmax(axis=0)]])
 
 
-def _marked(model: Model, meshes: Mapping[str, PartMesh]) -> list[tuple[str, Sheet]]:
-    """Every region with its role."""
-    regions = [(_ROLE_OF[region.kind], region) for region in model.regions]
+def _regions(
+    model: Model, meshes: Mapping[str, PartMesh]
+) -> dict[str, list[tuple[str, np.ndarray]]]:
+    """By part: role and vertices of every region."""
+    found: dict[str, list[tuple[str, np.ndarray]]] = {name: [] for name in meshes}
+    marked = [(_ROLE_OF[region.kind], region) for region in model.regions]
     for contact in model.contacts:
-        regions += [("contact, side a", contact.a), ("contact, side b", contact.b)]
-    return [
-        (role, _patch(meshes[region.part], region, ROLES[role]))
-        for role, region in regions
-        if region.part in meshes
+        marked += [("contact, side a", contact.a), ("contact, side b", contact.b)]
+    for role, region in marked:
+        if region.part in meshes:
+            found[region.part].append((role, _vertices(meshes[region.part], region)))
+    return found
+
+
+def _painted(mesh: PartMesh, regions: list[tuple[str, np.ndarray]]) -> list[Sheet]:
+    """The part, each triangle in the colour of the last region that it belongs to, and lines along
+    what no triangle of a region shows, such as rims."""
+    roles = list(ROLES)
+    owner = np.full(len(mesh.triangles), -1)
+    lines = []
+    for role, vertices in regions:
+        is_in = np.zeros(len(mesh.points), dtype=bool)
+        is_in[vertices] = True
+        inside = is_in[mesh.triangles].all(axis=1)
+        owner[inside] = roles.index(role)
+        lone = _edges(mesh.triangles[~inside])
+        lone = lone[is_in[lone].all(axis=1)]
+        lines.append(Sheet(mesh.points, mesh.triangles[:0], ROLES[role], lines=lone))
+    colours = [SHEET, *(ROLES[role] for role in roles)]
+    faces = [
+        Sheet(mesh.points, mesh.triangles[owner == k - 1], colour)
+        for k, colour in enumerate(colours)
+        if (owner == k - 1).any()
     ]
+    return faces + lines
 
 
-def _patch(mesh: PartMesh, region: RegionEntry, colour: Colour) -> Sheet:
-    """Triangles whose corners all belong to it, and the edges between its vertices."""
-    is_in = np.zeros(len(mesh.points), dtype=bool)
-    is_in[_vertices(mesh, region)] = True
-    inside = is_in[mesh.triangles]
-    corners = mesh.triangles
-    edges = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
-    edges = edges[is_in[edges].all(axis=1)]
-    lines = np.unique(np.sort(edges), axis=0) if len(edges) else None
-    return Sheet(mesh.points, corners[inside.all(axis=1)], colour, lines=lines, is_mark=True)
+def _edges(triangles: np.ndarray) -> np.ndarray:
+    """(3 m, 2) of triangles (m, 3); an edge of two stands twice."""
+    return triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
 
 
 def _vertices(mesh: PartMesh, region: RegionEntry) -> np.ndarray:

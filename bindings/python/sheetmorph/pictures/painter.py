@@ -100,8 +100,6 @@ def _actors(sheet: Sheet, table: Any) -> list[Any]:
         mapper.SetScalarVisibility(sheet.values is not None)
         mapper.SetLookupTable(table)
         mapper.UseLookupTableScalarRangeOn()
-        if sheet.is_mark:
-            _lift(mapper, -1.0)
         found.append(_coloured(mapper, sheet.colour))
     if sheet.lines is not None and len(sheet.lines):
         data = vtkPolyData()
@@ -109,7 +107,7 @@ def _actors(sheet: Sheet, table: Any) -> list[Any]:
         data.SetLines(_cells(sheet.lines))
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(data)
-        _lift(mapper, -4.0)
+        _lift(mapper)
         actor = _coloured(mapper, sheet.colour)
         actor.GetProperty().SetLineWidth(4.0)
         actor.GetProperty().LightingOff()
@@ -117,11 +115,10 @@ def _actors(sheet: Sheet, table: Any) -> list[Any]:
     return found
 
 
-def _lift(mapper: Any, offset: float) -> None:
-    """Before what lies in the same place."""
+def _lift(mapper: Any) -> None:
+    """Lines before the sheet that they lie on."""
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(offset, offset)
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(offset, offset)
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-4.0, -4.0)
 
 
 def _cells(rows: np.ndarray) -> Any:

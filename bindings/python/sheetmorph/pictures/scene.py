@@ -26,7 +26,7 @@ ROLES: dict[str, Colour] = {
 class Sheet:
     """Triangles (m, 3) over points (n, 3) in mm, in one colour or coloured by values (n,).
 
-    lines: (k, 2) point indices of strong lines; is_mark: it lies on another one and is seen.
+    lines: (k, 2) point indices of strong lines.
     """
 
     points: np.ndarray
@@ -34,7 +34,6 @@ class Sheet:
     colour: Colour = SHEET
     values: np.ndarray | None = None
     lines: np.ndarray | None = None
-    is_mark: bool = False
 
 
 @dataclass(frozen=True)
