@@ -50,7 +50,9 @@ void bind_surface(py::module_& module)
         .def_readonly("minor_radius", &CadSurface::minor_radius, "mm, of a torus' tube")
         .def_readonly("half_angle", &CadSurface::half_angle, "of a cone, radians")
         .def_readonly("fit_error", &CadSurface::fit_error,
-                      "mm: 0, or how well a spline surface is of this kind");
+                      "mm: 0, or how well a spline surface is of this kind")
+        .def_readonly("name", &CadSurface::name, "of the face in the file, empty if it has none")
+        .def_readonly("colour", &CadSurface::colour, "#rrggbb, empty if it has none");
 }
 
 const char* name_of(CadFeatureKind kind)

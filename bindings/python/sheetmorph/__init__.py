@@ -11,7 +11,7 @@ from .files import PartFile, read_part
 from .live import LiveFrames
 from .part_mesh import PartMesh
 from .recipe import validate
-from .running import CertificateError, check, run
+from .running import CertificateError, check, resolve, run
 from .results import ContactResult, FeatureResult
 from .session import Drag, Result, Session
 
@@ -34,6 +34,7 @@ __all__ = [
     "check",
     "diagnose",
     "read_part",
+    "resolve",
     "run",
     "validate",
 ]

@@ -10,6 +10,7 @@ import numpy as np
 
 from .answer import Answer
 from .preprocessed import Preprocessed
+from .regions_report import region_remarks
 from .results import ContactResult
 from .words import counted
 
@@ -24,6 +25,7 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
     """One sentence each; parts: as the report tells them."""
     session = result.session
     return [
+        *region_remarks(session),
         *_loose(session),
         *_unheld_primary(session),
         *_open_contacts(result),

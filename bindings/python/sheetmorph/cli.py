@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: python3 -m sheetmorph init | show | check | run | doctor | find | schema."""
+"""The command line: python3 -m sheetmorph init | show | check | run | resolve | find | ..."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from . import __version__
 from .cli_find import add_find_arguments, run_find
 from .cli_progress import progress_on
 from .cli_recipes import RECIPE_COMMANDS, add_recipe_commands
+from .cli_resolve import add_resolve_arguments, run_resolve
 from .cli_table import ending_of
 from .errors import FileError, KernelError, RecipeError
 from .files.atomic import FileSet
@@ -127,6 +128,7 @@ def parser() -> argparse.ArgumentParser:
     run.add_argument("--pictures", action="store_true", help=text)
     check = commands.add_parser("check", help="do what run does, and write nothing")
     check.add_argument("recipe", help="JSON file")
+    add_resolve_arguments(commands)
     for command in (run, check):
         text = "warnings (badly opened contacts and others) end with exit status 3"
         command.add_argument("--strict", action="store_true", help=text)
@@ -187,6 +189,7 @@ def _find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
 _COMMANDS = {
     "run": _run,
     "check": _check,
+    "resolve": run_resolve,
     "doctor": _doctor,
     "find": _find,
     **RECIPE_COMMANDS,

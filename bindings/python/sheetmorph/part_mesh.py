@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from .labels import Labels
+
 
 def _of_kind(values: object, kinds: str, name: str) -> np.ndarray:
     """The values as an array of numbers of some numpy kinds. Raises ValueError."""
@@ -34,7 +36,8 @@ class PartMesh:
     """One part at rest.
 
     points: (n, 3) float64, mm; triangles: (m, 3) int32, indices from 0; ids: (n,) int64 vertex ids
-    of the file (node ids of a deck), None for 0 .. n-1; name: for messages.
+    of the file (node ids of a deck), None for 0 .. n-1; name: for messages; labels: what the file
+    calls parts of it.
     Raises ValueError for other shapes, numbers that are not finite, indices out of range, equal
     ids.
     """
@@ -43,6 +46,7 @@ class PartMesh:
     triangles: np.ndarray
     ids: np.ndarray | None = None
     name: str = ""
+    labels: Labels | None = None
 
     def __post_init__(self) -> None:
         points = np.ascontiguousarray(_of_kind(self.points, "fiu", "points"), dtype=np.float64)
@@ -77,10 +81,13 @@ class PartMesh:
         if len(np.unique(self.ids)) != len(self.ids):
             raise ValueError("two vertices have the same id")
 
-    def find(self, ids: Sequence[int]) -> tuple[np.ndarray, list[int]]:
-        """Indices (k,) int32 of the vertices with these file ids, and the ids that do not exist."""
+    def find(self, ids: Sequence[int], prepared: bool = False) -> tuple[np.ndarray, list[int]]:
+        """Indices (k,) int32 of the vertices with these file ids, and the ids that do not exist.
+
+        prepared: they are those of the mesh that is deformed, which count from 0.
+        """
         wanted = _as_int64(ids)
-        if self.ids is None:
+        if self.ids is None or prepared:
             indices = wanted
             found = (wanted >= 0) & (wanted < len(self.points))
         else:
@@ -127,10 +134,10 @@ class PartMesh:
         """Some of its vertices (k,), and triangles (m, 3) over them; the ids stay."""
         return PartMesh(self.points[vertices], corners, np.array(self.file_ids(vertices)), name)
 
-    def describe_ids(self) -> str:
+    def describe_ids(self, prepared: bool = False) -> str:
         """The ids a recipe may use, for messages: "0 .. 41" or "node ids 1 .. 9999 of the deck"."""
         if not len(self.points):
             return "it has none"
-        if self.ids is None:
+        if self.ids is None or prepared:
             return f"0 .. {len(self.points) - 1}"
         return f"node ids of its deck, {self.ids.min()} .. {self.ids.max()}"

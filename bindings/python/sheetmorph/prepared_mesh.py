@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from .labels import Labels
 from .part_mesh import PartMesh
 from .progress import Progress
 
@@ -60,8 +61,10 @@ class PreparedMesh(PartMesh):
     def file_triangle_count(self) -> int:
         return len(self.source.triangles)
 
-    def find(self, ids: Sequence[int]) -> tuple[np.ndarray, list[int]]:
+    def find(self, ids: Sequence[int], prepared: bool = False) -> tuple[np.ndarray, list[int]]:
         """Vertices between the ones with these ids, and those nearest to them: (j,) int32."""
+        if prepared:
+            return super().find(ids, prepared)
         old, missing = self.source.find(ids)
         chosen = np.zeros(len(self.source.points), dtype=bool)
         chosen[old] = True
@@ -74,8 +77,8 @@ class PreparedMesh(PartMesh):
         """The id of a vertex of the file in or beside the place of each."""
         return self.source.file_ids(self.support[np.asarray(indices, dtype=np.int64), 0])
 
-    def describe_ids(self) -> str:
-        return self.source.describe_ids()
+    def describe_ids(self, prepared: bool = False) -> str:
+        return super().describe_ids(prepared) if prepared else self.source.describe_ids()
 
     def place_on(
         self, core: ModuleType, triangle: int, barycentric: Sequence[float]
@@ -136,9 +139,29 @@ def prepared_mesh(
         points, triangles = fresh.points, fresh.triangles
     made = PreparedMesh(
         points, triangles, name=mesh.name, source=mesh, support=support, vertex_of=vertex_of,
-        done=done,
+        done=done, labels=_labels(core, mesh, (points, triangles), triangle_of),
     )  # fmt: skip
     return made, triangle_of
+
+
+def _labels(
+    core: ModuleType, mesh: PartMesh, made: tuple[np.ndarray, np.ndarray], triangle_of: np.ndarray
+) -> Labels | None:
+    """The labels of a mesh on the triangles made of it, each by the facet below its middle.
+
+    triangle_of: of each the facet that it may lie on, which decides without a remesh.
+    """
+    if mesh.labels is None:
+        return None
+    points, triangles = made
+    middles = points[triangles].mean(axis=1)
+    below = mesh.points[mesh.triangles[triangle_of]].mean(axis=1)
+    off = np.flatnonzero((middles != below).any(axis=1)).tolist()
+    rows = triangle_of.copy()
+    if off:
+        tree = core.PickingTree(mesh.points, mesh.triangles)
+        rows[off] = [tree.nearest_point(middles[k]).triangle for k in off]
+    return mesh.labels.carried(rows)
 
 
 def _only_scaled(mesh: PartMesh, scale: float) -> PreparedMesh:
@@ -148,7 +171,7 @@ def _only_scaled(mesh: PartMesh, scale: float) -> PreparedMesh:
     done = {"scale": scale, "weld": None, **counts, "remesh": None, "unsettled": None}
     return PreparedMesh(
         mesh.points, mesh.triangles, name=mesh.name, source=mesh, support=ids[:, None],
-        vertex_of=ids, done=done,
+        vertex_of=ids, done=done, labels=mesh.labels,
     )  # fmt: skip
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from .part_mesh import PartMesh
 from .progress import Progress
 from .recipe import check_with_meshes
 from .recipe.found import Found
-from .recipe.model import Model
+from .recipe.model import Model, RegionEntry
 from .results import FeatureResult
 from .translation import Translator, kernel_faults
 
@@ -24,7 +25,8 @@ class Preprocessed:
     recipe: as in a recipe file ("file" of a part is not needed); meshes: PartMesh by part name;
     progress(fraction, task) may return False to cancel (RuntimeError); previous: one of an
     earlier state of the recipe, from which what did not change is taken over; found: what a search
-    in the files has put in place of "auto", else it is searched for here.
+    in the files has put in place of "auto", else it is searched for here; told: what the selectors
+    came to that were resolved before.
     Raises RecipeError, KernelError.
     """
 
@@ -36,8 +38,11 @@ class Preprocessed:
         previous: Preprocessed | None = None,
         *,
         found: Found | None = None,
+        told: Mapping[str, dict[str, Any]] | None = None,
     ):
         model = check_with_meshes(recipe, meshes, found)
+        if told is not None:
+            model = replace(model, told=dict(told))
         self._recipe_pose = dict(recipe.get("pose", {}))
         self._model = model
         self.meshes = {part.name: meshes[part.name] for part in model.parts}
@@ -108,6 +113,10 @@ class Preprocessed:
             self.meshes[side.part].points[self._translator.indices(side)]
             for side in (entry.a, entry.b)
         )
+
+    def region_vertices(self, region: RegionEntry) -> np.ndarray:
+        """Indices (k,) of the vertices of a region of the model in its part."""
+        return self._translator.indices(region)
 
     @property
     def timings(self) -> dict[str, float]:

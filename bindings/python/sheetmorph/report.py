@@ -18,6 +18,7 @@ from .certificate import edge_error, feature_edges, tolerance
 from .notes import notes_of, shape_notes
 from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
+from .regions_report import region_entries
 from .results import FeatureResult
 from .strain import worst_fold, worst_strain
 from .thin import thin_failures, thin_report
@@ -50,8 +51,7 @@ def make_report(
     files = written or {}
     rest = (mesh.points for mesh in session.meshes.values())
     tol = tolerance(session.size, [*rest, *result.positions.values()])
-    rests = {part: session.rest_of(part, result.features) for part in session.parts}
-    features = [_feature(result, feature, files, rests) for feature in result.features]
+    features = _features(result, files)
     parts = [_part(result, name, files.get(name)) for name in session.parts]
     warnings = warnings_of(result, parts)
     failures = [*_torn(features, tol), *thin_failures(result, tol)]
@@ -71,6 +71,7 @@ def make_report(
         "features": features,
         "contacts": [asdict(contact) for contact in result.contacts],
         "spread": result.spread,
+        "regions": region_entries(session),
         "parts": parts,
         "order": session.order,
         "levels": session.levels,
@@ -106,6 +107,12 @@ def _torn(features: list[dict[str, Any]], tol: float) -> list[str]:
 
 def _worst_error(feature: Mapping[str, Any]) -> float:
     return max(feature["edge_error"], feature["outline_error"] or 0.0)
+
+
+def _features(result: Answer, files: Mapping[str, WrittenPart]) -> list[dict[str, Any]]:
+    session = result.session
+    rests = {part: session.rest_of(part, result.features) for part in session.parts}
+    return [_feature(result, feature, files, rests) for feature in result.features]
 
 
 def _feature(

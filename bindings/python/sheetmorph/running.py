@@ -15,7 +15,7 @@ from .files import FileSet
 from .pictures import Scene, before_and_after, draw
 from .places import Places
 from .progress import Progress
-from .recipe import named_in, prepare, read_json
+from .recipe import filled, named_in, prepare, read_json
 from .recipe.parts import Source
 from .report import WrittenPart, make_report, unsettled_failures
 from .session import Result, Session
@@ -56,6 +56,19 @@ def check(
     except KernelError as error:
         return [f"not tried out: {error}"]
     return []
+
+
+def resolve(recipe_path: str | Path, progress: Progress | None = None) -> dict[str, Any]:
+    """A recipe file with vertex ids in place of its selectors, and what was found for "auto".
+
+    The paths of the parts stay as the file has them. Raises RecipeError, KernelError.
+    """
+    path = Path(recipe_path)
+    recipe = read_json(path)
+    with named_in(path):
+        parts = prepare(recipe, path.parent, progress)
+    ids = parts.resolved.recipe
+    return ids if parts.found is None else filled(ids, parts.found)
 
 
 def run(
@@ -127,9 +140,11 @@ class _Morph:
     def factorise(self) -> None:
         """The pre-processing phase."""
         with named_in(self._path):
+            ids = self._parts.resolved
             self._session = Session(
-                self.recipe, self._parts.meshes, self._ways.progress, found=self._parts.found
-            )
+                ids.recipe, self._parts.meshes, self._ways.progress, found=self._parts.found,
+                told=ids.told,
+            )  # fmt: skip
 
     def write(self, pose: dict[str, Any] | None, places: Places, files: FileSet) -> dict[str, Any]:
         """Deform, certify and write; returns the report."""

@@ -28,7 +28,7 @@ class Translator:
         self._meshes = meshes
         self._part_index = {part.name: k for k, part in enumerate(model.parts)}
         self._indices = {
-            region.where: meshes[region.part].find(region.vertices)[0]
+            region.where: meshes[region.part].find(region.vertices, region.is_prepared)[0]
             for region in model.all_regions
             if region.vertices is not None
         }

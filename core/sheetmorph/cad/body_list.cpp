@@ -73,7 +73,7 @@ void BodyList::add(const TopoDS_Shape& shape, const std::string& name, const Bod
         }
         else if (full.empty() && body_name)
             full = body_name(found[k]);
-        bodies_.push_back({unique(full.empty() ? "part" : full), found[k]});
+        bodies_.push_back({unique(full.empty() ? "part" : full), found[k], {}});
     }
 }
 

@@ -30,6 +30,8 @@ struct CadSurface
     double minor_radius = 0.0;        //!< torus (of the tube)
     double half_angle = 0.0;          //!< cone: between axis and surface, radians, > 0
     double fit_error = 0.0;           //!< 0 if the file says so, else how well a spline is it
+    std::string name = {};            //!< of the face in the file, empty if it has none
+    std::string colour = {};          //!< "#rrggbb", the same
 };
 
 //! A circle that the file draws as edges of a part.

@@ -150,6 +150,16 @@ CadPart placed(CadPart part, const gp_Trsf& motion)
     return part;
 }
 
+void name(CadPart& part, const NamedShape& shape)
+{
+    part.name = shape.name;
+    for (std::size_t f = 0; f < std::min(shape.faces.size(), part.surfaces.size()); ++f)
+    {
+        part.surfaces[f].name = shape.faces[f].name;
+        part.surfaces[f].colour = shape.faces[f].colour;
+    }
+}
+
 TopoDS_Shape unplaced(const TopoDS_Shape& shape)
 {
     return shape.Located(TopLoc_Location());
@@ -185,7 +195,7 @@ CadModel meshed(const std::vector<NamedShape>& shapes, const CadMeshing& wanted,
         const int index = originals.FindIndex(unplaced(one.shape));
         model.parts.push_back(placed(made[static_cast<std::size_t>(index - 1)],
                                      one.shape.Location().Transformation()));
-        model.parts.back().name = one.name;
+        name(model.parts.back(), one);
     }
     const bool has_triangles =
         std::any_of(model.parts.begin(), model.parts.end(),

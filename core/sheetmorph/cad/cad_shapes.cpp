@@ -2,6 +2,7 @@
 #include "sheetmorph/cad/cad_shapes.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/body_list.h"
+#include "sheetmorph/cad/face_tags.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -139,7 +140,7 @@ std::vector<NamedShape> shapes_of_step(const std::string& path)
     Document document;
     STEPCAFControl_Reader reader;
     use_millimetres(reader);
-    reader.SetColorMode(false);
+    reader.SetColorMode(true);
     reader.SetLayerMode(false);
     reader.SetNameMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
@@ -155,7 +156,10 @@ std::vector<NamedShape> shapes_of_step(const std::string& path)
             transfer->EntityFromShapeResult(unplaced, 1));
         return item.IsNull() || item->Name().IsNull() ? "" : trimmed(item->Name()->ToCString());
     };
-    return collected(document, name_of_body);
+    std::vector<NamedShape> bodies = collected(document, name_of_body);
+    tag_faces(bodies, face_names_of(transfer),
+              XCAFDoc_DocumentTool::ColorTool(document.handle()->Main()));
+    return bodies;
 }
 
 std::vector<NamedShape> shapes_of_iges(const std::string& path)

@@ -8,11 +8,19 @@
 namespace sheetmorph
 {
 
+//! What a file says of a face besides its surface; empty where it says nothing.
+struct FaceTag
+{
+    std::string name;
+    std::string colour;  //!< "#rrggbb"
+};
+
 //! A solid, or a shell that belongs to none, placed by its location.
 struct NamedShape
 {
     std::string name;  //!< unique among those of a file
     TopoDS_Shape shape;
+    std::vector<FaceTag> faces = {};  //!< in the order of TopExp::MapShapes, or none
 };
 
 //! The solids and free shells of a file; lengths in mm, faces that belong to no shell sewn.

@@ -4,9 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
 from ..errors import FileError
+from ..labels import Labels, by_key
 from .atomic import FileSet
 from .cad_file import CAD_SUFFIXES, read_cad
 from .meshio_file import SUFFIXES, MeshioFile
@@ -70,4 +74,13 @@ def read_part(
         return read_cad(place, meshing, progress)
     if meshing:
         raise FileError(place, "only CAD files are meshed", "leave the meshing out")
-    return _READERS[suffix](place)
+    return _with_properties(_READERS[suffix](place))
+
+
+def _with_properties(file: PartFile) -> PartFile:
+    """The same, its properties among what a group can be called."""
+    if file.properties is not None:
+        names = [f"PID {number}" for number in np.unique(file.properties).tolist()]
+        labels = (file.mesh.labels or Labels()).with_groups(by_key(names, file.properties))
+        file.mesh = replace(file.mesh, labels=labels)
+    return file

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import FileError
 from ..kernel import load_cad
+from ..labels import CadFace, Labels
 from ..part_mesh import PartMesh
 from ..progress import Progress
 from .obj import ObjFile
@@ -38,7 +39,7 @@ class CadFile(PartFile):
         first = np.cumsum([0, *(len(part.points) for part in parts)])
         points = np.concatenate([part.points for part in parts])
         triangles = np.concatenate([part.triangles + first[k] for k, part in enumerate(parts)])
-        super().__init__(path, PartMesh(points, triangles, name=path.stem))
+        super().__init__(path, PartMesh(points, triangles, name=path.stem, labels=_labels(parts)))
         ends = np.cumsum([0, *(len(part.triangles) for part in parts)])
         self.bodies = {p.name: np.arange(ends[k], ends[k + 1]) for k, p in enumerate(parts)}
         self.notes += _notes(self.model)
@@ -102,6 +103,27 @@ def _feature(found: Any) -> dict[str, Any]:
     if found.kind in ("cylinder", "cone", "sphere"):
         entry["hollow"] = found.is_hollow
     return {**entry, "residual": found.residual, "vertices": found.vertices.tolist()}
+
+
+def _labels(parts: list[Any]) -> Labels:
+    """The CAD face of every triangle; solids, and names and colours of faces, as groups."""
+    faces: list[CadFace] = []
+    numbers = []
+    for part in parts:
+        numbers.append(part.face_of_triangle + len(faces))
+        faces += [
+            CadFace(part.name, k + 1, surface.kind, surface.name, surface.colour)
+            for k, surface in enumerate(part.surfaces)
+        ]
+    face = np.concatenate(numbers)
+    called: dict[str, list[int]] = {}
+    for k, one in enumerate(faces):
+        for name in filter(None, (f"solid {one.body}", one.name and f"face {one.name}")):
+            called.setdefault(name, []).append(k)
+        if one.colour:
+            called.setdefault(f"colour {one.colour}", []).append(k)
+    groups = {name: np.flatnonzero(np.isin(face, wanted)) for name, wanted in called.items()}
+    return Labels(groups, face=face, faces=tuple(faces))
 
 
 def _sizes(meshing: Mapping[str, float]) -> dict[str, float]:

@@ -11,6 +11,7 @@ import numpy as np
 from ..errors import FileError, list_ids
 from ..part_mesh import PartMesh
 from .nastran_cards import Card, Field, cards, replaced
+from .nastran_sets import labels_of
 from .nastran_number import format_real, parse_real
 from .part_file import PartFile
 from .polygons import triangulate
@@ -41,6 +42,7 @@ class _Deck:
     elements: list[list[int]] = field(default_factory=list)
     properties: list[int] = field(default_factory=list)
     element_lines: list[int] = field(default_factory=list)
+    element_ids: list[int] = field(default_factory=list)
     default_system: int = 0
 
     def error(self, line: int, what: str, todo: str = "correct the card") -> FileError:
@@ -73,10 +75,12 @@ class NastranFile(PartFile):
         index = {node: k for k, node in enumerate(ids)}
         points = np.array([grid.values for grid in self._grids])
         faces = [[index[node] for node in element] for element in deck.elements]
-        mesh = PartMesh(points, triangulate(points, faces), np.array(ids), path.stem)
+        rows = np.repeat(np.arange(len(faces)), [len(face) - 2 for face in faces])
+        labels = labels_of(self._lines, deck.element_ids, rows, ids)
+        mesh = PartMesh(points, triangulate(points, faces), np.array(ids), path.stem, labels)
         width = min(grid.width for grid in self._grids)
         super().__init__(path, mesh, f"{width} characters")
-        self.properties = np.repeat(deck.properties, [len(face) - 2 for face in faces])
+        self.properties = np.array(deck.properties)[rows]
         if len(ids) < len(deck.grids):
             kept = len(deck.grids) - len(ids)
             self.notes.append(f"{kept} nodes belong to no shell element and stay where they are")
@@ -130,6 +134,7 @@ def _read_deck(path: Path, lines: list[str]) -> _Deck:
             deck.properties.append(deck.integer(card, 1, deck.integer(card, 0)))
             deck.elements.append([deck.integer(card, 2 + k) for k in range(count)])
             deck.element_lines.append(card.line)
+            deck.element_ids.append(deck.integer(card, 0, 0))
     return deck
 
 

@@ -7,12 +7,13 @@ import re
 
 import numpy as np
 
+from ..labels import Labels
 from ..part_mesh import PartMesh
 from .polygons import triangulate
 from .text import CoordinateText, Source, TextPartFile, TOKEN, show
 
 _COMMENT_OR_JOIN = re.compile(rb"^[ \t]*#[^\r\n]*|\\(?:\r\n|\n|\r)", re.MULTILINE)
-_STATEMENT = re.compile(rb"^[ \t]*([vf])(?=[ \t\n]|\Z)([^\n#]*)", re.MULTILINE)
+_STATEMENT = re.compile(rb"^[ \t]*(v|f|g|o|usemtl)(?=[ \t\n]|\Z)([^\n#]*)", re.MULTILINE)
 
 
 def _blank_join(match: re.Match[bytes]) -> bytes:
@@ -26,6 +27,39 @@ def _logical_lines(data: bytes) -> bytes:
     return joined.replace(b"\r", b"\n")
 
 
+class _Groups:
+    """The names that `g`, `o` and `usemtl` give to the faces behind them."""
+
+    def __init__(self) -> None:
+        self._now: dict[str, list[str]] = {}
+        self._begun: dict[str, int] = {}
+        self._ranges: dict[str, list[tuple[int, int]]] = {}
+
+    def begin(self, key: bytes, names: bytes, face: int) -> None:
+        """A statement before the face with this number; of `g` every word is a name."""
+        kind, text = key.decode(), names.decode("utf-8", "replace").strip()
+        self._end(kind, face)
+        words = text.split() if kind == "g" else [" ".join(text.split())]
+        self._now[kind] = [f"{kind} {word}" for word in dict.fromkeys(words) if word]
+        self._begun[kind] = face
+
+    def _end(self, kind: str, face: int) -> None:
+        for name in self._now.get(kind, ()):
+            if self._begun[kind] < face:
+                self._ranges.setdefault(name, []).append((self._begun[kind], face))
+
+    def labels(self, faces: list[list[int]]) -> Labels | None:
+        """The names of groups of triangles; None if the file has none."""
+        for kind in self._now:
+            self._end(kind, len(faces))
+        first = np.cumsum([0, *(len(face) - 2 for face in faces)])
+        groups = {
+            name: np.concatenate([np.arange(first[a], first[b]) for a, b in ranges])
+            for name, ranges in self._ranges.items()
+        }
+        return Labels(groups) if groups else None
+
+
 class ObjFile(TextPartFile):
     """An OBJ file: groups, normals, colours, comments and continued lines come back untouched."""
 
@@ -35,13 +69,16 @@ class ObjFile(TextPartFile):
         spans: list[tuple[int, ...]] = []
         faces: list[list[int]] = []
         offsets: list[int] = []
+        groups = _Groups()
         for statement in _STATEMENT.finditer(text):
             tokens = list(TOKEN.finditer(text, *statement.span(2)))
             if statement.group(1) == b"v":
                 spans.append(_vertex_span(source, tokens, statement.start()))
-            else:
+            elif statement.group(1) == b"f":
                 faces.append(_face(source, tokens, len(spans), statement.start()))
                 offsets.append(statement.start())
+            else:
+                groups.begin(statement.group(1), statement.group(2), len(faces))
         if not spans or not faces:
             missing = "vertices" if not spans else "faces"
             raise source.error(
@@ -51,7 +88,9 @@ class ObjFile(TextPartFile):
         where = np.array(spans, dtype=np.int64).reshape(-1, 3, 2)
         numbers = [source.number(text[b:e], b) for b, e in where.reshape(-1, 2).tolist()]
         points = np.array(numbers).reshape(-1, 3)
-        mesh = PartMesh(points, triangulate(points, faces), name=source.path.stem)
+        mesh = PartMesh(
+            points, triangulate(points, faces), name=source.path.stem, labels=groups.labels(faces)
+        )
         return mesh, CoordinateText(source.data, where, points)
 
 

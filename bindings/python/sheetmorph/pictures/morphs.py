@@ -122,7 +122,7 @@ def _edges(triangles: np.ndarray) -> np.ndarray:
 def _vertices(mesh: PartMesh, region: RegionEntry) -> np.ndarray:
     if region.is_point:
         return mesh.triangles[region.triangle] if region.triangle is not None else []
-    return mesh.find(region.vertices)[0]
+    return mesh.find(region.vertices, region.is_prepared)[0]
 
 
 def _arrows(

@@ -13,9 +13,10 @@ from ..finding.findings import FindPart
 from ..finding.reading import connections_of, find_parts
 from ..part_mesh import PartMesh
 from ..progress import Progress
-from .auto import asked_sections, filled, search, without_auto
+from ..selecting.resolving import has_selectors, resolved
+from .auto import asked_sections, filled, in_file_ids, search, without_auto
 from .checks import Known, mesh_faults, meaning_faults, pose_meaning_faults
-from .found import Found
+from .found import Found, Resolved
 from .model import Model, Motion, model_of, motions_of
 from .parts import Parts, parts_of_meshes, read_parts
 from .reading import named_in, read_json
@@ -44,7 +45,8 @@ def validate(recipe: dict[str, Any], base: str | Path = ".") -> None:
 
 
 def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> Parts:
-    """The parts of a recipe, read from their files; what it asks to find in them is in ``found``.
+    """The parts of a recipe, read from their files; ``resolved``: with ids in place of selectors;
+    what it asks to find in them is in ``found``.
 
     progress(fraction, task) may return False to cancel (RuntimeError). Raises RecipeError,
     KernelError if something is to be found without a kernel.
@@ -56,9 +58,15 @@ def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> 
     faults += [*parts.faults, *mesh_faults(model, parts.meshes)]
     if faults:
         raise RecipeError(faults)
+    parts.resolved = _resolved(recipe, model, parts.meshes)
     if asked_sections(recipe):
-        parts.found = search(recipe, find_parts(parts), connections_of(parts), progress)
+        told = in_file_ids(parts.resolved.recipe, parts.meshes)
+        parts.found = search(told, find_parts(parts), connections_of(parts), progress)
     return parts
+
+
+def _resolved(recipe: Any, model: Model, meshes: Mapping[str, PartMesh]) -> Resolved:
+    return resolved(recipe, model.parts, meshes) if has_selectors(recipe) else Resolved(recipe)
 
 
 def check_with_meshes(
@@ -80,10 +88,15 @@ def check_with_meshes(
     faults += mesh_faults(model, meshes)
     if faults:
         raise RecipeError(faults)
+    if has_selectors(recipe):
+        ids = resolved(recipe, model.parts, meshes)
+        return replace(check_with_meshes(ids.recipe, meshes, found), told=ids.told)
     asked = asked_sections(recipe)
     if not asked:
         return model
-    found = found or search(recipe, [FindPart(p.name, meshes[p.name]) for p in model.parts])
+    if found is None:
+        shapes = [FindPart(part.name, meshes[part.name]) for part in model.parts]
+        found = search(in_file_ids(recipe, meshes), shapes)
     whole = check_with_meshes(filled(recipe, found), meshes)
     return replace(whole, found=found.for_report(asked))
 

@@ -10,6 +10,7 @@ from typing import Any
 from ..finding.findings import FindPart, Findings
 from ..finding.options import HOLES, USUAL_FEATURES, FindOptions
 from ..finding.search import Connection, Progress, find
+from ..part_mesh import PartMesh
 from .found import Found
 from .stacks import regions_by_vertex, solvable
 
@@ -55,6 +56,22 @@ def filled(recipe: dict[str, Any], found: Found) -> dict[str, Any]:
     """The recipe with lists in place of what was to be found."""
     lists = {section: getattr(found, section) for section in asked_sections(recipe)}
     return {**recipe, **lists}
+
+
+def in_file_ids(recipe: dict[str, Any], meshes: Mapping[str, PartMesh]) -> dict[str, Any]:
+    """The recipe with ids of the file, the nearest there are, where those of prepared meshes stand;
+    what is found has ids of the file too."""
+    changed = dict(recipe)
+    for section in ("fixed", "handles", "regions", "features"):
+        if isinstance(recipe.get(section), list):
+            changed[section] = [_of_file(entry, meshes) for entry in recipe[section]]
+    return changed
+
+
+def _of_file(entry: dict[str, Any], meshes: Mapping[str, PartMesh]) -> dict[str, Any]:
+    if entry.get("ids") != "prepared":
+        return entry
+    return {**entry, "vertices": meshes[entry["part"]].file_ids(entry["vertices"])}
 
 
 def _options(asked: Mapping[str, Mapping[str, Any]]) -> FindOptions:

@@ -12,7 +12,8 @@ import numpy as np
 from ..errors import Fault, list_ids
 from ..part_mesh import PartMesh
 from .model import Model, Motion, PartEntry, RegionEntry, Rotation
-from .places import names_in
+from ..selecting.grammar import form_faults
+from .places import names_in, place_of
 from .relations import relation_faults
 
 _POSED = ("handles", "features", "points")
@@ -100,10 +101,10 @@ def mesh_faults(model: Model, meshes: Mapping[str, PartMesh]) -> list[Fault]:
         if mesh is None or not len(mesh.points):
             continue
         if region.vertices is not None:
-            _, missing = mesh.find(region.vertices)
+            _, missing = mesh.find(region.vertices, region.is_prepared)
             if missing:
                 what = f"vertices {list_ids(missing)} are not in part {region.part}"
-                todo = f"use its ids, {mesh.describe_ids()}"
+                todo = f"use its ids, {mesh.describe_ids(region.is_prepared)}"
                 faults.append(Fault(f"{region.where}.vertices", what, todo))
         if region.triangle is not None and region.triangle >= mesh.file_triangle_count:
             what = f"triangle {region.triangle} is not in part {region.part}"
@@ -154,6 +155,7 @@ def _primary(model: Model, known: Known) -> Iterator[Fault]:
 
 
 def _numbers(region: RegionEntry) -> Iterator[Fault]:
+    yield from _one_of_vertices_and_where(region)
     if region.kind == "handle":
         yield from _either_vertices_or_point(region)
     if region.barycentric is not None:
@@ -168,8 +170,28 @@ def _numbers(region: RegionEntry) -> Iterator[Fault]:
     yield from _axis(region.where, region.rotation)
 
 
+def _one_of_vertices_and_where(region: RegionEntry) -> Iterator[Fault]:
+    if region.selector is None:
+        return
+    if region.vertices is not None:
+        what = "both vertices and a selector are given"
+        yield Fault(region.where, what, 'keep either "vertices" or "where"')
+    if region.is_prepared:
+        todo = "leave it out beside a selector"
+        yield Fault(f"{region.where}.ids", "only vertex ids count in a mesh", todo)
+    for fault in form_faults(region.selector):
+        place = place_of(region.selector, fault.path) if fault.path else ""
+        joint = "" if place.startswith("[") or not place else "."
+        yield Fault(f"{region.where}.where{joint}{place}", fault.what, fault.todo)
+
+
 def _either_vertices_or_point(region: RegionEntry) -> Iterator[Fault]:
     has_point = region.triangle is not None, region.barycentric is not None
+    if region.selector is not None and any(has_point):
+        todo = 'keep either "where", or triangle and barycentric'
+        yield Fault(region.where, "a selector and a point on a triangle are given", todo)
+    if region.selector is not None:
+        return
     if region.vertices is not None and any(has_point):
         todo = "keep either vertices, or triangle and barycentric"
         yield Fault(region.where, "vertices and a point on a triangle are given", todo)

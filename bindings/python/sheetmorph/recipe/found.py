@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a search has put in place of the word `auto` in a recipe."""
+"""What a search has put in place of the word `auto` in a recipe, and ids in place of selectors."""
 
 from __future__ import annotations
 
@@ -26,3 +26,12 @@ class Found:
         if "contacts" in asked:
             told |= {"contacts": self.contacts, "gap": self.gap}
         return told
+
+
+@dataclass
+class Resolved:
+    """A recipe with vertex ids alone; told: by place of a region what its selector came to: area
+    (mm^2), distance (mm, of the farthest match from its point, or None), matches, remarks."""
+
+    recipe: dict[str, Any]
+    told: dict[str, dict[str, Any]] = field(default_factory=dict)

@@ -69,7 +69,8 @@ class RegionEntry:
     kind: "fixed", "handle", "feature", "point", "follower" or "side" (of a contact); pivot of a
     handle (None: centroid); turning: "free" (the energy's), "interpolated" or "prescribed" of a
     feature, "free" or "prescribed" of a handle; rotation of a prescribed feature or of a point
-    (None: free to turn); motion and size (mm) of a feature; target of a point.
+    (None: free to turn); motion and size (mm) of a feature; target of a point; selector: what says
+    which vertices, still to be resolved; is_prepared: the vertices count in the prepared mesh.
     """
 
     where: str
@@ -85,11 +86,13 @@ class RegionEntry:
     turning: str = "prescribed"
     motion: FeatureMotion = FeatureMotion()
     size: float | None = None
+    selector: Any = None
+    is_prepared: bool = False
 
     @property
     def is_point(self) -> bool:
         """Whether it is a point on a triangle rather than a set of vertices."""
-        return self.vertices is None
+        return self.vertices is None and self.selector is None
 
 
 @dataclass(frozen=True)
@@ -127,7 +130,8 @@ class PropagationEntry:
 @dataclass(frozen=True)
 class Model:
     """A whole recipe; pose by the name of handle, feature or point, poses by
-    their names; found: what a search put in."""
+    their names; found: what a search put in; told: by place of a region what its selector came to.
+    """
 
     parts: list[PartEntry] = field(default_factory=list)
     primary: str | None = None
@@ -143,6 +147,7 @@ class Model:
     pose: dict[str, Motion] = field(default_factory=dict)
     poses: dict[str, dict[str, Motion]] = field(default_factory=dict)
     found: dict[str, Any] | None = None
+    told: dict[str, dict[str, Any]] = field(default_factory=dict)
 
     @property
     def all_regions(self) -> list[RegionEntry]:
@@ -292,6 +297,8 @@ def _region(kind: str, where: str, k: int, entry: dict[str, Any]) -> RegionEntry
         turning=_turning(entry.get("rotation"), "free" if kind == "feature" else "prescribed"),
         motion=feature_motion_of(entry.get("motion", {})),
         size=number_of(entry.get("size")),
+        selector=entry.get("where"),
+        is_prepared=entry.get("ids") == "prepared",
     )
 
 

@@ -13,7 +13,7 @@ from ..files import PartFile, is_cad, output_name, read_part
 from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
 from ..progress import Progress
-from .found import Found
+from .found import Found, Resolved
 from .model import PartEntry
 from .placement import Placement
 from .splitting import SplitError, part_of, split_triangles
@@ -49,6 +49,7 @@ class Parts:
     faults: list[Fault] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
     found: Found | None = None
+    resolved: Resolved | None = None
 
     def add(self, entry: PartEntry, file: PartFile) -> None:
         """Put the part, or the parts, of a file in."""

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..errors import list_ids
@@ -68,4 +70,6 @@ def _check_apart(mesh: PartMesh, found: dict[str, np.ndarray]) -> None:
 def part_of(mesh: PartMesh, rows: np.ndarray, name: str) -> tuple[PartMesh, np.ndarray]:
     """The mesh of some triangles with the file's vertex ids, and its vertices' indices (k,)."""
     vertices, corners = np.unique(mesh.triangles[rows], return_inverse=True)
-    return mesh.restricted(vertices, corners.reshape(-1, 3), name), vertices
+    part = mesh.restricted(vertices, corners.reshape(-1, 3), name)
+    labels = None if mesh.labels is None else mesh.labels.carried(rows)
+    return replace(part, labels=labels), vertices

@@ -102,7 +102,7 @@ def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
     wanted = error.schema.get("description", "something else")
     if kind == "required":
         missing = _quoted(error.message)
-        hint = error.schema["properties"][missing].get("description", "")
+        hint = error.schema.get("properties", {}).get(missing, {}).get("description", "")
         return f'the key "{missing}" is missing', f"add it{': ' + hint if hint else ''}"
     if kind == "additionalProperties":
         return _explain_unknown(error)

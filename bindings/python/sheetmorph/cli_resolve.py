@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command `resolve`: a recipe with vertex ids in place of what its regions say."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from .cli_find import one_line_each
+from .cli_progress import progress_on
+from .errors import Fault, RecipeError
+from .files.atomic import FileSet
+
+
+def add_resolve_arguments(commands: Any) -> None:
+    """Adds `resolve` to the commands of a parser."""
+    text = "print a recipe with the vertex ids its selectors stand for"
+    resolve = commands.add_parser("resolve", help=text)
+    resolve.add_argument("recipe", help="JSON file; the part files are relative to it")
+    resolve.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+    resolve.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    """Resolves, and writes or returns the recipe. Raises RecipeError."""
+    # Imported here, so that --help answers at once.
+    from .running import resolve
+
+    with progress_on(sys.stderr, wanted.quiet) as progress:
+        recipe = resolve(wanted.recipe, progress)
+    if wanted.output is None:
+        return [one_line_each(recipe)]
+    path, source = Path(wanted.output), Path(wanted.recipe)
+    read = [source, *(source.parent / part["file"] for part in recipe["parts"] if "file" in part)]
+    if any(path.resolve() == other.resolve() for other in read):
+        raise RecipeError([Fault("-o", f"{path} is read by this recipe", "name another file")])
+    with files:
+        text = one_line_each(_seen_from(recipe, source.parent, path.parent))
+        files.temporary_for(path).write_text(text + "\n", "utf-8")
+        files.commit()
+    return [f"{path}: {wanted.recipe} with vertex ids"]
+
+
+def _seen_from(recipe: dict[str, Any], old: Path, new: Path) -> dict[str, Any]:
+    """The recipe as it stands in another folder; paths that are absolute stay."""
+    if old.resolve() == new.resolve():
+        return recipe
+    parts = []
+    for part in recipe["parts"]:
+        if "file" in part and not os.path.isabs(part["file"]):
+            moved = os.path.relpath((old / part["file"]).resolve(), new.resolve())
+            part = {**part, "file": moved}
+        parts.append(part)
+    return {**recipe, "parts": parts}

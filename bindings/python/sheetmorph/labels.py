@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a file calls parts of its mesh: groups, properties, sets, CAD faces with their surfaces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class CadFace:
+    """A face of a CAD file: number from 1 in its body, kind of surface, name, colour "#rrggbb"."""
+
+    body: str
+    number: int
+    kind: str
+    name: str = ""
+    colour: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Labels:
+    """Names for parts of one mesh.
+
+    groups: rows (k,) of triangles by name, "PID 7", "usemtl steel"; nodes: vertex ids of the file
+    by name; face: (m,) index into ``faces`` of every triangle, None where no CAD face is known.
+    """
+
+    groups: Mapping[str, np.ndarray] = field(default_factory=dict)
+    nodes: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    face: np.ndarray | None = None
+    faces: tuple[CadFace, ...] = ()
+
+    def with_groups(self, groups: Mapping[str, np.ndarray]) -> Labels:
+        """The same with more groups of triangles."""
+        return replace(self, groups={**self.groups, **groups})
+
+    def carried(self, triangle_of: np.ndarray) -> Labels:
+        """The labels of another mesh each of whose triangles (m,) comes from one of this mesh."""
+        count = 1 + max(
+            int(triangle_of.max(initial=-1)),
+            *(int(rows.max(initial=-1)) for rows in self.groups.values()),
+            -1,
+        )
+        groups = {}
+        for name, rows in self.groups.items():
+            inside = np.zeros(count, dtype=bool)
+            inside[rows] = True
+            groups[name] = np.flatnonzero(inside[triangle_of])
+        face = None if self.face is None else self.face[triangle_of]
+        return replace(self, groups=groups, face=face)
+
+    @property
+    def names(self) -> list[str]:
+        """Everything a group can be called, for messages."""
+        return [*self.groups, *self.nodes]
+
+
+def by_key(keys: Iterable[str], values: np.ndarray) -> dict[str, np.ndarray]:
+    """Rows by name of (m,) values; keys: the name of every value that occurs, ascending."""
+    order = np.argsort(values, kind="stable")
+    _, first = np.unique(values[order], return_index=True)
+    return dict(zip(keys, np.split(order, first[1:])))

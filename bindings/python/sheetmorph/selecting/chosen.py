@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a selector stands for on a mesh, and what is to be told about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+
+class SelectorError(ValueError):
+    """A selector that cannot be resolved; ``what`` is wrong, ``todo``, at ``path`` in it."""
+
+    def __init__(self, what: str, todo: str, path: tuple[str | int, ...] = ()):
+        super().__init__(f"{what}; {todo}")
+        self.what, self.todo, self.path = what, todo, path
+
+
+@dataclass(frozen=True, eq=False)
+class Chosen:
+    """A region of a mesh.
+
+    inside: (n,) bool of the vertices; share: (m,) how much of every triangle is meant, 0 to 1;
+    matches: one entry a selector that looks for something; remarks: sentences for the user.
+    """
+
+    inside: np.ndarray
+    share: np.ndarray
+    matches: list[dict[str, Any]] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """Their indices (k,), ascending."""
+        return np.flatnonzero(self.inside)
+
+    def __or__(self, other: Chosen) -> Chosen:
+        share = np.maximum(self.share, other.share)
+        return Chosen(self.inside | other.inside, share, *self._told(other))
+
+    def __and__(self, other: Chosen) -> Chosen:
+        share = np.minimum(self.share, other.share)
+        return Chosen(self.inside & other.inside, share, *self._told(other))
+
+    def __sub__(self, other: Chosen) -> Chosen:
+        share = np.minimum(self.share, 1.0 - other.share)
+        return Chosen(self.inside & ~other.inside, share, *self._told(other))
+
+    def _told(self, other: Chosen) -> Iterator[list[Any]]:
+        yield [*self.matches, *other.matches]
+        yield [*self.remarks, *other.remarks]

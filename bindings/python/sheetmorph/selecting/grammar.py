@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What may stand in a selector: one key that says what it is, and what goes with that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from ..finding.options import HOLES
+from .chosen import SelectorError
+from .volumes import VOLUMES, unit
+
+# By the key that says what a selector is: the keys that may go with it.
+WITH: dict[str, tuple[str, ...]] = {
+    "vertices": (),
+    **dict.fromkeys(VOLUMES, ()),
+    "face_at": ("crease_angle",),
+    "rim_at": ("rings",),
+    "border_at": (),
+    "borders_longer": (),
+    "piece_at": (),
+    "group": (),
+    "cad_face_at": ("kind", "name", "number"),
+    "found": ("near", "diameter", "count"),
+    "all": (),
+    "union": (),
+    "intersection": (),
+    "minus": (),
+    "grow": ("of",),
+    "shrink": ("of",),
+}
+JOINING = ("union", "intersection", "minus")
+# A count that is expected goes with everything.
+_ALWAYS = ("holes",)
+_DIRECTIONS = {"half_space": "normal", "slab": "normal", "cylinder": "direction"}
+
+Path = tuple[str | int, ...]
+
+
+def key_of(selector: Mapping[str, Any]) -> str:
+    """The key that says what a selector is. Raises SelectorError if there is none, or two."""
+    keys = [key for key in selector if key in WITH]
+    if not keys:
+        raise SelectorError("it does not say what it selects", f"give one of {', '.join(WITH)}")
+    if len(keys) > 1:
+        what = f'"{keys[0]}" and "{keys[1]}" stand in one selector'
+        raise SelectorError(what, 'join two by "union", "intersection" or "minus"')
+    return keys[0]
+
+
+def operands(selector: Any) -> list[tuple[Path, Any]]:
+    """The selectors inside a selector of sound form, with their places in it."""
+    if isinstance(selector, list):
+        return [((k,), inner) for k, inner in enumerate(selector)]
+    for key in JOINING:
+        if key in selector:
+            return [((key, k), inner) for k, inner in enumerate(selector[key])]
+    return [(("of",), selector["of"])] if "of" in selector else []
+
+
+def form_faults(selector: Any, path: Path = ()) -> Iterator[SelectorError]:
+    """What the schema cannot say of a selector, each with its place."""
+    if isinstance(selector, dict):
+        try:
+            _check_keys(selector, key_of(selector))
+        except SelectorError as error:
+            yield SelectorError(error.what, error.todo, (*path, *error.path))
+    for place, inner in operands(selector):
+        yield from form_faults(inner, (*path, *place))
+
+
+def _check_keys(selector: Mapping[str, Any], key: str) -> None:
+    for other in selector:
+        if other != key and other not in WITH[key] and other not in _ALWAYS:
+            goes = [f'"{name}"' for name in WITH[key]] or ["nothing"]
+            todo = f'leave it out; with "{key}" goes {" or ".join(goes)}'
+            raise SelectorError(f'"{other}" says nothing to "{key}"', todo, (other,))
+    if "of" in WITH[key] and "of" not in selector:
+        raise SelectorError(f'"{key}" lacks what it starts from', 'add "of": a selector')
+    if key in _DIRECTIONS:
+        try:
+            unit(selector[key][_DIRECTIONS[key]], _DIRECTIONS[key])
+        except SelectorError as error:
+            raise SelectorError(error.what, error.todo, (key, *error.path)) from None
+    if key == "found" and "holes" in selector and selector["found"] not in HOLES:
+        raise SelectorError(
+            f'a {selector["found"]} is no hole', 'state the number as "count"', ("holes",)
+        )

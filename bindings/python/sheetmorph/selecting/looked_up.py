@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Selectors that look for what is nearest to a point: face, rim, border, piece, CAD face."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ..finding.options import HOLES
+from ..labels import CadFace
+from .chosen import Chosen, SelectorError
+from .part_shape import PartShape
+
+CREASE_ANGLE = 20.0
+# Of the size of the part: what is farther from its point is told.
+FAR = 0.02
+# Barycentric coordinates below it count as zero: the place is on an edge or a corner.
+_ON_EDGE = 1e-9
+# A wall is narrower than the face on the other side of its rim by so much.
+_WALL = 0.3
+_RIMMED = (*HOLES, "round edge")
+
+Told = Mapping[str, Any]
+
+
+def face_at(shape: PartShape, told: Told) -> Chosen:
+    """The face around the place nearest to a point, up to a crease angle."""
+    angle = math.radians(told.get("crease_angle", CREASE_ANGLE))
+    hit = _nearest(shape, told["face_at"])
+    rows = _largest(shape, (shape.near.face(t, angle) for t in _touching(shape, hit)))
+    return _matched(shape, shape.of_triangles(rows), "face_at", hit.distance)
+
+
+def piece_at(shape: PartShape, told: Told) -> Chosen:
+    """The connected component nearest to a point."""
+    hit = _nearest(shape, told["piece_at"])
+    chosen = shape.of_triangles(np.asarray(shape.near.piece(hit.triangle)))
+    return _matched(shape, chosen, "piece_at", hit.distance)
+
+
+def border_at(shape: PartShape, told: Told) -> Chosen:
+    """The border loop nearest to a point."""
+    if not shape.border_loops:
+        todo = "use rim_at or face_at, or check that it is an open sheet"
+        raise SelectorError(f'"{shape.name}" is closed and has no border', todo, ("border_at",))
+    loop, distance = nearest_loop(shape, shape.border_loops, told["border_at"])
+    return _matched(shape, shape.of_vertices(loop), "border_at", distance)
+
+
+def borders_longer(shape: PartShape, told: Told) -> Chosen:
+    """All border loops longer than a length."""
+    loops = [
+        loop for loop in shape.border_loops if loop_length(shape, loop) > told["borders_longer"]
+    ]
+    vertices = np.concatenate([np.zeros(0, dtype=np.int32), *loops])
+    chosen = shape.of_vertices(vertices)
+    return replace(chosen, matches=[{"selector": "borders_longer", "count": len(loops)}])
+
+
+def rim_at(shape: PartShape, told: Told) -> Chosen:
+    """The rim nearest to a point, both rims and the wall of a thin solid, with rings around it."""
+    loops, whole = _rims(shape)
+    if not loops:
+        todo = "use face_at, or a box around the place"
+        raise SelectorError(f'"{shape.name}" has no rim', todo, ("rim_at",))
+    loop, distance = nearest_loop(shape, loops, told["rim_at"])
+    number = next(k for k, other in enumerate(loops) if other is loop)
+    vertices = whole[number] if number < len(whole) else _with_wall(shape, loop)
+    rings = int(told.get("rings", 0))
+    if rings:
+        vertices = np.asarray(shape.near.grown(np.unique(vertices).astype(np.int32), rings))
+    return _matched(shape, shape.of_vertices(vertices), "rim_at", distance)
+
+
+def cad_face_at(shape: PartShape, told: Told) -> Chosen:
+    """The face of the CAD file nearest to a point; kind, name and number narrow it down."""
+    face, faces = shape.labels.face, shape.labels.faces
+    if face is None or not faces:
+        what = f'the file of "{shape.name}" has no CAD faces'
+        raise SelectorError(what, "use face_at, or a STEP, IGES or BREP file", ("cad_face_at",))
+    present = np.unique(face[face >= 0]).tolist()
+    allowed, remarks = _narrowed(shape, told, present)
+    number, distance = _nearest_face(shape, told["cad_face_at"], allowed)
+    chosen = shape.of_triangles(np.flatnonzero(face == number))
+    found = _matched(shape, chosen, "cad_face_at", distance)
+    match = {**found.matches[0], "number": faces[number].number, "kind": faces[number].kind}
+    remarks = [*found.remarks, *remarks, *_renumbered(faces[number], told)]
+    return replace(found, matches=[match], remarks=remarks)
+
+
+LOOKED_UP: dict[str, Callable[[PartShape, Told], Chosen]] = {
+    "face_at": face_at,
+    "rim_at": rim_at,
+    "border_at": border_at,
+    "borders_longer": borders_longer,
+    "piece_at": piece_at,
+    "cad_face_at": cad_face_at,
+}
+
+
+def _nearest(shape: PartShape, point: Sequence[float]) -> Any:
+    hit = shape.tree.nearest_point(np.array(point, dtype=float))
+    if hit is None:
+        raise SelectorError(f'"{shape.name}" has no triangle', "give it a mesh")
+    return hit
+
+
+def _touching(shape: PartShape, hit: Any) -> list[int]:
+    """The triangles at the place of a hit: several on an edge or a corner."""
+    corners = shape.triangles[hit.triangle][np.asarray(hit.barycentric) > _ON_EDGE]
+    if len(corners) == 3:
+        return [hit.triangle]
+    has_all = np.ones(len(shape.triangles), dtype=bool)
+    for corner in corners:
+        has_all &= (shape.triangles == corner).any(axis=1)
+    return np.flatnonzero(has_all).tolist()
+
+
+def _largest(shape: PartShape, patches: Iterator[Any]) -> np.ndarray:
+    """The patch with the largest area: between two faces what is nearest is no question of ids."""
+    return max(map(np.asarray, patches), key=lambda rows: (shape.areas[rows].sum(), -rows[0]))
+
+
+def nearest_loop(
+    shape: PartShape, loops: Sequence[np.ndarray], point: Sequence[float]
+) -> tuple[np.ndarray, float]:
+    """The loop nearest to a point, the shortest of several, and its distance, mm."""
+    place = np.array(point, dtype=float)
+    gaps = [_line_distance(shape.points[loop], place) for loop in loops]
+    least = min(gaps) + shape.slack
+    near = [k for k, gap in enumerate(gaps) if gap <= least]
+    best = min(near, key=lambda k: loop_length(shape, loops[k]))
+    return loops[best], gaps[best]
+
+
+def loop_length(shape: PartShape, loop: np.ndarray) -> float:
+    """The length of a closed loop, mm."""
+    points = shape.points[loop]
+    return float(np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).sum())
+
+
+def _line_distance(points: np.ndarray, place: np.ndarray) -> float:
+    """From a place to the closed line through points (k, 3)."""
+    start, along = points, np.roll(points, -1, axis=0) - points
+    length = np.maximum((along**2).sum(axis=1), 1e-300)
+    share = np.clip(((place - start) * along).sum(axis=1) / length, 0.0, 1.0)
+    return float(np.linalg.norm(start + share[:, None] * along - place, axis=1).min())
+
+
+def _rims(shape: PartShape) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """Loops, first those of features; of these the vertices with walls and other rims."""
+    loops: list[np.ndarray] = []
+    whole: list[np.ndarray] = []
+    for entry in shape.features:
+        for rim in entry.get("rims", ()) if entry["kind"] in _RIMMED else ():
+            loops.append(np.array(rim))
+            whole.append(np.array(entry["vertices"]))
+    known = {frozenset(loop.tolist()) for loop in loops}
+    others = [
+        loop
+        for loop in (*shape.border_loops, *shape.crease_loops)
+        if frozenset(loop.tolist()) not in known
+    ]
+    return [*loops, *others], whole
+
+
+def _with_wall(shape: PartShape, loop: np.ndarray) -> np.ndarray:
+    """A sharp rim with the wall it belongs to; one at a border alone."""
+    inside = np.zeros(len(shape.points), dtype=bool)
+    inside[loop] = True
+    beside = np.flatnonzero(inside[shape.triangles].sum(axis=1) == 2)
+    patches: list[np.ndarray] = []
+    for triangle in beside.tolist():
+        if not any(triangle in patch for patch in patches) and len(patches) < 2:
+            patches.append(np.asarray(shape.near.face(triangle, math.radians(35.0))))
+    if len(patches) < 2:
+        return loop
+    narrow, wide = sorted(patches, key=lambda rows: shape.areas[rows].sum())
+    is_wall = shape.areas[narrow].sum() < _WALL * shape.areas[wide].sum()
+    return np.unique(shape.triangles[narrow]) if is_wall else loop
+
+
+def _narrowed(shape: PartShape, told: Told, present: list[int]) -> tuple[list[int], list[str]]:
+    """The CAD faces that kind, name and number allow; a number that moved on is told."""
+    faces = shape.labels.faces
+    allowed, remarks = present, []
+    if "kind" in told:
+        allowed = [k for k in allowed if faces[k].kind == told["kind"]]
+        if not allowed:
+            kinds = ", ".join(sorted({faces[k].kind for k in present}))
+            what = f'"{shape.name}" has no face that is a {told["kind"]}'
+            raise SelectorError(what, f"its faces are: {kinds}", ("kind",))
+    if "name" in told:
+        named = [k for k in allowed if faces[k].name == told["name"]]
+        if not named:
+            remarks.append(f'no face is called "{told["name"]}" any more, the nearest one is taken')
+        allowed = named or allowed
+    return allowed, remarks
+
+
+def _nearest_face(shape: PartShape, point: Any, allowed: list[int]) -> tuple[int, float]:
+    face = shape.labels.face
+    rows = np.flatnonzero(np.isin(face, allowed))
+    place = np.array(point, dtype=float)
+    hit = shape.core.PickingTree(shape.points, shape.triangles[rows]).nearest_point(place)
+    here = np.asarray(hit.point)
+    corners = shape.triangles[rows[hit.triangle]][np.asarray(hit.barycentric) > _ON_EDGE]
+    touching = rows[np.isin(shape.triangles[rows], corners).sum(axis=1) >= len(corners)]
+    numbers = np.unique(face[touching]).tolist()
+    best = max(numbers, key=lambda k: (shape.areas[face == k].sum(), -k))
+    return best, float(np.linalg.norm(here - place))
+
+
+def _renumbered(face: CadFace, told: Told) -> list[str]:
+    if told.get("number", face.number) == face.number:
+        return []
+    return [
+        f"face {told['number']} of the file is elsewhere now: face {face.number} is at its point"
+    ]
+
+
+def _matched(shape: PartShape, chosen: Chosen, key: str, distance: float) -> Chosen:
+    entry = {"selector": key, "distance": float(distance)}
+    return replace(chosen, matches=[entry], remarks=far_remarks(shape, key, distance))
+
+
+def far_remarks(shape: PartShape, key: str, distance: float) -> list[str]:
+    """A sentence if what was found is far from the point that was given."""
+    if not distance > FAR * shape.size:
+        return []
+    return [f"{key}: the nearest match is {distance:.4g} mm from the point"]

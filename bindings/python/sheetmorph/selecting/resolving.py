@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Selectors to vertices: the one place that decides what a sentence of a recipe means."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import reduce
+from typing import Any
+
+import numpy as np
+
+from ..errors import Fault, RecipeError
+from ..part_mesh import PartMesh
+from ..recipe.found import Resolved
+from ..recipe.model import PartEntry
+from ..recipe.places import place_of
+from ..words import counted
+from .chosen import Chosen, SelectorError
+from .grammar import JOINING, Path, form_faults, key_of, operands
+from .grown import grown, shrunk
+from .looked_up import LOOKED_UP
+from .named import by_group, by_ids, by_kind, holes_in
+from .part_shape import PartShape
+from .volumes import VOLUMES, within
+
+_REGIONS = ("fixed", "handles", "features", "regions")
+_CHANGED: dict[str, Callable[[PartShape, Chosen, Any], Chosen]] = {"grow": grown, "shrink": shrunk}
+_LEAVES: dict[str, Callable[[PartShape, Any], Chosen]] = {
+    **LOOKED_UP,
+    "vertices": by_ids,
+    "group": by_group,
+    "found": by_kind,
+    "all": lambda shape, _: shape.of_vertices(np.flatnonzero(shape.used)),
+}
+
+
+def selected(shape: PartShape, selector: Any) -> Chosen:
+    """The region a selector, or a list of them, stands for on a part.
+
+    Raises SelectorError if it is wrong, or selects nothing.
+    """
+    for fault in form_faults(selector):
+        raise fault
+    chosen = _evaluated(shape, selector)
+    if not chosen.inside.any():
+        raise _nothing(shape, selector)
+    is_all = isinstance(selector, dict) and "all" in selector
+    if chosen.inside[shape.used].all() and not is_all:
+        remark = f'it is the whole part "{shape.name}"; write {{"all": true}} if that is meant'
+        chosen = replace(chosen, remarks=[*chosen.remarks, remark])
+    return chosen
+
+
+def _evaluated(shape: PartShape, selector: Any) -> Chosen:
+    inner = [_below(shape, path, operand) for path, operand in operands(selector)]
+    if isinstance(selector, list):
+        return reduce(Chosen.__or__, inner)
+    key = key_of(selector)
+    if key in JOINING:
+        join = {"union": Chosen.__or__, "intersection": Chosen.__and__, "minus": Chosen.__sub__}
+        found = reduce(join[key], inner)
+    elif key in _CHANGED:
+        found = _CHANGED[key](shape, inner[0], selector[key])
+    elif key in VOLUMES:
+        found = within(shape, key, selector[key])
+    else:
+        found = _LEAVES[key](shape, selector)
+    _check_counts(shape, selector, found)
+    return found
+
+
+def _below(shape: PartShape, path: Path, selector: Any) -> Chosen:
+    """An operand; one that selects nothing is told."""
+    try:
+        found = _evaluated(shape, selector)
+    except SelectorError as error:
+        raise SelectorError(error.what, error.todo, (*path, *error.path)) from None
+    if found.inside.any():
+        return found
+    return replace(found, remarks=[*found.remarks, f"{_spoken(selector)} in it selects nothing"])
+
+
+def _check_counts(shape: PartShape, selector: Mapping[str, Any], found: Chosen) -> None:
+    is_found = "found" in selector
+    for key in ("holes", "count"):
+        if key in selector:
+            count = found.matches[0]["count"] if is_found else holes_in(shape, found)
+            if count != selector[key]:
+                what = counted(count, "is", "are") + f' selected on "{shape.name}"'
+                what = f"{selector[key]} {key if key == 'holes' else 'matches'} expected, {what}"
+                raise SelectorError(what, "correct the selector or the number", (key,))
+
+
+def _nothing(shape: PartShape, selector: Any) -> SelectorError:
+    what = f'{_spoken(selector)} selects nothing on "{shape.name}"'
+    return SelectorError(what, f"move or widen it; {shape.describe_box()} mm")
+
+
+def _spoken(selector: Any) -> str:
+    return "the list" if isinstance(selector, list) else f'"{key_of(selector)}"'
+
+
+def has_selectors(recipe: Any) -> bool:
+    """Whether a recipe of sound form says of a region what it is rather than its vertices."""
+    return any(True for _ in _holders(recipe))
+
+
+def _holders(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], dict[str, Any]]]:
+    """Every entry with a selector, and its place in the recipe."""
+    for path, entry in _regions(recipe):
+        if isinstance(entry, dict) and "where" in entry:
+            yield path, entry
+
+
+def _regions(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], Any]]:
+    for section in (*_REGIONS, "contacts"):
+        entries = recipe.get(section)
+        for k, entry in enumerate(entries if isinstance(entries, list) else []):
+            if section != "contacts":
+                yield [section, k], entry
+            elif isinstance(entry, dict):
+                yield from (([section, k, side], entry.get(side)) for side in "ab")
+
+
+def resolved(
+    recipe: dict[str, Any], parts: list[PartEntry], meshes: Mapping[str, PartMesh]
+) -> Resolved:
+    """The recipe with the ids of the vertices in place of its selectors.
+
+    recipe: of sound form; parts: its parts, split files replaced. Raises RecipeError.
+    """
+    placements = {part.name: part.placement for part in parts}
+    shapes: dict[str, PartShape] = {}
+    found = Resolved(_shallow(recipe))
+    faults: list[Fault] = []
+    for path, entry in list(_holders(found.recipe)):
+        name = entry["part"]
+        if name not in shapes:
+            shapes[name] = PartShape(meshes[name], placements[name], name)
+        try:
+            chosen = selected(shapes[name], entry["where"])
+            if "holes" in entry:
+                _check_counts(shapes[name], {"holes": entry["holes"]}, chosen)
+        except SelectorError as error:
+            place = place_of(recipe, [*path, "where", *error.path])
+            faults.append(Fault(place, error.what, error.todo))
+            continue
+        found.told[place_of(recipe, path)] = _told(shapes[name], chosen)
+        _put(entry, shapes[name].mesh, chosen)
+    if faults:
+        raise RecipeError(faults)
+    return found
+
+
+def _shallow(recipe: dict[str, Any]) -> dict[str, Any]:
+    """A copy in which the entries of regions are copies too."""
+    copy = dict(recipe)
+    for section in (*_REGIONS, "contacts"):
+        if isinstance(copy.get(section), list):
+            copy[section] = [_with_sides(entry) for entry in copy[section]]
+    return copy
+
+
+def _with_sides(entry: Any) -> Any:
+    if not isinstance(entry, dict):
+        return entry
+    sides = {side: dict(entry[side]) for side in "ab" if isinstance(entry.get(side), dict)}
+    return {**entry, **sides}
+
+
+def _put(entry: dict[str, Any], mesh: PartMesh, chosen: Chosen) -> None:
+    """Vertex ids in place of the selector; the prepared mesh's where the file has none for them."""
+    del entry["where"]
+    entry.pop("holes", None)
+    vertices = chosen.vertices
+    ids = list(dict.fromkeys(mesh.file_ids(vertices)))
+    if np.array_equal(np.sort(mesh.find(ids)[0]), vertices):
+        entry["vertices"] = ids
+    else:
+        entry |= {"vertices": vertices.tolist(), "ids": "prepared"}
+
+
+def _told(shape: PartShape, chosen: Chosen) -> dict[str, Any]:
+    distances = [match["distance"] for match in chosen.matches if "distance" in match]
+    return {
+        "area": shape.area_of(chosen),
+        "distance": max(distances, default=None),
+        "matches": chosen.matches,
+        "remarks": chosen.remarks,
+    }

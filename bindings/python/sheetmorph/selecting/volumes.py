@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Selectors that are a piece of space: box, half-space, slab, cylinder, sphere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from .chosen import Chosen, SelectorError
+from .part_shape import PartShape
+
+# Into how many triangles along an edge one is cut whose share inside is counted.
+_CUTS = 12
+
+
+def _middles() -> np.ndarray:
+    """Barycentric coordinates (k, 3) of the middles of equal small triangles within one."""
+    upward = [(i, j, 1 / 3) for i in range(_CUTS) for j in range(_CUTS - i)]
+    downward = [(i, j, 2 / 3) for i in range(_CUTS - 1) for j in range(_CUTS - 1 - i)]
+    first = np.array([((i + s) / _CUTS, (j + s) / _CUTS) for i, j, s in upward + downward])
+    return np.column_stack([first, 1.0 - first.sum(axis=1)])
+
+
+_SAMPLES = _middles()
+
+
+def _box(points: np.ndarray, corners: Any) -> np.ndarray:
+    ends = np.sort(np.array(corners, dtype=float), axis=0)
+    return np.maximum(ends[0] - points, points - ends[1]).max(axis=1)
+
+
+def _half_space(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
+    return -_height(points, told, "normal")
+
+
+def _slab(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
+    return np.abs(_height(points, told, "normal")) - 0.5 * told["thickness"]
+
+
+def _cylinder(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
+    away = points - np.array(told["point"], dtype=float)
+    along = _height(points, told, "direction")
+    across = away - np.outer(along, unit(told["direction"], "direction"))
+    beyond = np.linalg.norm(across, axis=1) - told["radius"]
+    if "length" in told:
+        beyond = np.maximum(beyond, np.maximum(-along, along - told["length"]))
+    return beyond
+
+
+def _sphere(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
+    return np.linalg.norm(points - np.array(told["center"], dtype=float), axis=1) - told["radius"]
+
+
+def _height(points: np.ndarray, told: Mapping[str, Any], key: str) -> np.ndarray:
+    """(n,) how far points are from one along a direction, mm."""
+    return (points - np.array(told["point"], dtype=float)) @ unit(told[key], key)
+
+
+def unit(direction: Any, key: str) -> np.ndarray:
+    """A direction (3,) of length 1. Raises SelectorError if it has none."""
+    length = float(np.linalg.norm(np.array(direction, dtype=float)))
+    if not length > 1e-100:
+        todo = "give it a direction, for example [0, 0, 1]"
+        raise SelectorError(f"the {key} has no length", todo, (key,))
+    return np.array(direction, dtype=float) / length
+
+
+# By key: how far points (n, 3) are outside, mm, not more than 0 inside.
+_OUTSIDE: dict[str, Callable[[np.ndarray, Any], np.ndarray]] = {
+    "box": _box,
+    "half_space": _half_space,
+    "slab": _slab,
+    "cylinder": _cylinder,
+    "sphere": _sphere,
+}
+VOLUMES = tuple(_OUTSIDE)
+
+
+def within(shape: PartShape, key: str, told: Any) -> Chosen:
+    """The vertices in a piece of space, and how much of every triangle lies in it."""
+    inside = shape.used & (_OUTSIDE[key](shape.points, told) <= shape.slack)
+    share = inside[shape.triangles].mean(axis=1)
+    cut = np.flatnonzero((share > 0.0) & (share < 1.0))
+    corners = shape.points[shape.triangles[cut]]
+    places = np.einsum("sk,tkd->tsd", _SAMPLES, corners).reshape(-1, 3)
+    taken = _OUTSIDE[key](places, told) <= shape.slack
+    share[cut] = taken.reshape(len(cut), len(_SAMPLES)).mean(axis=1)
+    return Chosen(inside, share)

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/face_tags.h"
+
+#include <Quantity_Color.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_Binder.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <algorithm>
+#include <cctype>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+TopoDS_Shape unplaced(const TopoDS_Shape& shape)
+{
+    return shape.Located(TopLoc_Location());
+}
+
+// "#rrggbb", empty if the file gives the shape none.
+std::string colour_of(const TopoDS_Shape& shape, const Handle(XCAFDoc_ColorTool) & colours)
+{
+    Quantity_Color colour;
+    for (const XCAFDoc_ColorType type : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen})
+        if (colours->GetColor(shape, type, colour))
+        {
+            std::string text = Quantity_Color::ColorToHex(colour).ToCString();
+            std::transform(text.begin(), text.end(), text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            return text;
+        }
+    return "";
+}
+
+bool is_said(const FaceTag& tag)
+{
+    return !tag.name.empty() || !tag.colour.empty();
+}
+
+}  // namespace
+
+FaceNames face_names_of(const Handle(XSControl_TransferReader) & transfer)
+{
+    FaceNames names;
+    const Handle(Transfer_TransientProcess) process = transfer->TransientProcess();
+    for (int i = 1; !process.IsNull() && i <= process->NbMapped(); ++i)
+    {
+        const auto face = Handle(StepShape_FaceSurface)::DownCast(process->Mapped(i));
+        if (face.IsNull() || face->Name().IsNull())
+            continue;
+        const std::string name = face->Name()->ToCString();
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(process->MapItem(i));
+        if (!shape.IsNull() && !name.empty() && name != "NONE")
+            names.Bind(unplaced(shape), name);
+    }
+    return names;
+}
+
+void tag_faces(std::vector<NamedShape>& bodies, const FaceNames& names,
+               const Handle(XCAFDoc_ColorTool) & colours)
+{
+    TDF_LabelSequence known;
+    colours->GetColors(known);
+    const bool has_colours = known.Length() > 0;
+    for (NamedShape& body : bodies)
+    {
+        const TopoDS_Shape shape = unplaced(body.shape);
+        const std::string own = has_colours ? colour_of(shape, colours) : "";
+        TopTools_IndexedMapOfShape faces;
+        TopExp::MapShapes(shape, TopAbs_FACE, faces);
+        std::vector<FaceTag> tags;
+        for (int f = 1; f <= faces.Extent(); ++f)
+        {
+            const TopoDS_Shape face = unplaced(faces(f));
+            FaceTag tag{"", has_colours ? colour_of(face, colours) : ""};
+            if (const std::string* name = names.Seek(face))
+                tag.name = *name;
+            if (tag.colour.empty())
+                tag.colour = own;
+            tags.push_back(tag);
+        }
+        if (std::any_of(tags.begin(), tags.end(), is_said))
+            body.faces = std::move(tags);
+    }
+}
+
+}  // namespace sheetmorph
