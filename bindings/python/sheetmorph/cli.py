@@ -21,6 +21,7 @@ from .cli_progress import progress_on
 from .cli_recipes import RECIPE_COMMANDS, add_recipe_commands
 from .cli_resolve import add_resolve_arguments, run_resolve
 from .cli_table import ending_of
+from .cli_study import add_study_arguments, run_study_command
 from .errors import FileError, KernelError, RecipeError
 from .files.atomic import FileSet
 from .files.signals import stopping_signals
@@ -139,6 +140,7 @@ def parser() -> argparse.ArgumentParser:
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     add_find_arguments(commands)
     add_recipe_commands(commands)
+    add_study_arguments(commands)
     return parser
 
 
@@ -192,5 +194,6 @@ _COMMANDS = {
     "resolve": run_resolve,
     "doctor": _doctor,
     "find": _find,
+    "study": run_study_command,
     **RECIPE_COMMANDS,
 }

@@ -157,7 +157,7 @@ class _Morph:
         pictures = [
             (scene, places.out / name) for scene, name in zip(scenes, ("before.png", "after.png"))
         ]
-        return _Writer(result, self._parts.sources, places, timings, pictures).write(files)
+        return Writer(result, self._parts.sources, places, timings, pictures).write(files)
 
 
 def _named_pose(recipe: Any, pose: Any) -> Any:
@@ -184,7 +184,7 @@ def _certify(result: Result, timings: dict[str, float], report: Path | None, str
 
 
 @dataclass(frozen=True)
-class _Writer:
+class Writer:
     """Writes the parts of a certified result and the report, all or none."""
 
     result: Result
@@ -205,6 +205,13 @@ class _Writer:
         finally:
             if not files.committed:
                 _remove_empty(new_folders)
+        return report
+
+    def write_parts(self) -> dict[str, Any]:
+        """The same into a folder that is there and new; it stays if anything fails."""
+        with FileSet() as files:
+            report = self._fill(files)
+            files.commit()
         return report
 
     def _fill(self, files: FileSet) -> dict[str, Any]:

@@ -20,13 +20,14 @@ from .found import Found, Resolved
 from .model import Model, Motion, model_of, motions_of
 from .parts import Parts, parts_of_meshes, read_parts
 from .reading import named_in, read_json
-from .structure import pose_faults, schema, structural_faults
+from .structure import faults_against, pose_faults, schema, structural_faults
 from .unavailable import take_out
 from .values import depth_faults
 
 __all__ = [
     "check_pose",
     "check_with_meshes",
+    "faults_against",
     "filled",
     "named_in",
     "prepare",

@@ -67,6 +67,13 @@ def pose_faults(pose: Any) -> list[Fault]:
     return faults + [fault for _, fault in bad]
 
 
+def faults_against(other: dict[str, Any], data: Any) -> list[Fault]:
+    """Faults of form of data that is no recipe, against its own JSON Schema."""
+    bad = list(bad_values(data, data, []))
+    errors = _errors(jsonschema.Draft202012Validator(other), data, [path for path, _ in bad])
+    return [_fault(data, error) for error in errors] + [fault for _, fault in bad]
+
+
 def _errors(validator: Any, instance: Any, told: list[list[str | int]]) -> list[Any]:
     """What the schema says, in order of places, but for the places that are told already."""
     errors = sorted(validator.iter_errors(instance), key=lambda error: list(map(str, error.path)))

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command `study`: what it takes, and what it prints."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from typing import Any
+
+from .cli_progress import progress_on
+from .errors import Fault, RecipeError
+from .files.atomic import FileSet
+
+_ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
+
+
+def add_study_arguments(commands: Any) -> None:
+    """Adds `study` to the commands of a parser."""
+    study = commands.add_parser("study", help="compute, certify and table variants of a recipe")
+    study.add_argument("recipe", metavar="STUDY", help="JSON file; its recipe is relative to it")
+    study.add_argument(
+        "-o", "--output", required=True, metavar="DIR", help="folder for the variants"
+    )
+    text = "where variants are computed (default: local, in this process)"
+    study.add_argument("--engine", choices=_ENGINES, default="local", help=text)
+    text = "processes, workers of Dask, jobs of an array (default: the cores; 16 jobs)"
+    study.add_argument("--workers", type=_count, default=0, metavar="N", help=text)
+    text = "of Dask, such as tcp://host:8786 (default: a cluster on this machine for this study)"
+    study.add_argument("--scheduler", metavar="ADDRESS", help=text)
+    text = "only these runs, and no table: for jobs of a batch system"
+    study.add_argument("--runs", type=_runs, metavar="FIRST-LAST", help=text)
+    study.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or not 0 < int(text) <= 10_000:
+        raise argparse.ArgumentTypeError(f"{text} is no number of workers; give 1 to 10000")
+    return int(text)
+
+
+def _runs(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d{1,7})-(\d{1,7})", text)
+    if found is None or int(found[1]) > int(found[2]):
+        raise argparse.ArgumentTypeError(f"{text} is no range of runs; give two such as 0-99")
+    return int(found[1]), int(found[2])
+
+
+def run_study_command(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
+    """Computes the study; what to print. Raises RecipeError, FileError, KernelError."""
+    # Imported here, so that --help answers at once.
+    from .study.running import Ways, run_study
+
+    if wanted.scheduler is not None and wanted.engine != "dask":
+        what = "only Dask has a scheduler with an address"
+        raise RecipeError([Fault("--scheduler", what, "add --engine dask, or leave it out")])
+    with progress_on(sys.stderr, wanted.quiet) as progress:
+        ways = Ways(wanted.engine, wanted.workers, wanted.scheduler, wanted.runs, progress)
+        return run_study(wanted.recipe, wanted.output, ways)

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Studies: variants of a recipe, sampled, computed, certified and told in one table."""
+
+from .reading import Study, read_study, study_schema
+from .running import Ways, run_study
+
+__all__ = ["Study", "Ways", "read_study", "run_study", "study_schema"]

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The certificate of a variant: the report on its files read again, and the study's criteria."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+# Holds for every study that does not say otherwise: no triangle may turn over.
+STANDARD: dict[str, dict[str, float]] = {"flipped": {"max": 0.0}}
+# Of a report: what differs from run to run.
+_FLEETING = ("timings",)
+
+Numbers = Mapping[str, float | None]
+
+
+def certificate(
+    report: dict[str, Any], criteria: list[dict[str, Any]], measures: Numbers
+) -> dict[str, Any]:
+    """What `certificate.json` of a variant holds; it is the same whenever it is computed.
+
+    report: of Writer.write(); criteria: as judged() gives them.
+    """
+    failures = [*report["certificate"]["failures"], *failures_of(criteria)]
+    kept = {key: value for key, value in report.items() if key not in _FLEETING}
+    return {
+        **kept,
+        "certificate": {"passed": not failures, "failures": failures},
+        "criteria": criteria,
+        "measures": dict(measures),
+    }
+
+
+def judged(
+    criteria: Mapping[str, Mapping[str, float]],
+    measures: Numbers,
+    figure: Callable[[str], float | None],
+) -> list[dict[str, Any]]:
+    """Every criterion with its value and whether it holds; what cannot be measured does not."""
+    found = []
+    for name, limits in {**STANDARD, **criteria}.items():
+        value = measures[name] if name in measures else figure(name)
+        passed = value is not None and _within(value, limits)
+        found.append({"name": name, **limits, "value": value, "passed": passed})
+    return found
+
+
+def failures_of(criteria: list[dict[str, Any]]) -> list[str]:
+    """A sentence for every criterion that does not hold."""
+    return [_sentence(entry) for entry in criteria if not entry["passed"]]
+
+
+def _within(value: float, limits: Mapping[str, float]) -> bool:
+    return limits.get("min", value) <= value <= limits.get("max", value)
+
+
+def _sentence(entry: dict[str, Any]) -> str:
+    name, value = entry["name"], entry["value"]
+    if value is None:
+        return f"{name} cannot be measured"
+    if value < entry.get("min", value):
+        return f"{name} is {value:.6g}, at least {entry['min']:.6g} is asked for"
+    return f"{name} is {value:.6g}, at most {entry['max']:.6g} is allowed"

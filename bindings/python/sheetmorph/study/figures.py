@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figures that a report knows, by the names that measures and criteria use."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
+from ..answer import Answer
+from ..thin import crossings
+from .gaps import touching
+
+# Worst is the smallest of these, the largest of all others.
+_SMALLEST = {"angle"}
+_SUMS = {"flipped", "crossings"}
+
+_OF_PART: dict[str, Callable[[dict[str, Any]], Any]] = {
+    "angle": lambda part: part["quality"]["after"]["worst_angle_degrees"],
+    "aspect": lambda part: part["quality"]["after"]["worst_aspect"],
+    "flipped": lambda part: part["quality"]["flipped"],
+    "stretch": lambda part: part["quality"]["worst_strain"],
+    "fold": lambda part: part["quality"]["worst_fold_degrees"],
+    "displacement": lambda part: part["largest_displacement"],
+    "thickness change": lambda part: (part["thin"] or {}).get("largest_change"),
+}
+FIGURES = (*_OF_PART, "gap change", "edge error", "crossings", "touching", "warnings")
+
+
+class Figures:
+    """The figures of one result and its report."""
+
+    def __init__(self, result: Answer, report: dict[str, Any]):
+        self._result, self._report = result, report
+
+    def figure(self, name: str, part: str = "") -> float | None:
+        """A figure of a part, of all if none is named; None if nothing has it."""
+        numbers = [number for number in self._numbers(name, part) if number is not None]
+        if name in _SUMS:
+            return float(sum(numbers))
+        if name in ("touching", "warnings"):
+            return float(numbers[0])
+        if not numbers:
+            return None
+        return float(min(numbers) if name in _SMALLEST else max(numbers))
+
+    def _numbers(self, name: str, part: str) -> list[Any]:
+        report = self._report
+        if name in _OF_PART:
+            return [_OF_PART[name](entry) for entry in _of(report["parts"], "name", part)]
+        if name == "edge error":
+            return [entry["edge_error"] for entry in _of(report["features"], "part", part)]
+        if name == "gap change":
+            pairs = [(c["gap_change"], c["source"], c["target"]) for c in report["contacts"]]
+            return [change for change, *parts in pairs if not part or part in parts]
+        if name == "crossings":
+            return [self._new_crossings(entry) for entry in self._result.positions]
+        return [len(report["warnings"])] if name == "warnings" else [self._touching]
+
+    def _new_crossings(self, part: str) -> int:
+        rest, deformed = crossings(self._result, part)
+        return max(0, deformed - rest)
+
+    @cached_property
+    def _touching(self) -> int:
+        """Pairs of triangles of different parts that meet, beyond those that do at rest."""
+        meshes = self._result.session.meshes
+        parts = list(meshes)
+        found = 0
+        for k, one in enumerate(parts):
+            for other in parts[k + 1 :]:
+                rows = meshes[one].triangles, meshes[other].triangles
+                rest = meshes[one].points, meshes[other].points
+                pose = self._result.positions[one], self._result.positions[other]
+                met = touching(pose[0], rows[0], pose[1], rows[1])
+                before = touching(rest[0], rows[0], rest[1], rows[1]) if met else 0
+                found += max(0, met - before)
+        return found
+
+
+def _of(entries: list[dict[str, Any]], key: str, part: str) -> list[dict[str, Any]]:
+    return [entry for entry in entries if not part or entry[key] == part]

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a study is about to do: its samples, and of each the hash of all that it depends on."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import Fault, RecipeError
+from ..progress import Progress
+from ..recipe import (
+    check_pose,
+    check_with_meshes,
+    named_in,
+    prepare,
+    read_json,
+)
+from ..recipe.model import Model
+from ..recipe.parts import Parts
+from ..recipe.structure import structural_faults
+from .certifying import STANDARD
+from .figures import FIGURES
+from .measures import Measures
+from .reading import Study, read_study
+from .sampling import Values, out_of_range, samples_of
+from .spots import spot_of
+from .variants import Changes, Variant
+
+_FORMAT = 1
+# Samples of which one at least must be sound in form.
+_TRIED = 8
+
+
+class Plan:
+    """A study with its recipe and parts read. Raises RecipeError, FileError.
+
+    samples: the values of every variant, in the order of their runs.
+    """
+
+    def __init__(self, path: str | Path, progress: Progress | None = None):
+        self.study: Study = read_study(path)
+        self.recipe: Any = read_json(self.study.recipe)
+        self.folder = self.study.recipe.parent
+        with named_in(self.study.recipe):
+            self.parts: Parts = prepare(self.recipe, self.folder, progress)
+            self.model: Model = check_with_meshes(self.recipe, self.parts.meshes, self.parts.found)
+        with named_in(self.study.path):
+            self.changes = Changes(self.recipe, self.study.parameters, self._place_of)
+        self.measures = Measures(self.study, self.model, self.parts.meshes)
+        _require_known_criteria(self.study, self.measures)
+        self.samples: list[Values] = samples_of(self.study)
+        self._common = _digest(self._depended_on())
+        self._check_first()
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of the measures, column by column."""
+        return self.measures.columns
+
+    def variant(self, values: Values) -> Variant:
+        """The recipe of these values. Raises RecipeError."""
+        return self.changes.variant(values)
+
+    def refusal(self, values: Values) -> str:
+        """Why a sample is not computed at all; empty if it is."""
+        return out_of_range(self.study, values)
+
+    def hash_of(self, values: Values) -> str:
+        """What all files of a variant depend on, as one number in hex."""
+        return _digest([self._common, [values[name] for name in self.study.names]])
+
+    def _place_of(self, told: Any, where: str) -> np.ndarray:
+        rest = {name: mesh.points for name, mesh in self.parts.meshes.items()}
+        return spot_of(told, self.model, self.parts.meshes, where).at(rest)
+
+    def _check_first(self) -> None:
+        """Tells at once what is wrong with all variants, as a parameter of no handle."""
+        feasible = [values for values in self.samples if not self.refusal(values)]
+        wrong: list[RecipeError] = []
+        tried = feasible[:: max(1, len(feasible) // _TRIED)]
+        for values in tried:
+            try:
+                with named_in(self.study.path):
+                    self._check(values)
+                return
+            except RecipeError as error:
+                wrong.append(error)
+        if wrong:
+            raise wrong[0]
+
+    def _check(self, values: Values) -> None:
+        variant = self.variant(values)
+        faults = structural_faults(variant.recipe)[0] if variant.key != "{}" else []
+        if faults:
+            raise RecipeError(faults)
+        check_pose(self.model, variant.pose)
+
+    def _depended_on(self) -> Any:
+        study = self.study
+        files = {
+            source.file.origin.name: [_digest_of_file(source.file.origin), _digest_of(source.file)]
+            for source in self.parts.sources
+        }
+        meanings = [entry.meaning() for entry in study.parameters]
+        limits = [[entry.low, entry.high, entry.values] for entry in study.parameters]
+        constraints = [entry.text for entry in study.constraints]
+        asked = [study.measure, study.criteria, study.write]
+        # Where a range or a constraint refuses nothing, what is computed does not depend on it.
+        refuses = any(map(self.refusal, self.samples))
+        told = [limits, constraints] if refuses else []
+        return [_FORMAT, _version(), self.recipe, files, meanings, asked, told]
+
+
+def _version() -> str:
+    # Imported here: the package is not complete when this is read.
+    from .. import __version__
+
+    return __version__
+
+
+def _require_known_criteria(study: Study, measures: Measures) -> None:
+    known = [*measures.columns, *study.names, *FIGURES]
+    faults = [
+        Fault(
+            f"{study.path}, criteria.{name}",
+            f'there is no measure "{name}"',
+            f"known: {', '.join(known)}",
+        )
+        for name in {**STANDARD, **study.criteria}
+        if name not in known
+    ]
+    if faults:
+        raise RecipeError(faults)
+
+
+def _digest(data: Any) -> str:
+    text = json.dumps(data, sort_keys=True, ensure_ascii=True)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _digest_of_file(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _digest_of(file: Any) -> str:
+    """Of the mesh: files that the file includes come in here."""
+    found = hashlib.sha256(np.ascontiguousarray(file.mesh.points).tobytes())
+    found.update(np.ascontiguousarray(file.mesh.triangles).tobytes())
+    return found.hexdigest()

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A study from its file to a folder of certified variants and a table of them."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..errors import Fault, FileError, RecipeError
+from ..progress import Progress
+from .engines.dask import dask_driver
+from .engines.driving import Hopes
+from .engines.processes import processes_driver
+from .engines.scripts import Call
+from .engines.slurm import submit
+from .engines.snakemake import write_snakefile
+from .plan import Plan
+from .rows import ERROR, FILE, REFUSED, Row
+from .storing import Store, write_json
+from .summary import write_summary
+from .working import Cost, Task, own_workshop
+
+ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
+COSTS = "costs.json"
+# Array jobs of a batch system where nobody says how many.
+_JOBS = 16
+
+
+@dataclass(frozen=True)
+class Ways:
+    """How a study is computed. engine: one of ENGINES; workers: how many, 0 for the engine's own
+    choice; scheduler: address of a Dask scheduler; runs: the first and the last run, None for all.
+    """
+
+    engine: str = "local"
+    workers: int = 0
+    scheduler: str | None = None
+    runs: tuple[int, int] | None = None
+    progress: Progress | None = None
+
+
+def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> list[str]:
+    """Compute the variants of a study into a folder; returns what to tell, a sentence each.
+
+    What is there already, and depends on nothing that has changed, stays. Raises RecipeError,
+    FileError, KernelError, OSError.
+    """
+    ways = ways or Ways()
+    plan = Plan(path, ways.progress)
+    _require_apart(plan, Path(out))
+    store = Store(Path(out))
+    store.open()
+    if ways.runs is not None:
+        return _Run(plan, store, ways).some(*ways.runs)
+    with _alone(store.out):
+        store.tidy([plan.hash_of(values) for values in plan.samples])
+        if ways.engine in ("slurm", "snakemake"):
+            call = Call(plan.study.path, store.out, len(plan.samples))
+            hand_over = submit if ways.engine == "slurm" else write_snakefile
+            return hand_over(call, ways.workers or _JOBS)
+        return _Run(plan, store, ways).all()
+
+
+class _Run:
+    """One call for one study; rows: of the variants that are done, by run."""
+
+    def __init__(self, plan: Plan, store: Store, ways: Ways):
+        self._plan, self._store, self._ways = plan, store, ways
+        self._hashes = [plan.hash_of(values) for values in plan.samples]
+        self._costs: list[Cost] = []
+        self._rows: dict[int, Row] = {}
+        self._total = 0
+
+    def some(self, first: int, last: int) -> list[str]:
+        """Compute some of the runs, without a table: others are at work on the others."""
+        runs = range(first, min(last, len(self._hashes) - 1) + 1)
+        self._compute(runs)
+        return [f"{self._store.out}: {len(runs)} run(s) done"]
+
+    def all(self) -> list[str]:
+        """Compute what is missing and write the table."""
+        begin = time.perf_counter()
+        try:
+            self._compute(range(len(self._hashes)))
+        except KeyboardInterrupt:
+            self._tell()
+            raise
+        summary = self._tell()
+        costs = self._costs_of(time.perf_counter() - begin)
+        write_json(self._store.out, {COSTS: costs})
+        return [_sentence(self._store.out, summary, costs)]
+
+    def _tell(self) -> dict[str, Any]:
+        return write_summary(self._plan, self._rows, self._store.out)
+
+    def _compute(self, runs: Sequence[int]) -> None:
+        self._total = len(runs)
+        missing = [run for run in runs if not self._take(run)]
+        refused = [run for run in missing if self._plan.refusal(self._plan.samples[run])]
+        for run in refused:
+            why = self._plan.refusal(self._plan.samples[run])
+            self._put(run, REFUSED, why)
+        computed = set(missing).difference(refused)
+        study, out = str(self._plan.study.path.resolve()), str(self._store.out.resolve())
+        tasks = [Task(study, out, run, self._hashes[run]) for run in sorted(computed)]
+        if tasks:
+            self._hand_out(tasks)
+
+    def _hand_out(self, tasks: list[Task]) -> None:
+        ways = self._ways
+        hopes = Hopes(self._finished, self._lost, lambda task: self._take(task.run))
+        workers = ways.workers or os.cpu_count() or 1
+        if ways.engine == "processes":
+            processes_driver(workers, hopes).drive(tasks)
+        elif ways.engine == "dask":
+            dask_driver(ways.scheduler, workers, hopes).drive(tasks)
+        else:
+            work = own_workshop(self._plan)
+            for task in tasks:
+                self._finished(task, work(task))
+
+    def _take(self, run: int) -> bool:
+        """Whether a variant is done; then its row is taken over."""
+        row = self._store.row(run, self._hashes[run])
+        if row is None or row.status == ERROR:
+            return False
+        self._rows[run] = row
+        return True
+
+    def _finished(self, task: Task, cost: Cost) -> None:
+        row = self._store.row(task.run, task.key)
+        if row is None:
+            what = f"the folder of run {task.run} is not where its worker put it"
+            raise FileError(self._store.out, what, "workers and this process must share the folder")
+        self._rows[task.run] = row
+        self._costs.append(cost)
+        self._progress()
+
+    def _lost(self, task: Task, why: str) -> None:
+        self._put(task.run, ERROR, why)
+
+    def _put(self, run: int, status: str, why: str) -> None:
+        row = Row(self._hashes[run], self._plan.samples[run], status, why)
+        with self._store.folder(run) as folder:
+            write_json(folder, {FILE: row.to_json()})
+        self._rows[run] = row
+        self._progress()
+
+    def _progress(self) -> None:
+        progress = self._ways.progress
+        done = len(self._rows)
+        if progress is not None and not progress(
+            done / max(1, self._total), f"{done} of {self._total} variants"
+        ):
+            raise KeyboardInterrupt
+
+    def _costs_of(self, seconds: float) -> dict[str, Any]:
+        """What this call took; of all files of a study the one that differs from call to call."""
+        spent = sum(cost.seconds for cost in self._costs)
+        kernel = sum(cost.kernel for cost in self._costs)
+        return {
+            "sheetmorph_study_costs": 1,
+            "engine": self._ways.engine,
+            "workers": self._ways.workers,
+            "computed": len(self._costs),
+            "seconds": seconds,
+            "variants_a_second": len(self._costs) / seconds if seconds else 0.0,
+            "seconds_of_workers": spent,
+            "seconds_of_kernel": kernel,
+            "share_not_of_kernel": 1.0 - kernel / spent if spent else 0.0,
+        }
+
+
+def _sentence(out: Path, summary: dict[str, Any], costs: dict[str, Any]) -> str:
+    counts = ", ".join(f"{count} {status}" for status, count in summary["counts"].items())
+    return (
+        f"{out}: {len(summary['runs'])} variant(s): {counts}; {costs['computed']} computed in "
+        f"{costs['seconds']:.3g} s"
+    )
+
+
+def _require_apart(plan: Plan, out: Path) -> None:
+    """The results must not stand among what is read. Raises RecipeError."""
+    read = [plan.study.path, plan.study.recipe, *(s.file.origin for s in plan.parts.sources)]
+    if out.resolve() in [path.parent.resolve() for path in read]:
+        what = f"{out} is the folder of the study, its recipe or a part"
+        raise RecipeError([Fault("-o", what, "name a folder of its own")])
+
+
+@contextmanager
+def _alone(out: Path) -> Iterator[None]:
+    """Raises RecipeError where another process computes a study into the folder."""
+    with open(out / ".lock", "w", encoding="utf-8") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            what = f"another process computes a study in {out}"
+            raise RecipeError([Fault("-o", what, "wait for it, or name another folder")]) from None
+        yield

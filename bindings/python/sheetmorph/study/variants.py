@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A recipe with other numbers: what has to be factorised anew, and what is a pose of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..errors import Fault, RecipeError
+from .blends import with_pose
+from .paths import value_at, with_value
+from .reading import Parameter
+
+# What a pose can say instead of the entry of a region: section -> keys.
+_POSABLE = {
+    "features": ("size", "rotation"),
+    "points": ("target", "rotation"),
+    "handles": ("pivot",),
+}
+Place = Callable[[Any, str], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Variant:
+    """recipe: what is factorised; pose: what it is asked for; key: the same for all variants that
+    share the pre-processing."""
+
+    recipe: dict[str, Any]
+    pose: dict[str, Any]
+    key: str
+
+
+class Changes:
+    """Makes variants of a recipe. place_of: where at rest (3,) something of a study is, mm."""
+
+    def __init__(self, recipe: dict[str, Any], parameters: tuple[Parameter, ...], place_of: Place):
+        self._recipe = recipe
+        self._parameters = [entry for entry in parameters if entry.steps or entry.blend]
+        self._lines = {
+            entry.name: _line(entry, place_of)
+            for entry in self._parameters
+            if entry.direction is not None or entry.distance_from is not None
+        }
+        for entry in self._parameters:
+            self._check(entry)
+
+    def variant(self, values: Mapping[str, float]) -> Variant:
+        """The recipe with these values of the parameters. Raises RecipeError."""
+        changed = self.changed(values)
+        base = {key: value for key, value in changed.items() if key not in ("pose", "poses")}
+        pose = dict(changed.get("pose") or {})
+        touched: dict[str, Any] = {}
+        for entry in self._parameters:
+            if entry.steps and entry.steps[0] != "pose":
+                base, pose = _as_pose(base, pose, entry, self._recipe)
+                touched[json.dumps(entry.steps)] = value_at(base, entry.steps)
+        return Variant(base, pose, json.dumps(touched, sort_keys=True))
+
+    def changed(self, values: Mapping[str, float]) -> dict[str, Any]:
+        """The whole recipe with these values of the parameters. Raises RecipeError."""
+        recipe = self._recipe
+        for entry in self._parameters:
+            recipe = self._with(recipe, entry, values[entry.name])
+        return recipe
+
+    def _with(self, recipe: dict[str, Any], entry: Parameter, value: float) -> dict[str, Any]:
+        if entry.blend is not None:
+            other = self._recipe["poses"][entry.blend]
+            return {**recipe, "pose": with_pose(recipe.get("pose", {}), other, value, entry.where)}
+        if entry.name not in self._lines:
+            return with_value(recipe, entry.steps, value, entry.where)
+        direction, start = self._lines[entry.name]
+        begun = np.asarray(value_at(recipe, entry.steps) or (0.0, 0.0, 0.0), float)
+        moved = (begun + (value - start) * direction).tolist()
+        return with_value(recipe, entry.steps, moved, entry.where)
+
+    def _check(self, entry: Parameter) -> None:
+        """Raises RecipeError where a parameter does not lead to a number of the recipe."""
+        if entry.blend is not None:
+            names = list(self._recipe.get("poses", {}))
+            if entry.blend not in names:
+                todo = f"there are {', '.join(names)}" if names else 'give the recipe "poses"'
+                raise _error(entry, f'the recipe has no pose "{entry.blend}"', todo)
+            return
+        with_value(self._recipe, entry.steps, 0.0, entry.where)
+        found = value_at(self._recipe, entry.steps)
+        is_number = isinstance(found, (int, float)) and not isinstance(found, bool)
+        if found is not None and not is_number and entry.name not in self._lines:
+            what = f"a {_kind(found)} stands at its path, no number"
+            raise _error(entry, what, "lead the path on to one of its numbers")
+
+
+def _line(entry: Parameter, place_of: Place) -> tuple[np.ndarray, float]:
+    """The direction (3,) of length 1 in which a handle is moved, and the value without a motion."""
+    if entry.direction is not None:
+        direction, start = np.asarray(entry.direction, float), 0.0
+        return direction / np.linalg.norm(direction), start
+    offset = place_of(str(entry.steps[1]), entry.where) - place_of(
+        entry.distance_from, f"{entry.where}.distance_from"
+    )
+    length = float(np.linalg.norm(offset))
+    if not length > 0.0:
+        raise _error(entry, "the handle stands at the place its distance is from", "take another")
+    return offset / length, length
+
+
+def _as_pose(
+    base: dict[str, Any], pose: dict[str, Any], entry: Parameter, recipe: dict[str, Any]
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Base and pose with what the parameter changed told by the pose, if a pose can tell it."""
+    steps = entry.steps
+    if len(steps) < 3 or steps[2] not in _POSABLE.get(str(steps[0]), ()):
+        return base, pose
+    told, region = value_at(base, steps[:3]), value_at(base, steps[:2])
+    before = value_at(recipe, steps[:3])
+    name = region.get("name")
+    if before is None or name is None or (steps[2] == "rotation" and not isinstance(told, dict)):
+        return base, pose
+    motion = pose.get(name, {})
+    return (
+        with_value(base, steps[:3], before, entry.where),
+        pose if steps[2] in motion else {**pose, name: {**motion, str(steps[2]): told}},
+    )
+
+
+def _kind(found: Any) -> str:
+    return {dict: "JSON object", list: "list", str: "text"}.get(type(found), "truth value")
+
+
+def _error(entry: Parameter, what: str, todo: str) -> RecipeError:
+    return RecipeError([Fault(entry.where, what, todo)])

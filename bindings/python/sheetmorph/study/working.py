@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One variant from its values to its folder; what every engine calls, wherever it runs."""
+
+from __future__ import annotations
+
+import time
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from ..errors import FileError, KernelError, RecipeError
+from ..places import Places
+from ..recipe import prepare
+from ..recipe.parts import Parts
+from ..running import Writer
+from ..session import Result, Session
+from .certifying import certificate, judged
+from .figures import Figures
+from .measures import Measures, Scene
+from .pictures import picture_of
+from .plan import Plan
+from .rows import CERTIFICATE, ERROR, FAILED, FILE, PASSED, PICTURE, REFUSED, Row
+from .sampling import Values
+from .storing import Store, write_json
+from .variants import Variant
+
+# Sessions that are kept: variants that share one often come in turn.
+_KEPT = 2
+_OWN_PARTS = ("parts", "features", "contacts")
+_DECKS = (".nas", ".bdf", ".dat", ".fem", ".blk")
+
+
+@dataclass(frozen=True)
+class Task:
+    """A variant to compute: the study's file, the folder of its results, and a number; key: the
+    hash it had when the study began."""
+
+    study: str
+    out: str
+    run: int
+    key: str
+
+
+@dataclass(frozen=True)
+class Cost:
+    """Seconds of one variant, and of them those that the kernel took."""
+
+    seconds: float = 0.0
+    kernel: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class _Base:
+    """A pre-processed recipe; seconds: that this took."""
+
+    session: Session
+    parts: Parts
+    measures: Measures
+    seconds: float
+
+
+class Workshop:
+    """Computes variants of one study; what they share is pre-processed once."""
+
+    def __init__(self, plan: Plan):
+        self.plan = plan
+        self._bases: OrderedDict[str, _Base] = OrderedDict()
+        self._kernel = 0.0
+
+    def work(self, run: int, store: Store) -> Cost:
+        """Compute a variant into its folder. What is wrong with it is in its row."""
+        begin = time.perf_counter()
+        self._kernel = 0.0
+        values = self.plan.samples[run]
+        row = Row(self.plan.hash_of(values), values, ERROR)
+        with store.folder(run) as folder:
+            row = self._row(row, folder)
+            write_json(folder, {FILE: row.to_json()})
+        return Cost(time.perf_counter() - begin, self._kernel)
+
+    def result(self, values: Values) -> Result:
+        """The exact answer for these values, without files. Raises RecipeError."""
+        variant = self.plan.variant(values)
+        return self._base(variant).session.deform(variant.pose)
+
+    def session(self, values: Values) -> Session:
+        """The pre-processed recipe of these values. Raises RecipeError."""
+        return self._base(self.plan.variant(values)).session
+
+    def _row(self, row: Row, folder: Path) -> Row:
+        why = self.plan.refusal(row.parameters)
+        if why:
+            return replace(row, status=REFUSED, why=why)
+        try:
+            return self._computed(row, folder)
+        except RecipeError as error:
+            return self._without(row, folder, REFUSED, "; ".join(map(str, error.faults)))
+        except (OSError, FileError):
+            raise  # a full disk, a folder that is gone: of the study, not of the variant
+        except MemoryError:
+            return self._without(row, folder, ERROR, "not enough memory")
+        except Exception as error:  # whatever it is, the other variants go on
+            text = " ".join(str(error).split())
+            known = isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetm")
+            what = text if known else f"a mistake of the program ({type(error).__name__}: {text})"
+            return self._without(row, folder, ERROR, what)
+
+    def _without(self, row: Row, folder: Path, status: str, why: str) -> Row:
+        _clear(folder)
+        return replace(row, status=status, why=why)
+
+    def _computed(self, row: Row, folder: Path) -> Row:
+        variant = self.plan.variant(row.parameters)
+        base = self._base(variant)
+        begin = time.perf_counter()
+        result = base.session.deform(variant.pose)
+        self._kernel += time.perf_counter() - begin
+        report = self._write(result, base.parts, folder)
+        figures = Figures(result, report)
+        scene = Scene(result.positions, row.parameters, figures.figure)
+        measures = base.measures.taken(scene)
+        known = {**row.parameters, **measures}
+        criteria = judged(self.plan.study.criteria, known, figures.figure)
+        proof = certificate(report, criteria, measures)
+        failures = proof["certificate"]["failures"]
+        if failures:
+            _clear(folder)
+        self._write_rest(folder, proof, result)
+        status = FAILED if failures else PASSED
+        return replace(row, status=status, why="; ".join(failures), measures=measures)
+
+    def _write(self, result: Result, parts: Parts, folder: Path) -> dict[str, Any]:
+        """The part files that are asked for; returns the report on them."""
+        wanted = self.plan.study.write
+        sources = [
+            source
+            for source in parts.sources
+            if "parts" in wanted
+            or ("decks" in wanted and source.file.path.suffix.lower() in _DECKS)
+        ]
+        return Writer(result, sources, Places([], folder, [], None), {}, []).write_parts()
+
+    def _write_rest(self, folder: Path, proof: dict[str, Any], result: Result) -> None:
+        wanted = self.plan.study.write
+        if "certificate" in wanted:
+            write_json(folder, {CERTIFICATE: proof})
+        if "pictures" in wanted:
+            (folder / PICTURE).write_bytes(picture_of(result))
+
+    def _base(self, variant: Variant) -> _Base:
+        if variant.key in self._bases:
+            self._bases.move_to_end(variant.key)
+            return self._bases[variant.key]
+        while len(self._bases) >= _KEPT:
+            self._bases.popitem(last=False)
+        made = self._bases[variant.key] = self._preprocessed(variant)
+        self._kernel += made.seconds
+        return made
+
+    def _preprocessed(self, variant: Variant) -> _Base:
+        plan = self.plan
+        touched = {str(entry.steps[0]) for entry in plan.study.parameters if entry.steps}
+        shared = not touched.intersection(_OWN_PARTS)
+        parts = plan.parts if shared else prepare(variant.recipe, plan.folder)
+        begin = time.perf_counter()
+        session = Session(variant.recipe, parts.meshes, found=parts.found)
+        seconds = time.perf_counter() - begin
+        return _Base(session, parts, Measures(plan.study, session.model, parts.meshes), seconds)
+
+
+def _clear(folder: Path) -> None:
+    for path in folder.iterdir():
+        path.unlink()
+
+
+def work(task: Task) -> Cost:
+    """Compute a variant in this process; the study is read once. For workers of all engines."""
+    shop = _workshop(task.study, Path(task.study).stat().st_mtime_ns)
+    if task.run >= len(shop.plan.samples):
+        raise FileError(task.study, "it was changed meanwhile", "start the study again")
+    if shop.plan.hash_of(shop.plan.samples[task.run]) != task.key:
+        raise FileError(task.study, "it or its recipe was changed meanwhile", "start it again")
+    return shop.work(task.run, Store(Path(task.out)))
+
+
+@lru_cache(maxsize=1)
+def _workshop(study: str, _changed: int) -> Workshop:
+    return Workshop(Plan(study))
+
+
+def own_workshop(plan: Plan) -> Callable[[Task], Cost]:
+    """work() for a plan that was read already."""
+    shop = Workshop(plan)
+    return lambda task: shop.work(task.run, Store(Path(task.out)))
+
+
+def attempt(task: Task) -> tuple[Cost, str]:
+    """work() as other processes call it: what stops the whole study comes back as a sentence."""
+    try:
+        return work(task), ""
+    except (RecipeError, FileError, KernelError, OSError) as error:
+        return Cost(), " ".join(str(error).split())
