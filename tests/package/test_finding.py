@@ -80,7 +80,7 @@ def test_what_is_wrong_is_said_in_one_line(capsys):
         (["nothing.obj"], "no such file"),
         ([str(MIRROR[0]), "--rings", "99"], "rings is 99"),
         ([str(MIRROR[0]), "--kind", "whole"], 'no kind "whole"'),
-        ([str(MIRROR[0]), "--split", "property"], "only Nastran decks"),
+        ([str(MIRROR[0]), "--split", "property"], "only decks have properties"),
     ):
         assert main(["find", *arguments]) == 2
         error = capsys.readouterr().err

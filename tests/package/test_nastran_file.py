@@ -10,7 +10,7 @@ import pytest
 
 from part_samples import NASTRAN, moved
 from sheetmorph import FileError, read_part
-from sheetmorph.files.nastran_number import format_real, parse_real
+from sheetmorph.decks.numbers import format_real, parse_real
 
 
 @pytest.mark.parametrize(
@@ -72,7 +72,7 @@ def test_random_numbers_keep_as_many_digits_as_a_field_has_room_for(width: int, 
 
 
 def test_a_number_beyond_any_field_is_refused():
-    with pytest.raises(ValueError, match="does not fit a Nastran field of 4 characters"):
+    with pytest.raises(ValueError, match="does not fit a field of 4 characters"):
         format_real(-1e-300, 4)
 
 
@@ -132,9 +132,12 @@ def test_every_coordinate_of_a_short_line_can_be_written(tmp_path: Path):
 
 
 def test_a_default_coordinate_system_counts(deck: Path):
-    deck.write_bytes(NASTRAN.replace(b"$ nodes", b"GRDSET          7"))
-    with pytest.raises(FileError, match="nodes 10, 30, 40, 50 stand in a coordinate system"):
-        read_part(deck)
+    system = b"GRDSET          7\nCORD2R  7               1.      2.      3.      1.      2.      4.\n"
+    system += b"        2.      2.      3."
+    deck.write_bytes(NASTRAN.replace(b"$ nodes", system))
+    points = read_part(deck).mesh.points
+    assert np.allclose(points[0], [1, 2, 3], atol=1e-15)
+    assert points[1].tolist() == [1.5, 0, 0]  # its own field says 0
 
 
 def test_a_deck_without_begin_bulk_is_read(tmp_path: Path):
@@ -143,8 +146,8 @@ def test_a_deck_without_begin_bulk_is_read(tmp_path: Path):
     assert len(read_part(path).mesh.points) == 5
 
 
-def test_missing_nodes_of_a_deck_with_includes_say_so(deck: Path):
+def test_an_include_that_is_not_there_is_named(deck: Path):
     text = NASTRAN.replace(b"GRID,50,,-1.0,0.,0.", b"INCLUDE 'nodes.blk'")
     deck.write_bytes(text)
-    with pytest.raises(FileError, match="without GRID: 50; put the INCLUDE files into the deck"):
+    with pytest.raises(FileError, match='the include "nodes.blk" is not there'):
         read_part(deck)

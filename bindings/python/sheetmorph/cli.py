@@ -139,6 +139,9 @@ def parser() -> argparse.ArgumentParser:
     text = "vertices nearer than this are one place (mm; a millionth of the size)"
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     add_find_arguments(commands)
+    copy = commands.add_parser("copy", help="read decks and meshes and write them, nothing moved")
+    copy.add_argument("files", nargs="+", metavar="FILE", help="deck with its includes, or mesh")
+    copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for them")
     add_recipe_commands(commands)
     add_study_arguments(commands)
     return parser
@@ -188,7 +191,14 @@ def _find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     return run_find(wanted, files)
 
 
+def _copy(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    from .copying import copy_files
+
+    return copy_files(wanted.files, wanted.output, files)
+
+
 _COMMANDS = {
+    "copy": _copy,
     "run": _run,
     "check": _check,
     "resolve": run_resolve,

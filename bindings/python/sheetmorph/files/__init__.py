@@ -13,8 +13,9 @@ from ..errors import FileError
 from ..labels import Labels, by_key
 from .atomic import FileSet
 from .cad_file import CAD_SUFFIXES, read_cad
+from .deck_file import SUFFIXES as DECKS
+from .deck_file import DeckFile
 from .meshio_file import SUFFIXES, MeshioFile
-from .nastran import NastranFile
 from .obj import ObjFile
 from .off import OffFile
 from .packed import is_packed, read_packed, unpacked_name
@@ -30,8 +31,8 @@ _READERS: dict[str, Callable[[Path], PartFile]] = {
     ".off": OffFile.read,
     ".ply": read_ply,
     ".stl": read_stl,
-    **dict.fromkeys((".nas", ".bdf", ".dat", ".fem", ".blk"), NastranFile),
     **dict.fromkeys(SUFFIXES, MeshioFile),
+    **dict.fromkeys(DECKS, DeckFile),
 }
 
 

@@ -22,8 +22,6 @@ from .text import check_points, read_bytes
 SUFFIXES = {
     ".vtk": "vtk",
     ".vtu": "vtu",
-    ".msh": "gmsh",
-    ".inp": "abaqus",
     ".avs": "avsucd",
     ".mesh": "medit",
 }
@@ -51,8 +49,6 @@ class MeshioFile(PartFile):
         changed = copy.copy(self._mesh)
         changed.points = positions.astype(kind)
         form, options = _form(self.path)
-        if form == "gmsh" and "gmsh:physical" not in changed.cell_data:
-            form = "gmsh22"  # meshio's writer of newer files fails without physical groups
         try:
             with _quiet():
                 meshio.write(path, changed, file_format=form, **options)
@@ -138,9 +134,4 @@ def _form(path: Path) -> tuple[str, dict[str, bool]]:
         return form, {"binary": b"BINARY" in head[:400].upper()}
     if form == "vtu":
         return form, {"binary": not re.search(rb"""format=["']ascii["']""", head)}
-    if form == "gmsh":
-        version = re.search(rb"\$MeshFormat\s+(\d)\S*\s+(\d)", head)
-        is_old = version is not None and version.group(1) == b"2"
-        is_binary = version is not None and version.group(2) == b"1"
-        return ("gmsh22" if is_old else form), {"binary": is_binary}
     return form, {}

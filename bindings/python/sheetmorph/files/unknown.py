@@ -17,10 +17,7 @@ _MESHES = (
     *(".3ds", ".3mf", ".amf", ".blend", ".ctm", ".dae", ".fbx", ".glb", ".gltf", ".iv", ".lwo"),
     *(".pcd", ".usd", ".usdz", ".wrl", ".x3d", ".xyz"),
 )
-_DECKS = (
-    *(".ans", ".cas", ".cdb", ".e", ".exo", ".k", ".key", ".med", ".op2", ".rad", ".unv"),
-    ".xdmf",
-)
+_DECKS = (*(".ans", ".cas", ".cdb", ".e", ".exo", ".med", ".op2", ".unv", ".xdmf"),)
 _PACKED = (".7z", ".bz2", ".rar", ".tar", ".tgz", ".xz", ".zip", ".zst")
 _DRAWINGS = (".dwg", ".dxf", ".pdf", ".svg")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a Nastran deck tells besides its mesh: thickness of shells, elements between parts."""
+"""What a deck tells besides its mesh: thickness of shells, elements between parts."""
 
 from __future__ import annotations
 
@@ -8,26 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from ..files.nastran import NastranFile
-from ..files.nastran_cards import Card, cards
-from ..files.nastran_number import parse_real
+from ..files.deck_file import DeckFile
 from ..part_mesh import PartMesh
 from ..recipe.parts import Source
 
-# Where the nodes of an element with two of them stand among its fields.
-_TWO_NODES = {
-    "CELAS1": (2, 4),
-    "CELAS2": (2, 4),
-    "CBAR": (2, 3),
-    "CBEAM": (2, 3),
-    "CBUSH": (2, 3),
-    "CROD": (2, 3),
-    "CONROD": (1, 2),
-    "RBAR": (1, 2),
-    "RROD": (1, 2),
-}
-_ELEMENTS = frozenset({*_TWO_NODES, "RBE2", "RBE3"})
-
+_JOINING = ("line", "rigid", "weld")
 _Pair = tuple[str, int, str, int]
 
 
@@ -35,9 +20,9 @@ def part_thickness(sources: Sequence[Source]) -> dict[str, float]:
     """By part: the median thickness of its shells, for parts of decks that give one."""
     found = {}
     for source in sources:
-        if not isinstance(source.file, NastranFile):
+        if not isinstance(source.file, DeckFile):
             continue
-        by_property = _shell_thickness(source.file)
+        by_property = source.file.deck.raw.thickness
         values = np.array([by_property.get(int(p), 0.0) for p in source.file.properties])
         corners = source.file.mesh.triangles[:, 0]
         for name, vertices in source.members.items():
@@ -48,22 +33,13 @@ def part_thickness(sources: Sequence[Source]) -> dict[str, float]:
     return found
 
 
-def _shell_thickness(file: NastranFile) -> dict[int, float]:
-    found = {}
-    for card in cards(file.lines, frozenset({"PSHELL"})):
-        number, thickness = _integer(card.text(0)), parse_real(card.text(2) or "0.")
-        if number is not None and thickness:
-            found[number] = float(thickness)
-    return found
-
-
 def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator[_Pair]:
     """(part, vertex index, part, vertex index) of the elements between the parts of a deck.
 
     Elements that meet in a node of no shell are one connection; of it every vertex of one part goes
     with the nearest of each other part.
     """
-    if not isinstance(source.file, NastranFile):
+    if not isinstance(source.file, DeckFile):
         return
     places: dict[int, tuple[str, int]] = {}
     for name in source.members:
@@ -75,12 +51,11 @@ def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator
     )
 
 
-def _joined(file: NastranFile, places: Mapping[int, tuple[str, int]]) -> list[list[int]]:
+def _joined(file: DeckFile, places: Mapping[int, tuple[str, int]]) -> list[list[int]]:
     """The shell nodes of elements that hang together over nodes of no shell, sorted."""
     groups: list[set[int]] = []
     at_node: dict[int, int] = {}
-    for card in cards(file.lines, _ELEMENTS):
-        nodes = set(_nodes(card))
+    for nodes in _elements(file):
         joined = {at_node[n] for n in nodes if n in at_node}
         number = len(groups)
         groups.append(nodes)
@@ -92,31 +67,11 @@ def _joined(file: NastranFile, places: Mapping[int, tuple[str, int]]) -> list[li
     return [group for group in found if len(group) > 1]
 
 
-def _nodes(card: Card) -> list[int]:
-    if card.name in _TWO_NODES:
-        texts = [card.text(place) for place in _TWO_NODES[card.name]]
-    elif card.name == "RBE2":
-        texts = [card.text(1), *(field.text.strip() for field in card.fields[3:])]
-    else:  # RBE3: reference node, then weights (real), components and nodes (whole numbers)
-        texts = [card.text(2)]
-        is_component = False
-        for field in card.fields[4:]:
-            text = field.text.strip()
-            if text.upper() in ("UM", "ALPHA"):
-                break
-            is_weight = "." in text
-            if text and not is_weight and not is_component:
-                texts.append(text)
-            is_component = is_weight
-    numbers = [_integer(text) for text in texts]
-    return [number for number in numbers if number is not None and number > 0]
-
-
-def _integer(text: str) -> int | None:
-    try:
-        return int(text)
-    except ValueError:
-        return None
+def _elements(file: DeckFile) -> Iterator[set[int]]:
+    """The nodes of every element that may join two parts."""
+    for block in file.deck.elements:
+        if block.kind in _JOINING:
+            yield from ({node for node in row if node} for row in block.nodes.tolist())
 
 
 def _pairs(

@@ -34,7 +34,7 @@ def split_triangles(file: PartFile, way: str) -> dict[str, np.ndarray]:
         numbers = {label: str(k + 1) for k, label in enumerate(np.unique(labels).tolist())}
     else:
         if file.properties is None:
-            raise SplitError("only Nastran decks have properties", 'use "split": "components"')
+            raise SplitError("only decks have properties", 'use "split": "components"')
         labels = file.properties
         numbers = {label: str(label) for label in dict.fromkeys(labels.tolist())}
     found = {name: np.flatnonzero(labels == label) for label, name in numbers.items()}

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command `copy`: files are read and written again, nothing moved: what a morph would leave."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from .errors import Fault, FileError, RecipeError
+from .decks import Deck, is_deck, output_places, read_deck
+from .files import FileSet, read_part
+from .places import Places
+
+
+def copy_files(paths: Sequence[str | Path], out: str | Path, files: FileSet) -> list[str]:
+    """Write files, decks with all that they include, into a folder; a sentence for each.
+
+    All or none are written. Raises FileError, RecipeError, OSError.
+    """
+    folder = Path(out)
+    work = [_Copy(Path(path), folder) for path in paths]
+    targets = [place for copy in work for place in copy.places]
+    twice = {place for place in targets if targets.count(place) > 1}
+    if twice:
+        what = f"two of the files would become {sorted(twice)[0]}"
+        raise RecipeError([Fault("-o", what, "copy them into different folders")])
+    read = [path for copy in work for path in copy.read]
+    Places(read, folder, targets, None).check()
+    with files:
+        folder.mkdir(parents=True, exist_ok=True)
+        told = [copy.write(files) for copy in work]
+        files.commit()
+    return told
+
+
+class _Copy:
+    """One file on its way."""
+
+    def __init__(self, path: Path, folder: Path):
+        self.read = [path]
+        self.places = [folder / path.name]
+        self._deck: Deck | None = None
+        if is_deck(path):
+            self._deck = read_deck(path)
+            self.read = [text.path for text in self._deck.texts]
+            self.places = output_places(self._deck.texts, self.places[0])
+        else:
+            self._file = read_part(path)
+            self.places = [folder / self._file.output_name]
+
+    def write(self, files: FileSet) -> str:
+        if self._deck is None:
+            self._file.write_into(files, self.places[0], self._file.mesh.points)
+            return f"{self.places[0]}: {len(self._file.mesh.points)} vertices"
+        same = True
+        for number, place in enumerate(self.places):
+            place.parent.mkdir(parents=True, exist_ok=True)
+            temporary = files.temporary_for(place)
+            with files.named(temporary):
+                with temporary.open("wb") as written:
+                    self._deck.save(self._deck.points, number, written)
+                same = same and temporary.read_bytes() == self._deck.texts[number].data
+        if not same:
+            what = "it did not come out as it went in"
+            raise FileError(self.read[0], what, "please report it with this deck")
+        return _told(self._deck, self.places[0])
+
+
+def _told(deck: Deck, place: Path) -> str:
+    counts: dict[str, int] = {}
+    for block in deck.elements:
+        counts[block.kind] = counts.get(block.kind, 0) + len(block.ids)
+    words = [f"{count} {_WORDS[kind]}" for kind, count in counts.items()]
+    files = f", {len(deck.texts)} files" if len(deck.texts) > 1 else ""
+    elements = f", {', '.join(words)}" if words else ""
+    nodes = int((deck.ids > 0).sum())
+    told = f"{place}: {deck.form}, {nodes} nodes{elements}{files}, every byte as it was"
+    return "; ".join([told, *deck.notes])
+
+
+_WORDS = {
+    "shell": "shells",
+    "solid": "solids",
+    "line": "beams and springs",
+    "rigid": "rigid elements",
+    "mass": "masses",
+    "weld": "welds",
+    "frame": "systems by nodes",
+}

@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Input files of Abaqus and CalculiX: *NODE between commas, in parts and instances or without."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from .abaqus_joints import Sets, add_joint
+from .abaqus_lines import AbaqusLines, Keyword
+from .abaqus_types import element_type
+from .commas import comma_nodes, comma_places, integers
+from .cut import small
+from .deck import Deck
+from .frames import Frame
+from .includes import Included
+from .model import Elements, Opener, Place, Raw
+from .numbers import parse_real
+from .text import chunks
+
+SUFFIXES = (".inp",)
+# CalculiX reads no more characters of a number.
+_ROOM = 20
+_MADE = ("NGEN", "NFILL", "NCOPY", "NMAP")
+_STALE = {
+    "ORIENTATION": "local directions by coordinates are kept as they are",
+    "NODAL THICKNESS": "the thickness at its nodes is kept as it is",
+    "NORMAL": "normals by components are kept as they are",
+    "TRANSFORM": "local directions by coordinates are kept as they are",
+    "INITIAL CONDITIONS": "an initial state of the shape before",
+    "IMPERFECTION": "an imperfection of the shape before",
+    "MASS FLOW": "",
+    "ROTARY INERTIA": "its inertia is kept as it is",
+    "DISTRIBUTION": "a mapped field is kept as it is",
+}
+
+
+def read_abaqus(path: Path, opener: Opener) -> Deck:
+    """An input file with its includes. Raises FileError."""
+    return _Reader(Raw("Abaqus", wins="last"), path, opener).read()
+
+
+@dataclass
+class _Part:
+    """A part: its name, how often it is placed, where its numbers begin in the deck."""
+
+    name: str
+    number: int
+    placed: int = 0
+    frame: Frame | None = None
+    blocks: list[int] = field(default_factory=list)
+    elements: list[int] = field(default_factory=list)
+
+
+class _Reader:
+    """The state while a deck is read."""
+
+    def __init__(self, raw: Raw, path: Path, opener: Opener):
+        self.raw = raw
+        self._path = path
+        self._included = Included(raw, path, opener)
+        self._parts: list[_Part] = []
+        self._part: _Part | None = None
+        self._model = _Part("", 0)
+        self._frames: dict[int, Frame] = {}
+        self._system = 0
+        self._sets = Sets(raw)
+        self._elsets: dict[str, int] = {}
+
+    def read(self) -> Deck:
+        self._file(self._included.first(self._path))
+        self._sets.finish()
+        self._number_parts()
+        frames = dict(self._frames)
+        for part in self._parts:
+            if part.frame is not None:
+                frames[part.number] = part.frame
+            elif part.number not in frames:
+                frames[part.number] = _frame(np.eye(3), np.zeros(3), 0)
+        return Deck(self.raw, frames)
+
+    def _file(self, file: int) -> None:
+        self._included.enter(file)
+        lines = AbaqusLines(self.raw, file)
+        for keyword in lines.keywords():
+            self._keyword(lines, keyword)
+        if not lines.has_keywords and file == 0:
+            raise self.raw.error((file, 0), "there is no keyword (*)", "check what file it is")
+        self._included.leave()
+
+    def _keyword(self, lines: AbaqusLines, keyword: Keyword) -> None:
+        name = keyword.name
+        if name == "INCLUDE":
+            name_of = keyword.options.get("INPUT", "")
+            self._file(self._included.add(name_of, (lines.file, keyword.line)))
+        elif name == "NODE":
+            self._nodes(lines, keyword)
+        elif name == "ELEMENT":
+            self._elements(lines, keyword)
+        elif name == "SYSTEM":
+            self._system = self._define(lines, keyword)
+        elif name in _MADE:
+            place = f"{lines.text.path.name}, line {keyword.line + 1}"
+            told = f"{place}: *{name} makes nodes of others; they are not written and follow"
+            self.raw.notes.append(f"{told} only as the solver makes them")
+        elif name in ("PART", "END PART", "INSTANCE", "END INSTANCE"):
+            self._scope(lines, keyword)
+        elif name == "SHELL SECTION" and len(keyword.rows):
+            number = self._elsets.get(keyword.options.get("ELSET", "").upper())
+            shown = lines.text.line(int(keyword.rows[0])).split(",")[0]
+            if number is not None:
+                self.raw.thickness[number] = parse_real(shown) or 0.0
+        else:
+            add_joint(self._sets, lines, keyword)
+        if _STALE.get(name):
+            self.raw.stale.append(Place(f"*{name}", 0, lines.file, keyword.line, _STALE[name]))
+
+    def _scope(self, lines: AbaqusLines, keyword: Keyword) -> None:
+        name = keyword.options.get("NAME", "").upper()
+        if keyword.name == "PART":
+            self._part = _Part(name, -(len(self._parts) + 1))
+            self._parts.append(self._part)
+        elif keyword.name == "INSTANCE":
+            wanted = keyword.options.get("PART", "").upper()
+            part = next((part for part in self._parts if part.name == wanted), None)
+            if part is None:
+                what = f'*INSTANCE {name}: there is no part "{wanted}"'
+                raise self.raw.error((lines.file, keyword.line), what)
+            part.placed += 1
+            part.frame = self._placed(lines, keyword) if part.placed == 1 else part.frame
+            self._part = part
+        else:
+            self._part = None
+        self._system = 0
+
+    def _placed(self, lines: AbaqusLines, keyword: Keyword) -> Frame:
+        """Where an instance stands: shifted first, then turned about an axis through two points."""
+        rows = [lines.reals(int(line)) for line in keyword.rows[:2]]
+        for line, values in zip(keyword.rows.tolist(), rows):
+            if None in values:
+                raise self.raw.error((lines.file, line), "*INSTANCE: what is here is no number")
+        shift = np.array(([*rows[0], 0, 0, 0] if rows else [0, 0, 0])[:3], dtype=float)
+        if len(rows) < 2:
+            return _frame(np.eye(3), shift, 0)
+        values = np.array([*rows[1], *[0.0] * 7][:7])
+        start, axis = values[:3], values[3:6] - values[:3]
+        if not np.linalg.norm(axis) > 0.0:
+            line = int(keyword.rows[1])
+            raise self.raw.error((lines.file, line), "*INSTANCE: the axis has no length")
+        turn = _turn(axis / np.linalg.norm(axis), np.radians(values[6]))
+        return _frame(turn, start + turn @ (shift - start), 0)
+
+    def _define(self, lines: AbaqusLines, keyword: Keyword) -> int:
+        """The number of a *SYSTEM."""
+        rows = [lines.reals(int(line)) for line in keyword.rows[:2]]
+        values = [value for row in rows for value in row]
+        if not values:
+            return 0
+        if None in values or len(values) not in (3, 6, 9):
+            raise self.raw.error((lines.file, keyword.line), "*SYSTEM needs one to three points")
+        points = np.array(values, dtype=float).reshape(-1, 3)
+        origin = points[0]
+        x = points[1] - origin if len(points) > 1 else np.array([1.0, 0.0, 0.0])
+        y = points[2] - origin if len(points) > 2 else np.cross([0.0, 0.0, 1.0], x)
+        z = np.cross(x, y)
+        outer = self._part.number if self._part else 0
+        number = 1000 + len(self._frames)
+        corners = np.array([origin, origin + z, origin + x])
+        self._frames[number] = Frame("R", None, corners, outer)
+        return number
+
+    def _nodes(self, lines: AbaqusLines, keyword: Keyword) -> None:
+        source, rows, file = lines, keyword.rows, lines.file
+        if keyword.options.get("INPUT"):
+            place = (lines.file, keyword.line)
+            file = self._included.add(keyword.options["INPUT"], place)
+            source = AbaqusLines(self.raw, file)
+            rows = source.data_rows()
+        if not len(rows):
+            return
+        del source
+        block = comma_nodes(self.raw, file, rows, _ROOM)
+        kind = keyword.options.get("SYSTEM", "R").upper()
+        if kind == "S":
+            what = "*NODE in spherical coordinates is not read"
+            raise self.raw.error((lines.file, keyword.line), what, "write rectangular ones")
+        outer = self._part.number if self._part else 0
+        number = self._system or outer
+        if kind == "C":
+            number = 1000 + len(self._frames)
+            unit = np.array([[0.0, 0, 0], [0, 0, 1], [1, 0, 0]])
+            self._frames[number] = Frame("C", None, unit, self._system or outer)
+        systems = np.full(len(block.ids), number, np.int32) if number else None
+        self._owner().blocks.append(len(self.raw.blocks))
+        self.raw.blocks.append(replace(block, systems=systems))
+        self._sets.add_nodes(keyword.options.get("NSET", ""), block.ids)
+
+    def _owner(self) -> _Part:
+        return self._part or self._model
+
+    def _elements(self, lines: AbaqusLines, keyword: Keyword) -> None:
+        source, rows = lines, keyword.rows
+        if keyword.options.get("INPUT"):
+            place = (lines.file, keyword.line)
+            source = AbaqusLines(self.raw, self._included.add(keyword.options["INPUT"], place))
+            rows = source.data_rows()
+        if not len(rows):
+            return
+        name = keyword.options.get("TYPE", "").upper()
+        kind, count = element_type(name)
+        group = keyword.options.get("ELSET", "").upper()
+        number = self._elsets.setdefault(group, len(self._elsets) + 1)
+        for heads, table in self._tables(source, rows, count):
+            parts = np.full(len(heads), number, np.int32)
+            self._owner().elements.append(len(self.raw.elements))
+            self.raw.elements.append(
+                Elements(
+                    name or "*ELEMENT", kind, small(table[:, 0]), parts,
+                    small(np.maximum(table[:, 1:], 0)), source.file, heads.astype(np.int32),
+                )
+            )  # fmt: skip
+
+    def _tables(
+        self, lines: AbaqusLines, rows: np.ndarray, count: int
+    ) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Lines and whole numbers (id, nodes) of elements."""
+        text = lines.text
+        if 0 < count <= 15:
+            found = []
+            for part in chunks(len(rows)):
+                begins, ends = comma_places(text, rows[part], count + 1)
+                if (begins[:, -1] > text.ends[rows[part]]).any():
+                    return self._loose(lines, rows, count)
+                columns = []
+                for k in range(count + 1):
+                    values, sound = integers(text, begins[:, k], ends[:, k])
+                    self._require(lines, rows[part], sound)
+                    columns.append(small(values))
+                found.append(np.stack(columns, axis=1))
+            return [(rows, np.concatenate(found))]
+        return self._loose(lines, rows, count)
+
+    def _require(self, lines: AbaqusLines, rows: np.ndarray, sound: np.ndarray) -> None:
+        if not sound.all():
+            line = int(rows[np.flatnonzero(~sound)[0]])
+            what = "*ELEMENT: what is here is no whole number"
+            raise self.raw.error((lines.file, line), what)
+
+    def _loose(
+        self, lines: AbaqusLines, rows: np.ndarray, count: int
+    ) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Elements over several lines: one goes on until it has its nodes."""
+        heads, found = [], []
+        is_open = False
+        for line in rows.tolist():
+            numbers = lines.numbers(line)
+            if numbers is None:
+                self._require(lines, np.array([line]), np.array([False]))
+            shown = lines.text.line(line).rstrip()
+            if is_open:
+                found[-1] += numbers
+            else:
+                heads.append(line)
+                found.append(numbers)
+            missing = len(found[-1]) <= count if count else shown.endswith(",")
+            is_open = missing and (count > 0 or shown.endswith(","))
+            if is_open and count and not shown.endswith(",") and len(numbers) < 16:
+                is_open = False
+        width = max(map(len, found), default=1)
+        table = np.zeros((len(found), max(width, 2)), dtype=np.int64)
+        for row, numbers in zip(table, found):
+            row[: len(numbers)] = numbers
+        return [(np.array(heads), table[:, : count + 1] if count else table)]
+
+    def _number_parts(self) -> None:
+        """Nodes of several parts get numbers of their own; those of a part placed twice stay."""
+        filled = [part for part in [self._model, *self._parts] if part.blocks]
+        blocks = self.raw.blocks
+        largest = max((int(b.ids.max(initial=0)) for b in blocks), default=0)
+        step = 10 ** len(str(largest))
+        for place, part in enumerate(filled):
+            shift = place * step
+            for k in part.blocks:
+                if shift:
+                    blocks[k] = replace(blocks[k], ids=blocks[k].ids + shift)
+                if part.placed > 1:
+                    told = f"its part {part.name} stands in {part.placed} places"
+                    self.raw.locked |= dict.fromkeys(blocks[k].ids.tolist(), told)
+            for k in part.elements if shift else ():
+                old = self.raw.elements[k]
+                nodes = old.nodes.astype(np.int64)
+                self.raw.elements[k] = replace(old, nodes=np.where(nodes > 0, nodes + shift, 0))
+            if shift:
+                self.raw.notes.append(f"nodes of the part {part.name} count from {shift} on")
+
+
+def _frame(turn: np.ndarray, origin: np.ndarray, outer: int) -> Frame:
+    corners = np.array([origin, origin + turn[:, 2], origin + turn[:, 0]])
+    return Frame("R", None, corners, outer)
+
+
+def _turn(axis: np.ndarray, angle: float) -> np.ndarray:
+    """The rotation (3, 3) about a unit axis."""
+    x, y, z = axis
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross

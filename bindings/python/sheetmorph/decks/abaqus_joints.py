@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What joins nodes in an input file without being an element."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .abaqus_lines import AbaqusLines, Keyword
+from .model import Elements, NamedSet, Raw
+from .numbers import parse_integer
+
+_MOST = 10**7
+
+
+class Sets:
+    """Sets of nodes by name, and the joints that name them."""
+
+    def __init__(self, raw: Raw):
+        self._raw = raw
+        self._sets: dict[str, list[int]] = {}
+        self._joints: list[tuple[str, list[str], int, int]] = []
+
+    def add_nodes(self, name: str, ids: np.ndarray) -> None:
+        """Put nodes into a set, if it has a name."""
+        if name:
+            self._sets.setdefault(name.upper(), []).extend(ids.tolist())
+
+    def add_joint(self, name: str, members: list[str], file: int, line: int) -> None:
+        """A joint of nodes and sets of nodes, by number and name."""
+        self._joints.append((name, members, file, line))
+
+    def finish(self) -> None:
+        """Add the joints to what was read, and the sets."""
+        for name, members in self._sets.items():
+            self._raw.sets.append(NamedSet(f"NSET {name}", "nodes", members))
+        for name, members, file, line in self._joints:
+            nodes = list(dict.fromkeys(self._resolved(members)))
+            if len(nodes) > 1:
+                self._raw.elements.append(
+                    Elements(
+                        f"*{name}", "rigid", np.zeros(1, np.int64), np.zeros(1, np.int64),
+                        np.array([nodes]), file, np.array([line], np.int32),
+                    )
+                )  # fmt: skip
+
+    def _resolved(self, members: list[str]) -> list[int]:
+        found: list[int] = []
+        for member in members:
+            number = parse_integer(member)
+            if number is not None:
+                found += [number] if number > 0 else []
+            else:
+                found += self._sets.get(member.upper(), [])
+        return found
+
+
+def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
+    """Take a set of nodes, or what joins some."""
+    name, options = keyword.name, keyword.options
+    if name == "NSET":
+        _set(sets, lines, keyword)
+    elif name == "RIGID BODY":
+        members = [options.get("REF NODE", ""), options.get("ROT NODE", "")]
+        members += [options.get(key, "") for key in ("NSET", "TIE NSET", "PIN NSET")]
+        sets.add_joint(name, [one for one in members if one], lines.file, keyword.line)
+    elif name == "KINEMATIC COUPLING":
+        members = [options.get("REF NODE", "")]
+        members += [lines.words(int(line))[0] for line in keyword.rows]
+        sets.add_joint(name, members, lines.file, keyword.line)
+    elif name == "MPC":
+        for line in keyword.rows.tolist():
+            sets.add_joint(name, lines.words(line)[1:], lines.file, line)
+    elif name == "EQUATION":
+        _equations(sets, lines, keyword)
+
+
+def _set(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
+    members: list[int] = []
+    for line in keyword.rows.tolist():
+        words = [parse_integer(word) for word in lines.words(line)]
+        numbers = [number for number in words if number is not None]
+        if "GENERATE" in keyword.options and len(numbers) >= 2:
+            step = max(1, numbers[2]) if len(numbers) > 2 else 1
+            low, high = numbers[0], min(numbers[1], numbers[0] + _MOST)
+            members += range(low, high + 1, step)
+        else:
+            members += numbers
+    sets.add_nodes(keyword.options.get("NSET", ""), np.array(members, dtype=np.int64))
+
+
+def _equations(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
+    """Equations: their number of terms, then node, direction, factor for each."""
+    missing, members, start = 0, [], 0
+    for line in keyword.rows.tolist():
+        words = lines.words(line)
+        if missing <= 0:
+            missing, members, start = parse_integer(words[0]) or 0, [], line
+            continue
+        terms = [word for word in words if word][::3]
+        members += terms
+        missing -= len(terms)
+        if missing <= 0:
+            sets.add_joint(keyword.name, members, lines.file, start)

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The lines of an input file: keywords with their options, and data."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from .model import Raw
+from .numbers import parse_integer, parse_real
+
+
+@dataclass(frozen=True)
+class Keyword:
+    """name: in capitals, single blanks; options: their values by name in capitals, as they stand;
+    line: from 0; rows: its data lines, without comments and blank ones."""
+
+    name: str
+    options: dict[str, str]
+    line: int
+    rows: np.ndarray
+
+
+class AbaqusLines:
+    """The lines of one file."""
+
+    def __init__(self, raw: Raw, file: int):
+        self.raw = raw
+        self.file = file
+        self.text = raw.texts[file]
+        text = self.text
+        codes = text.columns(text.begins, text.ends, 2) if len(text) else np.zeros((0, 2), np.uint8)
+        first = codes[:, 0].copy()
+        # Blanks may stand before anything.
+        loose = np.flatnonzero((first == 32) & (text.ends > text.begins) | (first == 9))
+        second = codes[:, 1].copy()
+        for line in loose.tolist():
+            shown = text.line(line).lstrip()
+            first[line] = ord(shown[0]) if shown and ord(shown[0]) < 256 else 32
+            second[line] = ord(shown[1]) if len(shown) > 1 and ord(shown[1]) < 256 else 32
+        is_star = first == ord("*")
+        self._heads = np.flatnonzero(is_star & (second != ord("*")))
+        self._is_data = ~is_star & (first != 32)
+
+    @property
+    def has_keywords(self) -> bool:
+        """Whether there is any."""
+        return len(self._heads) > 0
+
+    def data_rows(self) -> np.ndarray:
+        """All data lines."""
+        return np.flatnonzero(self._is_data)
+
+    def keywords(self) -> Iterator[Keyword]:
+        """The keywords of the file, in order."""
+        ends = np.append(self._heads[1:], len(self.text))
+        for line, end in zip(self._heads.tolist(), ends.tolist()):
+            shown, begin = self.text.line(line).strip(), line + 1
+            while shown.endswith(",") and begin < end:
+                shown += self.text.line(begin).strip()
+                begin += 1
+            name, options = _options(shown)
+            rows = np.flatnonzero(self._is_data[begin:end]) + begin
+            yield Keyword(name, options, line, rows)
+
+    def reals(self, line: int) -> list[float | None]:
+        """The numbers of a data line; None for what is none."""
+        words = self.text.line(line).strip().rstrip(",").split(",")
+        return [parse_real(word) for word in words]
+
+    def numbers(self, line: int) -> list[int] | None:
+        """The whole numbers of a data line; None if something else is there."""
+        words = [word.strip() for word in self.text.line(line).split(",")]
+        found = [parse_integer(word) for word in words if word]
+        return None if None in found else found
+
+    def words(self, line: int) -> list[str]:
+        """What stands between the commas of a data line, in capitals."""
+        return [word.strip().upper() for word in self.text.line(line).split(",")]
+
+
+def _options(shown: str) -> tuple[str, dict[str, str]]:
+    parts = shown[1:].split(",")
+    name = re.sub(r"\s+", " ", parts[0].strip().upper())
+    options = {}
+    for part in parts[1:]:
+        key, _, value = part.partition("=")
+        key = re.sub(r"\s+", " ", key.strip().upper())
+        if key:
+            options[key] = value.strip().strip('"')
+    return _NAMES.get(name.replace(" ", ""), name), options
+
+
+# Names that may be written without their blanks.
+_NAMES = {
+    name.replace(" ", ""): name
+    for name in ("END PART", "END INSTANCE", "SHELL SECTION", "RIGID BODY", "INITIAL CONDITIONS",
+                 "KINEMATIC COUPLING", "NODAL THICKNESS")
+}  # fmt: skip

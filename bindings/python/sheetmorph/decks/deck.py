@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A deck that was read: its nodes in the basic system, and the same files with nodes moved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from ..errors import FileError, list_ids
+from .frames import Frame, FrameError, Frames
+from .model import BINARY, FIXED, Block, Elements, Raw, table_of
+from .numbers import format_reals, parse_real
+from .text import CHUNK, chunks, write_edited
+
+_EIGHT = 8
+
+
+class Deck:
+    """The files of a deck and what they say.
+
+    path: the first file; texts: all of them, the first one first; ids: (n,) of the nodes, in the
+    order of the files; points: (n, 3) their positions in the basic system; elements; frames: the
+    coordinate systems by number; notes: what a user should know.
+    """
+
+    def __init__(self, raw: Raw, frames: dict[int, Frame] | None = None):
+        self.raw = raw
+        self.path: Path = raw.texts[0].path
+        self.texts = raw.texts
+        self.elements: list[Elements] = raw.elements
+        self.frames = frames or {}
+        self.notes = list(raw.notes)
+        table = table_of(raw)
+        self.ids, self._values, self._systems = table.ids, table.values, table.systems
+        self._places, self._rows = table.places, table.rows
+        self._order: np.ndarray | None = None
+        self.points = self._basic()
+
+    @property
+    def form(self) -> str:
+        """The name of the format."""
+        return self.raw.form
+
+    def find(self, ids: np.ndarray) -> np.ndarray:
+        """Indices of the nodes with these ids, -1 where there is none."""
+        if self._order is None:
+            kind = np.int32 if len(self.ids) < 2**31 else np.int64
+            self._order = np.argsort(self.ids, kind="stable").astype(kind)
+        if not len(self.ids):
+            return np.full(np.shape(ids), -1)
+        ordered = self.ids[self._order]
+        at = np.minimum(np.searchsorted(ordered, ids), len(ordered) - 1)
+        return np.where(ordered[at] == ids, self._order[at], -1)
+
+    def place_of(self, node: int) -> tuple[int, int]:
+        """File and line, from 0, of the node with an index."""
+        return int(self._places[node, 0]), int(self._places[node, 1])
+
+    def width_of(self, nodes: np.ndarray) -> int:
+        """The fewest characters that a number of these nodes (indices) may take."""
+        wanted = np.zeros(len(self.ids), dtype=bool)
+        wanted[nodes] = True
+        rooms = [
+            block.room
+            for block, rows in zip(self.raw.blocks, self._rows)
+            if wanted[rows[rows >= 0]].any()
+        ]
+        return min(rooms, default=0)
+
+    def _basic(self) -> np.ndarray:
+        numbers = np.unique(self._systems)
+        if not numbers.any():
+            return self._values
+        points = self._values.copy()
+        frames = Frames(self.frames, self._locate_at_rest)
+        # A system may be by nodes that stand in another one: each is worked out when it is needed.
+        self._frames_at_rest = frames
+        for number in numbers[numbers != 0].tolist():
+            rows = np.flatnonzero(self._systems == number)
+            points[rows] = self._told(rows[0], lambda: frames.to_basic(number, self._values[rows]))
+        return points
+
+    def _told(self, row: int, work):
+        try:
+            return work()
+        except FrameError as error:
+            todo = "correct the coordinate system"
+            raise self.raw.error(
+                self.place_of(row), f"node {self.ids[row]}: {error}", todo
+            ) from None
+
+    def _locate_at_rest(self, node: int) -> np.ndarray:
+        row = self._row_of(node)
+        value = self._values[row : row + 1]
+        return self._frames_at_rest.to_basic(int(self._systems[row]), value)[0]
+
+    def _row_of(self, node: int) -> int:
+        row = int(self.find(np.array([node]))[0])
+        if row < 0:
+            raise FrameError(
+                0, f"a coordinate system is defined by node {node}, which is not there"
+            )
+        return row
+
+    def save(self, positions: np.ndarray, file: int, out: BinaryIO) -> None:
+        """Write one of the files with the nodes at (n, 3) positions.
+
+        Raises FileError for a number that does not fit its field.
+        """
+        values = self._written_values(positions)
+        write_edited(self.texts[file], out, self._edits(file, values))
+
+    def unwritten(self, positions: np.ndarray) -> np.ndarray:
+        """The nodes (k,) that are not at rest in (n, 3) positions, and cannot be written."""
+        locked = self.find(np.array(sorted(self.raw.locked), dtype=np.int64))
+        locked = locked[locked >= 0]
+        return locked[(positions[locked] != self.points[locked]).any(axis=1)]
+
+    def _written_values(self, positions: np.ndarray) -> np.ndarray:
+        """(n, 3) numbers for the file; those of nodes that stay are those that are there."""
+        moved = (positions != self.points).any(axis=1)
+        values = np.where(moved[:, None], positions, self._values)
+        numbers = np.unique(self._systems)
+        if not numbers.any():
+            return values
+        frames = self._moved_frames(positions)
+        for number in numbers[numbers != 0].tolist():
+            rows = np.flatnonzero(self._systems == number)
+            is_still = self._stays(number, frames)
+            rows = rows[moved[rows]] if is_still else rows
+            near = self._values[rows]
+            values[rows] = frames.from_basic(number, positions[rows], near)
+        return values
+
+    def _stays(self, number: int, frames: Frames) -> bool:
+        before, after = self._frames_at_rest.axes(number), frames.axes(number)
+        return all(np.array_equal(a, b) for a, b in zip(before, after))
+
+    def _moved_frames(self, positions: np.ndarray) -> Frames:
+        """The coordinate systems as the written numbers of their nodes will define them."""
+
+        def locate(node: int) -> np.ndarray:
+            row = self._row_of(node)
+            number, place = int(self._systems[row]), positions[row : row + 1]
+            if np.array_equal(place[0], self.points[row]) and number == 0:
+                return self.points[row]
+            value = frames.from_basic(number, place, self._values[row : row + 1])[0]
+            return frames.to_basic(number, self._rounded(row, value)[None])[0]
+
+        frames = Frames(self.frames, locate)
+        return frames
+
+    def _rounded(self, row: int, value: np.ndarray) -> np.ndarray:
+        block = next(
+            block for block, rows in zip(self.raw.blocks, self._rows) if (rows == row).any()
+        )
+        if block.kind == BINARY:
+            return value
+        texts = self._texts(value, block.room, row)
+        return np.array([parse_real(text) for text in texts])
+
+    def _texts(self, values: np.ndarray, room: int, row: int) -> list[str]:
+        try:
+            return format_reals(values, room, self.raw.mark)
+        except ValueError as error:
+            todo = "check the motion, or use wider fields"
+            raise self.raw.error(
+                self.place_of(row), f"node {self.ids[row]}: {error}", todo
+            ) from None
+
+    def _edits(self, file: int, values: np.ndarray) -> Iterable:
+        """The pieces of a file that change, in order."""
+        mine = [k for k, block in enumerate(self.raw.blocks) if block.file == file]
+        mine.sort(key=lambda k: int(self.raw.blocks[k].begins[0, 0]))
+        if all(map(self._is_rising, mine)) and self._are_apart(mine):
+            for k in mine:
+                yield from self._edits_of([k], values)
+        else:
+            # Blocks of one file may lie inside one another (odd cards among plain ones).
+            yield from self._edits_of(mine, values)
+
+    def _is_rising(self, number: int) -> bool:
+        begins = self.raw.blocks[number].begins.reshape(-1)
+        return all(
+            bool(
+                (
+                    begins[at + 1 : at + CHUNK + 1]
+                    >= begins[at : at + CHUNK][: len(begins) - at - 1]
+                ).all()
+            )
+            for at in range(0, len(begins) - 1, CHUNK)
+        )
+
+    def _are_apart(self, numbers: list[int]) -> bool:
+        """Whether blocks, each rising, lie one behind the other."""
+        blocks = [self.raw.blocks[k] for k in numbers]
+        ends = [int(block.begins[-1, -1]) for block in blocks]
+        return all(end <= int(b.begins[0, 0]) for end, b in zip(ends, blocks[1:]))
+
+    def _edits_of(self, numbers: list[int], values: np.ndarray) -> Iterable:
+        """The pieces of some blocks that change, in order."""
+        if not numbers:
+            return
+        if len(numbers) == 1 and self._is_rising(numbers[0]):
+            block = self.raw.blocks[numbers[0]]
+            for part in chunks(len(block.ids)):
+                index = np.flatnonzero(self._changed(numbers[0], values, part)) + 3 * part.start
+                at = block.begins.reshape(-1)[index]
+                owner = np.full(len(index), numbers[0])
+                yield at, *self._pieces(owner, index, values)
+            return
+        blocks = [self.raw.blocks[k] for k in numbers]
+        at = np.concatenate([block.begins.reshape(-1) for block in blocks])
+        owner = np.repeat(numbers, [3 * len(block.ids) for block in blocks])
+        index = np.concatenate([np.arange(3 * len(block.ids)) for block in blocks])
+        is_new = np.concatenate([self._changed(k, values, slice(None)) for k in numbers])
+        order = np.flatnonzero(is_new)
+        order = order[np.argsort(at[order], kind="stable")]
+        for part in range(0, len(order), CHUNK):
+            rows = order[part : part + CHUNK]
+            yield at[rows], *self._pieces(owner[rows], index[rows], values)
+
+    def _changed(self, number: int, values: np.ndarray, part: slice) -> np.ndarray:
+        """Which numbers (3 k,) of some rows of a block are to be written."""
+        block, rows = self.raw.blocks[number], self._rows[number][part]
+        new = values[np.maximum(rows, 0)]
+        changed = (new != block.values[part]) & (rows >= 0)[:, None]
+        # Where a line is too short for its fields, all of them are written.
+        short = (block.widths[part] < (block.room if block.kind == FIXED else 0)).any(axis=1)
+        first, last, _ = part.indices(len(block.ids))
+        for line, _ in block.leads:
+            if first <= line < last:
+                short[line - first] = True
+        changed |= (changed.any(axis=1) & short)[:, None]
+        return changed.reshape(-1)
+
+    def _pieces(
+        self, owner: np.ndarray, index: np.ndarray, values: np.ndarray
+    ) -> tuple[np.ndarray, list[bytes]]:
+        widths = np.zeros(len(owner), dtype=np.int64)
+        texts: list[bytes] = [b""] * len(owner)
+        for number in np.unique(owner).tolist():
+            where = np.flatnonzero(owner == number)
+            block, rows = self.raw.blocks[number], self._rows[number]
+            line, axis = np.divmod(index[where], 3)
+            widths[where] = block.widths[line, axis]
+            new = values[rows[line], axis]
+            shown = self._shown(block, new, rows[line])
+            for k, text in zip(where.tolist(), self._fitted(block, line, axis, shown)):
+                texts[k] = text
+        return widths, texts
+
+    def _shown(self, block: Block, new: np.ndarray, rows: np.ndarray) -> list[bytes]:
+        if block.kind == BINARY:
+            raw = new.astype("<f8").tobytes()
+            return [raw[k : k + _EIGHT] for k in range(0, len(raw), _EIGHT)]
+        try:
+            return [text.encode() for text in format_reals(new, block.room, self.raw.mark)]
+        except ValueError:
+            for row, value in zip(rows.tolist(), new):
+                self._texts(np.array([value]), block.room, row)  # raises for the one
+            raise
+
+    def _fitted(
+        self, block: Block, line: np.ndarray, axis: np.ndarray, shown: list[bytes]
+    ) -> Iterator[bytes]:
+        """The numbers with the blanks that keep all others in their columns."""
+        if block.kind != FIXED:
+            for row, k, text in zip(line.tolist(), axis.tolist(), shown):
+                yield b"," * block.leads.get((row, k), 0) + text if block.leads else text
+            return
+        data, room = self.texts[block.file].data, block.room
+        begins, widths = block.begins[line, axis].tolist(), block.widths[line, axis].tolist()
+        for k, text in enumerate(shown):
+            width = widths[k]
+            old = data[begins[k] : begins[k] + width]
+            if width < room:
+                lead = block.leads.get((int(line[k]), int(axis[k])), 0)
+                end = data[begins[k] + width : begins[k] + width + 1]
+                is_last = axis[k] == 2 and end in (b"", b"\n", b"\r")
+                yield b" " * lead + (text if is_last else text.ljust(room))
+            elif old[-1:] != b" " or not old.strip():
+                yield text.rjust(room)
+            else:
+                lead = min(len(old) - len(old.lstrip()), room - len(text))
+                yield (b" " * lead + text).ljust(room)
+
+
+def missing_nodes(deck: Deck, elements: Elements) -> FileError | None:
+    """What to tell of the first element with nodes that the deck does not have."""
+    wanted = elements.nodes
+    lost = (deck.find(wanted) < 0) & (wanted != 0)
+    rows = np.flatnonzero(lost.any(axis=1))
+    if not len(rows):
+        return None
+    row = int(rows[0])
+    text = deck.texts[elements.file]
+    what = f"{elements.name} {elements.ids[row]} names nodes that are not there: "
+    what += list_ids(wanted[row][lost[row]].tolist())
+    return text.error(int(elements.lines[row]), what, "add the nodes, or the file that has them")

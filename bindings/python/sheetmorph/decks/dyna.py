@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""LS-DYNA keyword files: nodes, elements and what joins them, in all three widths."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from .cut import Cut
+from .deck import Deck
+from .dyna_cards import DynaCards, Section
+from .dyna_elements import ELEMENTS, add_elements
+from .dyna_joints import JOINTS, Joints
+from .dyna_stale import stale_of
+from .includes import Included
+from .model import FREE, WORD, Block, Opener, Raw
+from .numbers import parse_integer, parse_real
+
+SUFFIXES = (".k", ".key", ".dyn", ".keyword")
+# Keywords of nodes and of what is written like them, with whether they are nodes of the model.
+_NODES = {
+    "NODE": True,
+    "AIRBAG_REFERENCE_GEOMETRY": False,
+    "AIRBAG_REFERENCE_GEOMETRY_RDT": False,
+    "INITIAL_FOAM_REFERENCE_GEOMETRY": False,
+    "BOUNDARY_PRESCRIBED_FINAL_GEOMETRY": False,
+}
+_UNREAD = ("NODE_TRANSFORM", "NODE_MERGE", "NODE_RIGID_SURFACE", "NODE_SCALAR")
+
+
+def read_dyna(path: Path, opener: Opener) -> Deck:
+    """A keyword deck with its includes. Raises FileError."""
+    reader = _Reader(Raw("LS-DYNA"), path, opener)
+    return reader.read()
+
+
+@dataclass(frozen=True)
+class _Widths:
+    """Widths of the fields of a keyword: of ids in nodes and elements, of other ids, of numbers."""
+
+    label: int
+    other: int
+    real: int
+
+
+_STANDARD, _TEN, _LONG = _Widths(8, 10, 16), _Widths(10, 10, 16), _Widths(20, 20, 20)
+
+
+class _Reader:
+    """The state while a deck is read."""
+
+    def __init__(self, raw: Raw, path: Path, opener: Opener):
+        self.raw = raw
+        self._path = path
+        self._included = Included(raw, path, opener)
+        self._widths = _STANDARD
+        self._parameters: dict[str, float] = {}
+        self._joints = Joints(raw)
+        self._parts: dict[int, int] = {}
+        self._sections: dict[int, float] = {}
+        self._ended = False
+
+    def read(self) -> Deck:
+        self._file(self._included.first(self._path))
+        self._joints.finish()
+        for part, section in self._parts.items():
+            if self._sections.get(section):
+                self.raw.thickness[part] = self._sections[section]
+        return Deck(self.raw)
+
+    def _file(self, file: int) -> None:
+        text = self.raw.texts[file]
+        self._included.enter(file)
+        cards = DynaCards(self.raw, file)
+        outer = self._widths
+        for section in cards.sections():
+            if self._ended:
+                break
+            self._section(cards, section)
+        if len(text) and not cards.has_keywords:
+            raise self.raw.error((file, 0), "there is no *KEYWORD", "check what kind of file it is")
+        self._widths = outer
+        self._ended = False
+        self._included.leave()
+
+    def _section(self, cards: DynaCards, section: Section) -> None:
+        """Take a keyword with its cards."""
+        name = section.name
+        widths = {"%": _TEN, "+": _LONG, "-": _STANDARD}.get(section.suffix, self._widths)
+        cards.parameters, cards.width = self._parameters, widths.other
+        if name == "END":
+            self._ended = True
+        elif name == "KEYWORD":
+            self._keyword(section)
+        elif name.startswith("INCLUDE"):
+            self._include(cards, section)
+        elif name.startswith("PARAMETER"):
+            self._parameter(cards, section)
+        elif name in _NODES:
+            self._nodes(cards, section, widths)
+        elif name.startswith(_UNREAD):
+            what = f"*{name} changes places of nodes"
+            raise self.raw.error((cards.file, section.line), what, "write its result into *NODE")
+        elif name.startswith(ELEMENTS):
+            add_elements(cards, section, widths.label, widths.real)
+        elif name.startswith(JOINTS):
+            self._joints.add(cards, section)
+        elif name in ("PART", "SECTION_SHELL", "SECTION_SHELL_TITLE"):
+            self._properties(cards, section)
+        self.raw.stale += stale_of(cards, section)
+
+    def _keyword(self, section: Section) -> None:
+        options = section.rest.lower()
+        if re.search(r"long\s*=\s*(y|s|k)", options):
+            kind = re.search(r"long\s*=\s*(\w)", options).group(1)
+            self._widths = _STANDARD if kind == "s" else _LONG
+        if re.search(r"i10\s*=\s*y", options):
+            self._widths = _TEN
+
+    def _include(self, cards: DynaCards, section: Section) -> None:
+        names = cards.names(section)
+        option = section.name[len("INCLUDE") :]
+        if option.startswith("_PATH"):
+            folders = [self._path.parent / name for _, name in names]
+            self._included.folders += folders
+            return
+        if option.startswith("_TRANSFORM"):
+            names = names[:1]
+            self._require_plain(cards, section)
+        elif option:
+            what = f"*{section.name}: what it includes is not read, and stays as it is"
+            self.raw.notes.append(f"{cards.text.path.name}, line {section.line + 1}: {what}")
+            return
+        for line, name in names:
+            file = self._included.add(name, (cards.file, line))
+            self._file(file)
+
+    def _require_plain(self, cards: DynaCards, section: Section) -> None:
+        """An include that is shifted, turned or numbered anew has no places of its own."""
+        for line in section.rows[1:].tolist():
+            fields = cards.fields(line, 10)
+            if any((parse_real(text) or 0.0) not in (0.0, 1.0) for text in fields):
+                what = f"*{section.name} numbers or places what it includes anew"
+                todo = "write the transformed nodes into a file of their own"
+                raise self.raw.error((cards.file, line), what, todo)
+
+    def _parameter(self, cards: DynaCards, section: Section) -> None:
+        if section.name not in ("PARAMETER", "PARAMETER_LOCAL"):
+            return
+        for line in section.rows.tolist():
+            fields = cards.fields(line, cards.width)
+            for name, value in zip(fields[::2], fields[1::2]):
+                words = name.split()
+                key = words[-1] if len(words) > 1 else name.strip()[1:]
+                number = parse_real(value)
+                if key and value.strip() and number is not None:
+                    self._parameters[key.lower()] = number
+
+    def _nodes(self, cards: DynaCards, section: Section, widths: _Widths) -> None:
+        is_model = _NODES[section.name]
+        rows = cards.filled(section.rows)
+        if section.name == "AIRBAG_REFERENCE_GEOMETRY_RDT":
+            rows = rows[1:]
+        plain = cards.plain(rows)
+        blocks = []
+        if plain.any():
+            cut = Cut(self.raw, cards.file, rows[plain], cards.stops, f"*{section.name}")
+            blocks.append(cut.nodes(widths.label, widths.real))
+        odd = [self._odd_node(cards, line, widths) for line in rows[~plain].tolist()]
+        blocks += _joined(cards.file, [one for one in odd if one], widths.real)
+        if is_model:
+            self.raw.blocks += blocks
+
+    def _odd_node(self, cards: DynaCards, line: int, widths: _Widths) -> tuple | None:
+        """A node in free fields, or with parameters."""
+        fields = cards.places(line, [widths.label] + [widths.real] * 3)
+        number = parse_integer(cards.value(fields[0][0]))
+        if number is None:
+            what = f'*NODE: "{fields[0][0].strip()}" is not a whole number'
+            raise self.raw.error((cards.file, line), what)
+        values = []
+        for shown, _, _ in fields[1:4]:
+            value = parse_real(cards.value(shown))
+            if value is None:
+                what = f'node {number}: "{shown.strip()}" is not a number that is known'
+                raise self.raw.error((cards.file, line), what, "give the parameter a number")
+            values.append(value)
+            if "&" in shown:
+                self.raw.locked[number] = f"{shown.strip()} is a parameter"
+        return line, number, values, fields[1:4]
+
+    def _properties(self, cards: DynaCards, section: Section) -> None:
+        rows = section.rows.tolist()
+        if section.name == "PART":
+            for line in rows[1::2]:
+                fields = cards.fields(line, cards.width)
+                self._parts[parse_integer(fields[0]) or 0] = parse_integer(fields[1]) or 0
+            return
+        rows = rows[1:] if section.name.endswith("TITLE") else rows
+        for one, two in zip(rows[::2], rows[1::2]):
+            number = parse_integer(cards.fields(one, cards.width)[0]) or 0
+            self._sections[number] = parse_real(cards.fields(two, cards.width)[0]) or 0.0
+
+
+def _joined(file: int, rows: list[tuple], room: int) -> list[Block]:
+    if not rows:
+        return []
+    lines, ids, values, fields = zip(*rows)
+    begins = np.array([[begin for _, begin, _ in three] for three in fields])
+    widths = np.array([[width for _, _, width in three] for three in fields], np.uint8)
+    leads = {}
+    for row, three in enumerate(fields):
+        for axis, (_, _, width) in enumerate(three):
+            if not width and len(three) > axis and three[axis][1] < 0:
+                leads[row, axis] = 1
+    begins = np.abs(begins)
+    kind = FREE if leads else WORD
+    return [
+        Block(
+            file, np.array(lines, np.int32), np.array(ids), np.array(values), begins, widths,
+            room, kind, None, leads,
+        )
+    ]  # fmt: skip

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What joins nodes in LS-DYNA without being an element: welds, rigid bodies, systems by nodes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .dyna_cards import DynaCards, Section
+from .model import Elements, NamedSet, Raw
+from .numbers import parse_integer, parse_real
+
+JOINTS = (
+    "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET", "CONSTRAINED_NODAL_RIGID_BODY",
+    "CONSTRAINED_NODE_SET", "CONSTRAINED_GENERALIZED_WELD", "CONSTRAINED_EXTRA_NODES",
+    "CONSTRAINED_JOINT", "DEFINE_COORDINATE_NODES", "SET_NODE",
+)  # fmt: skip
+
+
+class Joints:
+    """Gathers them; those of sets are known at the end only."""
+
+    def __init__(self, raw: Raw):
+        self._raw = raw
+        self._sets: dict[int, list[int]] = {}
+        self._by_set: list[tuple[str, int, int, int, int, int]] = []
+
+    def add(self, cards: DynaCards, section: Section) -> None:
+        """Take a keyword."""
+        name, rows = section.name, section.rows.tolist()
+        if name.startswith("SET_NODE"):
+            self._set(cards, section)
+            return
+        each = 2 if name.endswith(("_FILTERED_FORCE", "_FILTERED_FORCE_ID")) else 1
+        rows = rows[1:] if name.endswith(("_ID", "_TITLE")) and rows else rows
+        if name.startswith(("CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET")):
+            self._pairs(cards, section, rows[::each], ("weld", 0, 2))
+        elif name.startswith("CONSTRAINED_JOINT"):
+            self._pairs(cards, section, rows[:1], ("rigid", 0, 6))
+        elif name.startswith("DEFINE_COORDINATE_NODES"):
+            self._pairs(cards, section, rows, ("frame", 1, 4))
+        elif name.startswith("CONSTRAINED_EXTRA_NODES_NODE"):
+            self._pairs(cards, section, rows, ("rigid", 1, 2))
+        elif rows:
+            at = {"CONSTRAINED_NODAL": 2, "CONSTRAINED_EXTRA": 1}.get(name[:17], 0)
+            fields = cards.fields(rows[0], cards.width)
+            owner, group = _number(fields[0]), _number(fields[at])
+            lead = _number(fields[3]) if at == 2 else 0
+            self._by_set.append((name, owner, group, lead, cards.file, rows[0]))
+
+    def _pairs(
+        self, cards: DynaCards, section: Section, rows: list[int], place: tuple[str, int, int]
+    ) -> None:
+        kind, first, end = place
+        for line in rows:
+            fields = cards.fields(line, cards.width)
+            nodes = [_number(text) for text in fields[first:end]]
+            number = _number(fields[0]) if first else 0
+            self._joint(f"*{section.name}", kind, number, (nodes, cards.file, line))
+
+    def _joint(self, name: str, kind: str, number: int, what: tuple[list[int], int, int]) -> None:
+        nodes, file, line = what
+        if any(nodes):
+            one = np.array([nodes], dtype=np.int64)
+            self._raw.elements.append(
+                Elements(
+                    name, kind, np.array([number]), np.zeros(1, np.int64), np.maximum(one, 0),
+                    file, np.array([line], np.int32),
+                )
+            )  # fmt: skip
+
+    def _set(self, cards: DynaCards, section: Section) -> None:
+        name, rows = section.name, section.rows.tolist()
+        has_title = name.endswith("_TITLE")
+        name = name.removesuffix("_TITLE").removesuffix("_COLLECT")
+        rows = rows[1:] if has_title else rows
+        kind = name[len("SET_NODE") :]
+        if not rows or kind not in ("", "_LIST", "_LIST_GENERATE", "_COLUMN", "_LIST_SMOOTH"):
+            return
+        members = self._sets.setdefault(_number(cards.fields(rows[0], cards.width)[0]), [])
+        for line in rows[1:]:
+            numbers = [_number(text) for text in cards.fields(line, cards.width)[:8]]
+            if kind == "_COLUMN":
+                members.append(numbers[0])
+            elif kind == "_LIST_GENERATE":
+                for low, high in zip(numbers[::2], numbers[1::2]):
+                    members += list(range(low, min(high, low + 10**6) + 1)) if low > 0 else []
+            else:
+                members += [number for number in numbers if number > 0]
+
+    def finish(self) -> None:
+        """Add what joins sets of nodes, and the sets themselves."""
+        for number, members in self._sets.items():
+            self._raw.sets.append(NamedSet(f"SET_NODE {number}", "nodes", members))
+        for name, owner, group, lead, file, line in self._by_set:
+            members = self._sets.get(group, [])
+            nodes = ([lead] if lead > 0 else []) + members
+            self._joint(f"*{name}", "rigid", owner, (nodes, file, line))
+
+
+def _number(text: str) -> int:
+    found = parse_integer(text)
+    if found is None:
+        real = parse_real(text)
+        found = int(real) if real is not None else 0
+    return found

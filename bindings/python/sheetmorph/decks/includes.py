@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The files that a deck includes: found, read once, and where they go when the deck is written."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..errors import FileError
+from .model import Opener, Raw
+from .text import DeckText
+
+_DEEPEST = 50
+
+
+class Included:
+    """The files of a deck while it is read.
+
+    folders: where an include is looked for, besides the folders of the deck and of the file that
+    names it.
+    """
+
+    def __init__(self, raw: Raw, path: Path, opener: Opener):
+        self._raw = raw
+        self._open = opener
+        self._root = path.parent
+        self._stack: list[Path] = []
+        self.folders: list[Path] = []
+
+    def first(self, path: Path) -> int:
+        """Read the deck's own file; the index of its text. Raises FileError if it is empty."""
+        file = self._read(path)
+        if not self._raw.texts[file].data:
+            raise FileError(path, "the file is empty", "export it again")
+        return file
+
+    def add(self, name: str, place: tuple[int, int]) -> int:
+        """Read the file that is named at a place (file, line); the index of its text.
+
+        Raises FileError if it is not there, includes itself, or lies outside the deck's folder.
+        """
+        path = self._found(name, place)
+        if path.resolve() in self._stack:
+            what = f'"{name}" includes itself'
+            raise self._raw.error(place, what, "remove the INCLUDE")
+        if len(self._stack) > _DEEPEST:
+            raise self._raw.error(place, f"includes are over {_DEEPEST} deep", "flatten them")
+        known = [text.path.resolve() for text in self._raw.texts]
+        if path.resolve() in known:
+            what = f'"{name}" is included twice'
+            raise self._raw.error(place, what, "include it once: a node has one place")
+        return self._read(path)
+
+    def enter(self, file: int) -> None:
+        """What is added from here on stands in this file, until leave()."""
+        self._stack.append(self._raw.texts[file].path.resolve())
+
+    def leave(self) -> None:
+        """Back in the file that includes this one."""
+        self._stack.pop()
+
+    def _read(self, path: Path) -> int:
+        self._raw.texts.append(DeckText(path, self._open(path)))
+        return len(self._raw.texts) - 1
+
+    def _found(self, name: str, place: tuple[int, int]) -> Path:
+        shown = name.strip()
+        if not shown or "\0" in shown:
+            raise self._raw.error(place, "an include names no file", "name one")
+        wanted = Path(shown.replace("\\", "/"))
+        here = self._raw.texts[place[0]].path.parent
+        for folder in dict.fromkeys([here, self._root, *self.folders]):
+            path = folder / wanted
+            if _is_file(path):
+                return path
+        what = f'the include "{shown}" is not there'
+        raise self._raw.error(place, what, "put the file beside the deck, or correct its name")
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a name too long, for example
+        return False
+
+
+def output_places(texts: Sequence[DeckText], out: Path) -> list[Path]:
+    """Where the files of a deck go if its first one is written as `out`: as they lie to each other.
+
+    Raises FileError for an include that would come to lie outside the folder.
+    """
+    root = texts[0].path.parent.absolute()
+    places = [out]
+    for text in texts[1:]:
+        relative = os.path.relpath(text.path.absolute(), root)
+        if relative.startswith("..") or os.path.isabs(relative):
+            what = f"this include of {texts[0].path.name} lies outside of its folder"
+            raise FileError(text.path, what, "put it into or below the folder of the deck")
+        places.append(out.parent / relative)
+    return places

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A deck as all formats give it: nodes, where their numbers stand, elements."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import FileError
+from .text import DeckText
+
+# How the number of a field is put back: in its columns; between commas; in place of a word; as
+# eight bytes.
+FIXED, FREE, WORD, BINARY = range(4)
+Opener = Callable[[Path], bytes]
+
+
+@dataclass(frozen=True)
+class Elements:
+    """Elements of one kind of card.
+
+    name: of the card; kind: "shell", "solid", "line", "rigid", "mass", "weld" or "frame"; ids,
+    properties: (m,); nodes: (m, k) node ids, 0 where there is none; file: index of the deck's text;
+    lines: (m,) from 0.
+    """
+
+    name: str
+    kind: str
+    ids: np.ndarray
+    properties: np.ndarray
+    nodes: np.ndarray
+    file: int
+    lines: np.ndarray
+
+
+@dataclass(frozen=True)
+class Block:
+    """Nodes of one file, as they stand there.
+
+    file: index of the text; lines: (n,) from 0; ids: (n,); values: (n, 3) as they are written;
+    begins: (n, 3) offsets of their fields; widths: (n, 3) how much of each field is there; room:
+    how many characters a number may take; kind: FIXED, FREE, WORD or BINARY; systems: (n,) number
+    of the coordinate system each is written in, 0 the basic one; leads: by row and axis, for fields
+    that the line is too short for, how many blanks (FIXED) or commas (FREE) go before them where
+    all others are written in full.
+    """
+
+    file: int
+    lines: np.ndarray
+    ids: np.ndarray
+    values: np.ndarray
+    begins: np.ndarray
+    widths: np.ndarray
+    room: int
+    kind: int = FIXED
+    systems: np.ndarray | None = None
+    leads: dict[tuple[int, int], int] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Place:
+    """A card that people are told of: its name, id (0 if it has none), file and line from 0."""
+
+    card: str
+    number: int
+    file: int
+    line: int
+    what: str = ""
+
+
+@dataclass(frozen=True)
+class NamedSet:
+    """A set: kind: "nodes", "elements" or "" where the deck does not say; ids of those."""
+
+    name: str
+    kind: str
+    ids: list[int]
+
+
+@dataclass
+class Raw:
+    """What a reader gathers.
+
+    mark: before exponents; wins: "last" where the last definition of a node counts, "same" where
+    several must be equal; locked: nodes that are not to be moved, with the reason; thickness: of
+    shells by property.
+    """
+
+    form: str
+    mark: str = "E"
+    wins: str = "same"
+    texts: list[DeckText] = field(default_factory=list)
+    blocks: list[Block] = field(default_factory=list)
+    elements: list[Elements] = field(default_factory=list)
+    stale: list[Place] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    locked: dict[int, str] = field(default_factory=dict)
+    thickness: dict[int, float] = field(default_factory=dict)
+    sets: list[NamedSet] = field(default_factory=list)
+
+    def error(self, place: tuple[int, int], what: str, todo: str = "correct the card") -> FileError:
+        """A FileError at (file, line)."""
+        return self.texts[place[0]].error(place[1], what, todo)
+
+
+@dataclass(frozen=True)
+class Table:
+    """The nodes of a deck, each once: ids (n,), values (n, 3) as written, systems (n,), the place
+    (file, line) of each; rows: per block the node (k,) of each of its lines, -1 where another
+    definition counts."""
+
+    ids: np.ndarray
+    values: np.ndarray
+    systems: np.ndarray
+    places: np.ndarray
+    rows: list[np.ndarray]
+
+
+def table_of(raw: Raw) -> Table:
+    """The nodes of a deck. Raises FileError for what is no number, or defined twice."""
+    for block in raw.blocks:
+        _check(raw, block)
+    if not raw.blocks:
+        none = np.zeros((0, 3))
+        empty = np.zeros(0, dtype=np.int64)
+        return Table(empty, none, empty.astype(np.int32), np.zeros((0, 2), np.int32), [])
+    ids = _whole([block.ids for block in raw.blocks])
+    values = _whole([block.values for block in raw.blocks])
+    systems = _whole([_systems(block) for block in raw.blocks])
+    places = _whole([_places(block) for block in raw.blocks])
+    row = np.arange(len(ids), dtype=np.int32)
+    if (np.diff(ids) <= 0).any():
+        order = np.argsort(ids, kind="stable")
+        if raw.wins == "same":
+            order = np.lexsort((places[:, 1], places[:, 0], ids))
+        ordered = ids[order]
+        again = bool((ordered[1:] == ordered[:-1]).any())
+        del ordered
+    else:
+        again = False
+    if again:
+        keep, row = _without_doubles(raw, (ids, values, systems, places), order)
+        ids, values, systems, places = ids[keep], values[keep], systems[keep], places[keep]
+    order = np.lexsort((places[:, 1], places[:, 0])) if len(raw.blocks) > 1 else np.arange(0)
+    if (np.diff(order) != 1).any():
+        # In the order of the file, whatever way each of them is written.
+        ids, values, systems, places = ids[order], values[order], systems[order], places[order]
+        back = np.empty(len(order) + 1, dtype=np.int32)
+        back[order], back[-1] = np.arange(len(order)), -1
+        row = back[row]
+    ends = np.cumsum([len(block.ids) for block in raw.blocks])
+    return Table(ids, values, systems, places, np.split(row, ends[:-1]))
+
+
+def _whole(parts: list[np.ndarray]) -> np.ndarray:
+    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+
+def _systems(block: Block) -> np.ndarray:
+    none = np.zeros(len(block.ids), dtype=np.int32)
+    return none if block.systems is None else block.systems.astype(np.int32)
+
+
+def _places(block: Block) -> np.ndarray:
+    return np.stack([np.full(len(block.lines), block.file), block.lines], axis=1).astype(np.int32)
+
+
+def _check(raw: Raw, block: Block) -> None:
+    bad = np.flatnonzero(~np.isfinite(block.values).all(axis=1))
+    if not len(bad):
+        return
+    row = int(bad[0])
+    axis = int(np.flatnonzero(~np.isfinite(block.values[row]))[0])
+    begin, width = int(block.begins[row, axis]), int(block.widths[row, axis])
+    text = raw.texts[block.file]
+    shown = text.data[begin : begin + width].decode("latin-1").strip()[:20]
+    what = f'node {block.ids[row]}: "{shown}" is not a number'
+    line = text.line_of(begin) if block.kind != BINARY else int(block.lines[row])
+    raise raw.error((block.file, line), what)
+
+
+def _without_doubles(
+    raw: Raw, found: tuple[np.ndarray, ...], order: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Which rows count, and for every row the number of the one that does, -1 if it is another."""
+    ids, values, systems, places = found
+    starts = np.flatnonzero(np.diff(ids[order], prepend=ids[order][0] - 1) != 0)
+    group = np.zeros(len(ids), dtype=np.int64)
+    group[starts[1:]] = 1
+    group = np.cumsum(group)
+    if raw.wins == "last":
+        chosen = order[np.append(starts[1:], len(ids)) - 1]
+    else:
+        chosen = order[starts]
+        first = chosen[group]
+        same = (values[order] == values[first]).all(axis=1) & (systems[order] == systems[first])
+        if not same.all():
+            row = int(order[np.flatnonzero(~same)[0]])
+            other = int(first[np.flatnonzero(~same)[0]])
+            name = raw.texts[places[other, 0]].path.name
+            what = f"node {ids[row]} is defined twice, differently"
+            what += f" (first in {name}, line {places[other, 1] + 1})"
+            raise raw.error(tuple(places[row]), what, "remove one of the cards")
+    keep = np.sort(chosen)
+    row = np.full(len(ids), -1, dtype=np.int32)
+    row[order] = np.searchsorted(keep, chosen[group])
+    if raw.wins == "last":
+        away = np.ones(len(ids), dtype=bool)
+        away[keep] = False
+        row[away] = -1
+    return keep, row

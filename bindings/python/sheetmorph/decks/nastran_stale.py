@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What in a Nastran deck goes by places, and stays as it is when nodes move."""
+
+from __future__ import annotations
+
+from .model import Place
+from .nastran_cards import Card
+
+_SYSTEM = "a coordinate system by coordinates stays where it is"
+STALE = {
+    **{f"CORD2{kind}": _SYSTEM for kind in "RCS"},
+    "CTRIA3": "its material angle or offset is kept as it is",
+    "CQUAD4": "its material angle or offset is kept as it is",
+    "CONM1": "its mass matrix is kept as it is",
+    "CONM2": "its inertia and offset are kept as they are",
+    "CBEAM": "its offsets and orientation are kept as they are",
+    "CBAR": "its offsets and orientation are kept as they are",
+    "ACCEL": "its places are kept as they are",
+    "TEMPN1": "a mapped field",
+    "CAERO1": "its corners are coordinates",
+    "DMIG": "a matrix of the shape before",
+    "DMI": "a matrix of the shape before",
+    "DMIGROT": "a matrix of the shape before",
+    "INITS": "an initial stress of the shape before",
+}
+# From which field on something stands that a moved node makes wrong.
+_FROM = {"CTRIA3": 5, "CQUAD4": 6, "CONM2": 4, "CBEAM": 9, "CBAR": 9}
+
+
+def stale_of(file: int, name: str, cards: list[Card]) -> list[Place]:
+    """The cards of one name that a moved node leaves behind."""
+    if name not in STALE:
+        return []
+    first = _FROM.get(name, 0)
+    return [
+        Place(name, card.number(0), file, card.line, STALE[name])
+        for card in cards
+        if any(_says_something(card, k) for k in range(first, len(card.fields)))
+    ]
+
+
+def _says_something(card: Card, position: int) -> bool:
+    text = card.text(position)
+    if card.name in ("CTRIA3", "CQUAD4"):
+        return bool(text.strip("0.+- ")) and position < 8
+    return bool(text.strip("0.+- "))

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The sheet of a deck: its shell elements as triangles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import FileError
+from .deck import Deck, missing_nodes
+from .model import Elements
+
+_SIX = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
+_EIGHT = ((0, 4, 7), (4, 1, 5), (5, 2, 6), (6, 3, 7))
+_NINE = ((0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7, 8), (7, 0, 8))
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """nodes: (n,) indices of the deck's nodes that shells have, rising; triangles: (m, 3) int32
+    rows of nodes, in the order of the cards; properties: (m,); elements: (m,) ids."""
+
+    nodes: np.ndarray
+    triangles: np.ndarray
+    properties: np.ndarray
+    elements: np.ndarray
+
+
+def sheet_of(deck: Deck) -> Sheet:
+    """The shells of a deck. Raises FileError where one names a node that is not there."""
+    found = [block for block in deck.elements if block.kind == "shell" and len(block.ids)]
+    pieces = [_triangles(deck, block) for block in found]
+    pieces = [piece for piece in pieces if len(piece[0])]
+    if not pieces:
+        none = np.zeros(0, dtype=np.int64)
+        return Sheet(none, np.zeros((0, 3), np.int32), none, none)
+    triangles = np.concatenate([piece[0] for piece in pieces])
+    places = np.concatenate([piece[1] for piece in pieces])
+    properties = np.concatenate([piece[2] for piece in pieces])
+    elements = np.concatenate([piece[3] for piece in pieces])
+    if len(pieces) > 1:
+        order = np.argsort(places, kind="stable")
+        triangles, properties = triangles[order], properties[order]
+        elements = elements[order]
+    used = np.zeros(len(deck.ids), dtype=bool)
+    used[triangles] = True
+    rows = (np.cumsum(used) - 1).astype(np.int32)
+    return Sheet(np.flatnonzero(used), rows[triangles], properties, elements)
+
+
+def _triangles(deck: Deck, block: Elements) -> tuple[np.ndarray, ...]:
+    """(m, 3) indices of nodes, (m,) places in the deck, properties and ids."""
+    count = max(3, 1 + int(np.flatnonzero((block.nodes != 0).any(axis=0)).max(initial=0)))
+    nodes = block.nodes[:, :count]
+    if nodes.shape[1] < 3 or (nodes[:, :3] == 0).any():
+        row = int(np.flatnonzero((nodes[:, :3] == 0).any(axis=1) | (nodes.shape[1] < 3))[0])
+        what = f"{block.name} {block.ids[row]} has fewer than three nodes"
+        raise deck.texts[block.file].error(int(block.lines[row]), what)
+    index = deck.find(nodes)
+    if (index[nodes != 0] < 0).any():
+        raise _told(deck, block)
+    index = np.where(nodes == 0, -1, index).astype(np.int32)
+    kind = _kinds(index)
+    triangles, owners = [], []
+    for number in np.unique(kind).tolist():
+        rows = np.flatnonzero(kind == number)
+        cut = _cut(deck.points, index[rows], number)
+        triangles.append(cut.reshape(-1, 3))
+        owners.append(np.repeat(rows, cut.shape[1]))
+    owner = np.concatenate(owners)
+    order = np.argsort(owner, kind="stable") if len(owners) > 1 else slice(None)
+    owner, corners = owner[order], np.concatenate(triangles)[order]
+    # Triangles of a degenerate element have no area and no business in a sheet.
+    sound = (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2])
+    sound &= corners[:, 2] != corners[:, 0]
+    owner, corners = owner[sound], corners[sound]
+    place = block.file * 2**40 + block.lines[owner].astype(np.int64)
+    return corners, place, block.properties[owner], block.ids[owner]
+
+
+def _told(deck: Deck, block: Elements) -> FileError:
+    error = missing_nodes(deck, block)
+    assert error is not None
+    return error
+
+
+def _kinds(index: np.ndarray) -> np.ndarray:
+    """How each element is cut: its number of corners, or 6, 8, 9 where all mid-side nodes are."""
+    count = index.shape[1]
+    there = index >= 0
+    if count <= 4:
+        quad = there.sum(axis=1) == 4
+        if count == 4:
+            quad &= (index[:, 3] != index[:, 2]) & (index[:, 3] != index[:, 0])
+        return np.where(quad, 4, 3)
+    corners = 3 if count == 6 else 4
+    full = there.all(axis=1)
+    if corners == 3:
+        return np.where(full, 6, 3)
+    eight = there[:, :8].all(axis=1)
+    kind = np.where(eight, 8, np.where(there[:, 3], 4, 3))
+    kind = np.where((kind == 4) & (index[:, 3] == index[:, 2]), 3, kind)
+    return np.where(full & (count == 9), 9, kind)
+
+
+def _cut(points: np.ndarray, index: np.ndarray, kind: int) -> np.ndarray:
+    """(m, k, 3) triangles of elements of one kind."""
+    if kind == 3:
+        return index[:, None, :3]
+    if kind == 4:
+        return _quads(points, index[:, :4])
+    if kind == 6:
+        return index[:, np.array(_SIX)]
+    if kind == 9:
+        return index[:, np.array(_NINE)]
+    return np.concatenate([index[:, np.array(_EIGHT)], _quads(points, index[:, 4:8])], axis=1)
+
+
+def _quads(points: np.ndarray, quads: np.ndarray) -> np.ndarray:
+    """Cut along the shorter diagonal, the one from the first node if they are equal to rounding."""
+    first = np.linalg.norm(points[quads[:, 0]] - points[quads[:, 2]], axis=1)
+    second = np.linalg.norm(points[quads[:, 1]] - points[quads[:, 3]], axis=1)
+    turned = second < first * (1.0 - 1e-6)
+    one, other = quads[:, [0, 1, 3, 1, 2, 3]], quads[:, [0, 1, 2, 0, 2, 3]]
+    return np.where(turned[:, None], one, other).reshape(-1, 2, 3)

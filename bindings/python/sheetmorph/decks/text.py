@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The bytes of a deck's file, its lines, and the same bytes with some numbers written anew."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from ..errors import FileError
+
+# Lines or numbers that are worked on at once: what is made of them stays small beside the file.
+CHUNK = 1 << 15
+_BLANK = 32
+
+
+def chunks(count: int) -> Iterator[slice]:
+    """Slices that cover 0 .. count."""
+    return (slice(at, min(at + CHUNK, count)) for at in range(0, count, CHUNK))
+
+
+class DeckText:
+    """A file of a deck.
+
+    path: the place people know; data: its bytes; codes: the same as (n,) uint8; begins, ends: (l,)
+    offsets of its lines, their ends (LF, CR LF or CR) left out.
+    """
+
+    def __init__(self, path: Path, data: bytes):
+        self.path = path
+        self.data = data
+        self.codes = np.frombuffer(data, np.uint8)
+        newline = 10 if b"\n" in data else 13
+        kind = np.int32 if len(data) < 2**31 - 1 else np.int64
+        stops = _offsets_of(self.codes, newline).astype(kind)
+        if len(data) and (not len(stops) or stops[-1] != len(data) - 1):
+            stops = np.append(stops, kind(len(data)))
+        self.begins = np.concatenate([np.zeros(min(1, len(stops)), kind), stops[:-1] + kind(1)])
+        self.ends = stops
+        if newline == 10 and b"\r" in data:
+            filled = stops > self.begins
+            back = filled & (self.codes[np.maximum(stops - 1, 0)] == 13)
+            self.ends = stops - back.astype(kind)
+
+    def __len__(self) -> int:
+        return len(self.begins)
+
+    def line(self, number: int) -> str:
+        """The line with an index, without its end."""
+        return self.data[self.begins[number] : self.ends[number]].decode("latin-1")
+
+    def line_of(self, offset: int) -> int:
+        """The index of the line with a byte."""
+        return max(int(np.searchsorted(self.begins, offset, side="right")) - 1, 0)
+
+    def first_per_line(self, code: int) -> np.ndarray:
+        """(l,) the first offset of a character in every line, its end where it has none."""
+        found = _offsets_of(self.codes, code).astype(self.begins.dtype)
+        if not len(found):
+            return self.ends
+        found = np.append(found, np.iinfo(found.dtype).max)
+        first = self.ends.copy()
+        for part in chunks(len(first)):
+            place = np.searchsorted(found, self.begins[part])
+            first[part] = np.minimum(found[place], first[part])
+        return first
+
+    def columns(self, begins: np.ndarray, ends: np.ndarray, width: int) -> np.ndarray:
+        """(n, width) character codes from offsets (n,) on; behind `ends` (n,) all is blank."""
+        at = begins[:, None].astype(np.int64) + np.arange(width)
+        inside = at < ends[:, None]
+        found = self.codes[np.where(inside, at, 0)] if len(self.codes) else inside.astype(np.uint8)
+        return np.where(inside, found, np.uint8(_BLANK))
+
+    def matches(self, pattern: bytes) -> list[re.Match[bytes]]:
+        """Where a pattern, with the flags i and m, is found."""
+        return list(re.finditer(pattern, self.data, re.IGNORECASE | re.MULTILINE))
+
+    def error(self, line: int, what: str, todo: str = "correct the card") -> FileError:
+        """A FileError at a line, from 0."""
+        return FileError(self.path, what, todo, int(line) + 1)
+
+
+def _offsets_of(codes: np.ndarray, code: int) -> np.ndarray:
+    size = 1 << 20
+    kind = np.int32 if len(codes) < 2**31 - 1 else np.int64
+    found = [
+        (np.flatnonzero(codes[at : at + size] == code) + at).astype(kind)
+        for at in range(0, len(codes), size)
+    ]
+    return np.concatenate(found) if found else np.empty(0, dtype=kind)
+
+
+Block = tuple[np.ndarray, np.ndarray, list[bytes]]
+
+
+def write_edited(text: DeckText, out: BinaryIO, blocks: Iterable[Block]) -> None:
+    """Write a file with some of its bytes exchanged.
+
+    blocks: offsets of what is replaced (n,), lengths (n,), and what is put there; all in the order
+    of the offsets.
+    """
+    done = 0
+    for begins, widths, texts in blocks:
+        pieces = []
+        for begin, width, new in zip(begins.tolist(), widths.tolist(), texts):
+            pieces += [text.data[done:begin], new]
+            done = begin + width
+        out.write(b"".join(pieces))
+    out.write(memoryview(text.data)[done:])

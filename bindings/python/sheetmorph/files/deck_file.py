@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Decks as part files: the sheet is the mesh, what is written is the deck with its includes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
+from ..errors import FileError, list_ids
+from ..labels import Labels
+from ..part_mesh import PartMesh
+from .atomic import FileSet
+from .part_file import PartFile
+
+SUFFIXES = suffixes()
+
+
+class DeckFile(PartFile):
+    """A deck; vertex ids are node ids, vertices the nodes of its shell elements in file order.
+
+    deck: all that it says; sheet: its shells.
+    """
+
+    def __init__(self, path: Path):
+        self.deck: Deck = read_deck(path)
+        self.sheet = sheet_of(self.deck)
+        if not len(self.sheet.triangles):
+            todo = "choose a deck with shell elements"
+            raise FileError(path, "no shell elements were found", todo)
+        nodes = self.sheet.nodes
+        points, ids = self.deck.points[nodes], self.deck.ids[nodes]
+        mesh = PartMesh(points, self.sheet.triangles, ids, path.stem, self._labels(ids))
+        super().__init__(path, mesh, _precision(self.deck.width_of(nodes)))
+        self.properties = self.sheet.properties
+        self.notes += self.deck.notes
+        others = len(self.deck.ids) - len(nodes)
+        if others:
+            self.notes.append(f"{others} nodes belong to no shell element and stay where they are")
+
+    def _labels(self, ids: np.ndarray) -> Labels:
+        """The sets as groups: "SET 3", and "SET 3 nodes" or "SET 3 elements" if it may be both."""
+        groups: dict[str, np.ndarray] = {}
+        nodes: dict[str, list[int]] = {}
+        for one in self.deck.raw.sets:
+            triangles, members = np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
+            if one.kind != "nodes":
+                triangles = np.flatnonzero(np.isin(self.sheet.elements, one.ids))
+            if one.kind != "elements":
+                members = np.array(one.ids, dtype=np.int64)
+                members = members[np.isin(members, ids)]
+            count = len(np.unique(self.sheet.elements[triangles]))
+            if count:
+                groups[f"{one.name} elements"] = triangles
+                groups |= {one.name: triangles} if count >= len(members) else {}
+            if len(members):
+                nodes[f"{one.name} nodes"] = members.tolist()
+                nodes |= {one.name: members.tolist()} if len(members) > count else {}
+        return Labels(groups, nodes)
+
+    def save(self, path: Path, positions: np.ndarray) -> None:
+        with path.open("wb") as out:
+            self.deck.save(self._all(positions), 0, out)
+
+    def write_into(self, files: FileSet, path: Path, positions: np.ndarray) -> Path:
+        checked = self._all(self._checked(positions))
+        self._require_free(checked)
+        first = None
+        for number, place in enumerate(output_places(self.deck.texts, path)):
+            place.parent.mkdir(parents=True, exist_ok=True)
+            temporary = files.temporary_for(place)
+            with files.named(temporary), temporary.open("wb") as out:
+                self.deck.save(checked, number, out)
+            self._written[self.deck.texts[number].path] = temporary
+            first = first or temporary
+        return first
+
+    def _require_free(self, positions: np.ndarray) -> None:
+        stuck = self.deck.unwritten(positions)
+        if len(stuck):
+            file, line = self.deck.place_of(int(stuck[0]))
+            ids = self.deck.ids[stuck]
+            what = f"nodes {list_ids(ids.tolist())} moved, and cannot be written: "
+            what += self.deck.raw.locked[int(ids[0])]
+            todo = "write their coordinates as numbers, or keep them where they are"
+            raise self.deck.texts[file].error(line, what, todo)
+
+    @property
+    def _written(self) -> dict[Path, Path]:
+        return self.__dict__.setdefault("_written_files", {})
+
+    def _all(self, positions: np.ndarray) -> np.ndarray:
+        """(n, 3) positions of all nodes of the deck."""
+        whole = self.deck.points.copy()
+        whole[self.sheet.nodes] = positions
+        return whole
+
+    def stored_positions(self, path: Path) -> np.ndarray:
+        return self._read_again(path).points[self.sheet.nodes]
+
+    def _read_again(self, path: Path) -> Deck:
+        """The deck as it was written at `path`, its includes at their places or still unnamed."""
+        texts = self.deck.texts
+        places = dict(zip((text.path for text in texts), output_places(texts, path)))
+        written = {**places, **self._written} if self._is_unnamed(path) else places
+        return read_deck(self.path, lambda asked: read_bytes(written.get(asked, asked)))
+
+    def _is_unnamed(self, path: Path) -> bool:
+        return self._written.get(self.path) == path
+
+
+def _precision(width: int) -> str:
+    return "double" if width >= 22 or not width else f"{width} characters"
