@@ -9,10 +9,34 @@ from .doctor import diagnose
 from .errors import Fault, FileError, KernelError, RecipeError
 from .files import PartFile, read_part
 from .live import LiveFrames
+from .morph import Morph, open
 from .part_mesh import PartMesh
 from .recipe import validate
 from .running import CertificateError, check, resolve, run
 from .results import ContactResult, FeatureResult
+from .selecting.words import (
+    Selector,
+    border_at,
+    borders_longer,
+    box,
+    cad_face_at,
+    cylinder,
+    everything,
+    face_at,
+    found,
+    group,
+    grow,
+    half_space,
+    intersection,
+    minus,
+    piece_at,
+    rim_at,
+    shrink,
+    slab,
+    sphere,
+    union,
+    vertices,
+)
 from .session import Drag, Result, Session
 
 __version__ = "0.1.0"
@@ -26,15 +50,38 @@ __all__ = [
     "FileError",
     "KernelError",
     "LiveFrames",
+    "Morph",
     "PartFile",
     "PartMesh",
     "RecipeError",
     "Result",
+    "Selector",
     "Session",
+    "border_at",
+    "borders_longer",
+    "box",
+    "cad_face_at",
     "check",
+    "cylinder",
     "diagnose",
+    "everything",
+    "face_at",
+    "found",
+    "group",
+    "grow",
+    "half_space",
+    "intersection",
+    "minus",
+    "open",
+    "piece_at",
     "read_part",
     "resolve",
+    "rim_at",
     "run",
+    "shrink",
+    "slab",
+    "sphere",
+    "union",
     "validate",
+    "vertices",
 ]

@@ -31,7 +31,7 @@ def _as_int64(ids: Sequence[int]) -> np.ndarray:
         return np.array([min(max(int(i), limits.min), limits.max) for i in ids], dtype=np.int64)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class PartMesh:
     """One part at rest.
 
@@ -60,6 +60,10 @@ class PartMesh:
             ids = np.ascontiguousarray(_of_kind(self.ids, "iu", "ids"), dtype=np.int64)
             object.__setattr__(self, "ids", ids)
             self._check_ids()
+
+    def __repr__(self) -> str:
+        kind, name = type(self).__name__, f' "{self.name}"' if self.name else ""
+        return f"<{kind}{name}: {len(self.points)} vertices, {len(self.triangles)} triangles>"
 
     def _check_shapes(self) -> None:
         points, triangles = self.points, self.triangles

@@ -39,7 +39,7 @@ class Wanted:
 RIMS = ("polygon", "circle")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class PreparedMesh(PartMesh):
     """The mesh that is deformed; ids are those of ``source``, the mesh of the file.
 

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from .answer import Answer
+from .notebook import picture_html
+from .pictures import scene_of_answer
 from .preprocessed import Preprocessed
 from .recipe import check_pose
 from .report import make_report
@@ -16,9 +18,20 @@ from .results import ContactResult, FeatureResult
 from .translation import kernel_faults
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Result(Answer):
     """All parts in one pose, with the report about it."""
+
+    def __repr__(self) -> str:
+        moved = max(
+            float(np.linalg.norm(positions - self.session.meshes[name].points, axis=1).max())
+            for name, positions in self.positions.items()
+        )
+        return f"<Result of {', '.join(self.positions)}: moved by up to {moved:.4g} mm>"
+
+    def _repr_html_(self) -> str:
+        """The parts, coloured by how far each place moved, for notebooks."""
+        return picture_html(scene_of_answer(self), repr(self))
 
     def control_mesh(self, contact: str | None = None) -> tuple[np.ndarray, np.ndarray] | None:
         """Vertices (m, 3) mm and triangles (t, 3) of a contact's control mesh in this pose.
@@ -38,6 +51,9 @@ class Session(Preprocessed):
 
     deform() answers a pose, always from rest; begin_drag() many poses of the same handles.
     """
+
+    def __repr__(self) -> str:
+        return f"<Session of {', '.join(self.parts)}: primary {self.model.primary}>"
 
     def deform(self, pose: dict[str, Any] | None = None, exact: bool = True) -> Result:
         """All parts in a pose, always from rest; None: the recipe's pose.

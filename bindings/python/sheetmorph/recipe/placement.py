@@ -33,7 +33,7 @@ class Placement:
         x, y, z = (np.asarray(axis, dtype=float) / length) if length > 1e-100 else (0.0, 0.0, 0.0)
         quarter, rest = divmod(degrees % 360.0, 90.0)
         if rest == 0.0:
-            sine, cosine = ((0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0))[int(quarter)]
+            sine, cosine = ((0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0))[int(quarter) % 4]
         else:
             sine, cosine = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
         cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])

@@ -29,7 +29,8 @@ def _numbers(values: Any) -> Any:
     """Lists of plain numbers, as JSON has them, of tuples and arrays too."""
     if hasattr(values, "tolist"):
         return values.tolist()
-    return [_numbers(value) for value in values] if isinstance(values, (list, tuple)) else values
+    is_list = isinstance(values, (list, tuple, range))
+    return [_numbers(value) for value in values] if is_list else values
 
 
 def _made(**keys: Any) -> Selector:
