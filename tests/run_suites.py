@@ -131,6 +131,10 @@ class Suites:
         for process in self._running:
             process.terminate()
 
+    def slurm(self) -> Count:
+        """A study as an array job, on Slurm's daemons started for it."""
+        return self._pytest("batch", ["tests/batch"], self.staged)
+
     def style(self) -> Count:
         """Formatting, names and habits of both languages; one test a checker."""
         cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
@@ -342,7 +346,7 @@ def run_one(suites: Suites, name: str) -> Count:
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy", "scale", "pictures", "sanitize"]
+    names = [*default, "tidy", "scale", "pictures", "sanitize", "slurm"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

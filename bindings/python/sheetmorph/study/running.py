@@ -91,6 +91,7 @@ class _Run:
         except KeyboardInterrupt:
             self._tell()
             raise
+        self._store.sweep()
         summary = self._tell()
         costs = self._costs_of(time.perf_counter() - begin)
         write_json(self._store.out, {COSTS: costs})

@@ -46,8 +46,7 @@ class Store:
 
         wanted: the hash of every variant, in the order of the runs.
         """
-        for path in self._matching(_UNFINISHED):
-            shutil.rmtree(path, ignore_errors=True)
+        self.sweep()
         for path in self._matching(_FOLDER):
             row, run = read_row(path), int(path.name)
             if row is None:
@@ -59,6 +58,11 @@ class Store:
             elif run >= len(wanted) or wanted[run] != row.hash:
                 self._put_aside(path, row.hash)
         self._fetch(wanted)
+
+    def sweep(self) -> None:
+        """Remove what workers that died have left half done."""
+        for path in self._matching(_UNFINISHED):
+            shutil.rmtree(path, ignore_errors=True)
 
     def _put_aside(self, path: Path, key: str) -> None:
         aside = self.out / f".{key}.kept"

@@ -35,7 +35,7 @@ def dask_driver(scheduler: str | None, workers: int, hopes: Hopes) -> Driver:
         with _client(distributed, scheduler, workers) as client:
             threads = sum(client.ncores().values())
             with client.get_executor(pure=False, retries=0) as executor:
-                yield Pool(executor, _AHEAD * max(1, threads))
+                yield Pool(executor, _AHEAD * max(1, threads), lambda: _known_to(client))
 
     return Driver(opened, broken, hopes)
 
@@ -77,6 +77,11 @@ def _answering(distributed: Any, scheduler: str) -> Any:
                 raise _nobody(scheduler, f"{scheduler} has no workers") from None
             continue
         return client
+
+
+def _known_to(client: Any) -> int:
+    """How many tasks the workers have; none after the scheduler was started anew."""
+    return sum(map(len, client.processing().values()))
 
 
 def _nobody(_scheduler: str, what: str) -> RecipeError:
