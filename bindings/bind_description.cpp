@@ -22,7 +22,10 @@ Energy energy_from(const std::string& name)
         return Energy::neumann;
     if (name == "natural")
         return Energy::natural;
-    throw InvalidInput("energy '" + name + "' does not exist; use 'natural', 'neumann' or 'paper'");
+    if (name == "steel")
+        return Energy::steel;
+    throw InvalidInput("energy '" + name
+                       + "' does not exist; use 'natural', 'neumann', 'paper' or 'steel'");
 }
 
 Laplacian laplacian_from(const std::string& name)
@@ -93,7 +96,11 @@ void bind_part(py::module_& module)
             },
             py::arg("is_certain"), py::arg("thickness") = 0.0,
             "Solve it on one skin if it is recognised as a thin solid; InvalidInput when the "
-            "session is built if it is certain but none. thickness: mm, 0 to find it out.");
+            "session is built if it is certain but none. thickness: mm, 0 to find it out.")
+        .def_readwrite("sheet_thickness", &Part::sheet_thickness,
+                       "mm, of the sheet as 'steel'; 0: that of the thin solid, or a hundredth of "
+                       "the size")
+        .def_readwrite("poisson", &Part::poisson, "Poisson's ratio, read for 'steel'");
 }
 
 void bind_regions(py::module_& module)
@@ -154,20 +161,21 @@ void bind_contacts(py::module_& module)
 void bind_whole(py::module_& module)
 {
     py::class_<Assembly>(module, "Assembly", "Everything about a morph but its pose.")
-        .def(py::init(
-                 [](std::vector<Part> parts, int primary, const std::string& energy,
-                    const std::string& laplacian)
-                 {
-                     Assembly assembly;
-                     assembly.parts = std::move(parts);
-                     assembly.primary = primary;
-                     assembly.energy = energy_from(energy);
-                     assembly.laplacian = laplacian_from(laplacian);
-                     return assembly;
-                 }),
-             py::arg("parts"), py::arg("primary") = 0, py::arg("energy") = "neumann",
-             py::arg("operator") = "cotangent",
-             "energy 'paper', 'neumann' or 'natural'; operator 'cotangent' or 'intrinsic'.")
+        .def(
+            py::init(
+                [](std::vector<Part> parts, int primary, const std::string& energy,
+                   const std::string& laplacian)
+                {
+                    Assembly assembly;
+                    assembly.parts = std::move(parts);
+                    assembly.primary = primary;
+                    assembly.energy = energy_from(energy);
+                    assembly.laplacian = laplacian_from(laplacian);
+                    return assembly;
+                }),
+            py::arg("parts"), py::arg("primary") = 0, py::arg("energy") = "neumann",
+            py::arg("operator") = "cotangent",
+            "energy 'paper', 'neumann', 'natural' or 'steel'; operator 'cotangent' or 'intrinsic'.")
         .def_readwrite("fixed", &Assembly::fixed)
         .def_readwrite("handles", &Assembly::handles)
         .def_readwrite("features", &Assembly::features)

@@ -54,6 +54,15 @@ std::vector<std::pair<int, std::string>> unsettled(const Deformed& pose)
     return found;
 }
 
+py::object sheet_positions(const py::object& self, std::size_t part)
+{
+    const auto& pose = self.cast<const Deformed&>();
+    if (part >= pose.parts.size())
+        throw InvalidInput("part " + std::to_string(part) + " does not exist");
+    const bool is_thin = pose.middles[part].positions.rows() > 0;
+    return view_of((is_thin ? pose.middles : pose.parts)[part].positions, self);
+}
+
 void bind_deformed(py::module_& module)
 {
     py::class_<Deformed, std::shared_ptr<Deformed>>(module, "Deformed", "Every part in one pose.")
@@ -67,6 +76,8 @@ void bind_deformed(py::module_& module)
                 return view_of(parts[part].positions, self);
             },
             py::arg("part"), "(n, 3) float64 mm, a read-only view that keeps the result alive.")
+        .def("sheet_positions", &sheet_positions, py::arg("part"),
+             "(n, 3) float64 mm of what DeformationSession.sheet() is.")
         .def_readonly("features", &Deformed::features)
         .def_readonly("contacts", &Deformed::contacts)
         .def_readonly("spread", &Deformed::spread,
@@ -131,10 +142,12 @@ std::unique_ptr<LiveDrag> begin_drag(const DeformationSession& session,
     return session.begin_drag(handles, start);
 }
 
-Deformed deform(const DeformationSession& session, const Pose& pose, bool exact)
+Deformed deform(const DeformationSession& session, const Pose& pose, bool exact,
+                const py::object& callback)
 {
+    const Progress progress = progress_from(callback);
     const py::gil_scoped_release without_gil;
-    return session.deform(pose, exact ? Exactness::exact : Exactness::live);
+    return session.deform(pose, exact ? Exactness::exact : Exactness::live, progress);
 }
 
 // The array of a frame holds it, so that its memory is not used again before.
@@ -221,7 +234,14 @@ void bind_session(py::module_& module)
              "progress(fraction, task): return False to cancel (raises Cancelled). previous: a "
              "session of an earlier state; what did not change is taken over.")
         .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
-             "Every part in one pose, always from rest.")
+             py::arg("progress") = py::none(),
+             "Every part in one pose, always from rest. progress(fraction, task): return False to "
+             "cancel (raises Cancelled).")
+        .def("sheet", &DeformationSession::sheet, py::arg("part"),
+             py::return_value_policy::reference_internal,
+             "TriangleMesh of what is deformed of a part: its own, or the middle of a thin solid.")
+        .def("sheet_thickness", &DeformationSession::sheet_thickness, py::arg("part"),
+             "mm: how thick the sheet of a part is as 'steel'.")
         .def("begin_drag", &begin_drag, py::arg("handles"), py::arg("start") = Pose{},
              "A LiveDrag of the named handles; the others stay as in the pose `start`.")
         .def("thin_solid", &DeformationSession::thin_solid, py::arg("part"),

@@ -9,6 +9,7 @@ from typing import Any
 from .answer import Answer
 from .preprocessed import Preprocessed
 from .recipe.model import Model, PartEntry
+from .stretch import stretch_words
 from .thin import crossings
 
 _MOST_BODIES = 5
@@ -19,7 +20,13 @@ def notes_of(session: Preprocessed) -> list[str]:
     """What the recipe asks for in vain, one sentence each."""
     model = session.model
     found = _single(model) if model.propagation.type == "single" else _local(session)
-    return [*_primary(model), *_thin(session), *found, *_joined(session)]
+    return [*_primary(model), *_thin(session), *_sheets(session), *found, *_joined(session)]
+
+
+def _sheets(session: Preprocessed) -> Iterator[str]:
+    model = session.model
+    if model.energy == "steel" and model.refine:
+        yield "refine has no effect: steel goes further than that"
 
 
 def _joined(session: Preprocessed) -> Iterator[str]:
@@ -42,6 +49,8 @@ def shape_notes(result: Answer, parts: list[dict[str, Any]]) -> Iterator[str]:
     """What makes the shape of a part doubtful, and what to do; parts: as the report tells them."""
     asked = {part.name for part in result.session.model.parts if part.thin}
     for entry in parts:
+        if entry["steel"] is not None and entry["is_reached"]:
+            yield from stretch_words(entry)
         name, flipped = entry["name"], entry["quality"]["flipped"]
         if flipped:
             yield (

@@ -134,6 +134,15 @@ class Preprocessed:
         """The kernel's ThinSolid a part is solved as; None for one that is solved as it is."""
         return self._kernel.thin_solid(self.parts.index(part))
 
+    def sheet(self, part: str) -> Any:
+        """The kernel's TriangleMesh that is deformed of a part: its own, or the middle of a thin
+        solid."""
+        return self._kernel.sheet(self.parts.index(part))
+
+    def sheet_thickness(self, part: str) -> float:
+        """How thick the sheet of a part is as `steel`, mm."""
+        return float(self._kernel.sheet_thickness(self.parts.index(part)))
+
     def feature_vertices(self, name: str) -> np.ndarray:
         """Indices (k,) of a form feature's vertices in its part."""
         return next(entry.vertices for entry in self._kernel.features if entry.name == name)

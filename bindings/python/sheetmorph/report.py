@@ -21,6 +21,7 @@ from .recipe.feature_entries import SymmetryEntry
 from .regions_report import region_entries
 from .results import FeatureResult
 from .strain import worst_fold, worst_strain
+from .stretch import steel_report, stretch_report
 from .thin import thin_failures, thin_report
 from .cautions import warnings_of
 
@@ -156,6 +157,8 @@ def _part(result: Answer, name: str, written: WrittenPart | None) -> dict[str, A
         "is_reached": name not in result.session.unreached,
         "largest_displacement": _largest_distance(mesh.points, positions),
         "quality": _quality(result.session.core, mesh, positions),
+        "stretch": stretch_report(result, name),
+        "steel": steel_report(result.session, name),
         "thin": thin_report(result, name),
         "preparation": mesh.preparation,
         "unsettled": result.unsettled.get(name),

@@ -150,7 +150,7 @@ class _Morph:
         """Deform, certify and write; returns the report."""
         begin = time.perf_counter()
         self._ways.progress(0.95, "deforming")
-        result = self._session.deform(pose)
+        result = self._session.deform(pose, progress=self._deforming)
         timings = {**self._timings, "deform": time.perf_counter() - begin}
         _certify(result, timings, places.report, self._ways.strict)
         scenes = before_and_after(result) if self._ways.pictures else ()
@@ -158,6 +158,9 @@ class _Morph:
             (scene, places.out / name) for scene, name in zip(scenes, ("before.png", "after.png"))
         ]
         return Writer(result, self._parts.sources, places, timings, pictures).write(files)
+
+    def _deforming(self, fraction: float, task: str) -> bool:
+        return self._ways.progress(0.95 + 0.04 * fraction, task)
 
 
 def _named_pose(recipe: Any, pose: Any) -> Any:

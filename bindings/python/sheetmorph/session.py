@@ -12,6 +12,7 @@ from .answer import Answer
 from .notebook import picture_html
 from .pictures import scene_of_answer
 from .preprocessed import Preprocessed
+from .progress import Progress
 from .recipe import check_pose
 from .report import make_report
 from .results import ContactResult, FeatureResult
@@ -55,15 +56,21 @@ class Session(Preprocessed):
     def __repr__(self) -> str:
         return f"<Session of {', '.join(self.parts)}: primary {self.model.primary}>"
 
-    def deform(self, pose: dict[str, Any] | None = None, exact: bool = True) -> Result:
+    def deform(
+        self,
+        pose: dict[str, Any] | None = None,
+        exact: bool = True,
+        progress: Progress | None = None,
+    ) -> Result:
         """All parts in a pose, always from rest; None: the recipe's pose.
 
-        exact=False is the fast way while dragging, 1e-6 of the size. Raises RecipeError.
+        exact=False is the fast way while dragging, 1e-6 of the size, for `steel` the linear shape.
+        progress(fraction, task) may return False to cancel (RuntimeError). Raises RecipeError.
         """
         wanted = self._recipe_pose if pose is None else pose
         motions = check_pose(self._model, wanted)
         with kernel_faults(self._core):
-            deformed = self._kernel.deform(self._translator.pose(motions), exact)
+            deformed = self._kernel.deform(self._translator.pose(motions), exact, progress)
         return self._result(deformed, wanted)
 
     def begin_drag(self, handles: list[str], pose: dict[str, Any] | None = None) -> Drag:

@@ -52,3 +52,70 @@ def _angles(points: np.ndarray, triangles: np.ndarray, sides: tuple) -> np.ndarr
         normals /= np.linalg.norm(normals, axis=1)[:, None]
     a, b = normals[sides[0]], normals[sides[1]]
     return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), np.einsum("ij,ij->i", a, b))
+
+
+def principal_stretches(
+    rest: np.ndarray, positions: np.ndarray, triangles: np.ndarray
+) -> np.ndarray:
+    """(m, 2) how much longer the sheet is, in a triangle, along the direction that is stretched
+    most and across it; 1: as at rest. NaN where a triangle has no area at rest.
+
+    rest, positions: (n, 3); triangles: (m, 3). Singular values of the deformation gradient.
+    """
+    gradient = np.einsum("mik,mil->mkl", positions[triangles], _shape_gradients(rest, triangles)[0])
+    with np.errstate(all="ignore"):
+        metric = np.einsum("mki,mkj->mij", gradient, gradient)
+        mean = 0.5 * (metric[:, 0, 0] + metric[:, 1, 1])
+        half = np.hypot(0.5 * (metric[:, 0, 0] - metric[:, 1, 1]), metric[:, 0, 1])
+        squares = np.column_stack([mean + half, mean - half])
+        return np.sqrt(np.maximum(squares, 0.0))
+
+
+def curvature_changes(rest: np.ndarray, positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(m, 2, 2) by how much more each triangle is curved than at rest, in its plane at rest, 1/mm;
+    NaN where a triangle has no area at rest.
+
+    rest, positions: (n, 3) mm; triangles: (m, 3). From normals of the vertices (Rusinkiewicz 2004).
+    """
+    gradients, _ = _shape_gradients(rest, triangles)
+    with np.errstate(all="ignore"):
+        return _curvatures(positions, triangles, gradients) - _curvatures(
+            rest, triangles, gradients
+        )
+
+
+def areas(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(m,) mm^2. points: (n, 3) mm; triangles: (m, 3)."""
+    return 0.5 * np.linalg.norm(_area_normals(points, triangles), axis=1)
+
+
+def _area_normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    corners = points[triangles]
+    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+
+
+def _shape_gradients(rest: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(m, 3, 2) derivatives of the shape functions in the plane at rest, and its axes (m, 2, 3)."""
+    corners = rest[triangles]
+    normals = _area_normals(rest, triangles)
+    with np.errstate(all="ignore"):
+        doubled = np.linalg.norm(normals, axis=1)
+        x = corners[:, 1] - corners[:, 0]
+        x = x / np.linalg.norm(x, axis=1)[:, None]
+        axes = np.stack([x, np.cross(normals / doubled[:, None], x)], axis=1)
+        opposite = np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
+        turned = np.cross(normals[:, None, :], opposite) / (doubled**2)[:, None, None]
+        return np.einsum("mik,mjk->mij", turned, axes), axes
+
+
+def _curvatures(points: np.ndarray, triangles: np.ndarray, gradients: np.ndarray) -> np.ndarray:
+    """(m, 2, 2) minus the second fundamental form, from how the normals of the corners differ."""
+    normals = _area_normals(points, triangles)
+    at_vertices = np.zeros_like(points)
+    for corner in range(3):
+        np.add.at(at_vertices, triangles[:, corner], normals)
+    at_vertices /= np.maximum(np.linalg.norm(at_vertices, axis=1), 1e-300)[:, None]
+    along = np.einsum("mik,mil->mkl", points[triangles], gradients)
+    turning = np.einsum("mik,mil->mkl", at_vertices[triangles], gradients)
+    form = np.einsum("mki,mkj->mij", along, turning)
+    return 0.5 * (form + form.transpose(0, 2, 1))

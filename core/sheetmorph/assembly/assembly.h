@@ -46,6 +46,10 @@ struct Part
     Mode mode = Mode::automatic;
     Thin thin = Thin::no;
     double thickness = 0.0;  //!< mm, of a thin solid; 0: found out
+
+    //! mm, of the sheet as `steel`; 0: that of the thin solid, or a hundredth of the size.
+    double sheet_thickness = 0.0;
+    double poisson = 0.3;  //!< Poisson's ratio, read for `steel`
 };
 
 //! Vertices of one part that a pose moves as one rigid body.

@@ -14,7 +14,8 @@ enum class Energy
 {
     paper,    //!< (2.2) and (2.9) as printed: no area weights, biharmonic rotations
     neumann,  //!< weighted by area, so that the shape does not depend on how fine the mesh is
-    natural   //!< free edges are free: only affine functions cost nothing on a flat sheet
+    natural,  //!< free edges are free: only affine functions cost nothing on a flat sheet
+    steel     //!< a thin shell that hardly stretches (steel/); live frames are those of `neumann`
 };
 
 //! Which triangles the operators see.
@@ -87,6 +88,11 @@ struct SurfaceConstraints
     Energy energy = Energy::neumann;
     bool is_refined = false;  //!< exact answers are refined for large rotations (refinement.h)
     Laplacian laplacian = Laplacian::cotangent;
+    double thickness = 0.0;  //!< mm, read for `steel`; 0: a hundredth of the size
+    double poisson = 0.3;    //!< Poisson's ratio, read for `steel`
+
+    //! Live frames differ from the exact answer, which goes further.
+    bool has_previews() const { return is_refined || energy == Energy::steel; }
 };
 
 }  // namespace sheetmorph

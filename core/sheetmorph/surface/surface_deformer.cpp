@@ -23,9 +23,10 @@ SurfaceDeformer::~SurfaceDeformer() = default;
 SurfaceDeformer::SurfaceDeformer(SurfaceDeformer&&) noexcept = default;
 SurfaceDeformer& SurfaceDeformer::operator=(SurfaceDeformer&&) noexcept = default;
 
-Deformation SurfaceDeformer::deform(const SurfaceTargets& targets, Exactness exactness) const
+Deformation SurfaceDeformer::deform(const SurfaceTargets& targets, Exactness exactness,
+                                    const Progress& progress) const
 {
-    return solve_pose(*data_, targets, exactness);
+    return solve_pose(*data_, targets, exactness, progress);
 }
 
 std::unique_ptr<Response> SurfaceDeformer::response(const std::vector<SurfaceTargets>& samples,

@@ -51,7 +51,9 @@ public:
     //! Always from rest, so a pose has one answer whatever came before. Fixed and handle vertices
     //! are met bitwise, features are rigid and points met to exactness().
     //! \throws InvalidInput if point targets contradict each other or what is rigid or fixed
-    Deformation deform(const SurfaceTargets& targets, Exactness exactness = Exactness::exact) const;
+    //! \throws Cancelled if the progress callback asks for it
+    Deformation deform(const SurfaceTargets& targets, Exactness exactness = Exactness::exact,
+                       const Progress& progress = {}) const;
 
     //! How the part answers to whatever drives it, learnt from poses, for live frames without
     //! substitution (response.h). The deformer must outlive it.

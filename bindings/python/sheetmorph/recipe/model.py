@@ -35,6 +35,14 @@ class Rotation:
 
 
 @dataclass(frozen=True)
+class Sheet:
+    """What a part is as `steel`; thickness: mm, 0 if the part itself has to tell."""
+
+    thickness: float = 0.0
+    poisson: float = 0.3
+
+
+@dataclass(frozen=True)
 class PartEntry:
     """A part; where: its place in the recipe, for messages; file: "" if none is given.
 
@@ -42,7 +50,7 @@ class PartEntry:
     entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
     thin: "auto" if it is solved as a thin solid where it is one, "yes" if it must be one, "" if it
     is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh; placement:
-    from the coordinates of the file, in mm, to those of the assembly.
+    from the coordinates of the file, in mm, to those of the assembly; sheet: as `steel`.
     """
 
     where: str
@@ -55,6 +63,7 @@ class PartEntry:
     thickness: float = 0.0
     wanted: Wanted = Wanted()
     placement: Placement = Placement()
+    sheet: Sheet = Sheet()
 
     @property
     def stem(self) -> str:
@@ -223,6 +232,7 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
     return PartEntry(
         where, name, file, mode, split, entry.get("mesh"), *_thin(entry), wanted=_wanted(entry),
         placement=_placement(entry.get("placement") or {}),
+        sheet=Sheet(float(entry.get("thickness") or 0.0), float(entry.get("poisson", 0.3))),
     )  # fmt: skip
 
 

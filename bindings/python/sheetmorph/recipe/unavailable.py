@@ -22,10 +22,13 @@ class _Reserved:
     todo: str = "leave it out"
 
 
-_OPTIONS = ("margin", "thickness", "criteria", "modes")
+_OPTIONS = ("margin", "criteria", "modes")
 _RESERVED = (
     *(_Reserved((key,)) for key in _OPTIONS),
-    *(_Reserved((key,), todo="give it to a part") for key in ("remesh", "weld", "thin")),
+    *(
+        _Reserved((key,), todo="give it to a part")
+        for key in ("remesh", "weld", "thin", "thickness")
+    ),
     *(_Reserved(("parts", "*", key)) for key in ("refine", *_OPTIONS)),
     *(_Reserved(("features", "*", key)) for key in ("groups", "coaxial", "distance")),
 )

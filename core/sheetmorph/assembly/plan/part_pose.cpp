@@ -102,6 +102,8 @@ PartConstraints constraints_of_part(const Assembly& assembly, int part)
     found.surface.energy = assembly.energy;
     found.surface.is_refined = assembly.is_refined;
     found.surface.laplacian = assembly.laplacian;
+    found.surface.thickness = assembly.parts[at(part)].sheet_thickness;
+    found.surface.poisson = assembly.parts[at(part)].poisson;
     for (const PartRegion& region : assembly.fixed)
         if (region.part == part)
             found.surface.fixed.push_back({region.name, region.vertices, "fixed region"});

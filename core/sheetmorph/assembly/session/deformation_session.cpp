@@ -6,6 +6,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/bodies/bodies.h"
+#include "sheetmorph/surface/steel/steel_answer.h"
 
 #include <algorithm>
 
@@ -44,10 +45,11 @@ DeformationSession::~DeformationSession() = default;
 DeformationSession::DeformationSession(DeformationSession&&) noexcept = default;
 DeformationSession& DeformationSession::operator=(DeformationSession&&) noexcept = default;
 
-Deformed DeformationSession::deform(const Pose& pose, Exactness exactness) const
+Deformed DeformationSession::deform(const Pose& pose, Exactness exactness,
+                                    const Progress& progress) const
 {
     const Pose told = told_pose(*data_, pose);
-    return Wave(*data_, told, exactness).run();
+    return Wave(*data_, told, exactness, progress).run();
 }
 
 std::unique_ptr<LiveDrag> DeformationSession::begin_drag(const std::vector<std::string>& handles,
@@ -86,6 +88,19 @@ const ThinSolid* DeformationSession::thin_solid(int part) const
         throw InvalidInput("part " + std::to_string(part) + " does not exist");
     const auto& thin = data_->thin[at(part)];
     return thin ? &thin->solid() : nullptr;
+}
+
+const TriangleMesh& DeformationSession::sheet(int part) const
+{
+    if (part < 0 || at(part) >= data_->assembly.parts.size())
+        throw InvalidInput("part " + std::to_string(part) + " does not exist");
+    return data_->assembly.parts[at(part)].mesh;
+}
+
+double DeformationSession::sheet_thickness(int part) const
+{
+    const TriangleMesh& mesh = sheet(part);
+    return sheetmorph::sheet_thickness(data_->assembly.parts[at(part)].sheet_thickness, mesh);
 }
 
 const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() const

@@ -69,7 +69,9 @@ public:
     DeformationSession& operator=(DeformationSession&&) noexcept;
 
     //! \throws InvalidInput if the pose names what the assembly does not have, or contradicts
-    Deformed deform(const Pose& pose, Exactness exactness = Exactness::exact) const;
+    //! \throws Cancelled    if the progress callback asks for it
+    Deformed deform(const Pose& pose, Exactness exactness = Exactness::exact,
+                    const Progress& progress = {}) const;
 
     //! Live frames while the named handles move, the others staying as in `start`; the session may
     //! end before the drag does. See live_drag.h.
@@ -91,6 +93,12 @@ public:
 
     //! The thin solid that a part is solved as; nothing if it is solved as it is.
     const ThinSolid* thin_solid(int part) const;
+
+    //! What is deformed of a part: its mesh, or the middle of a thin solid.
+    const TriangleMesh& sheet(int part) const;
+
+    //! How thick the sheet of a part is as `steel`, mm.
+    double sheet_thickness(int part) const;
 
     //! Order, levels, directions of contacts and unreached parts.
     const PropagationPlan& plan() const;

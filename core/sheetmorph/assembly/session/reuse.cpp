@@ -62,10 +62,10 @@ bool same_links(const std::vector<FeatureLink>& a, const std::vector<FeatureLink
 bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
 {
     return a.energy == b.energy && a.laplacian == b.laplacian && a.is_refined == b.is_refined
-           && same_regions(a.fixed, b.fixed) && same_handles(a.handles, b.handles)
-           && same_features(a.features, b.features) && same_regions(a.propagated, b.propagated)
-           && same_points(a.points, b.points) && a.groups == b.groups
-           && same_links(a.links, b.links);
+           && a.thickness == b.thickness && a.poisson == b.poisson && same_regions(a.fixed, b.fixed)
+           && same_handles(a.handles, b.handles) && same_features(a.features, b.features)
+           && same_regions(a.propagated, b.propagated) && same_points(a.points, b.points)
+           && a.groups == b.groups && same_links(a.links, b.links);
 }
 
 bool same_box(const OrientedBox& a, const OrientedBox& b)

@@ -10,10 +10,12 @@
 namespace sheetmorph
 {
 
-Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness)
+Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness,
+           Progress progress)
     : prepared_(prepared),
       pose_(pose),
       exactness_(exactness),
+      progress_(std::move(progress)),
       links_(prepared.links.size()),
       welds_(prepared.welds.size()),
       motions_(prepared.assembly.features.size())
@@ -34,10 +36,14 @@ Deformed Wave::run()
 {
     Deformed result;
     start(result);
-    for (const int part : prepared_.plan.order)
+    const Progress whole = progress_;
+    const auto count = static_cast<double>(prepared_.plan.order.size());
+    for (std::size_t k = 0; k < prepared_.plan.order.size(); ++k)
     {
-        answer(part, nullptr);
-        pass_on(part);
+        const auto done = static_cast<double>(k);
+        progress_ = whole.part(done / count, (done + 1.0) / count);
+        answer(prepared_.plan.order[k], nullptr);
+        pass_on(prepared_.plan.order[k]);
     }
     for (const int part : prepared_.plan.unreached)
         set_at_rest(part);
@@ -121,8 +127,8 @@ void Wave::substitute(int index)
         result_->spread =
             std::max(result_->spread, spread_of_targets(part.problem, {links_, welds_, motions_}));
     const SurfaceTargets targets = targets_of(index);
-    solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_)
-                              : part.deformer->deform(targets, exactness_);
+    solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_, progress_)
+                              : part.deformer->deform(targets, exactness_, progress_);
     expand(index, targets);
 }
 
@@ -192,7 +198,7 @@ void Wave::mark_preview(int index)
 {
     const PreparedPart& part = prepared_.parts[at(index)];
     result_->parts[at(index)].is_preview =
-        exactness_ == Exactness::live && part.deformer && part.problem.own.surface.is_refined;
+        exactness_ == Exactness::live && part.deformer && part.problem.own.surface.has_previews();
 }
 
 void Wave::report_features(int index)

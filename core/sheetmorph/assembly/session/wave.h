@@ -16,7 +16,9 @@ using PartResponses = std::vector<std::shared_ptr<const Response>>;
 class Wave
 {
 public:
-    Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness);
+    //! \param progress  of exact answers that take long
+    Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness,
+         Progress progress = {});
 
     //! Every part anew.
     Deformed run();
@@ -60,6 +62,7 @@ private:
     const PreparedAssembly& prepared_;
     const Pose& pose_;
     Exactness exactness_;
+    Progress progress_;
     std::vector<LinkedTargets> links_;
     std::vector<RigidMotion> welds_;
     std::vector<RigidMotion> motions_;  // by feature of the assembly

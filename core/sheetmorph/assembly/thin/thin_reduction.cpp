@@ -172,6 +172,8 @@ private:
         const VertexIds& vertices = thin_.skin().vertices;
         const std::vector<int> ids = part.ids;
         part.mesh = thin_.middle();
+        if (part.sheet_thickness == 0.0)
+            part.sheet_thickness = thin_.solid().thickness;
         part.ids = vertices;
         for (std::size_t k = 0; k < vertices.size() && !ids.empty(); ++k)
             part.ids[k] = ids[at(vertices[k])];

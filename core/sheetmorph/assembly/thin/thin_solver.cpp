@@ -138,9 +138,9 @@ void ThinSolver::find_points(const ThinSolverInput& input)
 }
 
 Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTargets& targets,
-                              Exactness level) const
+                              Exactness level, const Progress& progress) const
 {
-    Deformation middle = deformer.deform(targets, level);
+    Deformation middle = deformer.deform(targets, level, progress);
     SurfaceTargets asked = targets;
     const double size = part_->mesh().size();
     const double allowed =
@@ -157,7 +157,7 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
         if (found.is_converged)
             break;
         const Convergence before = middle.convergence;
-        middle = deformer.deform(asked, level);
+        middle = deformer.deform(asked, level, progress);
         middle.convergence.join(before);
     }
     middle.convergence.join(found);

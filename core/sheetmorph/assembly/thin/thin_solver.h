@@ -34,7 +34,7 @@ public:
 
     //! The middle in one pose. Points lie off it; they are met by a few repeated solves.
     Deformation solve(const SurfaceDeformer& deformer, const SurfaceTargets& targets,
-                      Exactness exactness) const;
+                      Exactness exactness, const Progress& progress = {}) const;
 
     //! Whether points hold or move the part, so that one solve is not enough.
     bool has_points() const { return !points_.empty(); }

@@ -183,7 +183,7 @@ std::vector<JointLevel> Joints::own_levels(std::size_t k) const
     if (body.following)
         return following_levels(part_, body, leader_of(body), state);
     std::vector<JointLevel> levels;
-    if (turner.is_bound)
+    if (turner.is_bound || turner.shifts)
         levels.push_back(shift(every_axis()));
     if (turner.turns)
         levels.push_back(turn(state.centre, every_axis()));

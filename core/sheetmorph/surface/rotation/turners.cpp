@@ -35,7 +35,7 @@ std::vector<Turner> turners_of(const TriangleMesh& mesh, const SurfaceConstraint
         const Body& body = roles.bodies[at(index)];
         const bool turns = body.motion == Body::Motion::free;
         if (turns || body.is_bound)
-            turners.push_back({index, -1, turns, body.is_bound, body.vertices});
+            turners.push_back({index, -1, turns, body.is_bound, body.vertices, false});
     }
     std::vector<char> is_taken(roles.role.size(), 0);
     for (std::size_t k = 0; k < constraints.points.size(); ++k)

@@ -16,6 +16,7 @@ struct Turner
     bool turns = true;      //!< its rotation is the energy's, else the pose or the field knows it
     bool is_bound = false;  //!< its translation is not the sheet's own either
     VertexIds vertices;     //!< where the sheet turns wholly with it
+    bool shifts = false;    //!< its translation is sought besides, where no sheet is solved for
 
     //! Its rotation is one of the reduced problem: what a motion or a link leaves of a rotation,
     //! the field's too, only that knows.

@@ -144,7 +144,41 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
     return std::nullopt;
 }
 
-Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, Exactness exactness)
+Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
+{
+    if (part.responses)
+    {
+        if (std::optional<Eigen::MatrixXd> known = turn_features(part, pose))
+            return *known;
+    }
+    else
+        pose.asked.rows = turned_rows(part, pose.field, {});
+    pose.asked.offset = known_displacements(part.placement(), pose.targets, pose.bodies);
+    ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
+    pose.convergence.join(found.convergence);
+    if (part.refinement && pose.exactness == Exactness::exact)
+        pose.convergence.join(part.refinement->refine(pose.asked, found.u));
+    return std::move(found.u);
+}
+
+// From the linear answer to that of the steel sheet.
+void stiffen(const PreparedSurface& part, Solving& pose, Deformation& result,
+             const Progress& progress)
+{
+    const PlacementInput placement = part.placement();
+    const ShellPose linear{placement, pose.targets, pose.bodies, result.positions,
+                           result.rotation_logs};
+    SteelAnswer::Shape shape = part.steel->solve(linear, progress);
+    pose.bodies = std::move(shape.bodies);
+    const Eigen::MatrixXd displacements = shape.positions - part.rest.points();
+    require_met_points(part, displacements, pose.asked.constraints, pose.exactness);
+    result.positions = placed_positions(placement, pose.targets, pose.bodies, displacements);
+    result.rotation_logs = std::move(shape.logs);
+    result.convergence.join(shape.convergence);
+}
+
+Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, Exactness exactness,
+                   const Progress& progress)
 {
     check_targets(part.constraints, targets);
     const PlacementInput placement = part.placement();
@@ -155,28 +189,16 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
     turn_open_bodies(placement, pose.field.logs, pose.field.tilts, pose.bodies);
     pose.asked.constraints =
         point_displacements(part.rest, part.constraints.points, targets.points);
-    std::optional<Eigen::MatrixXd> displacements;
-    if (part.responses)
-        displacements = turn_features(part, pose);
-    else
-        pose.asked.rows = turned_rows(part, pose.field, {});
-    if (!displacements)
-    {
-        pose.asked.offset = known_displacements(placement, targets, pose.bodies);
-        ConstrainedMinimiser::Solution found =
-            part.minimiser.minimum(pose.asked, pose.refinements());
-        pose.convergence.join(found.convergence);
-        if (part.refinement && exactness == Exactness::exact)
-            pose.convergence.join(part.refinement->refine(pose.asked, found.u));
-        displacements = std::move(found.u);
-    }
-    require_met_points(part, *displacements, pose.asked.constraints, exactness);
-    complete_bodies(placement, *displacements, pose.bodies);
+    const Eigen::MatrixXd displacements = solved_displacements(part, pose);
+    require_met_points(part, displacements, pose.asked.constraints, exactness);
+    complete_bodies(placement, displacements, pose.bodies);
     Deformation result;
     result.rotation_logs = pose.field.logs;
     result.convergence = pose.convergence;
-    result.is_preview = part.refinement && exactness == Exactness::live;
-    result.positions = placed_positions(placement, targets, pose.bodies, *displacements);
+    result.is_preview = part.constraints.has_previews() && exactness == Exactness::live;
+    result.positions = placed_positions(placement, targets, pose.bodies, displacements);
+    if (part.steel && exactness == Exactness::exact)
+        stiffen(part, pose, result, progress);
     part.followers.place(part.rest, result.positions, result.rotation_logs);
     result.features = feature_motions(placement, pose.bodies);
     if (!result.positions.allFinite())
@@ -187,10 +209,10 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
 }  // namespace
 
 Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
-                       Exactness exactness)
+                       Exactness exactness, const Progress& progress)
 {
     const SizeChanges sizes = size_changes(part.constraints, part.shapes, targets);
-    Deformation result = solved(part, targets, exactness);
+    Deformation result = solved(part, targets, exactness, progress);
     const auto is_set = [](const std::optional<double>& size) { return size.has_value(); };
     if (std::none_of(sizes.begin(), sizes.end(), is_set))
         return result;

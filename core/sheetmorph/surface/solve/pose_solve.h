@@ -10,6 +10,6 @@ namespace sheetmorph
 //! The interactive phase: one part in one pose (2.9, 2.10), its features where the energy, the
 //! field or the pose wants them (mathematics.md, section 4).
 Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
-                       Exactness exactness);
+                       Exactness exactness, const Progress& progress = {});
 
 }  // namespace sheetmorph

@@ -140,7 +140,7 @@ std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& i
 
 std::unique_ptr<Refinement> refinement_of(const RotationFieldInput& input, const Unknowns& unknowns)
 {
-    return input.constraints.is_refined
+    return input.constraints.is_refined && input.constraints.energy != Energy::steel
                ? std::make_unique<Refinement>(input, position_problem(input, unknowns))
                : nullptr;
 }
@@ -170,6 +170,8 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
                                    progress)),
       responses(reported_responses({rest, constraints, roles, operators}, minimiser, progress)),
       refinement(refinement_of({rest, constraints, roles, operators}, unknowns)),
+      steel(constraints.energy == Energy::steel ? std::make_unique<SteelAnswer>(rest, constraints)
+                                                : nullptr),
       growth({rest, constraints, roles, operators}, shapes),
       followers(rest, roles)
 {

@@ -7,6 +7,7 @@
 #include "sheetmorph/surface/operators/unknowns.h"
 #include "sheetmorph/surface/solve/feature_responses.h"
 #include "sheetmorph/surface/solve/refinement.h"
+#include "sheetmorph/surface/steel/steel_answer.h"
 
 namespace sheetmorph
 {
@@ -35,6 +36,7 @@ struct PreparedSurface
     ConstrainedMinimiser minimiser;
     std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
     std::unique_ptr<Refinement> refinement;       //!< none unless it is asked for
+    std::unique_ptr<SteelAnswer> steel;           //!< none but for `steel`
     SheetGrowth growth;
     Followers followers;
 

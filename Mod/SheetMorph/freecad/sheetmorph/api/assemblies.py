@@ -89,7 +89,7 @@ def set_primary(assembly, part) -> None:
 
 
 def set_energy(assembly, energy: str) -> None:
-    """Choose the bending energy: `natural` (free edges are free), `neumann` or `paper`."""
+    """Choose the energy: `natural` (free edges are free), `neumann`, `paper` or `steel`."""
     require_assembly(assembly)
     if energy not in ENERGIES:
         raise ValueError(f"The energy '{energy}' does not exist; choose {' or '.join(ENERGIES)}.")

@@ -17,10 +17,11 @@ from freecad.sheetmorph.objects.model import (
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy, is_settled, make_due
 
-ENERGIES = ["neumann", "natural", "paper"]
+ENERGIES = ["neumann", "natural", "paper", "steel"]
 ENERGY_DOC = (
     "How the sheet bends. Natural: free edges are free. Neumann: free edges keep their slope. "
-    "Paper: as Masuda 2007 prints it; the shape depends on how fine the mesh is"
+    "Paper: as Masuda 2007 prints it; the shape depends on how fine the mesh is. Steel: a thin "
+    "shell that hardly stretches; while dragging, Neumann is shown"
 )
 OPERATORS = ["cotangent", "intrinsic"]
 OPERATOR_DOC = (

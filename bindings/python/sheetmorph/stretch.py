@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a pose stretches and bends the sheet, and how much, for the report. Kinematics alone: what
+a press or friction adds is not in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .answer import Answer
+from .preprocessed import Preprocessed
+from .strain import areas, curvature_changes, principal_stretches
+
+_MOST_PLACES = 10
+_APART = 0.05  # of the size: places of a list are at least that far from each other
+_NEAR = 0.25  # of the size: what is farther than that names no place
+_STRAIGHT = 1e3  # of the size: bends wider than that are none
+_YOUNG = 210e3  # N/mm^2, steel
+_TOLD = 5e-4  # a stretch below that is not worth a sentence
+
+
+def steel_report(session: Preprocessed, part: str) -> dict[str, Any] | None:
+    """The entry "steel" of a part: thickness and where it is from; None for other energies."""
+    if session.model.energy != "steel":
+        return None
+    entry = next(entry for entry in session.model.parts if entry.name == part)
+    is_thin = session.thin_solid(part) is not None
+    found = "thin solid" if is_thin else "a hundredth of the size"
+    return {
+        "thickness": session.sheet_thickness(part),
+        "from": "recipe" if entry.sheet.thickness else found,
+        "poisson": entry.sheet.poisson,
+    }
+
+
+def stretch_report(result: Answer, part: str) -> dict[str, Any] | None:
+    """The entry "stretch" of a part; None if it has no triangle of some area."""
+    session = result.session
+    sheet = session.sheet(part)
+    rest, triangles = np.asarray(sheet.points), np.asarray(sheet.triangles)
+    now = np.asarray(result.deformed.sheet_positions(session.parts.index(part)))
+    area = areas(rest, triangles)
+    sound = np.flatnonzero(area > 1e-12 * max(sheet.size, 1e-300) ** 2)
+    if not len(sound):
+        return None
+    triangles, area = triangles[sound], area[sound]
+    stretches = principal_stretches(rest, now, triangles)
+    strain = np.abs(stretches - 1.0).max(axis=1)
+    order = np.argsort(strain)
+    reached = np.cumsum(area[order]) / area.sum()
+    centres = now[triangles].mean(axis=1)
+    regions = _regions(result, part)
+    return {
+        "largest": float(strain.max()),
+        "percentile_99": float(strain[order[np.searchsorted(reached, 0.99)]]),
+        "share_above_1_percent": float(min(1.0, area[strain > 0.01].sum() / area.sum())),
+        "worst": [
+            {
+                "triangle": int(sound[k]),
+                "place": centres[k].tolist(),
+                "stretch": stretches[k].tolist(),
+                "near": _nearest(regions, centres[k], _NEAR * sheet.size),
+            }
+            for k in _worst_places(strain, centres, _APART * sheet.size)
+        ],
+        **_bending(session, part, (rest, now, triangles), (area, strain, stretches)),
+    }
+
+
+def stretch_words(entry: dict[str, Any]) -> Iterator[str]:
+    """What a user should know of a part's sheet, one sentence each; entry: as the report has it."""
+    steel, stretch, name = entry["steel"], entry["stretch"], entry["name"]
+    if steel["from"] == "a hundredth of the size":
+        yield (
+            f'"{name}" is bent as a sheet of {steel["thickness"]:.3g} mm, a hundredth of its '
+            'size: give its "thickness"'
+        )
+    if stretch is None or stretch["largest"] < _TOLD:
+        return
+    worst = stretch["worst"][0]
+    near = f", near {worst['near']}" if worst["near"] else ""
+    place = ", ".join(f"{x:.4g}" for x in worst["place"])
+    yield (
+        f'this pose stretches the sheet "{name}" by {100.0 * stretch["largest"]:.1f} % at '
+        f'({place}){near}; {100.0 * stretch["share_above_1_percent"]:.0f} % of it by more than 1 %'
+    )
+
+
+def _bending(
+    session: Preprocessed, part: str, shapes: tuple[np.ndarray, ...], told: tuple[np.ndarray, ...]
+) -> dict[str, Any]:
+    """The entries "bend" and "springs_back"."""
+    (rest, now, triangles), (area, _, stretches) = shapes, told
+    thickness = session.sheet_thickness(part)
+    entry = next(entry for entry in session.model.parts if entry.name == part)
+    change = np.linalg.eigvalsh(np.nan_to_num(curvature_changes(rest, now, triangles)))
+    tightest = int(np.abs(change).max(axis=1).argmax())
+    curvature = float(np.abs(change[tightest]).max())
+    size = session.sheet(part).size
+    bend = None
+    if curvature * size * _STRAIGHT > 1.0:
+        place = now[triangles[tightest]].mean(axis=0).tolist()
+        radius = 1.0 / curvature
+        bend = {"radius": radius, "over_thickness": radius / thickness, "place": place}
+    poisson = entry.sheet.poisson
+    strains = 0.5 * (stretches**2 - 1.0)
+    stored = area @ (
+        thickness * _stored(strains, poisson) + thickness**3 / 12.0 * _stored(change, poisson)
+    )
+    return {"bend": bend, "springs_back": float(0.5 * _YOUNG / (1.0 - poisson**2) * stored)}
+
+
+def _stored(values: np.ndarray, poisson: float) -> np.ndarray:
+    """Of principal values (m, 2): (1 - nu) sum of squares + nu squared sum."""
+    return (1.0 - poisson) * (values**2).sum(axis=1) + poisson * values.sum(axis=1) ** 2
+
+
+def _worst_places(strain: np.ndarray, centres: np.ndarray, apart: float) -> list[int]:
+    found: list[int] = []
+    left = np.ones(len(strain), bool)
+    while left.any() and len(found) < _MOST_PLACES:
+        worst = int(np.where(left, strain, -1.0).argmax())
+        found.append(worst)
+        left &= np.linalg.norm(centres - centres[worst], axis=1) > apart
+        left[worst] = False
+    return found
+
+
+def _regions(result: Answer, part: str) -> list[tuple[str, np.ndarray]]:
+    """(label, positions (k, 3)) of what has a name on a part."""
+    session, words = result.session, {"fixed": "fixed region", "handle": "handle"}
+    return [
+        (f'{words.get(entry.kind, "feature")} "{entry.name}"', result.positions[part][ids])
+        for kind in ("fixed", "handle", "feature")
+        for entry in session.model.of_kind(kind)
+        if entry.part == part and not entry.is_point
+        for ids in [session.region_vertices(entry)]
+    ]
+
+
+def _nearest(regions: list[tuple[str, np.ndarray]], place: np.ndarray, reach: float) -> str | None:
+    found = [
+        (float(np.linalg.norm(points - place, axis=1).min()), label) for label, points in regions
+    ]
+    return min(found)[1] if found and min(found)[0] <= reach else None

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/steel/shell_element.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+int next(int corner)
+{
+    return (corner + 1) % 3;
+}
+
+Vector3 area_normal(const ShellElement::Corners& corners)
+{
+    return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
+// About a side, from the normal to the director, radians.
+double angle_about(const Vector3& side, const Vector3& normal, const Vector3& director)
+{
+    return std::atan2(normal.cross(director).dot(side), normal.dot(director));
+}
+
+double wrapped(double angle)
+{
+    return angle - 2.0 * pi * std::round(angle / (2.0 * pi));
+}
+
+}  // namespace
+
+ShellElement::ShellElement(const Place& rest, double poisson)
+{
+    const Vector3 double_area = area_normal(rest.corners);
+    const Vector3 normal = double_area.normalized();
+    area_ = 0.5 * double_area.norm();
+    const Vector3 x = (rest.corners[1] - rest.corners[0]).normalized();
+    const Vector3 y = normal.cross(x);
+    elasticity_ << 1.0, poisson, 0.0, poisson, 1.0, 0.0, 0.0, 0.0, 0.5 * (1.0 - poisson);
+    elasticity_ *= area_ / (1.0 - poisson * poisson);
+    Matrix3 curvature;  // of the three angles: k11, k22, 2 k12
+    for (int k = 0; k < 3; ++k)
+    {
+        const Vector3 side = rest.corners[static_cast<std::size_t>(next(k))]
+                             - rest.corners[static_cast<std::size_t>(k)];
+        const Vector3 inwards = normal.cross(side.normalized());
+        const double a = inwards.dot(x), b = inwards.dot(y);
+        gradients_.row(next(next(k))) << a, b;
+        gradients_.row(next(next(k))) *= side.norm() / (2.0 * area_);
+        curvature.col(k) = side.norm() / area_ * Vector3(a * a, b * b, 2.0 * a * b);
+        rest_angles_(k) =
+            angle_about(side.normalized(), normal, rest.directors[static_cast<std::size_t>(k)]);
+    }
+    bending_ = curvature.transpose() * elasticity_ * curvature;
+}
+
+ShellElement::Strain ShellElement::strain(const Place& place) const
+{
+    Strain found;
+    const Vector3 double_area = area_normal(place.corners);
+    const double size = std::max(double_area.norm(), 1e-9 * area_);
+    found.normal = double_area / size;
+    found.f.setZero();
+    for (int k = 0; k < 3; ++k)
+    {
+        const auto at = static_cast<std::size_t>(k);
+        const Vector3 side = place.corners[static_cast<std::size_t>(next(k))] - place.corners[at];
+        found.lengths(k) = std::max(side.norm(), 1e-12 * std::sqrt(area_));
+        found.sides[at] = side / found.lengths(k);
+        found.gradients[static_cast<std::size_t>(next(next(k)))] = found.normal.cross(side) / size;
+        found.angles(k) = wrapped(angle_about(found.sides[at], found.normal, place.directors[at])
+                                  - rest_angles_(k));
+        found.f += place.corners[at] * gradients_.row(k);
+    }
+    found.membrane << 0.5 * (found.f.col(0).squaredNorm() - 1.0),
+        0.5 * (found.f.col(1).squaredNorm() - 1.0), found.f.col(0).dot(found.f.col(1));
+    return found;
+}
+
+double ShellElement::energy(const Strain& strain, double bending) const
+{
+    return 0.5 * strain.membrane.dot(elasticity_ * strain.membrane)
+           + 0.5 * bending * strain.angles.dot(bending_ * strain.angles);
+}
+
+ShellElement::Stress ShellElement::stress(const Strain& strain, double bending) const
+{
+    return {elasticity_ * strain.membrane, bending * (bending_ * strain.angles)};
+}
+
+ShellElement::Rows ShellElement::membrane_rows(const Strain& strain) const
+{
+    Rows rows = Rows::Zero();
+    for (int i = 0; i < 3; ++i)
+    {
+        const double a = gradients_(i, 0), b = gradients_(i, 1);
+        rows.block<1, 3>(0, 3 * i) = a * strain.f.col(0).transpose();
+        rows.block<1, 3>(1, 3 * i) = b * strain.f.col(1).transpose();
+        rows.block<1, 3>(2, 3 * i) = (a * strain.f.col(1) + b * strain.f.col(0)).transpose();
+    }
+    return rows;
+}
+
+// A triangle that turns about a side takes from its angle, a director that turns adds to it.
+ShellElement::Rows ShellElement::angle_rows(const Strain& strain)
+{
+    Rows rows = Rows::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+        const Vector3 inwards = strain.normal.cross(strain.sides[static_cast<std::size_t>(k)]);
+        for (int i = 0; i < 3; ++i)
+            rows.block<1, 3>(k, 3 * i) = -strain.gradients[static_cast<std::size_t>(i)].dot(inwards)
+                                         * strain.normal.transpose();
+        rows(k, 9 + k) = 1.0;
+    }
+    return rows;
+}
+
+ShellElement::Stress ShellElement::predicted(const Strain& strain, double bending,
+                                             const Vector& step) const
+{
+    return {elasticity_ * (strain.membrane + membrane_rows(strain) * step),
+            bending * (bending_ * (strain.angles + angle_rows(strain) * step))};
+}
+
+ShellElement::Vector ShellElement::gradient(const Strain& strain, double bending) const
+{
+    const Stress now = stress(strain, bending);
+    return membrane_rows(strain).transpose() * now.membrane
+           + angle_rows(strain).transpose() * now.moments;
+}
+
+// Second derivative of an angle in the frame that is transported with its side.
+void ShellElement::add_turning(const Strain& strain, int side, double moment, Matrix& sum)
+{
+    const Vector3& t = strain.sides[static_cast<std::size_t>(side)];
+    const Vector3& n = strain.normal;
+    const Vector3 m = n.cross(t);
+    const double length = strain.lengths(side);
+    const auto gradient = [&strain](int i) -> const Vector3&
+    { return strain.gradients[static_cast<std::size_t>(i)]; };
+    const auto end = [side](int i) { return i == side ? -1.0 : (i == next(side) ? 1.0 : 0.0); };
+    const Matrix3 normal_by_inwards = n * m.transpose() / (2.0 * length);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+        {
+            const Matrix3 turn = gradient(i).dot(m) * gradient(j) * n.transpose()
+                                 + gradient(j).dot(m) * n * gradient(i).transpose()
+                                 + gradient(i).dot(t) * end(j) * normal_by_inwards
+                                 + gradient(j).dot(t) * end(i) * normal_by_inwards.transpose();
+            sum.block<3, 3>(3 * i, 3 * j) += moment * turn;
+        }
+}
+
+ShellElement::Matrix ShellElement::stiffness(const Strain& strain, double bending,
+                                             const Stress& of_second_order) const
+{
+    const Rows membrane = membrane_rows(strain);
+    const Rows angles = angle_rows(strain);
+    Matrix sum = membrane.transpose() * elasticity_ * membrane;
+    sum.noalias() += bending * (angles.transpose() * bending_ * angles);
+    const Vector3& s = of_second_order.membrane;
+    Eigen::Matrix2d pull;
+    pull << s(0), s(2), s(2), s(1);
+    const Matrix3 between = gradients_ * pull * gradients_.transpose();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            sum.block<3, 3>(3 * i, 3 * j).diagonal().array() += between(i, j);
+    for (int k = 0; k < 3; ++k)
+        if (of_second_order.moments(k) != 0.0)
+            add_turning(strain, k, of_second_order.moments(k), sum);
+    return sum;
+}
+
+ShellElement::Stress ShellElement::tension(const Stress& stress)
+{
+    Eigen::Matrix2d pull;
+    pull << stress.membrane(0), stress.membrane(2), stress.membrane(2), stress.membrane(1);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(pull);
+    const Eigen::Matrix2d kept = eigen.eigenvectors()
+                                 * eigen.eigenvalues().cwiseMax(0.0).asDiagonal()
+                                 * eigen.eigenvectors().transpose();
+    return {{kept(0, 0), kept(1, 1), kept(0, 1)}, Vector3::Zero()};
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,564 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/steel/shell_system.h"
+
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+using Kind = ShellMover::Kind;
+
+constexpr Eigen::Index least_elements = 100;  // of a range
+constexpr std::size_t chunk = 4096;           // elements whose matrices are in memory at once
+
+Vector3 row_of(const Points& points, int row)
+{
+    return points.row(row).transpose();
+}
+
+// The smallest rotation from one unit vector to another, applied to a vector.
+Vector3 transported(const Vector3& vector, const Vector3& from, const Vector3& to)
+{
+    const double cosine = from.dot(to);
+    if (cosine < -0.999)
+        return vector;
+    const Vector3 axis = from.cross(to);
+    return cosine * vector + axis.cross(vector) + axis * (axis.dot(vector) / (1.0 + cosine));
+}
+
+}  // namespace
+
+ShellSystem::ShellSystem(const ShellInput& input, ShellMovers movers, Joints& joints)
+    : mesh_(input.mesh), part_(input.part), movers_(std::move(movers)), joints_(joints)
+{
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    {
+        const ShellMesh::Triangle& triangle = mesh_.triangles[t];
+        const std::vector<int> columns = columns_of(triangle);
+        if (columns.empty())
+            continue;
+        ShellElement::Place rest;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            rest.corners[k] = row_of(part_.rest.points(), triangle.corners[k]);
+            rest.directors[k] = mesh_.directors[at(triangle.edges[k])];
+        }
+        triangles_.push_back(t);
+        elements_.emplace_back(rest, input.poisson);
+        freedoms_.push_back({{}, columns, 0, false});
+    }
+    find_columns();
+    find_pattern();
+    find_tree();
+    restore(movers_.start);
+}
+
+// Ascending; empty where all is known.
+std::vector<int> ShellSystem::columns_of(const ShellMesh::Triangle& triangle) const
+{
+    std::vector<int> columns;
+    const auto add = [&](const ShellMover& mover, int count)
+    {
+        if (mover.kind == Kind::open)
+            for (int k = 0; k < count; ++k)
+                columns.push_back(mover.index + k);
+        if (mover.kind == Kind::joint)
+            for (const JointLevel& level : joints_.levels(at(mover.index)))
+                for (std::size_t axis = 0; axis < level.axes.size(); ++axis)
+                    columns.push_back(movers_.open + level.first + static_cast<int>(axis));
+    };
+    for (const int corner : triangle.corners)
+        add(movers_.vertices[at(corner)], 3);
+    for (const int edge : triangle.edges)
+        add(movers_.edges[at(edge)], 1);
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    return columns;
+}
+
+void ShellSystem::find_columns()
+{
+    for (std::size_t e = 0; e < elements_.size(); ++e)
+    {
+        const ShellMesh::Triangle& triangle = mesh_.triangles[triangles_[e]];
+        Freedom& freedom = freedoms_[e];
+        freedom.direct.fill(-1);
+        for (int k = 0; k < 3; ++k)
+        {
+            const ShellMover& vertex = movers_.vertices[at(triangle.corners[at(k)])];
+            const ShellMover& edge = movers_.edges[at(triangle.edges[at(k)])];
+            freedom.is_jointed |= vertex.kind == Kind::joint || edge.kind == Kind::joint;
+            const auto local = [&freedom](int column)
+            {
+                return static_cast<int>(
+                    std::lower_bound(freedom.columns.begin(), freedom.columns.end(), column)
+                    - freedom.columns.begin());
+            };
+            for (int x = 0; x < 3 && vertex.kind == Kind::open; ++x)
+                freedom.direct[at(3 * k + x)] = local(vertex.index + x);
+            if (edge.kind == Kind::open)
+                freedom.direct[at(9 + k)] = local(edge.index);
+        }
+    }
+}
+
+void ShellSystem::find_pattern()
+{
+    const auto count = static_cast<std::size_t>(unknowns());
+    std::vector<std::vector<int>> rows(count);
+    for (std::size_t column = 0; column < count; ++column)
+        rows[column].push_back(static_cast<int>(column));
+    for (const Freedom& freedom : freedoms_)
+        for (const int column : freedom.columns)
+            rows[at(column)].insert(rows[at(column)].end(), freedom.columns.begin(),
+                                    freedom.columns.end());
+    matrix_ = std::make_shared<SparseMatrix>(unknowns(), unknowns());
+    std::vector<int> starts(count + 1, 0);
+    for (std::size_t column = 0; column < count; ++column)
+    {
+        std::vector<int>& own = rows[column];
+        std::sort(own.begin(), own.end());
+        own.erase(std::unique(own.begin(), own.end()), own.end());
+        starts[column + 1] = starts[column] + static_cast<int>(own.size());
+    }
+    matrix_->resizeNonZeros(starts.back());
+    std::copy(starts.begin(), starts.end(), matrix_->outerIndexPtr());
+    for (std::size_t column = 0; column < count; ++column)
+        std::copy(rows[column].begin(), rows[column].end(),
+                  matrix_->innerIndexPtr() + starts[column]);
+    for (Freedom& freedom : freedoms_)
+    {
+        freedom.first_slot = static_cast<int>(slots_.size());
+        for (const int column : freedom.columns)
+            for (const int row : freedom.columns)
+                slots_.push_back(starts[at(column)]
+                                 + static_cast<int>(std::lower_bound(rows[at(column)].begin(),
+                                                                     rows[at(column)].end(), row)
+                                                    - rows[at(column)].begin()));
+    }
+}
+
+ShellSystem::Things ShellSystem::things() const
+{
+    const Points& rest = part_.rest.points();
+    Things found;
+    for (std::size_t i = 0; i < movers_.vertices.size(); ++i)
+        if (movers_.vertices[i].kind == Kind::open)
+            found.push_back({movers_.vertices[i].index, 3, row_of(rest, static_cast<int>(i))});
+    for (std::size_t e = 0; e < movers_.edges.size(); ++e)
+        if (movers_.edges[e].kind == Kind::open)
+            found.push_back(
+                {movers_.edges[e].index, 1,
+                 0.5 * (row_of(rest, mesh_.edges[e][0]) + row_of(rest, mesh_.edges[e][1]))});
+    std::vector<char> is_listed(at(joints_.freedoms()), 0);
+    for (std::size_t k = 0; k < joints_.states().size(); ++k)
+        for (const JointLevel& level : joints_.levels(k))
+            if (!level.axes.empty() && is_listed[at(level.first)] == 0)
+            {
+                is_listed[at(level.first)] = 1;
+                found.push_back({movers_.open + level.first, static_cast<int>(level.axes.size()),
+                                 joints_.states()[k].centre});
+            }
+    return found;
+}
+
+// Which things some element couples.
+SparseMatrix ShellSystem::coupled(const Things& things) const
+{
+    std::vector<int> thing_of(at(unknowns()), 0);
+    for (std::size_t k = 0; k < things.size(); ++k)
+        for (int column = 0; column < things[k].count; ++column)
+            thing_of[at(things[k].first + column)] = static_cast<int>(k);
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<int> last(things.size(), -1);
+    for (int k = 0; k < static_cast<int>(things.size()); ++k)
+        for (SparseMatrix::InnerIterator entry(*matrix_, things[at(k)].first); entry; ++entry)
+        {
+            const int other = thing_of[at(static_cast<int>(entry.row()))];
+            if (last[at(other)] != k)
+                entries.emplace_back(other, k, 1.0);
+            last[at(other)] = k;
+        }
+    const auto count = static_cast<Eigen::Index>(things.size());
+    SparseMatrix found(count, count);
+    found.setFromTriplets(entries.begin(), entries.end());
+    return found;
+}
+
+// The unknowns of one thing stay together.
+void ShellSystem::find_tree()
+{
+    const Things all = things();
+    Points places(static_cast<Eigen::Index>(all.size()), 3);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        places.row(static_cast<Eigen::Index>(k)) = all[k].place.transpose();
+    const SeparatorTree cut = nested_dissection(coupled(all), places);
+    SeparatorTree tree{{}, {0}, cut.parent, cut.lowest};
+    for (int node = 0; node < cut.size(); ++node)
+    {
+        for (int k = cut.first[at(node)]; k < cut.first[at(node) + 1]; ++k)
+        {
+            const Thing& thing = all[at(cut.order[at(k)])];
+            for (int column = 0; column < thing.count; ++column)
+                tree.order.push_back(thing.first + column);
+        }
+        tree.first.push_back(static_cast<int>(tree.order.size()));
+    }
+    tree_ = std::make_shared<const SeparatorTree>(std::move(tree));
+}
+
+ShellElement::Place ShellSystem::place_of(std::size_t element) const
+{
+    const ShellMesh::Triangle& triangle = mesh_.triangles[triangles_[element]];
+    ShellElement::Place place;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        place.corners[k] = row_of(shape_.positions, triangle.corners[k]);
+        place.directors[k] = shape_.directors[at(triangle.edges[k])];
+    }
+    return place;
+}
+
+double ShellSystem::energy(double bending) const
+{
+    Eigen::VectorXd parts(static_cast<Eigen::Index>(elements_.size()));
+    parallel_ranges(parts.size(), least_elements,
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (Eigen::Index e = begin; e < end; ++e)
+                            parts(e) = elements_[at(e)].energy(
+                                elements_[at(e)].strain(place_of(at(e))), bending);
+                    });
+    return parts.sum();
+}
+
+// How a point moves with one number of a level.
+Vector3 ShellSystem::arm(const JointLevel& level, std::size_t axis, const Vector3& point) const
+{
+    return level.is_turn ? Vector3(level.axes[axis].cross(point - level.point)) : level.axes[axis];
+}
+
+double ShellSystem::sign_of(std::size_t element, int local) const
+{
+    return local < 9 ? 1.0 : mesh_.triangles[triangles_[element]].signs[at(local - 9)];
+}
+
+// The matrix and the gradient of an element in its own columns.
+void ShellSystem::project(std::size_t element, const ShellElement::Matrix& stiffness,
+                          const ShellElement::Vector& forces, Projected& found) const
+{
+    const Freedom& freedom = freedoms_[element];
+    if (freedom.is_jointed)
+    {
+        const Local rows = local_rows(element);
+        found.matrix.noalias() = rows.transpose() * (stiffness * rows);
+        found.gradient.noalias() = rows.transpose() * forces;
+        return;
+    }
+    const auto count = static_cast<Eigen::Index>(freedom.columns.size());
+    found.matrix.resize(count, count);
+    found.gradient.resize(count);
+    for (int a = 0; a < 12; ++a)
+    {
+        const int column = freedom.direct[at(a)];
+        if (column < 0)
+            continue;
+        const double sign = sign_of(element, a);
+        found.gradient(column) = sign * forces(a);
+        for (int b = 0; b < 12; ++b)
+            if (freedom.direct[at(b)] >= 0)
+                found.matrix(freedom.direct[at(b)], column) =
+                    sign * sign_of(element, b) * stiffness(b, a);
+    }
+}
+
+// (12, columns) how corners and directors follow the unknowns.
+ShellSystem::Local ShellSystem::local_rows(std::size_t element) const
+{
+    const Freedom& freedom = freedoms_[element];
+    const ShellMesh::Triangle& triangle = mesh_.triangles[triangles_[element]];
+    Local rows = Local::Zero(12, static_cast<Eigen::Index>(freedom.columns.size()));
+    for (int k = 0; k < 12; ++k)
+        if (freedom.direct[at(k)] >= 0)
+            rows(k, freedom.direct[at(k)]) = sign_of(element, k);
+    const auto each_column = [&](int turner, const auto& use)
+    {
+        for (const JointLevel& level : joints_.levels(at(turner)))
+            for (std::size_t axis = 0; axis < level.axes.size(); ++axis)
+            {
+                const int column = movers_.open + level.first + static_cast<int>(axis);
+                use(level, axis,
+                    std::lower_bound(freedom.columns.begin(), freedom.columns.end(), column)
+                        - freedom.columns.begin());
+            }
+    };
+    for (int k = 0; k < 3; ++k)
+    {
+        const int corner = triangle.corners[at(k)], edge = triangle.edges[at(k)];
+        if (movers_.vertices[at(corner)].kind == Kind::joint)
+            each_column(movers_.vertices[at(corner)].index,
+                        [&](const JointLevel& level, std::size_t axis, Eigen::Index column) {
+                            rows.block<3, 1>(3 * k, column) =
+                                arm(level, axis, row_of(shape_.positions, corner));
+                        });
+        if (movers_.edges[at(edge)].kind == Kind::joint)
+            each_column(movers_.edges[at(edge)].index,
+                        [&](const JointLevel& level, std::size_t axis, Eigen::Index column)
+                        {
+                            if (level.is_turn)
+                                rows(9 + k, column) =
+                                    triangle.signs[at(k)]
+                                    * level.axes[axis].dot(mesh_.direction(shape_.positions, edge));
+                        });
+    }
+    return rows;
+}
+
+// What forces do along the curved paths of bodies.
+void ShellSystem::add_second_order(std::size_t element, const ShellElement::Vector& forces,
+                                   Eigen::MatrixXd& sum) const
+{
+    const Freedom& freedom = freedoms_[element];
+    const ShellMesh::Triangle& triangle = mesh_.triangles[triangles_[element]];
+    const auto column_of = [&](const JointLevel& level, std::size_t axis)
+    {
+        const int column = movers_.open + level.first + static_cast<int>(axis);
+        return std::lower_bound(freedom.columns.begin(), freedom.columns.end(), column)
+               - freedom.columns.begin();
+    };
+    for (int k = 0; k < 3; ++k)
+    {
+        const ShellMover& mover = movers_.vertices[at(triangle.corners[at(k)])];
+        if (mover.kind != Kind::joint)
+            continue;
+        const Vector3 force = forces.segment<3>(3 * k);
+        const Vector3 point = row_of(shape_.positions, triangle.corners[at(k)]);
+        const std::vector<JointLevel>& levels = joints_.levels(at(mover.index));
+        for (std::size_t outer = 0; outer < levels.size(); ++outer)
+            for (std::size_t a = 0; a < levels[outer].axes.size() && levels[outer].is_turn; ++a)
+                for (std::size_t inner = outer; inner < levels.size(); ++inner)
+                    for (std::size_t b = 0; b < levels[inner].axes.size(); ++b)
+                    {
+                        const Vector3 moved = arm(levels[inner], b, point);
+                        const double change = force.dot(levels[outer].axes[a].cross(moved));
+                        const Eigen::Index row = column_of(levels[outer], a);
+                        const Eigen::Index column = column_of(levels[inner], b);
+                        const double share = inner == outer ? 0.5 : 1.0;
+                        sum(row, column) += share * change;
+                        sum(column, row) += share * change;
+                    }
+    }
+}
+
+ShellElement::Vector ShellSystem::local_step(std::size_t element,
+                                             const Eigen::VectorXd& change) const
+{
+    const Freedom& freedom = freedoms_[element];
+    if (!freedom.is_jointed)
+    {
+        ShellElement::Vector local = ShellElement::Vector::Zero();
+        for (int k = 0; k < 12; ++k)
+            if (freedom.direct[at(k)] >= 0)
+                local(k) = sign_of(element, k) * change(freedom.columns[at(freedom.direct[at(k)])]);
+        return local;
+    }
+    Eigen::VectorXd own(static_cast<Eigen::Index>(freedom.columns.size()));
+    for (std::size_t k = 0; k < freedom.columns.size(); ++k)
+        own(static_cast<Eigen::Index>(k)) = change(freedom.columns[k]);
+    return local_rows(element) * own;
+}
+
+ShellSystem::Stresses ShellSystem::predicted(double bending, const Eigen::VectorXd& change) const
+{
+    Stresses found(elements_.size());
+    parallel_ranges(static_cast<Eigen::Index>(elements_.size()), least_elements,
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (auto e = at(begin); e < at(end); ++e)
+                            found[e] = elements_[e].predicted(elements_[e].strain(place_of(e)),
+                                                              bending, local_step(e, change));
+                    });
+    return found;
+}
+
+ShellSystem::Tangent ShellSystem::tangent(double bending, const Stresses* stresses)
+{
+    Tangent found{Eigen::VectorXd::Zero(unknowns()), matrix_};
+    std::fill(matrix_->valuePtr(), matrix_->valuePtr() + matrix_->nonZeros(), 0.0);
+    std::vector<Projected> parts(std::min(chunk, elements_.size()));
+    for (std::size_t first = 0; first < elements_.size(); first += chunk)
+    {
+        const std::size_t count = std::min(chunk, elements_.size() - first);
+        const auto work = [&](Eigen::Index begin, Eigen::Index end)
+        {
+            for (auto k = at(begin); k < at(end); ++k)
+            {
+                const std::size_t e = first + k;
+                const ShellElement::Strain strain = elements_[e].strain(place_of(e));
+                const ShellElement::Vector forces = elements_[e].gradient(strain, bending);
+                const ShellElement::Stress stress =
+                    stresses != nullptr
+                        ? (*stresses)[e]
+                        : ShellElement::tension(elements_[e].stress(strain, bending));
+                project(e, elements_[e].stiffness(strain, bending, stress), forces, parts[k]);
+                if (freedoms_[e].is_jointed && stresses != nullptr)
+                    add_second_order(e, forces, parts[k].matrix);
+            }
+        };
+        parallel_ranges(static_cast<Eigen::Index>(count), least_elements, work);
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            const Freedom& freedom = freedoms_[first + k];
+            const int* slot = slots_.data() + freedom.first_slot;
+            const double* value = parts[k].matrix.data();
+            for (Eigen::Index entry = 0; entry < parts[k].matrix.size(); ++entry)
+                matrix_->valuePtr()[slot[entry]] += value[entry];
+            for (std::size_t c = 0; c < freedom.columns.size(); ++c)
+                found.gradient(freedom.columns[c]) +=
+                    parts[k].gradient(static_cast<Eigen::Index>(c));
+        }
+    }
+    return found;
+}
+
+double ShellSystem::shift_of(const Eigen::VectorXd& change) const
+{
+    double worst = 0.0;
+    for (std::size_t i = 0; i < movers_.vertices.size(); ++i)
+    {
+        const ShellMover& mover = movers_.vertices[i];
+        Vector3 shift = Vector3::Zero();
+        if (mover.kind == Kind::open)
+            shift = change.segment<3>(mover.index);
+        if (mover.kind == Kind::joint)
+            for (const JointLevel& level : joints_.levels(at(mover.index)))
+                for (std::size_t axis = 0; axis < level.axes.size(); ++axis)
+                    shift += change(movers_.open + level.first + static_cast<int>(axis))
+                             * arm(level, axis, row_of(shape_.positions, static_cast<int>(i)));
+        worst = std::max(worst, shift.norm());
+    }
+    return worst;
+}
+
+double ShellSystem::turn_of(const Eigen::VectorXd& change) const
+{
+    double worst = 0.0;
+    for (const ShellMover& mover : movers_.edges)
+        if (mover.kind == Kind::open)
+            worst = std::max(worst, std::abs(change(mover.index)));
+    for (std::size_t k = 0; k < joints_.states().size(); ++k)
+        for (const JointLevel& level : joints_.levels(k))
+            for (std::size_t axis = 0; axis < level.axes.size() && level.is_turn; ++axis)
+                worst = std::max(
+                    worst, std::abs(change(movers_.open + level.first + static_cast<int>(axis))));
+    return worst;
+}
+
+void ShellSystem::step(const Eigen::VectorXd& change)
+{
+    const ShellShape before = shape_;
+    joints_.step(change.tail(joints_.freedoms()));
+    shape_.bodies = joints_.states();
+    for (std::size_t i = 0; i < movers_.vertices.size(); ++i)
+    {
+        const ShellMover& mover = movers_.vertices[i];
+        const auto row = static_cast<Eigen::Index>(i);
+        if (mover.kind == Kind::open)
+            shape_.positions.row(row) += change.segment<3>(mover.index).transpose();
+        if (mover.kind == Kind::joint)
+        {
+            const BodyState& from = before.bodies[at(mover.index)];
+            const BodyState& to = shape_.bodies[at(mover.index)];
+            const Vector3 arm_before = before.positions.row(row).transpose() - from.centre;
+            shape_.positions.row(row) =
+                (to.centre + to.rotation * (from.rotation.transpose() * arm_before)).transpose();
+        }
+    }
+    for (std::size_t e = 0; e < movers_.edges.size(); ++e)
+    {
+        const ShellMover& mover = movers_.edges[e];
+        Vector3& director = shape_.directors[e];
+        if (mover.kind == Kind::joint)
+            director = shape_.bodies[at(mover.index)].rotation
+                       * (before.bodies[at(mover.index)].rotation.transpose() * director);
+        if (mover.kind == Kind::known)
+            continue;
+        const Vector3 now = mesh_.direction(shape_.positions, static_cast<int>(e));
+        if (mover.kind == Kind::open)
+        {
+            director =
+                transported(director, mesh_.direction(before.positions, static_cast<int>(e)), now);
+            const double angle = change(mover.index);
+            director = std::cos(angle) * director + std::sin(angle) * now.cross(director);
+        }
+        director = (director - director.dot(now) * now).normalized();
+    }
+}
+
+void ShellSystem::restore(const ShellShape& shape)
+{
+    shape_ = shape;
+    joints_.restore(shape.bodies);
+}
+
+SparseMatrix ShellSystem::point_rows() const
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    int row = 0;
+    for (std::size_t k = 0; k < part_.constraints.points.size(); ++k)
+    {
+        if (!movers_.is_point_held[k])
+            continue;
+        const PointConstraint& point = part_.constraints.points[k];
+        for (int c = 0; c < 3; ++c)
+        {
+            const int corner = part_.rest.triangles()(point.triangle, c);
+            const ShellMover& mover = movers_.vertices[at(corner)];
+            for (int x = 0; x < 3 && mover.kind == Kind::open; ++x)
+                entries.emplace_back(row + x, mover.index + x, point.barycentric(c));
+            if (mover.kind != Kind::joint)
+                continue;
+            for (const JointLevel& level : joints_.levels(at(mover.index)))
+                for (std::size_t axis = 0; axis < level.axes.size(); ++axis)
+                {
+                    const Vector3 moved = arm(level, axis, row_of(shape_.positions, corner));
+                    for (int x = 0; x < 3; ++x)
+                        entries.emplace_back(row + x,
+                                             movers_.open + level.first + static_cast<int>(axis),
+                                             point.barycentric(c) * moved(x));
+                }
+        }
+        row += 3;
+    }
+    SparseMatrix rows(row, unknowns());
+    rows.setFromTriplets(entries.begin(), entries.end());
+    return rows;
+}
+
+Eigen::VectorXd ShellSystem::point_misses(const SurfaceTargets& targets) const
+{
+    std::vector<double> misses;
+    for (std::size_t k = 0; k < part_.constraints.points.size(); ++k)
+    {
+        if (!movers_.is_point_held[k])
+            continue;
+        const PointConstraint& point = part_.constraints.points[k];
+        Vector3 place = Vector3::Zero();
+        for (int c = 0; c < 3; ++c)
+            place += point.barycentric(c)
+                     * row_of(shape_.positions, part_.rest.triangles()(point.triangle, c));
+        for (int x = 0; x < 3; ++x)
+            misses.push_back(targets.points[k].position(x) - place(x));
+    }
+    return Eigen::Map<const Eigen::VectorXd>(misses.data(),
+                                             static_cast<Eigen::Index>(misses.size()));
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/steel/steel_answer.h"
+
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/rotation.h"
+#include "sheetmorph/surface/steel/shell_minimum.h"
+
+#include <Eigen/Geometry>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double default_thickness = 0.01;  // of the size
+
+// Columns: two sides of a triangle and a unit normal times its size.
+Matrix3 frame(const Points& points, const std::array<int, 3>& corners)
+{
+    const Vector3 first = points.row(corners[0]).transpose();
+    Matrix3 found;
+    found.col(0) = points.row(corners[1]).transpose() - first;
+    found.col(1) = points.row(corners[2]).transpose() - first;
+    found.col(2) = found.col(0).cross(found.col(1));
+    found.col(2) /= std::max(std::sqrt(found.col(2).norm()), 1e-300);
+    return found;
+}
+
+}  // namespace
+
+double sheet_thickness(double given, const TriangleMesh& mesh)
+{
+    return given > 0.0 ? given : default_thickness * mesh.size();
+}
+
+SteelAnswer::SteelAnswer(const TriangleMesh& rest, const SurfaceConstraints& constraints)
+    : mesh_(rest),
+      size_(rest.size()),
+      thickness_(sheet_thickness(constraints.thickness, rest)),
+      poisson_(constraints.poisson)
+{
+}
+
+SteelAnswer::Shape SteelAnswer::solve(const ShellPose& pose, const Progress& progress) const
+{
+    const std::vector<Turner> turners = shell_turners(pose.part);
+    Joints joints(pose.part, pose.targets, turners, pose.bodies);
+    ShellMovers movers(mesh_, pose, joints, turners);
+    ShellSystem shell({mesh_, pose.part, poisson_}, std::move(movers), joints);
+    Shape found{pose.positions, {}, pose.bodies};
+    if (shell.unknowns() > 0 && pose.positions != pose.part.rest.points())
+    {
+        found.convergence = minimise_shell(shell, {pose.targets, size_, thickness_, progress});
+        found.positions = shell.shape().positions;
+        found.energy = shell.energy(thickness_ * thickness_ / 12.0);
+    }
+    for (std::size_t k = 0; k < turners.size(); ++k)
+    {
+        RigidMotion& motion = found.bodies.motions[at(turners[k].body)];
+        motion = motion_of(pose.part.roles.bodies[at(turners[k].body)], joints.states()[k],
+                           motion.rotation_log);
+    }
+    found.logs = measured_logs(pose, found.positions, found.bodies);
+    return found;
+}
+
+// Free vertices turn as the triangles around them, the others as they are told.
+Points SteelAnswer::measured_logs(const ShellPose& pose, const Points& positions,
+                                  const BodyMotions& bodies) const
+{
+    const PlacementInput& part = pose.part;
+    std::vector<Matrix3> sums(at(part.rest.vertex_count()), Matrix3::Zero());
+    for (const ShellMesh::Triangle& triangle : mesh_.triangles)
+    {
+        const Matrix3 before = frame(part.rest.points(), triangle.corners);
+        const double area = before.col(2).squaredNorm();
+        const Matrix3 turn = polar_rotation(frame(positions, triangle.corners) * before.inverse());
+        for (const int corner : triangle.corners)
+            sums[at(corner)] += area * turn;
+    }
+    Points logs = pose.logs;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+        const auto row = static_cast<Eigen::Index>(i);
+        if (part.roles.role[i] == Role::body)
+            logs.row(row) = bodies.motions[at(part.roles.owner[i])].rotation_log.transpose();
+        else if (part.roles.role[i] == Role::free && !sums[i].isZero(0.0))
+            logs.row(row) = log_near(nearest_rotation(sums[i]), pose.logs.row(row)).transpose();
+    }
+    return logs;
+}
+
+}  // namespace sheetmorph

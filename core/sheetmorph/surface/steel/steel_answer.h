@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/progress.h"
+#include "sheetmorph/surface/steel/shell_movers.h"
+
+namespace sheetmorph
+{
+
+//! mm: what is given, or a hundredth of the size where that is 0.
+double sheet_thickness(double given, const TriangleMesh& mesh);
+
+//! A part as a sheet of steel: a geometrically nonlinear thin shell that hardly stretches
+//! (mathematics.md, section 9), from the linear answer on.
+class SteelAnswer
+{
+public:
+    SteelAnswer(const TriangleMesh& rest, const SurfaceConstraints& constraints);
+
+    struct Shape
+    {
+        Points positions;    //!< (n, 3) mm
+        Points logs;         //!< (n, 3) rotations of the vertices (2.6)
+        BodyMotions bodies;  //!< whole motions
+        Convergence convergence = {};
+        double energy = 0.0;  //!< over E h, mm^2, of what is not known
+    };
+
+    //! \param pose  the linear answer: known vertices are where they have to be
+    //! \throws Cancelled if the progress callback asks for it
+    Shape solve(const ShellPose& pose, const Progress& progress) const;
+
+private:
+    Points measured_logs(const ShellPose& pose, const Points& positions,
+                         const BodyMotions& bodies) const;
+
+    ShellMesh mesh_;
+    double size_;
+    double thickness_;
+    double poisson_;
+};
+
+}  // namespace sheetmorph

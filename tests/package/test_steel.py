@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The sheet as steel: what a recipe says, what the report tells."""
+
+from __future__ import annotations
+
+import json
+
+import jsonschema
+import numpy as np
+import pytest
+
+import sheetmorph
+from sheetmorph.errors import RecipeError
+from sheetmorph.report import report_schema
+
+LENGTH, WIDTH, ALONG, ACROSS = 100.0, 25.0, 24, 6
+
+
+def strip() -> tuple[np.ndarray, np.ndarray]:
+    """A flat strip: (n, 3) mm, (m, 3)."""
+    x, y = np.meshgrid(np.linspace(0, LENGTH, ALONG + 1), np.linspace(0, WIDTH, ACROSS + 1))
+    points = np.column_stack([x.T.ravel(), y.T.ravel(), np.zeros(x.size)])
+    a = (np.arange(ALONG)[:, None] * (ACROSS + 1) + np.arange(ACROSS)).ravel()
+    b, c, d = a + ACROSS + 1, a + ACROSS + 2, a + 1
+    return points, np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def recipe(**more) -> dict:
+    """The strip rolled up by 90 degrees at the exact place of its end."""
+    radius = LENGTH * 2.0 / np.pi
+    ends = [list(range(ACROSS + 1)), list(range(ALONG * (ACROSS + 1), (ALONG + 1) * (ACROSS + 1)))]
+    turn = {"axis": [0, -1, 0], "degrees": 90}
+    found = {
+        "sheetmorph": 1,
+        "parts": [{"name": "strip", "file": "strip.obj", "thickness": 1.0}],
+        "energy": "steel",
+        "fixed": [{"part": "strip", "name": "wall", "vertices": ends[0]}],
+        "handles": [{"part": "strip", "name": "tip", "vertices": ends[1]}],
+        "pose": {"tip": {"translation": [radius - LENGTH, 0, radius], "rotation": turn}},
+    }
+    return {**found, **more}
+
+
+def session(**more) -> sheetmorph.Session:
+    points, triangles = strip()
+    return sheetmorph.Session(recipe(**more), {"strip": sheetmorph.PartMesh(points, triangles)})
+
+
+def test_a_strip_of_steel_rolls_up_without_stretch():
+    points, _ = strip()
+    result = session().deform()
+    angle = points[:, 0] / LENGTH * np.pi / 2.0
+    radius = LENGTH * 2.0 / np.pi
+    exact = np.column_stack([radius * np.sin(angle), points[:, 1], radius * (1 - np.cos(angle))])
+    assert np.linalg.norm(result.positions["strip"] - exact, axis=1).max() < 1e-3 * LENGTH
+    report = result.report()
+    jsonschema.validate(report, report_schema())
+    (part,) = report["parts"]
+    assert part["steel"] == {"thickness": 1.0, "from": "recipe", "poisson": 0.3}
+    assert part["stretch"]["largest"] < 0.004
+    assert part["stretch"]["share_above_1_percent"] == 0.0
+    assert part["stretch"]["bend"]["radius"] == pytest.approx(radius, rel=0.2)
+    assert part["unsettled"] is None
+    # E h^3 b / (24 (1 - nu^2)) times the angle squared over the length, without the sides' curl.
+    stored = 210e3 * WIDTH / 24.0 * (np.pi / 2.0) ** 2 / LENGTH
+    assert part["stretch"]["springs_back"] == pytest.approx(stored, rel=0.25)
+
+
+def test_a_pose_that_stretches_is_told_in_words():
+    result = session(pose={"tip": {"translation": [0, 0, 30]}}).deform()
+    (part,) = result.report()["parts"]
+    assert 0.03 < part["stretch"]["largest"] < 0.1
+    assert 1 < len(part["stretch"]["worst"]) <= 10
+    (note,) = [note for note in result.report()["notes"] if "stretches" in note]
+    assert note.startswith('this pose stretches the sheet "strip" by ')
+    assert "handle" in note or "fixed region" in note
+
+
+def test_a_thickness_that_nobody_gave_is_a_hundredth_of_the_size_and_told():
+    result = session(parts=[{"name": "strip", "file": "strip.obj"}]).deform()
+    report = result.report()
+    steel = report["parts"][0]["steel"]
+    assert steel["from"] == "a hundredth of the size"
+    assert steel["thickness"] == pytest.approx(np.hypot(LENGTH, WIDTH) / 100.0)
+    assert any("a hundredth of its size" in note for note in report["notes"])
+
+
+def test_live_frames_are_previews():
+    morph = session()
+    assert morph.deform(exact=False).previews == ("strip",)
+    assert morph.deform().previews == ()
+
+
+def test_progress_can_stop_it():
+    with pytest.raises(RuntimeError, match="cancel"):
+        session().deform(progress=lambda fraction, task: False)
+
+
+@pytest.mark.parametrize("key, value", [("thickness", 0), ("thickness", -1.0), ("poisson", 0.5)])
+def test_what_no_sheet_can_be_is_refused(key, value):
+    with pytest.raises(RecipeError, match=key):
+        session(parts=[{"name": "strip", "file": "strip.obj", key: value}])
+
+
+def test_a_run_writes_the_strip_and_its_report(tmp_path):
+    points, triangles = strip()
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
+    lines += ["f {} {} {}".format(*(row + 1)) for row in triangles]
+    (tmp_path / "strip.obj").write_text("\n".join(lines) + "\n")
+    (tmp_path / "recipe.json").write_text(json.dumps(recipe()))
+    report = sheetmorph.run(tmp_path / "recipe.json", tmp_path / "out")
+    assert report["energy"] == "steel"
+    assert (tmp_path / "out" / "strip.obj").exists()
