@@ -30,6 +30,8 @@ def add_study_arguments(commands: Any) -> None:
     study.add_argument("--scheduler", metavar="ADDRESS", help=text)
     text = "only these runs, and no table: for jobs of a batch system"
     study.add_argument("--runs", type=_runs, metavar="FIRST-LAST", help=text)
+    text = "instead of variants: how far every parameter may go until a criterion breaks"
+    study.add_argument("--range", action="store_true", help=text)
     study.add_argument("--quiet", action="store_true", help="no progress on stderr")
 
 
@@ -49,11 +51,13 @@ def _runs(text: str) -> tuple[int, int]:
 def run_study_command(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     """Computes the study; what to print. Raises RecipeError, FileError, KernelError."""
     # Imported here, so that --help answers at once.
-    from .study.running import Ways, run_study
+    from .study.running import Ways, run_study, study_range
 
     if wanted.scheduler is not None and wanted.engine != "dask":
         what = "only Dask has a scheduler with an address"
         raise RecipeError([Fault("--scheduler", what, "add --engine dask, or leave it out")])
     with progress_on(sys.stderr, wanted.quiet) as progress:
+        if wanted.range:
+            return study_range(wanted.recipe, wanted.output, progress)
         ways = Ways(wanted.engine, wanted.workers, wanted.scheduler, wanted.runs, progress)
         return run_study(wanted.recipe, wanted.output, ways)

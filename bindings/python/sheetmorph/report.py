@@ -53,7 +53,7 @@ def make_report(
     rest = (mesh.points for mesh in session.meshes.values())
     tol = tolerance(session.size, [*rest, *result.positions.values()])
     features = _features(result, files)
-    parts = [_part(result, name, files.get(name)) for name in session.parts]
+    parts = [part_report(result, name, files.get(name)) for name in session.parts]
     warnings = warnings_of(result, parts)
     failures = [*_torn(features, tol), *thin_failures(result, tol)]
     failures += unsettled_failures({"parts": parts})
@@ -147,7 +147,8 @@ def _feature(
     }
 
 
-def _part(result: Answer, name: str, written: WrittenPart | None) -> dict[str, Any]:
+def part_report(result: Answer, name: str, written: WrittenPart | None = None) -> dict[str, Any]:
+    """The entry of a part in the report."""
     mesh = result.session.meshes[name]
     positions = result.positions[name]
     report = {

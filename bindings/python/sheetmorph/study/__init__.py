@@ -2,6 +2,6 @@
 """Studies: variants of a recipe, sampled, computed, certified and told in one table."""
 
 from .reading import Study, read_study, study_schema
-from .running import Ways, run_study
+from .running import Ways, run_study, study_range
 
-__all__ = ["Study", "Ways", "read_study", "run_study", "study_schema"]
+__all__ = ["Study", "Ways", "read_study", "run_study", "study_range", "study_schema"]

@@ -21,13 +21,14 @@ from .engines.scripts import Call
 from .engines.slurm import submit
 from .engines.snakemake import write_snakefile
 from .plan import Plan
+from .ranges import possible_ranges
 from .rows import ERROR, FILE, REFUSED, Row
 from .storing import Store, write_json
 from .summary import write_summary
 from .working import Cost, Task, own_workshop
 
 ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
-COSTS = "costs.json"
+COSTS, RANGE = "costs.json", "range.json"
 # Array jobs of a batch system where nobody says how many.
 _JOBS = 16
 
@@ -65,6 +66,30 @@ def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> li
             hand_over = submit if ways.engine == "slurm" else write_snakefile
             return hand_over(call, ways.workers or _JOBS)
         return _Run(plan, store, ways).all()
+
+
+def study_range(path: str | Path, out: str | Path, progress: Progress | None = None) -> list[str]:
+    """Find how far the parameters may go, and write it; returns what to tell, a sentence each.
+
+    Raises RecipeError, FileError, KernelError, OSError.
+    """
+    plan = Plan(path, progress)
+    _require_apart(plan, Path(out))
+    found = possible_ranges(plan, progress)
+    store = Store(Path(out))
+    store.open()
+    write_json(store.out, {RANGE: found})
+    return [_range_sentence(name, entry) for name, entry in found["parameters"].items()]
+
+
+def _range_sentence(name: str, entry: dict[str, Any]) -> str:
+    text = f"{name}: {entry['low']:.6g} to {entry['high']:.6g}"
+    whys = [
+        f"{'below' if side == 'low' else 'above'}: {entry[f'{side}_why']}"
+        for side in ("low", "high")
+        if entry[f"{side}_why"]
+    ]
+    return "; ".join([text if whys else f"{text}, all of its range", *whys])
 
 
 class _Run:

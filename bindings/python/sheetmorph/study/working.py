@@ -15,9 +15,10 @@ from ..errors import FileError, KernelError, RecipeError
 from ..places import Places
 from ..recipe import prepare
 from ..recipe.parts import Parts
+from ..report import make_report, part_report
 from ..running import Writer
 from ..session import Result, Session
-from .certifying import certificate, judged
+from .certifying import certificate, failures_of, judged
 from .figures import Figures
 from .measures import Measures, Scene
 from .pictures import picture_of
@@ -85,6 +86,30 @@ class Workshop:
         """The exact answer for these values, without files. Raises RecipeError."""
         variant = self.plan.variant(values)
         return self._base(variant).session.deform(variant.pose)
+
+    def verdict(self, values: Values, exact: bool) -> str:
+        """Why a variant cannot be or must not be; empty if it may. Nothing is written.
+
+        exact=False: by a live answer, which measures no contacts.
+        """
+        why = self.plan.refusal(values)
+        if why:
+            return why
+        try:
+            variant = self.plan.variant(values)
+            base = self._base(variant)
+            result = base.session.deform(variant.pose, exact)
+        except RecipeError as error:
+            return "; ".join(map(str, error.faults))
+        except RuntimeError as error:  # the solver gave up
+            return " ".join(str(error).split())
+        report = make_report(result) if exact else _live_report(result)
+        figures = Figures(result, report)
+        measures = base.measures.taken(Scene(result.positions, values, figures.figure))
+        criteria = judged(self.plan.study.criteria, {**values, **measures}, figures.figure)
+        if not exact:
+            criteria = [entry for entry in criteria if entry["value"] is not None]
+        return "; ".join([*report["certificate"]["failures"], *failures_of(criteria)])
 
     def session(self, values: Values) -> Session:
         """The pre-processed recipe of these values. Raises RecipeError."""
@@ -169,6 +194,17 @@ class Workshop:
         session = Session(variant.recipe, parts.meshes, found=parts.found)
         seconds = time.perf_counter() - begin
         return _Base(session, parts, Measures(plan.study, session.model, parts.meshes), seconds)
+
+
+def _live_report(result: Result) -> dict[str, Any]:
+    """What a report tells of parts, of an answer that is not exact."""
+    return {
+        "parts": [part_report(result, name) for name in result.session.parts],
+        "features": [],
+        "contacts": [],
+        "warnings": [],
+        "certificate": {"failures": []},
+    }
 
 
 def _clear(folder: Path) -> None:
