@@ -228,21 +228,20 @@ void FacetGraph::join_straightest(int edge)
 
 void FacetGraph::look_whether_solid()
 {
-    int open = 0;
-    int used = 0;
+    double open = 0.0;
     double volume = 0.0;
     for (int edge = 0; edge < edges_.count(); ++edge)
     {
         const EdgeUses uses = edges_.uses(edge);
-        ++used;
         if (uses.count() != 2 || uses.begin()[0].from == uses.begin()[1].from)
-            ++open;
+            open += (point(uses.begin()->from) - point(uses.begin()->to)).norm();
     }
     const Vector3 origin = welded_.vertex_count() ? point(0) : Vector3::Zero();
     for (int t = 0; t < triangle_count(); ++t)
         volume += areas_[t] * normal(t).dot(centroid(t) - origin) / 3.0;
-    // A few faults of an import do not make a solid a sheet.
-    is_solid_ = used > 0 && open * 50 <= used && volume > 0.0;
+    // A few faults of an import do not make a solid a sheet, whose border is 3.5 times the root of
+    // its area or longer.
+    is_solid_ = triangle_count() > 0 && open * open <= 0.25 * total_area_ && volume > 0.0;
 }
 
 Vector3 FacetGraph::centroid(int triangle) const

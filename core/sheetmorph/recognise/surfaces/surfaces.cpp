@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/surfaces/surfaces.h"
 
+#include "sheetmorph/recognise/surfaces/coarse_facets.h"
 #include "sheetmorph/recognise/surfaces/surface_grower.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace sheetmorph
@@ -48,7 +50,22 @@ void measure_extent(const FacetGraph& graph, const Surface& surface, Feature& fe
 std::vector<SurfaceRegion> find_surfaces(const FacetGraph& graph,
                                          const FeatureTolerances& tolerances)
 {
-    return SurfaceGrower(graph, tolerances).found();
+    const std::optional<CoarseFacets> coarse = CoarseFacets::of(graph);
+    if (!coarse)
+        return SurfaceGrower(graph, tolerances).found();
+    std::vector<SurfaceRegion> regions = SurfaceGrower(coarse->graph(), tolerances).found();
+    for (SurfaceRegion& region : regions)
+    {
+        region.triangles = coarse->fine_triangles(region.triangles);
+        region.area = 0.0;
+        for (const int t : region.triangles)
+            region.area += graph.area(t);
+    }
+    regions.erase(
+        std::remove_if(regions.begin(), regions.end(),
+                       [](const SurfaceRegion& region) { return region.triangles.empty(); }),
+        regions.end());
+    return regions;
 }
 
 Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region)
