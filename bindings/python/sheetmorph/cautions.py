@@ -6,8 +6,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
 from .answer import Answer
 from .preprocessed import Preprocessed
 from .regions_report import region_remarks
@@ -18,7 +16,6 @@ from .words import counted
 _OF_GAP, _OF_REGION, _NOTHING = 0.5, 0.1, 1e-3
 # From which an edge is stretched or pressed by too much: half its length.
 _STRAIN = 0.5
-_MOST_SAMPLES = 400
 
 
 def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
@@ -62,7 +59,7 @@ def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
     """How far a contact may open, mm, and why no farther."""
     region = contact.region_size
     limits = [(_OF_REGION * region, "a tenth of its region")]
-    gap = _gap(*session.sides_of(contact.name))
+    gap = session.rest_gap(contact.name)
     if gap > _NOTHING * region:
         limits.append((_OF_GAP * gap, f"half its gap of {gap:.2g} mm"))
     for part in (contact.source, contact.target):
@@ -71,14 +68,6 @@ def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
             limits.append((solid.thickness, f'the thickness of "{part}"'))
     limit, why = min(limits)
     return max(limit, _NOTHING * region), why
-
-
-def _gap(a: np.ndarray, b: np.ndarray) -> float:
-    """The median distance of vertices of one side (k, 3) from the nearest of the other, mm."""
-    few, many = sorted((a, b), key=len)
-    few = few[:: max(1, len(few) // _MOST_SAMPLES)]
-    nearest = [np.linalg.norm(many - place, axis=1).min() for place in few]
-    return float(np.median(nearest))
 
 
 def _loose(session: Preprocessed) -> Iterator[str]:

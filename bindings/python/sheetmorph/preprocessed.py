@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from .certificate import feature_edges
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 from .progress import Progress
@@ -17,6 +18,8 @@ from .recipe.found import Found
 from .recipe.model import Model, RegionEntry
 from .results import FeatureResult
 from .translation import Translator, kernel_faults
+
+_MOST_SAMPLES = 400
 
 
 class Preprocessed:
@@ -47,6 +50,8 @@ class Preprocessed:
         self._model = model
         self.meshes = {part.name: meshes[part.name] for part in model.parts}
         self._core = load_kernel()
+        self._rest_gaps: dict[str, float] = {}
+        self._feature_edges: dict[str, np.ndarray] = {}
         with kernel_faults(self._core):
             self._translator = Translator(self._core, model, self.meshes)
             assembly = self._translator.assembly()
@@ -118,6 +123,20 @@ class Preprocessed:
         """Indices (k,) of the vertices of a region of the model in its part."""
         return self._translator.indices(region)
 
+    def rest_gap(self, contact: str) -> float:
+        """The median distance at rest of the sides of a contact, mm."""
+        if contact not in self._rest_gaps:
+            self._rest_gaps[contact] = _gap(*self.sides_of(contact))
+        return self._rest_gaps[contact]
+
+    def feature_edges(self, name: str) -> np.ndarray:
+        """Edges (e, 2) of a form feature, as `certificate.feature_edges` tells them."""
+        if name not in self._feature_edges:
+            part = next(entry.part for entry in self._kernel.features if entry.name == name)
+            mesh = self.meshes[self.parts[part]]
+            self._feature_edges[name] = feature_edges(mesh, self.feature_vertices(name))
+        return self._feature_edges[name]
+
     @property
     def timings(self) -> dict[str, float]:
         """Seconds of pre-processing, stage by stage."""
@@ -163,3 +182,11 @@ class Preprocessed:
         if contact is not None and contact not in names:
             raise ValueError(f'there is no contact "{contact}"; names are {", ".join(names)}')
         return self._kernel.control_mesh(-1 if contact is None else names.index(contact), deformed)
+
+
+def _gap(a: np.ndarray, b: np.ndarray) -> float:
+    """The median distance of vertices of one side (k, 3) from the nearest of the other, mm."""
+    few, many = sorted((a, b), key=len)
+    few = few[:: max(1, len(few) // _MOST_SAMPLES)]
+    nearest = [np.linalg.norm(many - place, axis=1).min() for place in few]
+    return float(np.median(nearest))

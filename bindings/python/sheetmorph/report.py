@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .answer import Answer
-from .certificate import edge_error, feature_edges, tolerance
+from .certificate import edge_error, tolerance
 from .notes import notes_of, shape_notes
 from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
@@ -122,9 +122,8 @@ def _feature(
     files: Mapping[str, WrittenPart],
     rests: Mapping[str, np.ndarray],
 ) -> dict[str, Any]:
-    mesh = result.session.meshes[feature.part]
     vertices = result.session.feature_vertices(feature.name)
-    edges = feature_edges(mesh, vertices)
+    edges = result.session.feature_edges(feature.name)
 
     def error_of(positions: np.ndarray) -> float:
         return edge_error(rests[feature.part], positions, edges, feature.rotation)

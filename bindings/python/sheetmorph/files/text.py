@@ -110,6 +110,25 @@ class CoordinateText:
         pieces.append(self.data[done:])
         return b"".join(pieces)
 
+    def read_again(self, data: bytes) -> np.ndarray | None:
+        """(n, 3) coordinates of the same file with other numbers; None if anything else differs."""
+        spans = self.spans.reshape(-1, 2)
+        order = np.argsort(spans[:, 0], kind="stable")
+        numbers = []
+        done = place = 0
+        for begin, end in spans[order].tolist():
+            between = self.data[done:begin]
+            found = _NUMBER.match(data, place + len(between))
+            if found is None or not data.startswith(between, place):
+                return None
+            numbers.append(float(found.group()))
+            done, place = end, found.end()
+        if data[place:] != self.data[done:]:
+            return None
+        values = np.empty(len(spans))
+        values[order] = numbers
+        return values.reshape(-1, 3) if (np.abs(values) <= LARGEST).all() else None
+
 
 class TextPartFile(PartFile):
     """A text format whose coordinates are separate tokens: OBJ, OFF, ASCII PLY."""
@@ -122,7 +141,9 @@ class TextPartFile(PartFile):
         path.write_bytes(self._text.rewritten(positions))
 
     def stored_positions(self, path: Path) -> np.ndarray:
-        return type(self).read(path).mesh.points
+        # The file is what was written, so nothing but its numbers has to be understood again.
+        found = self._text.read_again(read_bytes(path))
+        return type(self).read(path).mesh.points if found is None else found
 
     @classmethod
     def read(cls, path: Path) -> TextPartFile:

@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import itertools
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from typing import Any
+
+import numpy as np
 
 from ..answer import Answer
 from ..thin import crossings
@@ -64,18 +67,24 @@ class Figures:
     @cached_property
     def _touching(self) -> int:
         """Pairs of triangles of different parts that meet, beyond those that do at rest."""
-        meshes = self._result.session.meshes
-        parts = list(meshes)
+        positions, meshes = self._result.positions, self._result.session.meshes
         found = 0
-        for k, one in enumerate(parts):
-            for other in parts[k + 1 :]:
-                rows = meshes[one].triangles, meshes[other].triangles
+        for one, other in _near(positions):
+            rows = meshes[one].triangles, meshes[other].triangles
+            met = touching(positions[one], rows[0], positions[other], rows[1])
+            if met:
                 rest = meshes[one].points, meshes[other].points
-                pose = self._result.positions[one], self._result.positions[other]
-                met = touching(pose[0], rows[0], pose[1], rows[1])
-                before = touching(rest[0], rows[0], rest[1], rows[1]) if met else 0
-                found += max(0, met - before)
+                found += max(0, met - touching(rest[0], rows[0], rest[1], rows[1]))
         return found
+
+
+def _near(positions: Mapping[str, np.ndarray]) -> Iterator[tuple[str, str]]:
+    """The pairs of parts whose boxes meet."""
+    boxes = {name: (at.min(axis=0), at.max(axis=0)) for name, at in positions.items()}
+    for one, other in itertools.combinations(boxes, 2):
+        low, high = (np.stack([boxes[name][k] for name in (one, other)]) for k in (0, 1))
+        if (low.max(axis=0) <= high.min(axis=0)).all():
+            yield one, other
 
 
 def _of(entries: list[dict[str, Any]], key: str, part: str) -> list[dict[str, Any]]:

@@ -200,6 +200,8 @@ class _Run:
             "seconds_of_workers": spent,
             "seconds_of_kernel": kernel,
             "share_not_of_kernel": 1.0 - kernel / spent if spent else 0.0,
+            "cpu_seconds_of_workers": sum(cost.cpu for cost in self._costs),
+            "cpu_seconds_of_kernel": sum(cost.kernel_cpu for cost in self._costs),
         }
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import time
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
@@ -47,20 +48,36 @@ class Task:
 
 @dataclass(frozen=True)
 class Cost:
-    """Seconds of one variant, and of them those that the kernel took."""
+    """Seconds of one variant, and of them those that the kernel took; by the clock, and of all
+    cores together."""
 
     seconds: float = 0.0
     kernel: float = 0.0
+    cpu: float = 0.0
+    kernel_cpu: float = 0.0
+
+
+class _Watch:
+    """Adds up what the kernel takes."""
+
+    def __init__(self) -> None:
+        self.kernel = self.cpu = 0.0
+
+    @contextmanager
+    def kernel_works(self) -> Iterator[None]:
+        begin, cpu = time.perf_counter(), time.process_time()
+        yield
+        self.kernel += time.perf_counter() - begin
+        self.cpu += time.process_time() - cpu
 
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """A pre-processed recipe; seconds: that this took."""
+    """A pre-processed recipe."""
 
     session: Session
     parts: Parts
     measures: Measures
-    seconds: float
 
 
 class Workshop:
@@ -69,18 +86,19 @@ class Workshop:
     def __init__(self, plan: Plan):
         self.plan = plan
         self._bases: OrderedDict[str, _Base] = OrderedDict()
-        self._kernel = 0.0
+        self._watch = _Watch()
 
     def work(self, run: int, store: Store) -> Cost:
         """Compute a variant into its folder. What is wrong with it is in its row."""
-        begin = time.perf_counter()
-        self._kernel = 0.0
+        begin, cpu = time.perf_counter(), time.process_time()
+        self._watch = _Watch()
         values = self.plan.samples[run]
         row = Row(self.plan.hash_of(values), values, ERROR)
         with store.folder(run) as folder:
             row = self._row(row, folder)
             write_json(folder, {FILE: row.to_json()})
-        return Cost(time.perf_counter() - begin, self._kernel)
+        seconds, used = time.perf_counter() - begin, time.process_time() - cpu
+        return Cost(seconds, self._watch.kernel, used, self._watch.cpu)
 
     def result(self, values: Values) -> Result:
         """The exact answer for these values, without files. Raises RecipeError."""
@@ -140,9 +158,8 @@ class Workshop:
     def _computed(self, row: Row, folder: Path) -> Row:
         variant = self.plan.variant(row.parameters)
         base = self._base(variant)
-        begin = time.perf_counter()
-        result = base.session.deform(variant.pose)
-        self._kernel += time.perf_counter() - begin
+        with self._watch.kernel_works():
+            result = base.session.deform(variant.pose)
         report = self._write(result, base.parts, folder)
         figures = Figures(result, report)
         scene = Scene(result.positions, row.parameters, figures.figure)
@@ -182,7 +199,6 @@ class Workshop:
         while len(self._bases) >= _KEPT:
             self._bases.popitem(last=False)
         made = self._bases[variant.key] = self._preprocessed(variant)
-        self._kernel += made.seconds
         return made
 
     def _preprocessed(self, variant: Variant) -> _Base:
@@ -190,10 +206,9 @@ class Workshop:
         touched = {str(entry.steps[0]) for entry in plan.study.parameters if entry.steps}
         shared = not touched.intersection(_OWN_PARTS)
         parts = plan.parts if shared else prepare(variant.recipe, plan.folder)
-        begin = time.perf_counter()
-        session = Session(variant.recipe, parts.meshes, found=parts.found)
-        seconds = time.perf_counter() - begin
-        return _Base(session, parts, Measures(plan.study, session.model, parts.meshes), seconds)
+        with self._watch.kernel_works():
+            session = Session(variant.recipe, parts.meshes, found=parts.found)
+        return _Base(session, parts, Measures(plan.study, session.model, parts.meshes))
 
 
 def _live_report(result: Result) -> dict[str, Any]:
