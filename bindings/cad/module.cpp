@@ -2,6 +2,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/cad/writing/cad_writer.h"
 #include "arrays.h"
 
 #include <pybind11/functional.h>
@@ -147,6 +148,10 @@ void share_errors()
             {
                 raise("Cancelled", error);
             }
+            catch (const SolverError& error)
+            {
+                raise("SolverError", error);
+            }
         });
 }
 
@@ -206,6 +211,86 @@ void bind_readers(py::module_& module)
         "The same for the text of a BREP file; its parts are called name, or name.1, name.2, ...");
 }
 
+py::dict as_dict(const WorstAt& worst)
+{
+    py::dict found;
+    found["value"] = worst.value;
+    found["face"] = worst.face < 0 ? py::object(py::none()) : py::object(py::int_(worst.face));
+    found["place"] = to_numpy(worst.place);
+    return found;
+}
+
+py::dict as_dict(const CadMeasures& measures)
+{
+    py::dict found;
+    found["name"] = measures.name;
+    found["faces"] = measures.faces;
+    found["kept"] = measures.kept;
+    found["fitted_faces"] = measures.fitted_faces;
+    found["is_valid"] = measures.is_valid;
+    found["invalid_faces"] = measures.invalid_faces;
+    found["is_closed"] = measures.is_closed;
+    found["was_closed"] = measures.was_closed;
+    found["was_valid"] = measures.was_valid;
+    found["gap"] = as_dict(measures.gap);
+    found["distance"] = as_dict(measures.distance);
+    found["kink"] = as_dict(measures.kink);
+    found["edge_tolerance"] = measures.edge_tolerance;
+    found["edge_tolerance_read"] = measures.edge_tolerance_read;
+    found["vertex_tolerance"] = measures.vertex_tolerance;
+    found["far_faces"] = measures.far_faces;
+    py::list cylinders;
+    for (const KeptCylinder& one : measures.cylinders)
+        cylinders.append(py::make_tuple(one.face, one.before, one.wanted, one.after));
+    found["cylinders"] = cylinders;
+    return found;
+}
+
+CadFormat format_from(const std::string& name)
+{
+    if (name == "iges")
+        return CadFormat::iges;
+    if (name == "brep")
+        return CadFormat::brep;
+    if (name != "step")
+        throw InvalidInput("a CAD file is written as step, iges or brep, not " + name);
+    return CadFormat::step;
+}
+
+void bind_writer(py::module_& module)
+{
+    module.def(
+        "write_cad",
+        [](const CadModel& model, const py::list& of_parts, const std::string& path,
+           const py::dict& writing, const py::object& progress)
+        {
+            std::vector<Points> positions;
+            for (const py::handle& one : of_parts)
+                positions.push_back(points_from(one, "positions"));
+            CadWriting wanted;
+            wanted.path = path;
+            wanted.format = format_from(writing["format"].cast<std::string>());
+            wanted.tolerance = writing["tolerance"].cast<double>();
+            wanted.edge_tolerance = writing["edge_tolerance"].cast<double>();
+            const Progress reported = progress_from(progress);
+            std::vector<CadMeasures> measures;
+            {
+                const py::gil_scoped_release released;
+                measures = write_cad(model, positions, wanted, reported);
+            }
+            py::list found;
+            for (const CadMeasures& one : measures)
+                found.append(as_dict(one));
+            return found;
+        },
+        py::arg("model"), py::arg("positions"), py::arg("path"), py::arg("writing"),
+        py::arg("progress") = py::none(),
+        "Write the file that a CadModel was read of with its parts at positions, (n, 3) mm each. "
+        "writing: `format` step, iges or brep, `tolerance` and `edge_tolerance` in mm. Returns "
+        "what the file holds, read again: a dict a part. Raises InvalidInput, SolverError, "
+        "Cancelled.");
+}
+
 }  // namespace
 
 }  // namespace sheetmorph
@@ -219,4 +304,5 @@ PYBIND11_MODULE(_cad, module)
     sheetmorph::bind_feature(module);
     sheetmorph::bind_part(module);
     sheetmorph::bind_readers(module);
+    sheetmorph::bind_writer(module);
 }

@@ -123,6 +123,8 @@ def parser() -> argparse.ArgumentParser:
     run.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
     run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
     run.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
+    text = "write the parts of CAD files as STEP, too"
+    run.add_argument("--step", action="store_true", help=text)
     run.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
     run.add_argument("--json", action="store_true", help="print the report instead of a table")
     text = "write before.png and after.png beside the parts"
@@ -161,7 +163,8 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     with progress_on(sys.stderr, wanted.quiet) as progress:
         report = run(
             wanted.recipe, wanted.output, wanted.pose, wanted.report,
-            files=files, strict=wanted.strict, pictures=wanted.pictures, progress=progress,
+            files=files, strict=wanted.strict, pictures=wanted.pictures, step=wanted.step,
+            progress=progress,
         )  # fmt: skip
     if wanted.json:
         return _as_json(report)

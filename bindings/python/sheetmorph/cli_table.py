@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 # Rows of parts and of contacts; the rest is in the report.
@@ -15,6 +15,7 @@ def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[st
     lines = [] if is_quiet else [*_parts(report), *_contacts(report)]
     lines += [f"warning: {text}" for text in report["warnings"]]
     lines.append(f"{output}: {len(report['parts'])} part(s) written, {_rigid(report)}")
+    lines += _shapes(report)
     return lines + [
         f"{part['name']}: not reached by any motion, unchanged"
         for part in report["parts"]
@@ -40,6 +41,20 @@ def _parts(report: dict[str, Any]) -> list[str]:
             )
         )
     return [*_aligned(rows), *_more(len(parts), "parts")]
+
+
+def _shapes(report: dict[str, Any]) -> Iterator[str]:
+    """The CAD files that were written."""
+    shapes = [part["shape"] for part in report["parts"] if part["shape"] is not None]
+    for name in dict.fromkeys(shape["file"] for shape in shapes):
+        own = [shape for shape in shapes if shape["file"] == name]
+        bodies = {body["name"]: body for shape in own for body in shape["bodies"]}.values()
+        kept, fitted = (sum(body[key] for body in bodies) for key in ("kept", "fitted"))
+        off = max((body["distance"]["value"] for body in bodies), default=0.0)
+        yield (
+            f"{name}: {kept} face(s) kept, {fitted} fitted, at most {off:.2g} mm off the mesh, "
+            f"{own[0]['bytes'] / max(own[0]['bytes_before'], 1):.2g} times its size"
+        )
 
 
 def _contacts(report: dict[str, Any]) -> list[str]:

@@ -20,20 +20,23 @@ from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
 from .regions_report import region_entries
 from .results import FeatureResult
+from .shape_report import WrittenShapes, kink_notes, shape_failures, shape_report
 from .strain import worst_fold, worst_strain
 from .stretch import steel_report, stretch_report
-from .thin import thin_failures, thin_report
+from .thin import crossings, thin_failures, thin_report
 from .cautions import warnings_of
 
 
 @dataclass(frozen=True)
 class WrittenPart:
-    """A part's file read again: its name, (n, 3) stored positions, precision, notes."""
+    """A part's file read again: its name, (n, 3) stored positions, precision, notes; shapes: what
+    a CAD file holds that was written beside it."""
 
     file: str
     positions: np.ndarray
     precision: str
     notes: list[str]
+    shapes: WrittenShapes | None = None
 
 
 def report_schema() -> dict[str, Any]:
@@ -56,7 +59,7 @@ def make_report(
     parts = [part_report(result, name, files.get(name)) for name in session.parts]
     warnings = warnings_of(result, parts)
     failures = [*_torn(features, tol), *thin_failures(result, tol)]
-    failures += unsettled_failures({"parts": parts})
+    failures += [*unsettled_failures({"parts": parts}), *shape_faults(parts)]
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
@@ -77,7 +80,7 @@ def make_report(
         "order": session.order,
         "levels": session.levels,
         "unreached": session.unreached,
-        "notes": [*notes_of(session), *shape_notes(result, parts), *warnings],
+        "notes": [*notes_of(session), *shape_notes(result, parts), *_kinks(parts), *warnings],
         "warnings": warnings,
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
@@ -90,6 +93,25 @@ def unsettled_failures(report: Mapping[str, Any]) -> list[str]:
         f'"{part["name"]}": {part["unsettled"]}; turn its handles less, or take a finer mesh'
         for part in report["parts"]
         if part["unsettled"] is not None
+    ]
+
+
+def shape_faults(parts: list[dict[str, Any]]) -> list[str]:
+    """A sentence for everything in written CAD files that misses what was asked for."""
+    return [
+        text
+        for part in parts
+        if part["shape"] is not None
+        for text in shape_failures(part["name"], part["shape"], part["quality"]["flipped"])
+    ]
+
+
+def _kinks(parts: list[dict[str, Any]]) -> list[str]:
+    return [
+        text
+        for part in parts
+        if part["shape"] is not None
+        for text in kink_notes(part["name"], part["shape"])
     ]
 
 
@@ -163,7 +185,12 @@ def part_report(result: Answer, name: str, written: WrittenPart | None = None) -
         "preparation": mesh.preparation,
         "unsettled": result.unsettled.get(name),
         "file": None,
+        "shape": None,
     }
+    writing = next(part.write for part in result.session.model.parts if part.name == name)
+    if writing is not None:
+        shapes = None if written is None else written.shapes
+        report["shape"] = shape_report(writing, crossings(result, name), shapes)
     if written is not None:
         report["file"] = {
             "name": written.file,

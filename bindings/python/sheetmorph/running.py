@@ -10,23 +10,28 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from .errors import KernelError
 from .files import FileSet
+from .files.cad_writing import write_shapes
 from .pictures import Scene, before_and_after, draw
 from .places import Places
 from .progress import Progress
 from .recipe import filled, named_in, prepare, read_json
 from .recipe.parts import Source
-from .report import WrittenPart, make_report, unsettled_failures
+from .recipe.steps import with_step
+from .report import WrittenPart, make_report, shape_faults, unsettled_failures
 from .session import Result, Session
+from .shape_report import WrittenShapes
 
 
 class CertificateError(RuntimeError):
-    """A form feature lost its form, or a part is not solved to its end, or the warnings of a strict
-    run; ``report`` tells more."""
+    """A form feature lost its form, a part is not solved to its end, a shape cannot follow its
+    mesh, or the warnings of a strict run; ``report`` tells more."""
 
     def __init__(self, report: dict[str, Any]):
-        unsettled = unsettled_failures(report)
+        unsettled = [*unsettled_failures(report), *shape_faults(report["parts"])]
         rigid = [text for text in report["certificate"]["failures"] if text not in unsettled]
         if rigid:
             tol = report["tolerance"]
@@ -80,6 +85,7 @@ def run(
     files: FileSet | None = None,
     strict: bool = False,
     pictures: bool = False,
+    step: bool = False,
     progress: Progress | None = None,
 ) -> dict[str, Any]:
     """Deform the parts of a recipe file and write them under out_dir; returns the report.
@@ -88,12 +94,12 @@ def run(
     with one; report: path to write
     the report to; files: a new FileSet for the parts, whose ``committed`` tells, also after an
     interrupt, whether they were written; strict: the report's warnings are failures of the
-    certificate; pictures: before.png and after.png beside the parts; progress(fraction, task)
-    returns whether to go on. Raises RecipeError, FileError, KernelError, CertificateError,
-    PictureError, OSError; then no part is written.
+    certificate; pictures: before.png and after.png beside the parts; step: parts of CAD files are
+    written as STEP, too; progress(fraction, task) returns whether to go on. Raises RecipeError,
+    FileError, KernelError, CertificateError, PictureError, OSError; then no part is written.
     """
     path, out = Path(recipe_path), Path(out_dir)
-    morph = _Morph(path, Ways(strict, progress or _keep_going, pictures))
+    morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step))
     pose = _named_pose(morph.recipe, pose)
     pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
     with named_in(path):
@@ -108,11 +114,12 @@ def run(
 @dataclass(frozen=True)
 class Ways:
     """strict: warnings are failures of the certificate; progress: of the long steps; pictures: are
-    drawn beside the parts."""
+    drawn beside the parts; step: parts of CAD files are written as STEP, too."""
 
     strict: bool
     progress: Progress
     pictures: bool = False
+    step: bool = False
 
 
 class _Morph:
@@ -123,6 +130,7 @@ class _Morph:
         self._path, self._ways = path, ways
         begin = time.perf_counter()
         with named_in(path):
+            self.recipe = with_step(self.recipe) if ways.step else self.recipe
             self._parts = prepare(self.recipe, path.parent, ways.progress)
         self._timings = {"read": time.perf_counter() - begin}
         self._session: Session | None = None
@@ -131,6 +139,7 @@ class _Morph:
         """Where its files go. Raises RecipeError."""
         sources = self._parts.sources
         targets = [out / source.file.output_name for source in sources]
+        targets += [out / s.writing.name_for(s.file) for s in sources if s.writing is not None]
         places = Places(
             [self._path, *read, *(s.file.origin for s in sources)], out, targets, report
         )
@@ -153,11 +162,13 @@ class _Morph:
         result = self._session.deform(pose, progress=self._deforming)
         timings = {**self._timings, "deform": time.perf_counter() - begin}
         _certify(result, timings, places.report, self._ways.strict)
+        self._ways.progress(0.97, "writing")
         scenes = before_and_after(result) if self._ways.pictures else ()
         pictures = [
             (scene, places.out / name) for scene, name in zip(scenes, ("before.png", "after.png"))
         ]
-        return Writer(result, self._parts.sources, places, timings, pictures).write(files)
+        writer = Writer(result, self._parts.sources, places, timings, pictures, self._ways.progress)
+        return writer.write(files)
 
     def _deforming(self, fraction: float, task: str) -> bool:
         return self._ways.progress(0.95 + 0.04 * fraction, task)
@@ -179,6 +190,11 @@ def _certify(result: Result, timings: dict[str, float], report: Path | None, str
     found = make_report(result, None, timings)
     if found["certificate"]["passed"] and not (strict and found["warnings"]):
         return
+    _fail(found, report)
+
+
+def _fail(found: dict[str, Any], report: Path | None) -> None:
+    """Leave the report alone. Raises CertificateError."""
     if report is not None:
         with FileSet() as out:
             _put_report(out, report, found)
@@ -195,6 +211,7 @@ class Writer:
     places: Places
     timings: dict[str, float]
     pictures: list[tuple[Scene, Path]]
+    progress: Progress = _keep_going
 
     def write(self, files: FileSet) -> dict[str, Any]:
         """Returns the report."""
@@ -204,10 +221,13 @@ class Writer:
             with files:
                 out.mkdir(parents=True, exist_ok=True)
                 report = self._fill(files)
-                files.commit()
+                if report["certificate"]["passed"]:
+                    files.commit()
         finally:
             if not files.committed:
                 _remove_empty(new_folders)
+        if not files.committed:
+            _fail(report, self.places.report)
         return report
 
     def write_parts(self) -> dict[str, Any]:
@@ -237,10 +257,35 @@ class Writer:
         temporary = file.write_into(files, self.places.out / file.output_name, positions)
         with files.named(temporary):
             stored = source.placement.placed(file.stored_positions(temporary))
+        shapes = self._written_shapes(files, source, positions)
         return {
-            name: WrittenPart(file.output_name, stored[vertices], file.precision, list(file.notes))
+            name: WrittenPart(
+                file.output_name,
+                stored[vertices],
+                file.precision,
+                list(file.notes),
+                None if shapes is None else shapes.of_part(name),
+            )  # fmt: skip
             for name, vertices in source.members.items()
         }
+
+    def _written_shapes(
+        self, files: FileSet, source: Source, positions: np.ndarray
+    ) -> WrittenShapes | None:
+        """Write the shapes of a file besides its mesh; None if that is not wanted."""
+        file, writing = source.file, source.writing
+        if writing is None:
+            return None
+        name = writing.name_for(file)
+        temporary = files.temporary_for(self.places.out / name)
+
+        def progress(fraction: float, task: str) -> bool:
+            return self.progress(0.97 + 0.03 * fraction, task)
+
+        with files.named(temporary):
+            bodies = write_shapes(file, temporary, positions, writing, progress=progress)
+        sizes = file.path.stat().st_size, temporary.stat().st_size
+        return WrittenShapes(name, bodies, *sizes)
 
 
 def _remove_empty(folders: list[Path]) -> None:

@@ -5,7 +5,9 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
@@ -17,8 +19,19 @@ namespace sheetmorph
 namespace
 {
 
+// The faces of a shell that others became.
+void note_sewn(NamedShape& shell, const std::vector<TopoDS_Shape>& faces,
+               const BRepBuilderAPI_Sewing& sewing)
+{
+    TopTools_IndexedMapOfShape own;
+    TopExp::MapShapes(shell.shape, TopAbs_FACE, own);
+    for (const TopoDS_Shape& face : faces)
+        if (const TopoDS_Shape& made = sewing.Modified(face); own.Contains(made))
+            shell.sewn.emplace_back(face, made);
+}
+
 // Faces that lie side by side as shells with common edges.
-std::vector<TopoDS_Shape> sewn(const std::vector<TopoDS_Shape>& faces)
+std::vector<NamedShape> sewn(const std::vector<TopoDS_Shape>& faces)
 {
     Bnd_Box box;
     for (const TopoDS_Shape& face : faces)
@@ -29,52 +42,70 @@ std::vector<TopoDS_Shape> sewn(const std::vector<TopoDS_Shape>& faces)
         sewing.Add(face);
     sewing.Perform();
     const TopoDS_Shape& result = sewing.SewedShape();
-    std::vector<TopoDS_Shape> shells;
+    std::vector<NamedShape> shells;
+    const auto add = [&](const TopoDS_Shape& shape)
+    {
+        shells.emplace_back();
+        shells.back().shape = shape;
+        note_sewn(shells.back(), faces, sewing);
+    };
     for (TopExp_Explorer it(result, TopAbs_SHELL); it.More(); it.Next())
-        shells.push_back(it.Current());
+        add(it.Current());
     for (TopExp_Explorer it(result, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next())
     {
         TopoDS_Shell shell;
         BRep_Builder builder;
         builder.MakeShell(shell);
         builder.Add(shell, it.Current());
-        shells.push_back(shell);
+        add(shell);
     }
     return shells;
 }
 
-std::vector<TopoDS_Shape> bodies_in(const TopoDS_Shape& shape)
+std::vector<NamedShape> bodies_in(const TopoDS_Shape& shape)
 {
-    std::vector<TopoDS_Shape> bodies, faces;
+    std::vector<NamedShape> bodies;
+    std::vector<TopoDS_Shape> faces;
+    const auto add = [&](const TopoDS_Shape& body)
+    {
+        bodies.emplace_back();
+        bodies.back().shape = body;
+    };
     for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next())
-        bodies.push_back(it.Current());
+        add(it.Current());
     for (TopExp_Explorer it(shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next())
-        bodies.push_back(it.Current());
+        add(it.Current());
     for (TopExp_Explorer it(shape, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next())
         faces.push_back(it.Current());
     if (!faces.empty())
-        for (const TopoDS_Shape& shell : sewn(faces))
+        for (const NamedShape& shell : sewn(faces))
             bodies.push_back(shell);
     return bodies;
 }
 
 }  // namespace
 
-void BodyList::add(const TopoDS_Shape& shape, const std::string& name, const BodyName& body_name)
+void BodyList::add(const TopoDS_Shape& shape, const TopLoc_Location& placement,
+                   const std::string& name, const BodyName& body_name)
 {
-    const std::vector<TopoDS_Shape> found = bodies_in(shape);
+    std::vector<NamedShape> found = bodies_in(shape.Moved(placement));
     for (std::size_t k = 0; k < found.size(); ++k)
     {
         std::string full = name;
+        found[k].own_name = body_name ? body_name(found[k].shape) : "";
         if (found.size() > 1)
         {
-            const std::string own = body_name ? body_name(found[k]) : "";
+            const std::string& own = found[k].own_name;
             full += (full.empty() ? "" : ".") + (own.empty() ? std::to_string(k + 1) : own);
         }
-        else if (full.empty() && body_name)
-            full = body_name(found[k]);
-        bodies_.push_back({unique(full.empty() ? "part" : full), found[k], {}});
+        else if (full.empty())
+            full = found[k].own_name;
+        found[k].name = unique(full.empty() ? "part" : full);
+        found[k].placement = placement;
+        found[k].product = products_;
+        bodies_.push_back(std::move(found[k]));
     }
+    ++products_;
 }
 
 std::string BodyList::unique(const std::string& name)

@@ -4,11 +4,15 @@
 #include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace sheetmorph
 {
+
+struct ShapeMesh;
+struct CadSource;
 
 enum class SurfaceKind
 {
@@ -79,15 +83,17 @@ struct CadPart
     double deviation = 0.0;          //!< largest distance found between mesh and surfaces, mm
     std::vector<int> skipped_faces;  //!< faces that could not be meshed, ascending
     Convergence convergence = {};    //!< of the face whose meshing took most rounds, or did not end
+    std::shared_ptr<const ShapeMesh> known;  //!< shared by instances of one product
 };
 
 //! What a CAD file holds, placed as in its assembly; mm.
 struct CadModel
 {
     std::vector<CadPart> parts;
-    double edge = 0.0;        //!< what was meshed with, see CadMeshing
-    double deflection = 0.0;  //!< the same
-    double angle = 0.0;       //!< the same
+    double edge = 0.0;                        //!< what was meshed with, see CadMeshing
+    double deflection = 0.0;                  //!< the same
+    double angle = 0.0;                       //!< the same
+    std::shared_ptr<const CadSource> source;  //!< what was read, to be written with other shapes
 };
 
 }  // namespace sheetmorph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/cad_reader.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/cad_guard.h"
 #include "sheetmorph/cad/cad_shapes.h"
 #include "sheetmorph/cad/meshing/edge_discretisation.h"
 #include "sheetmorph/cad/meshing/part_mesher.h"
@@ -10,9 +11,6 @@
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
 #include <Eigen/Geometry>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Standard_Failure.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
@@ -23,50 +21,6 @@ namespace sheetmorph
 
 namespace
 {
-
-// OpenCASCADE tells the console what it does; nobody asked.
-class Silence
-{
-public:
-    Silence() : kept_(Message::DefaultMessenger()->Printers())
-    {
-        Message::DefaultMessenger()->ChangePrinters().Clear();
-    }
-    ~Silence() { Message::DefaultMessenger()->ChangePrinters() = kept_; }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
-
-private:
-    Message_SequenceOfPrinters kept_;
-};
-
-std::string ending_of(const std::string& path)
-{
-    const std::size_t dot = path.find_last_of('.');
-    std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
-std::string stem_of(const std::string& path)
-{
-    const std::size_t slash = path.find_last_of("/\\");
-    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-    return name.substr(0, name.find_last_of('.'));
-}
-
-std::vector<NamedShape> shapes_of(const std::string& path)
-{
-    const std::string ending = ending_of(path);
-    if (ending == "step" || ending == "stp")
-        return shapes_of_step(path);
-    if (ending == "iges" || ending == "igs")
-        return shapes_of_iges(path);
-    if (ending == "brep" || ending == "brp")
-        return shapes_of_brep(path, stem_of(path));
-    throw InvalidInput("it is no CAD file; use .step, .stp, .iges, .igs, .brep or .brp");
-}
 
 void check(const CadMeshing& meshing)
 {
@@ -165,9 +119,10 @@ TopoDS_Shape unplaced(const TopoDS_Shape& shape)
     return shape.Located(TopLoc_Location());
 }
 
-CadModel meshed(const std::vector<NamedShape>& shapes, const CadMeshing& wanted,
+CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& wanted,
                 const Progress& progress)
 {
+    const std::vector<NamedShape>& shapes = source->bodies;
     if (shapes.empty())
         throw InvalidInput("it holds no solid and no surface; export solids or surfaces");
     const CadMeshing meshing = with_defaults(wanted, shapes);
@@ -189,7 +144,7 @@ CadModel meshed(const std::vector<NamedShape>& shapes, const CadMeshing& wanted,
         progress.report(0.4 + 0.6 * (i - 1) / originals.Extent(), "meshing");
         made.push_back(mesh_part(originals(i), meshing));
     }
-    CadModel model{{}, meshing.edge, meshing.deflection, meshing.angle};
+    CadModel model{{}, meshing.edge, meshing.deflection, meshing.angle, source};
     for (const NamedShape& one : shapes)
     {
         const int index = originals.FindIndex(unplaced(one.shape));
@@ -205,41 +160,28 @@ CadModel meshed(const std::vector<NamedShape>& shapes, const CadMeshing& wanted,
     return model;
 }
 
-template <typename Work>
-auto guarded(Work&& work)
-{
-    const Silence silence;
-    try
-    {
-        return work();
-    }
-    catch (const Standard_Failure& failure)
-    {
-        const char* text = failure.GetMessageString();
-        throw InvalidInput(std::string("OpenCASCADE cannot read it (")
-                           + (text && *text ? text : failure.DynamicType()->Name())
-                           + "); repair it in the CAD system and export it again");
-    }
-}
+constexpr const char* unreadable = "OpenCASCADE cannot read it";
+constexpr const char* repair = "repair it in the CAD system and export it again";
 
 }  // namespace
 
 CadModel read_cad(const std::string& path, const CadMeshing& meshing, const Progress& progress)
 {
     check(meshing);
-    return guarded(
-        [&]
-        {
-            progress.report(0.0, "reading");
-            const std::vector<NamedShape> shapes = shapes_of(path);
-            return meshed(shapes, meshing, progress.part(0.4, 1.0));
-        });
+    return guarded(unreadable, repair,
+                   [&]
+                   {
+                       progress.report(0.0, "reading");
+                       const std::shared_ptr<CadSource> source = source_of_file(path);
+                       return meshed(source, meshing, progress.part(0.4, 1.0));
+                   });
 }
 
 CadModel read_brep(const std::string& text, const std::string& name, const CadMeshing& meshing)
 {
     check(meshing);
-    return guarded([&] { return meshed(shapes_of_brep_text(text, name), meshing, Progress()); });
+    return guarded(unreadable, repair,
+                   [&] { return meshed(source_of_brep_text(text, name), meshing, Progress()); });
 }
 
 }  // namespace sheetmorph

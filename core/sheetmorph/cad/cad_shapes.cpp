@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/cad_shapes.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/cad/body_list.h"
 #include "sheetmorph/cad/face_tags.h"
 
 #include <BRepTools.hxx>
@@ -11,19 +10,20 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepRepr_RepresentationItem.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
-#include <TDocStd_Document.hxx>
 #include <TransferBRep.hxx>
-#include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <set>
+#include <map>
 #include <sstream>
 
 namespace sheetmorph
@@ -32,53 +32,11 @@ namespace sheetmorph
 namespace
 {
 
-// A document of OpenCASCADE's own application, closed at the end.
-class Document
-{
-public:
-    Document() { XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document_); }
-    ~Document()
-    {
-        if (document_->IsOpened())
-            XCAFApp_Application::GetApplication()->Close(document_);
-    }
-    Document(const Document&) = delete;
-    Document& operator=(const Document&) = delete;
-
-    Handle(TDocStd_Document) & handle() { return document_; }
-
-private:
-    Handle(TDocStd_Document) document_;
-};
-
 std::string trimmed(const std::string& text)
 {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     const std::size_t last = text.find_last_not_of(" \t\r\n");
     return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-std::string name_of(const TDF_Label& label)
-{
-    Handle(TDataStd_Name) name;
-    if (!label.FindAttribute(TDataStd_Name::GetID(), name))
-        return "";
-    const TCollection_ExtendedString& text = name->Get();
-    std::string bytes(static_cast<std::size_t>(text.LengthOfCString()) + 1, '\0');
-    char* start = bytes.data();
-    bytes.resize(static_cast<std::size_t>(text.ToUTF8CString(start)));
-    return trimmed(bytes);
-}
-
-// OpenCASCADE calls what has no name after its type, a reference or itself.
-bool is_given(const std::string& name)
-{
-    static const std::set<std::string> types = {"",      "COMPOUND", "COMPSOLID", "SOLID",
-                                                "SHELL", "FACE",     "ASSEMBLY"};
-    for (const char* start : {"=>[", "Open CASCADE STEP translator"})
-        if (name.rfind(start, 0) == 0)
-            return false;
-    return types.count(name) == 0;
 }
 
 // The assembly a product stands in.
@@ -100,12 +58,11 @@ void collect(const TDF_Label& label, const Owner& owner, BodyList& list,
         here.placement = owner.placement * XCAFDoc_ShapeTool::GetLocation(label);
     }
     for (const TDF_Label& named : {label, product})
-        if (const std::string name = name_of(named); is_given(name))
+        if (const std::string name = name_of(named); is_given_name(name))
             here.name = name;
     if (!XCAFDoc_ShapeTool::IsAssembly(product))
     {
-        const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
-        list.add(shape.Located(here.placement * shape.Location()), here.name, body_name);
+        list.add(XCAFDoc_ShapeTool::GetShape(product), here.placement, here.name, body_name);
         return;
     }
     TDF_LabelSequence components;
@@ -114,16 +71,14 @@ void collect(const TDF_Label& label, const Owner& owner, BodyList& list,
         collect(components.Value(i), here, list, body_name);
 }
 
-std::vector<NamedShape> collected(Document& document, const BodyList::BodyName& body_name)
+void collect_all(CadSource& source, const BodyList::BodyName& body_name)
 {
-    const Handle(XCAFDoc_ShapeTool) tool =
-        XCAFDoc_DocumentTool::ShapeTool(document.handle()->Main());
     TDF_LabelSequence roots;
-    tool->GetFreeShapes(roots);
+    source.document.shapes()->GetFreeShapes(roots);
     BodyList list;
     for (int i = 1; i <= roots.Length(); ++i)
         collect(roots.Value(i), {}, list, body_name);
-    return list.bodies();
+    source.bodies = list.bodies();
 }
 
 // Needs a reader to exist: only that makes the parameter known.
@@ -133,19 +88,69 @@ void use_millimetres(const Reader&)
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
 }
 
+// The one unit of length of a file, by the name that OpenCASCADE's writers know.
+std::string unit_of(STEPControl_Reader& reader)
+{
+    static const std::map<std::string, std::string> known = {
+        {"INCH", "INCH"},     {"MILLIMETRE", "MM"}, {"METRE", "M"},
+        {"CENTIMETRE", "CM"}, {"KILOMETRE", "KM"},  {"FOOT", "FT"},
+        {"MILE", "MI"},       {"MICROMETRE", "UM"}, {"MILLI_INCH", "MIL"},
+    };
+    TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+    reader.FileUnits(lengths, angles, solid_angles);
+    std::string found = "MM";
+    for (int i = 1; i <= lengths.Length(); ++i)
+    {
+        std::string name = lengths.Value(i).ToCString();
+        std::transform(name.begin(), name.end(), name.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+        const auto unit = known.find(name);
+        if (unit == known.end() || (i > 1 && unit->second != found))
+            return "MM";
+        found = unit->second;
+    }
+    return found;
+}
+
+bool names_ap242(const std::string& path)
+{
+    std::string head(4096, ' ');
+    std::ifstream(path, std::ios::binary).read(head.data(), static_cast<int>(head.size()));
+    return head.find("AP242") != std::string::npos;
+}
+
+std::string ending_of(const std::string& path)
+{
+    const std::size_t dot = path.find_last_of('.');
+    std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+std::string stem_of(const std::string& path)
+{
+    const std::size_t slash = path.find_last_of("/\\");
+    const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+    return name.substr(0, name.find_last_of('.'));
+}
+
 }  // namespace
 
-std::vector<NamedShape> shapes_of_step(const std::string& path)
+std::shared_ptr<CadSource> source_of_step(const std::string& path)
 {
-    Document document;
+    const auto source = std::make_shared<CadSource>();
     STEPCAFControl_Reader reader;
     use_millimetres(reader);
     reader.SetColorMode(true);
-    reader.SetLayerMode(false);
+    reader.SetLayerMode(true);
     reader.SetNameMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
         throw InvalidInput("it is no STEP file, or a damaged one; export it again");
-    if (!reader.Transfer(document.handle()))
+    source->unit = unit_of(reader.ChangeReader());
+    source->is_ap242 = names_ap242(path);
+    Handle(TDocStd_Document) document = source->document.handle();
+    if (!reader.Transfer(document))
         throw InvalidInput("its shapes cannot be read; export it again as AP214 or AP242");
     const Handle(XSControl_TransferReader) transfer = reader.Reader().WS()->TransferReader();
     // The names of solids stand beside them, not in the document.
@@ -156,34 +161,36 @@ std::vector<NamedShape> shapes_of_step(const std::string& path)
             transfer->EntityFromShapeResult(unplaced, 1));
         return item.IsNull() || item->Name().IsNull() ? "" : trimmed(item->Name()->ToCString());
     };
-    std::vector<NamedShape> bodies = collected(document, name_of_body);
-    tag_faces(bodies, face_names_of(transfer),
-              XCAFDoc_DocumentTool::ColorTool(document.handle()->Main()));
-    return bodies;
+    collect_all(*source, name_of_body);
+    tag_faces(source->bodies, face_names_of(transfer),
+              XCAFDoc_DocumentTool::ColorTool(document->Main()));
+    return source;
 }
 
-std::vector<NamedShape> shapes_of_iges(const std::string& path)
+std::shared_ptr<CadSource> source_of_iges(const std::string& path)
 {
-    Document document;
+    const auto source = std::make_shared<CadSource>();
     IGESCAFControl_Reader reader;
     use_millimetres(reader);
-    reader.SetColorMode(false);
-    reader.SetLayerMode(false);
+    reader.SetColorMode(true);
+    reader.SetLayerMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
         throw InvalidInput("it is no IGES file, or a damaged one; export it again");
-    if (!reader.Transfer(document.handle()))
+    Handle(TDocStd_Document) document = source->document.handle();
+    if (!reader.Transfer(document))
         throw InvalidInput("its shapes cannot be read; export it again, surfaces as trimmed ones");
-    return collected(document, {});
+    collect_all(*source, {});
+    return source;
 }
 
-std::vector<NamedShape> shapes_of_brep(const std::string& path, const std::string& name)
+std::shared_ptr<CadSource> source_of_brep(const std::string& path, const std::string& name)
 {
     std::ostringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();
-    return shapes_of_brep_text(text.str(), name);
+    return source_of_brep_text(text.str(), name);
 }
 
-std::vector<NamedShape> shapes_of_brep_text(const std::string& text, const std::string& name)
+std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const std::string& name)
 {
     // The reader looks for these words, and prints when it does not find them.
     const std::string head = text.substr(0, 4096);
@@ -193,9 +200,25 @@ std::vector<NamedShape> shapes_of_brep_text(const std::string& text, const std::
         BRepTools::Read(shape, stream, BRep_Builder());
     if (shape.IsNull())
         throw InvalidInput("it is no shape in BREP format, or a damaged one; export it again");
+    const auto source = std::make_shared<CadSource>();
+    const TDF_Label label = source->document.shapes()->AddShape(shape, false, false);
+    TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
     BodyList list;
-    list.add(shape, name, {});
-    return list.bodies();
+    list.add(shape, TopLoc_Location(), name, {});
+    source->bodies = list.bodies();
+    return source;
+}
+
+std::shared_ptr<CadSource> source_of_file(const std::string& path)
+{
+    const std::string ending = ending_of(path);
+    if (ending == "step" || ending == "stp")
+        return source_of_step(path);
+    if (ending == "iges" || ending == "igs")
+        return source_of_iges(path);
+    if (ending == "brep" || ending == "brp")
+        return source_of_brep(path, stem_of(path));
+    throw InvalidInput("it is no CAD file; use .step, .stp, .iges, .igs, .brep or .brp");
 }
 
 }  // namespace sheetmorph

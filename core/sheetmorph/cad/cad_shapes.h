@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <TopoDS_Shape.hxx>
+#include "sheetmorph/cad/body_list.h"
+#include "sheetmorph/cad/cad_document.h"
+
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace sheetmorph
 {
 
-//! What a file says of a face besides its surface; empty where it says nothing.
-struct FaceTag
+//! What was read of a CAD file: its solids and free shells in the order in which its assembly lists
+//! them, and the document with names, colours and layers that they stand in.
+struct CadSource
 {
-    std::string name;
-    std::string colour;  //!< "#rrggbb"
+    std::vector<NamedShape> bodies;  //!< lengths in mm, faces that belong to no shell sewn
+    CadDocument document;
+    std::string unit = "MM";  //!< of the lengths in the file, as OpenCASCADE names it
+    bool is_ap242 = false;    //!< the schema of a STEP file
 };
 
-//! A solid, or a shell that belongs to none, placed by its location.
-struct NamedShape
-{
-    std::string name;  //!< unique among those of a file
-    TopoDS_Shape shape;
-    std::vector<FaceTag> faces = {};  //!< in the order of TopExp::MapShapes, or none
-};
-
-//! The solids and free shells of a file; lengths in mm, faces that belong to no shell sewn.
 //! \throws InvalidInput if the file cannot be read
-std::vector<NamedShape> shapes_of_step(const std::string& path);
-std::vector<NamedShape> shapes_of_iges(const std::string& path);
-std::vector<NamedShape> shapes_of_brep(const std::string& path, const std::string& name);
+std::shared_ptr<CadSource> source_of_step(const std::string& path);
+std::shared_ptr<CadSource> source_of_iges(const std::string& path);
+std::shared_ptr<CadSource> source_of_brep(const std::string& path, const std::string& name);
 
 //! The same for the text of a BREP file.
-std::vector<NamedShape> shapes_of_brep_text(const std::string& text, const std::string& name);
+std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const std::string& name);
+
+//! The same by the ending of a path in UTF-8: .step .stp .iges .igs .brep .brp
+std::shared_ptr<CadSource> source_of_file(const std::string& path);
 
 }  // namespace sheetmorph

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ..files import unpacked_name
+from ..files.cad_writing import CadWriting
 from ..prepared_mesh import Wanted
 from .feature_entries import (
     RELATIONS,
@@ -50,7 +51,8 @@ class PartEntry:
     entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
     thin: "auto" if it is solved as a thin solid where it is one, "yes" if it must be one, "" if it
     is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh; placement:
-    from the coordinates of the file, in mm, to those of the assembly; sheet: as `steel`.
+    from the coordinates of the file, in mm, to those of the assembly; sheet: as `steel`; write: how
+    its shapes are written besides, None if they are not.
     """
 
     where: str
@@ -64,6 +66,7 @@ class PartEntry:
     wanted: Wanted = Wanted()
     placement: Placement = Placement()
     sheet: Sheet = Sheet()
+    write: CadWriting | None = None
 
     @property
     def stem(self) -> str:
@@ -233,6 +236,7 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
         where, name, file, mode, split, entry.get("mesh"), *_thin(entry), wanted=_wanted(entry),
         placement=_placement(entry.get("placement") or {}),
         sheet=Sheet(float(entry.get("thickness") or 0.0), float(entry.get("poisson", 0.3))),
+        write=_write(entry),
     )  # fmt: skip
 
 
@@ -251,6 +255,16 @@ def _wanted(entry: dict[str, Any]) -> Wanted:
         remesh.get("edge"),
         remesh.get("rims", "polygon"),
         entry.get("scale", 1.0),
+    )
+
+
+def _write(entry: dict[str, Any]) -> CadWriting | None:
+    if "write" not in entry:
+        return None
+    return CadWriting(
+        entry["write"],
+        float(entry.get("write_tolerance", CadWriting.tolerance)),
+        float(entry.get("write_edge_tolerance", CadWriting.edge_tolerance)),
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..errors import Fault, FileError
 from ..files import PartFile, is_cad, output_name, read_part
+from ..files.cad_writing import CadWriting
 from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
 from ..progress import Progress
@@ -21,11 +22,15 @@ from .splitting import SplitError, part_of, split_triangles
 
 @dataclass
 class Source:
-    """A file and the parts in it: name -> indices (k,) of their vertices in the file."""
+    """A file and the parts in it: name -> indices (k,) of their vertices in the file.
+
+    writing: how its shapes are written besides its mesh, None if they are not.
+    """
 
     file: PartFile
     placement: Placement = Placement()
     members: dict[str, np.ndarray] = field(default_factory=dict)
+    writing: CadWriting | None = None
 
     def positions(self, of_parts: dict[str, np.ndarray]) -> np.ndarray:
         """Positions (n, 3) of the whole file as it stands there; vertices of no part, and those
@@ -53,7 +58,7 @@ class Parts:
 
     def add(self, entry: PartEntry, file: PartFile) -> None:
         """Put the part, or the parts, of a file in."""
-        source = Source(file, entry.placement)
+        source = Source(file, entry.placement, writing=entry.write)
         whole = entry.placement.placed_mesh(file.mesh)
         if not entry.split:
             source.members[entry.name] = np.arange(len(file.mesh.points))
@@ -87,6 +92,7 @@ def read_parts(
         if entry.meshing and not is_cad(entry.file):
             what = "only CAD files are meshed"
             parts.faults.append(Fault(f"{entry.where}.mesh", what, "leave it out"))
+        parts.faults += _write_faults(entry)
         try:
             meshing = entry.meshing if is_cad(entry.file) else None
             file = read_part(Path(base) / entry.file, meshing)
@@ -97,6 +103,20 @@ def read_parts(
             parts.unread += [f"{entry.stem}/"] if entry.split else []
     parts.faults += _clashes(entries)
     return parts
+
+
+def _write_faults(entry: PartEntry) -> list[Fault]:
+    """Shapes are carried by the mesh that was made of them, and only by that."""
+    if entry.write is None:
+        return []
+    where = f"{entry.where}.write"
+    if not is_cad(entry.file):
+        what = f'"{entry.file}" is no CAD file, and its mesh is no shape'
+        return [Fault(where, what, "leave it out, or take the CAD file of the part")]
+    if entry.wanted:
+        what = "a part after scale, weld or remesh has another mesh than the one of its shape"
+        return [Fault(where, what, 'leave those out; "mesh" says how finely a shape is meshed')]
+    return []
 
 
 def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> PartFile:

@@ -76,6 +76,7 @@ SharedVertices::SharedVertices(const TopoDS_Shape& shape)
     count_ = vertices_.Extent();
     first_.assign(static_cast<std::size_t>(edges_.Extent()), 0);
     pieces_.assign(first_.size(), 0);
+    parameters_.resize(first_.size());
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
         for (TopExp_Explorer it(faces.Current(), TopAbs_EDGE); it.More(); it.Next())
         {
@@ -86,6 +87,8 @@ SharedVertices::SharedVertices(const TopoDS_Shape& shape)
                 continue;
             pieces_[index] = polygon->NbNodes();
             first_[index] = count_;
+            for (int i = 1; polygon->HasParameters() && i <= polygon->NbNodes(); ++i)
+                parameters_[index].push_back(polygon->Parameter(i));
             count_ += BRep_Tool::Degenerated(edge) ? 0 : polygon->NbNodes() - 2;
         }
 }

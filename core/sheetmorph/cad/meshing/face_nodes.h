@@ -27,6 +27,13 @@ public:
     VertexIds along(const TopoDS_Edge& edge, int wanted) const;
 
     const TopTools_IndexedMapOfShape& edges() const { return edges_; }
+    const TopTools_IndexedMapOfShape& vertices() const { return vertices_; }
+
+    //! The parameters along an edge, counted from 0, of the vertices that along() numbers.
+    const std::vector<double>& parameters(int edge) const
+    {
+        return parameters_[static_cast<std::size_t>(edge)];
+    }
 
 private:
     int number_of(const TopoDS_Vertex& vertex) const;
@@ -34,6 +41,7 @@ private:
     TopTools_IndexedMapOfShape vertices_, edges_;
     std::vector<int> first_;   // number of the first inner vertex of every edge
     std::vector<int> pieces_;  // vertices along every edge, 0 if it has no polygon
+    std::vector<std::vector<double>> parameters_;
     int count_ = 0;
 };
 

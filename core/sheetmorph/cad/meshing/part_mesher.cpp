@@ -3,6 +3,7 @@
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/meshing/face_nodes.h"
+#include "sheetmorph/cad/meshing/shape_mesh.h"
 #include "sheetmorph/cad/occt_surface.h"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -29,6 +30,7 @@ constexpr double recognition_tolerance = 1e-5;
 struct MeshedFace
 {
     std::vector<Vector3> points;
+    std::vector<Vector2> parameters;  // of the points; empty if unknown
     std::vector<std::array<int, 3>> triangles;
     std::vector<std::array<int, 2>> shared;  // (point, its number in SharedVertices)
     CadSurface surface;
@@ -39,9 +41,13 @@ struct MeshedFace
 void take(MeshedFace& face, const FaceMesh& mesh)
 {
     face.points.clear();
+    face.parameters.clear();
     face.triangles.clear();
     for (const FaceVertex& vertex : mesh.vertices())
+    {
         face.points.push_back(vertex.point);
+        face.parameters.push_back(vertex.uv);
+    }
     for (const FaceMesh::Triangle& triangle : mesh.triangles())
         if (triangle.is_alive())
             face.triangles.push_back(triangle.corner);
@@ -59,6 +65,8 @@ MeshedFace mesh_face(const TopoDS_Face& face, const SharedVertices& shared,
         made.points.push_back(vertex.point);
     if (!nodes.has_parameters || nodes.triangles.empty())
         return made;
+    for (const FaceVertex& vertex : nodes.vertices)
+        made.parameters.push_back(vertex.uv);
     const OcctSurface surface(face);
     for (FaceVertex& vertex : nodes.vertices)
         vertex.normal = surface_normal(surface, vertex.uv);
@@ -85,7 +93,10 @@ class Welder
 {
 public:
     Welder(const std::vector<MeshedFace>& faces, int shared_count)
-        : faces_(faces), sets_(shared_count), place_(static_cast<std::size_t>(shared_count), -1)
+        : faces_(faces),
+          sets_(shared_count),
+          place_(static_cast<std::size_t>(shared_count), -1),
+          on_face_(faces.size())
     {
         for (const MeshedFace& face : faces)
         {
@@ -115,6 +126,7 @@ public:
     }
 
     const std::vector<int>& face_of_triangle() const { return face_of_triangle_; }
+    const std::vector<VerticesOnFace>& on_face() const { return on_face_; }
 
 private:
     void add(int f)
@@ -144,6 +156,16 @@ private:
             triangles_.push_back(row);
             face_of_triangle_.push_back(f);
         }
+        for (std::size_t point = 0; point < face.parameters.size(); ++point)
+        {
+            const int placed =
+                number[point] < 0 ? vertex[point] : place_[static_cast<std::size_t>(number[point])];
+            if (placed < 0)
+                continue;
+            VerticesOnFace& here = on_face_[static_cast<std::size_t>(f)];
+            here.vertices.push_back(placed);
+            here.parameters.push_back(face.parameters[point]);
+        }
     }
 
     const std::vector<MeshedFace>& faces_;
@@ -152,6 +174,7 @@ private:
     std::vector<Vector3> points_;
     std::vector<std::array<int, 3>> triangles_;
     std::vector<int> face_of_triangle_;
+    std::vector<VerticesOnFace> on_face_;
 };
 
 std::vector<CadCircle> circles_of(const SharedVertices& shared, Welder& welder)
@@ -179,6 +202,30 @@ std::vector<CadCircle> circles_of(const SharedVertices& shared, Welder& welder)
         circles.push_back(found);
     }
     return circles;
+}
+
+// The vertices along every edge, and those at its ends.
+void note_edges(ShapeMesh& known, const SharedVertices& shared, Welder& welder)
+{
+    known.edges = shared.edges();
+    known.on_edge.resize(static_cast<std::size_t>(known.edges.Extent()));
+    for (int i = 1; i <= known.edges.Extent(); ++i)
+    {
+        const TopoDS_Edge& edge = TopoDS::Edge(known.edges(i));
+        const std::vector<double>& parameters = shared.parameters(i - 1);
+        VerticesOnEdge& here = known.on_edge[static_cast<std::size_t>(i - 1)];
+        if (!BRep_Tool::Degenerated(edge))
+            for (const int number : shared.along(edge, static_cast<int>(parameters.size())))
+                here.vertices.push_back(welder.place(number));
+        const auto end = here.vertices.end();
+        if (std::find(here.vertices.begin(), end, -1) != end)
+            here.vertices.clear();
+        if (!here.vertices.empty())
+            here.parameters = parameters;
+    }
+    known.vertices = shared.vertices();
+    for (int i = 0; i < known.vertices.Extent(); ++i)
+        known.on_vertex.push_back(welder.place(i));
 }
 
 bool has_no_border(const Triangles& triangles)
@@ -212,6 +259,14 @@ TriangleMesh turned_over(const TriangleMesh& mesh)
     Triangles triangles = mesh.triangles();
     triangles.col(1).swap(triangles.col(2));
     return {mesh.points(), triangles};
+}
+
+std::shared_ptr<const ShapeMesh> with_mesh(ShapeMesh known, const CadPart& part)
+{
+    known.rest = part.mesh.points();
+    known.triangles = part.mesh.triangles();
+    known.face_of_triangle = part.face_of_triangle;
+    return std::make_shared<const ShapeMesh>(std::move(known));
 }
 
 }  // namespace
@@ -249,6 +304,9 @@ CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing)
     part.is_closed = part.mesh.triangle_count() > 0 && has_no_border(part.mesh.triangles());
     if (part.is_closed && signed_volume(part.mesh) < 0)
         part.mesh = turned_over(part.mesh);
+    ShapeMesh known{shape, shapes, {}, {}, welder.on_face(), {}, {}, {}, {}, {}};
+    note_edges(known, shared, welder);
+    part.known = with_mesh(std::move(known), part);
     return part;
 }
 

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A CAD file written once more, its shapes carried to where their meshes are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import FileError
+from ..kernel import load_cad
+from ..progress import Progress
+from .cad_file import CadFile
+from .part_file import PartFile
+
+_ENDINGS = {
+    "step": (".step", ".stp"),
+    "iges": (".iges", ".igs"),
+    "brep": (".brep", ".brp"),
+}
+
+
+@dataclass(frozen=True)
+class CadWriting:
+    """How shapes are written. format: "step", "iges", "brep"; tolerance: of faces from the deformed
+    mesh; edge_tolerance: between edges and their faces; both mm."""
+
+    format: str
+    tolerance: float = 0.01
+    edge_tolerance: float = 0.0005
+
+    def name_for(self, file: PartFile) -> str:
+        """The file's own name if it has this format, else with the ending of this format."""
+        endings = _ENDINGS[self.format]
+        own = file.path.suffix.lower() in endings
+        return file.path.name if own else file.path.stem + endings[0]
+
+
+def write_shapes(
+    file: CadFile,
+    path: Path,
+    positions: np.ndarray,
+    writing: CadWriting,
+    *,
+    progress: Progress | None = None,
+) -> list[dict[str, Any]]:
+    """Write the file's shapes at (n, 3) positions of its mesh; what `path` holds then, read again.
+
+    One dict a body, in the file's order: see the kernel's write_cad. Raises FileError where the
+    shapes cannot be carried, RuntimeError of the kernel.
+    """
+    ends = np.cumsum([len(part.points) for part in file.model.parts])
+    of_bodies = np.split(np.ascontiguousarray(positions, dtype=np.float64), ends[:-1])
+    wanted = {
+        "format": writing.format,
+        "tolerance": writing.tolerance,
+        "edge_tolerance": writing.edge_tolerance,
+    }
+    try:
+        return load_cad().write_cad(
+            file.model, [np.ascontiguousarray(p) for p in of_bodies], str(path.absolute()), wanted,
+            progress,
+        )  # fmt: skip
+    except ValueError as error:
+        what, _, todo = str(error).rpartition("; ")
+        raise FileError(path, what or todo, todo if what else "look at the part") from None

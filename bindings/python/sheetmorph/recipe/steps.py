@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`run --step`: what a recipe would say if every part of a CAD file were written as STEP."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..errors import Fault, RecipeError
+from ..files import is_cad
+
+
+def with_step(recipe: Any) -> Any:
+    """The recipe with `"write": "step"` in every entry of a CAD file that has none.
+
+    Raises RecipeError if there is no such entry.
+    """
+    entries = recipe.get("parts") if isinstance(recipe, dict) else None
+    if not isinstance(entries, list):
+        return recipe
+    asked = [_asked(entry) for entry in entries]
+    if not any(isinstance(entry, dict) and "write" in entry for entry in asked):
+        what = "no part of the recipe is in a CAD file"
+        raise RecipeError([Fault("--step", what, "leave it out: meshes are written as meshes")])
+    return {**recipe, "parts": asked}
+
+
+def _asked(entry: Any) -> Any:
+    file = entry.get("file") if isinstance(entry, dict) else None
+    if not isinstance(file, str) or not is_cad(file):
+        return entry
+    return {"write": "step", **entry}

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a written CAD file holds of a part, for the report, and what of it is not good enough."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+from .errors import list_ids
+from .files.cad_writing import CadWriting
+
+# Beyond it a kink is told, degrees; how far the radius of a kept cylinder may be off, mm.
+KINK, RADIUS = 0.1, 1e-9
+
+
+@dataclass(frozen=True)
+class WrittenShapes:
+    """The shapes of one part in a written CAD file. bodies: as write_shapes() answers; bytes_read,
+    bytes_written: sizes of the file that was read and of this one."""
+
+    file: str
+    bodies: list[dict[str, Any]]
+    bytes_read: int
+    bytes_written: int
+
+    def of_part(self, name: str) -> WrittenShapes:
+        """Those of a part by its name: of a split file, one body."""
+        own = [body for body in self.bodies if name.endswith(f"/{body['name']}")]
+        is_split = len(own) == 1 and name.partition("/")[2] == own[0]["name"]
+        return replace(self, bodies=own) if is_split else self
+
+
+def shape_report(
+    writing: CadWriting, crossings: tuple[int, int], shapes: WrittenShapes | None
+) -> dict[str, Any]:
+    """The part's entry "shape" in the report.
+
+    crossings: pairs of triangles of its mesh that meet, at rest and deformed; shapes: None before
+    they are written.
+    """
+    return {
+        "format": writing.format,
+        "tolerance": writing.tolerance,
+        "edge_tolerance": writing.edge_tolerance,
+        "self_intersections": dict(zip(("rest", "deformed"), crossings)),
+        "file": None if shapes is None else shapes.file,
+        "bytes": None if shapes is None else shapes.bytes_written,
+        "bytes_before": None if shapes is None else shapes.bytes_read,
+        "bodies": [] if shapes is None else [_body(body) for body in shapes.bodies],
+    }
+
+
+def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[str]:
+    """A sentence for everything that is not as the recipe wants it; flipped: triangles of its mesh
+    that fold over."""
+    crossings = shape["self_intersections"]
+    if flipped or crossings["deformed"] > crossings["rest"]:
+        what = f"{flipped} triangles fold over" if flipped else "it passes through itself"
+        yield (
+            f'"{part}" cannot be written as {shape["format"].upper()}: its mesh folds ({what}), '
+            "and so would its faces; turn it less, or mesh it finer"
+        )
+        return
+    for body in shape["bodies"]:
+        lead = f'the {shape["format"].upper()} of "{part}"'
+        if body["name"] != part:
+            lead += f', "{body["name"]}"'
+        yield from (f"{lead}: {text}" for text in _body_failures(body, shape))
+
+
+def kink_notes(part: str, shape: dict[str, Any]) -> Iterator[str]:
+    """The kinks that were smooth before."""
+    for body in shape["bodies"]:
+        kink = body["kink"]
+        if kink["value"] > KINK:
+            yield (
+                f'the {shape["format"].upper()} of "{part}" has a kink of {kink["value"]:.2g} '
+                f"degrees at {_place(kink)} on face {kink['face']} of \"{body['name']}\", where "
+                "it was smooth: give a smaller write_edge_tolerance, or mesh it finer there"
+            )
+
+
+def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]:
+    if body["far_faces"]:
+        far, faces = body["distance"], _faces(body["far_faces"])
+        yield (
+            f"{faces} {_are(body['far_faces'])} up to {far['value']:.2g} mm off the deformed mesh, "
+            f"at {_place(far)}, beyond {shape['tolerance']:.3g} mm; mesh the part finer, or give "
+            "a larger write_tolerance"
+        )
+    if body["gap"]["value"] > shape["edge_tolerance"]:
+        yield (
+            f"face {body['gap']['face']} is {body['gap']['value']:.2g} mm off an edge, beyond "
+            f"{shape['edge_tolerance']:.3g} mm; mesh the part finer, or give a larger "
+            "write_edge_tolerance"
+        )
+    if not body["was_valid"]:
+        yield "it was no valid shape before it was deformed; repair it in the CAD system"
+    elif not body["is_valid"]:
+        named = f", {_faces(body['invalid_faces'])}" if body["invalid_faces"] else ""
+        yield f"it is no valid shape{named}; mesh the part finer, or turn it less"
+    if body["was_closed"] and not body["is_closed"]:
+        yield "it is not closed any more; mesh the part finer, or turn it less"
+    changed = [one for one in body["cylinders"] if not one["error"] <= RADIUS]
+    if changed:
+        worst = max(changed, key=lambda one: one["error"])
+        yield (
+            f"the cylinder of face {worst['face']} has a radius of {worst['after']:.12g} mm and "
+            f"not {worst['wanted']:.12g} mm; hold it in a form feature"
+        )
+
+
+def _body(body: dict[str, Any]) -> dict[str, Any]:
+    cylinders = [
+        {"face": face, "before": before, "wanted": wanted, "after": after,
+         "error": abs(after - wanted)}
+        for face, before, wanted, after in body["cylinders"]
+    ]  # fmt: skip
+    places = {key: _worst(body[key]) for key in ("distance", "gap", "kink")}
+    fitted = list(body["fitted_faces"])
+    rest = {key: value for key, value in body.items() if key != "fitted_faces"}
+    return {**rest, **places, "fitted": len(fitted), "fitted_faces": fitted, "cylinders": cylinders}
+
+
+def _worst(entry: dict[str, Any]) -> dict[str, Any]:
+    return {**entry, "place": [float(x) for x in entry["place"]]}
+
+
+def _place(worst: dict[str, Any]) -> str:
+    return "({})".format(", ".join(f"{x:.6g}" for x in worst["place"]))
+
+
+def _faces(faces: list[int]) -> str:
+    return f"{'face' if len(faces) == 1 else 'faces'} {list_ids(faces)}"
+
+
+def _are(faces: list[int]) -> str:
+    return "is" if len(faces) == 1 else "are"

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/carry/carried_shape.h"
+#include "sheetmorph/cad/carry/shape_builder.h"
+
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Between faces that keep their surfaces edges are as smooth as they were.
+void keep_continuity(const ShapeCarrier& carrier, ShapeBuilder& builder)
+{
+    const BRep_Builder change;
+    for (const CarriedEdge& edge : carrier.edges())
+    {
+        if (edge.uses.size() != 2 || edge.is_degenerated)
+            continue;
+        const CarriedFace& one = carrier.faces()[static_cast<std::size_t>(edge.uses[0].face)];
+        const CarriedFace& other = carrier.faces()[static_cast<std::size_t>(edge.uses[1].face)];
+        if (one.spline || other.spline
+            || !BRep_Tool::HasContinuity(edge.edge, one.face, other.face))
+            continue;
+        change.Continuity(TopoDS::Edge(builder.built(edge.edge)),
+                          TopoDS::Face(builder.built(one.face)),
+                          TopoDS::Face(builder.built(other.face)),
+                          BRep_Tool::Continuity(edge.edge, one.face, other.face));
+    }
+}
+
+}  // namespace
+
+CarriedShape carried_shape(const ShapeMesh& mesh, const Points& result,
+                           const CarryTolerances& tolerances, const Progress& progress)
+{
+    ShapeCarrier carrier(mesh, result, tolerances);
+    carrier.run(progress);
+    ShapeBuilder builder(carrier);
+    CarriedShape carried;
+    carried.shape = builder.built(mesh.shape);
+    keep_continuity(carrier, builder);
+    for (const CarriedFace& face : carrier.faces())
+        carried.is_kept.push_back(face.motion.has_value());
+    carried.gap = carrier.gap();
+    carried.image = builder.images();
+    return carried;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/carry/face_patch.h"
+#include "sheetmorph/cad/occt_surface.h"
+
+#include <Geom2dAdaptor_Curve.hxx>
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+Vector3 point_at(const Handle(Geom_Surface) & surface, double u, double v)
+{
+    return to_vector(surface->Value(u, v).XYZ());
+}
+
+// How far two opposite borders are from being one curve, mm.
+double distance_across(const SurfacePatch& patch, int direction)
+{
+    constexpr int samples = 8;
+    double worst = 0.0;
+    for (int i = 0; i <= samples; ++i)
+    {
+        Vector2 low = patch.low, high = patch.high;
+        low(1 - direction) = high(1 - direction) =
+            patch.low(1 - direction)
+            + i * (patch.high(1 - direction) - patch.low(1 - direction)) / samples;
+        worst = std::max(worst, (point_at(patch.surface, low(0), low(1))
+                                 - point_at(patch.surface, high(0), high(1)))
+                                    .norm());
+    }
+    return worst;
+}
+
+// Whether the borders of a patch that lie on one of its sides run all along it.
+bool is_along(const SurfacePatch& patch, const FaceBorder& border, int direction, double at)
+{
+    const double range = patch.high(direction) - patch.low(direction);
+    for (const double share : {0.0, 0.5, 1.0})
+    {
+        const gp_Pnt2d uv = border.curve->Value(border.low + share * (border.high - border.low));
+        if (std::abs((direction == 0 ? uv.X() : uv.Y()) - at) > 1e-7 * range)
+            return false;
+    }
+    return true;
+}
+
+// The rest of a surface that has ends is no part of it.
+void keep_inside(SurfacePatch& patch)
+{
+    double low_u = 0.0, high_u = 0.0, low_v = 0.0, high_v = 0.0;
+    patch.surface->Bounds(low_u, high_u, low_v, high_v);
+    const Vector2 low(low_u, low_v), high(high_u, high_v);
+    const std::array<bool, 2> is_periodic = {patch.surface->IsUPeriodic(),
+                                             patch.surface->IsVPeriodic()};
+    for (int k = 0; k < 2; ++k)
+        if (!is_periodic[static_cast<std::size_t>(k)])
+        {
+            patch.low(k) = std::max(patch.low(k), low(k));
+            patch.high(k) = std::min(patch.high(k), high(k));
+        }
+}
+
+// The box around borders. \returns whether they are straight
+bool put_around(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
+{
+    patch.low.setConstant(1e300);
+    patch.high.setConstant(-1e300);
+    bool is_straight = true;
+    for (const FaceBorder& border : borders)
+    {
+        constexpr int samples = 64;
+        for (int i = 0; i <= samples; ++i)
+        {
+            const gp_Pnt2d uv =
+                border.curve->Value(border.low + i * (border.high - border.low) / samples);
+            patch.low = patch.low.cwiseMin(Vector2(uv.X(), uv.Y()));
+            patch.high = patch.high.cwiseMax(Vector2(uv.X(), uv.Y()));
+        }
+        is_straight = is_straight && Geom2dAdaptor_Curve(border.curve).GetType() == GeomAbs_Line;
+    }
+    return is_straight;
+}
+
+// How many borders run along each side; one that is one point makes the side a pole.
+std::array<int, 4> borders_along(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
+{
+    std::array<int, 4> along{};
+    for (std::size_t side = 0; side < 4; ++side)
+        for (const FaceBorder& border : borders)
+        {
+            const int k = static_cast<int>(side / 2);
+            const double at = side % 2 == 0 ? patch.low(k) : patch.high(k);
+            if (!is_along(patch, border, k, at))
+                continue;
+            ++along[side];
+            patch.is_pole[side] = patch.is_pole[side] || border.is_degenerated;
+        }
+    return along;
+}
+
+}  // namespace
+
+SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
+                           const std::vector<FaceBorder>& borders)
+{
+    SurfacePatch patch;
+    patch.surface = surface;
+    const bool is_straight = put_around(patch, borders);
+    const std::array<int, 4> along = borders_along(patch, borders);
+    const Vector2 middle = 0.5 * (patch.low + patch.high);
+    const double size =
+        (point_at(surface, patch.low(0), patch.low(1)) - point_at(surface, middle(0), middle(1)))
+            .norm();
+    for (std::size_t k = 0; k < 2; ++k)
+        patch.is_closed[k] = along[2 * k] > 0 && along[2 * k + 1] > 0
+                             && distance_across(patch, static_cast<int>(k)) < 1e-4 * size;
+    if (is_straight)
+        return patch;
+    const Vector2 more = 0.002 * (patch.high - patch.low);
+    for (int k = 0; k < 2; ++k)
+    {
+        const auto side = static_cast<std::size_t>(2 * k);
+        if (along[side] == 0)
+            patch.low(k) -= more(k);
+        if (along[side + 1] == 0)
+            patch.high(k) += more(k);
+    }
+    keep_inside(patch);
+    return patch;
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/splines/face_spline.h"
+
+#include <Geom2d_Curve.hxx>
+
+namespace sheetmorph
+{
+
+//! An edge of a face, in the parameters of the face.
+struct FaceBorder
+{
+    Handle(Geom2d_Curve) curve;
+    double low = 0.0, high = 0.0;
+    bool is_degenerated = false;  //!< one point in space
+};
+
+//! The part of a surface that lies between borders; a bit more where they are curved.
+SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
+                           const std::vector<FaceBorder>& borders);
+
+}  // namespace sheetmorph

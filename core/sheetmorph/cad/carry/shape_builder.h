@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/carry/shape_carrier.h"
+
+#include <BRep_Builder.hxx>
+
+namespace sheetmorph
+{
+
+//! Builds a shape once more on what a ShapeCarrier made of its surfaces, curves and points. What
+//! was shared is shared, nothing has a location of its own, and the parameters stay.
+class ShapeBuilder
+{
+public:
+    explicit ShapeBuilder(const ShapeCarrier& carrier) : carrier_(carrier) {}
+
+    //! The new form of a part of the carrier's shape, or of the whole, oriented like it.
+    TopoDS_Shape built(const TopoDS_Shape& part);
+
+    //! All that was built, by what it was.
+    const TopTools_DataMapOfShapeShape& images() const { return images_; }
+
+private:
+    TopoDS_Shape made(const TopoDS_Shape& part);
+    TopoDS_Shape made_vertex(const TopoDS_Shape& part) const;
+    TopoDS_Shape made_edge(const TopoDS_Shape& part);
+    TopoDS_Shape made_face(const TopoDS_Shape& part);
+    TopoDS_Shape made_group(const TopoDS_Shape& part);
+    void add_parts(TopoDS_Shape& whole, const TopoDS_Shape& before);
+    void add_parameters(const TopoDS_Face& face, const CarriedFace& carried);
+
+    const ShapeCarrier& carrier_;
+    BRep_Builder builder_;
+    TopTools_DataMapOfShapeShape images_;
+};
+
+}  // namespace sheetmorph

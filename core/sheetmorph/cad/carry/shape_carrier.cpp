@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/carry/shape_carrier.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/cad/carry/face_patch.h"
+#include "sheetmorph/cad/carry/rigid_fit.h"
+#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/splines/surface_breaks.h"
+
+#include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <GeomAdaptor_Curve.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Of the size of a shape: what moves rigidly to within it is rigid.
+constexpr double rigid_share = 1e-9;
+
+Vector3 point_of(const gp_Pnt& point)
+{
+    return to_vector(point.XYZ());
+}
+
+bool is_line(const Handle(Geom_Curve) & curve)
+{
+    return GeomAdaptor_Curve(curve).GetType() == GeomAbs_Line;
+}
+
+// The parameters of the mesh, and more where it has few.
+std::vector<double> samples_between(const std::vector<double>& parameters)
+{
+    const int pieces = static_cast<int>(parameters.size()) - 1;
+    const int cuts = std::max(1, 4 / std::max(pieces, 1));
+    std::vector<double> found;
+    for (std::size_t i = 0; i + 1 < parameters.size(); ++i)
+        for (int cut = 0; cut < cuts; ++cut)
+            found.push_back(parameters[i] + cut * (parameters[i + 1] - parameters[i]) / cuts);
+    found.push_back(parameters.back());
+    return found;
+}
+
+VertexIds distinct(VertexIds vertices)
+{
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+}  // namespace
+
+Vector3 CarriedEdge::at(double t) const
+{
+    return point_of(curve->Value(t));
+}
+
+ShapeCarrier::ShapeCarrier(const ShapeMesh& mesh, const Points& result,
+                           const CarryTolerances& tolerances)
+    : mesh_(mesh), result_(result), tolerances_(tolerances)
+{
+    size_ = (mesh.rest.colwise().maxCoeff() - mesh.rest.colwise().minCoeff()).norm();
+    find_faces();
+    find_uses();
+    find_vertices();
+    find_edges();
+}
+
+Points ShapeCarrier::rows_of(const VertexIds& vertices, const Points& points) const
+{
+    Points rows(static_cast<Eigen::Index>(vertices.size()), 3);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        rows.row(static_cast<Eigen::Index>(i)) = points.row(vertices[i]);
+    return rows;
+}
+
+void ShapeCarrier::find_faces()
+{
+    for (int f = 0; f < mesh_.faces.Extent(); ++f)
+    {
+        CarriedFace found;
+        found.face = TopoDS::Face(mesh_.faces(f + 1));
+        const VerticesOnFace& known = mesh_.on_face[static_cast<std::size_t>(f)];
+        if (known.vertices.empty())
+            throw InvalidInput("face " + std::to_string(f)
+                               + " has no mesh to be carried by; repair it in the CAD system");
+        TopLoc_Location place;
+        const Handle(Geom_Surface) surface = BRep_Tool::Surface(found.face, place);
+        found.rest = Handle(Geom_Surface)::DownCast(surface->Transformed(place.Transformation()));
+        const VertexIds vertices = distinct(known.vertices);
+        found.motion = rigid_fit(rows_of(vertices, mesh_.rest), rows_of(vertices, result_),
+                                 rigid_share * size_, false);
+        if (found.motion)
+            found.surface = Handle(Geom_Surface)::DownCast(found.rest->Transformed(*found.motion));
+        faces_.push_back(std::move(found));
+    }
+}
+
+void ShapeCarrier::find_uses()
+{
+    edges_.resize(static_cast<std::size_t>(mesh_.edges.Extent()));
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+    {
+        const TopoDS_Shape face = faces_[f].face.Oriented(TopAbs_FORWARD);
+        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+        {
+            const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+            double low = 0.0, high = 0.0;
+            EdgeOnFace use;
+            use.face = static_cast<int>(f);
+            use.curve = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face), low, high);
+            CarriedEdge& found = edges_[static_cast<std::size_t>(mesh_.edges.FindIndex(edge) - 1)];
+            if (found.uses.empty())
+            {
+                found.low = low;
+                found.high = high;
+            }
+            if (!use.curve.IsNull())
+                found.uses.push_back(use);
+        }
+    }
+}
+
+void ShapeCarrier::find_vertices()
+{
+    std::vector<const gp_Trsf*> motions(static_cast<std::size_t>(mesh_.vertices.Extent()));
+    for (const CarriedFace& face : faces_)
+        if (face.motion)
+            for (TopExp_Explorer it(face.face, TopAbs_VERTEX); it.More(); it.Next())
+                motions[static_cast<std::size_t>(mesh_.vertices.FindIndex(it.Current()) - 1)] =
+                    &*face.motion;
+    for (int v = 0; v < mesh_.vertices.Extent(); ++v)
+    {
+        CarriedVertex found;
+        found.vertex = TopoDS::Vertex(mesh_.vertices(v + 1));
+        found.point = point_of(BRep_Tool::Pnt(found.vertex));
+        const auto i = static_cast<std::size_t>(v);
+        int near = mesh_.on_vertex[i];
+        if (near < 0)
+            (mesh_.rest.rowwise() - found.point.transpose())
+                .rowwise()
+                .squaredNorm()
+                .minCoeff(&near);
+        if (motions[i])
+            found.point = moved(found.point, *motions[i]);
+        else
+            found.point += (result_.row(near) - mesh_.rest.row(near)).transpose();
+        vertices_.push_back(found);
+    }
+}
+
+void ShapeCarrier::find_edges()
+{
+    for (int e = 0; e < mesh_.edges.Extent(); ++e)
+        find_edge(e);
+}
+
+void ShapeCarrier::find_edge(int index)
+{
+    CarriedEdge& found = edges_[static_cast<std::size_t>(index)];
+    const VerticesOnEdge& known = mesh_.on_edge[static_cast<std::size_t>(index)];
+    found.edge = TopoDS::Edge(mesh_.edges(index + 1));
+    TopoDS_Vertex first, last;
+    TopExp::Vertices(found.edge, first, last);
+    found.first = first.IsNull() ? -1 : mesh_.vertices.FindIndex(first) - 1;
+    found.last = last.IsNull() ? -1 : mesh_.vertices.FindIndex(last) - 1;
+    found.is_degenerated = BRep_Tool::Degenerated(found.edge);
+    found.samples =
+        samples_between(known.parameters.size() > 1 ? known.parameters
+                                                    : std::vector<double>{found.low, found.high});
+    if (found.is_degenerated)
+        return;
+    TopLoc_Location place;
+    double low = 0.0, high = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(found.edge, place, low, high);
+    if (curve.IsNull() || found.first < 0 || found.last < 0)
+        throw InvalidInput("edge " + std::to_string(index)
+                           + " has no curve; repair it in the CAD system");
+    found.low = low;
+    found.high = high;
+    found.rest = Handle(Geom_Curve)::DownCast(curve->Transformed(place.Transformation()));
+    if (known.parameters.empty())
+        found.samples = samples_between({low, high});
+    for (const EdgeOnFace& use : found.uses)
+        if (faces_[static_cast<std::size_t>(use.face)].motion)
+            found.motion = faces_[static_cast<std::size_t>(use.face)].motion;
+    if (!found.motion)
+    {
+        const VertexIds vertices = distinct(known.vertices);
+        found.motion = rigid_fit(rows_of(vertices, mesh_.rest), rows_of(vertices, result_),
+                                 rigid_share * size_, is_line(found.rest));
+    }
+    carry_edge(found, known);
+}
+
+void ShapeCarrier::carry_edge(CarriedEdge& edge, const VerticesOnEdge& known)
+{
+    if (edge.motion)
+    {
+        edge.curve = Handle(Geom_Curve)::DownCast(edge.rest->Transformed(*edge.motion));
+        return;
+    }
+    std::vector<double> parameters;
+    std::vector<Vector3> shifts;
+    const double least = 1e-9 * (edge.high - edge.low);
+    const auto add = [&](double t, const Vector3& there)
+    {
+        if (!parameters.empty() && t < parameters.back() + least)
+            return;
+        parameters.push_back(t);
+        shifts.push_back(there - point_of(edge.rest->Value(t)));
+    };
+    add(edge.low, vertices_[static_cast<std::size_t>(edge.first)].point);
+    for (std::size_t i = 1; i + 1 < known.parameters.size(); ++i)
+        if (known.parameters[i] < edge.high - least)
+            add(known.parameters[i], result_.row(known.vertices[i]).transpose());
+    add(edge.high, vertices_[static_cast<std::size_t>(edge.last)].point);
+    Points rows(static_cast<Eigen::Index>(shifts.size()), 3);
+    for (std::size_t i = 0; i < shifts.size(); ++i)
+        rows.row(static_cast<Eigen::Index>(i)) = shifts[i].transpose();
+    gp_Pnt here;
+    gp_Vec at_low, at_high;
+    edge.rest->D1(edge.low, here, at_low);
+    edge.rest->D1(edge.high, here, at_high);
+    const bool is_closed = edge.first == edge.last && at_low.Angle(at_high) < 1e-3;
+    const SplineCurve shift = curve_through(parameters, rows, is_closed);
+    const auto target = [&](double t) -> Vector3
+    { return point_of(edge.rest->Value(t)) + shift.at(t); };
+    const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
+    edge.curve = curve_near(target, start, 0.2 * tolerances_.edge).curve();
+}
+
+Vector3 ShapeCarrier::point(const EdgeOnFace& use, double t) const
+{
+    const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
+    const gp_Pnt2d uv = use.curve->Value(t);
+    if (face.spline)
+        return face.spline->point({uv.X(), uv.Y()});
+    return point_of(face.surface->Value(uv.X(), uv.Y()));
+}
+
+Vector3 ShapeCarrier::normal(const EdgeOnFace& use, double t) const
+{
+    const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
+    const gp_Pnt2d uv = use.curve->Value(t);
+    Eigen::Matrix<double, 3, 2> tangents;
+    if (face.spline)
+        tangents = face.spline->tangents({uv.X(), uv.Y()});
+    else
+    {
+        gp_Pnt here;
+        gp_Vec u, v;
+        (face.surface.IsNull() ? face.rest : face.surface)->D1(uv.X(), uv.Y(), here, u, v);
+        tangents.col(0) = to_vector(u.XYZ());
+        tangents.col(1) = to_vector(v.XYZ());
+    }
+    const Vector3 across = tangents.col(0).cross(tangents.col(1));
+    const double length = across.norm();
+    if (!(length > 1e-6 * tangents.col(0).norm() * tangents.col(1).norm()) || !(length > 0.0))
+        return Vector3::Zero();
+    return (face.face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0) / length * across;
+}
+
+SurfacePatch ShapeCarrier::patch_of(int face) const
+{
+    std::vector<FaceBorder> borders;
+    for (const CarriedEdge& edge : edges_)
+        for (const EdgeOnFace& use : edge.uses)
+            if (use.face == face)
+                borders.push_back({use.curve, edge.low, edge.high, edge.is_degenerated});
+    return surface_patch(faces_[static_cast<std::size_t>(face)].rest, borders);
+}
+
+void ShapeCarrier::collect_tracks(int face)
+{
+    for (const CarriedEdge& edge : edges_)
+        for (const EdgeOnFace& use : edge.uses)
+        {
+            if (use.face != face)
+                continue;
+            SurfaceTrack track;
+            track.uv = [curve = use.curve](double t)
+            {
+                const gp_Pnt2d uv = curve->Value(t);
+                return Vector2(uv.X(), uv.Y());
+            };
+            if (edge.is_degenerated)
+                track.target = [there = vertices_[static_cast<std::size_t>(edge.first)].point](
+                                   double) { return there; };
+            else
+                track.target = [&edge](double t) { return edge.at(t); };
+            track.parameters = edge.samples;
+            track.tolerance = 0.5 * tolerances_.edge;
+            track.is_point = edge.is_degenerated;
+            faces_[static_cast<std::size_t>(face)].targets.tracks.push_back(std::move(track));
+        }
+}
+
+void ShapeCarrier::collect_inner_places(int face)
+{
+    CarriedFace& found = faces_[static_cast<std::size_t>(face)];
+    std::vector<double> beside(static_cast<std::size_t>(result_.rows()), 0.0);
+    for (Eigen::Index t = 0; t < mesh_.triangles.rows(); ++t)
+        if (mesh_.face_of_triangle[static_cast<std::size_t>(t)] == face)
+            for (int k = 0; k < 3; ++k)
+            {
+                const int a = mesh_.triangles(t, k), b = mesh_.triangles(t, (k + 1) % 3);
+                const double length = (mesh_.rest.row(a) - mesh_.rest.row(b)).norm();
+                for (const int v : {a, b})
+                    beside[static_cast<std::size_t>(v)] =
+                        std::max(beside[static_cast<std::size_t>(v)], length);
+            }
+    for (TopExp_Explorer it(found.face, TopAbs_EDGE); it.More(); it.Next())
+        for (const int v :
+             mesh_.on_edge[static_cast<std::size_t>(mesh_.edges.FindIndex(it.Current()) - 1)]
+                 .vertices)
+            beside[static_cast<std::size_t>(v)] = 0.0;
+    const VerticesOnFace& known = mesh_.on_face[static_cast<std::size_t>(face)];
+    for (std::size_t i = 0; i < known.vertices.size(); ++i)
+        if (const double length = beside[static_cast<std::size_t>(known.vertices[i])]; length > 0.0)
+            found.targets.places.push_back({known.parameters[i],
+                                            result_.row(known.vertices[i]).transpose(), 1.0,
+                                            0.4 * tolerances_.surface, 0.4 * length});
+}
+
+void ShapeCarrier::run(const Progress& progress)
+{
+    constexpr int passes = 2;
+    for (CarriedEdge& edge : edges_)
+        if (edge.uses.size() == 2 && edge.uses[0].face != edge.uses[1].face && !edge.is_degenerated)
+        {
+            constexpr double smooth = 0.9999;  // the cosine of 0.8 degrees
+            edge.is_smooth = true;
+            for (const double share : {0.1, 0.5, 0.9})
+            {
+                const double t = edge.low + share * (edge.high - edge.low);
+                edge.is_smooth =
+                    edge.is_smooth && normal(edge.uses[0], t).dot(normal(edge.uses[1], t)) > smooth;
+            }
+        }
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+        if (!faces_[f].motion)
+        {
+            faces_[f].spline.emplace(patch_of(static_cast<int>(f)));
+            collect_tracks(static_cast<int>(f));
+            collect_inner_places(static_cast<int>(f));
+        }
+    fit_faces(false, progress.part(0.0, 0.4));
+    for (int pass = 0; pass < passes; ++pass)
+    {
+        find_normals();
+        fit_faces(true, progress.part(0.4 + 0.3 * pass, 0.7 + 0.3 * pass));
+    }
+    for (CarriedFace& face : faces_)
+        if (face.spline)
+            face.surface = face.spline->surface();
+    measure();
+}
+
+void ShapeCarrier::fit_faces(bool is_again, const Progress& progress)
+{
+    std::vector<Task> tasks;
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+        if (faces_[f].spline && (!is_again || !faces_[f].targets.normals.empty()))
+            tasks.push_back({"fitting face " + std::to_string(f), [this, f](const Progress& own)
+                             {
+                                 own.report(0.0, "fitting");
+                                 CarriedFace& face = faces_[f];
+                                 face.spline->fit(face.targets, 0.2 * tolerances_.surface);
+                             }});
+    run_tasks(tasks, progress);
+}
+
+void ShapeCarrier::find_normals()
+{
+    for (CarriedFace& face : faces_)
+        face.targets.normals.clear();
+    for (const CarriedEdge& edge : edges_)
+        if (edge.is_smooth)
+            add_normals(edge);
+}
+
+// Both faces take the normal between theirs, or that of the one that is kept.
+void ShapeCarrier::add_normals(const CarriedEdge& edge)
+{
+    const std::array<bool, 2> is_fitted = {
+        faces_[static_cast<std::size_t>(edge.uses[0].face)].spline.has_value(),
+        faces_[static_cast<std::size_t>(edge.uses[1].face)].spline.has_value()};
+    if (!is_fitted[0] && !is_fitted[1])
+        return;
+    constexpr int cuts = 4;
+    const std::size_t pieces = edge.samples.size() - 1;
+    for (std::size_t i = 0; i <= pieces * cuts; ++i)
+    {
+        const std::size_t piece = std::min(i / cuts, pieces - 1);
+        const double low = edge.samples[piece], high = edge.samples[piece + 1];
+        const double t = low + static_cast<double>(i - piece * cuts) / cuts * (high - low);
+        const Vector3 one = normal(edge.uses[0], t), other = normal(edge.uses[1], t);
+        Vector3 wanted = !is_fitted[0] ? one : !is_fitted[1] ? other : Vector3(one + other);
+        if (!(wanted.norm() > 0.5) || one.norm() == 0.0 || other.norm() == 0.0)
+            continue;
+        wanted.normalize();
+        const double spacing = 0.5 * (edge.at(low) - edge.at(high)).norm();
+        for (std::size_t k = 0; k < 2; ++k)
+            if (is_fitted[k])
+            {
+                CarriedFace& face = faces_[static_cast<std::size_t>(edge.uses[k].face)];
+                const gp_Pnt2d uv = edge.uses[k].curve->Value(t);
+                face.targets.normals.push_back({{uv.X(), uv.Y()}, wanted, spacing});
+            }
+    }
+}
+
+void ShapeCarrier::measure()
+{
+    for (CarriedEdge& edge : edges_)
+    {
+        measure_edge(edge);
+        measure_end(edge, true);
+        measure_end(edge, false);
+    }
+}
+
+void ShapeCarrier::measure_edge(CarriedEdge& edge)
+{
+    constexpr int most = 300;
+    constexpr double more = 1.02, least = 1e-7;  // between samples; no edge has less
+    edge.tolerance = edge.motion ? BRep_Tool::Tolerance(edge.edge) : least;
+    for (const EdgeOnFace& use : edge.uses)
+    {
+        if (!faces_[static_cast<std::size_t>(use.face)].spline)
+            continue;
+        for (int i = 0; i <= most; ++i)
+        {
+            const double t = edge.low + i * (edge.high - edge.low) / most;
+            const Vector3 here = edge.is_degenerated
+                                     ? vertices_[static_cast<std::size_t>(edge.first)].point
+                                     : edge.at(t);
+            const double distance = (point(use, t) - here).norm();
+            edge.tolerance = std::max(edge.tolerance, more * distance + 1e-8);
+            if (distance > gap_.value)
+                gap_ = {distance, use.face, here};
+        }
+    }
+}
+
+void ShapeCarrier::measure_end(const CarriedEdge& edge, bool is_low)
+{
+    const int index = is_low ? edge.first : edge.last;
+    if (index < 0)
+        return;
+    CarriedVertex& vertex = vertices_[static_cast<std::size_t>(index)];
+    double worst = edge.tolerance;
+    const double t = is_low ? edge.low : edge.high;
+    if (!edge.is_degenerated)
+        worst = std::max(worst, 1.02 * (edge.at(t) - vertex.point).norm() + 1e-8);
+    for (const EdgeOnFace& use : edge.uses)
+        worst = std::max(worst, 1.02 * (point(use, t) - vertex.point).norm() + 1e-8);
+    vertex.tolerance = std::max(vertex.tolerance, worst);
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/carry/carried_shape.h"
+#include "sheetmorph/cad/splines/face_spline.h"
+#include "sheetmorph/cad/splines/spline_curve.h"
+
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <gp_Trsf.hxx>
+#include <optional>
+
+namespace sheetmorph
+{
+
+//! A face on its way from rest to where its mesh is.
+struct CarriedFace
+{
+    TopoDS_Face face;
+    Handle(Geom_Surface) rest, surface;
+    std::optional<gp_Trsf> motion;     //!< of one that is kept
+    std::optional<FaceSpline> spline;  //!< of one that is fitted
+    SplineTargets targets;             //!< of the spline
+    double tolerance = 0.0;
+};
+
+//! An edge beside a face.
+struct EdgeOnFace
+{
+    int face = -1;
+    Handle(Geom2d_Curve) curve;  //!< in the parameters of the face
+};
+
+//! An edge on its way.
+struct CarriedEdge
+{
+    TopoDS_Edge edge;
+    bool is_degenerated = false;
+    double low = 0.0, high = 0.0;
+    int first = -1, last = -1;  //!< vertices
+    std::vector<EdgeOnFace> uses;
+    Handle(Geom_Curve) rest, curve;
+    std::optional<gp_Trsf> motion;
+    std::vector<double> samples;  //!< parameters, ascending, ends included
+    bool is_smooth = false;       //!< its two faces had one tangent plane at rest
+    double tolerance = 0.0;
+
+    Vector3 at(double t) const;
+};
+
+struct CarriedVertex
+{
+    TopoDS_Vertex vertex;
+    Vector3 point = Vector3::Zero();
+    double tolerance = 0.0;
+};
+
+//! The faces, edges and vertices of a shape on their way, in the order of its ShapeMesh.
+class ShapeCarrier
+{
+public:
+    //! \throws InvalidInput if a face has no mesh
+    ShapeCarrier(const ShapeMesh& mesh, const Points& result, const CarryTolerances& tolerances);
+
+    void run(const Progress& progress);
+
+    const ShapeMesh& mesh() const { return mesh_; }
+    const std::vector<CarriedFace>& faces() const { return faces_; }
+    const std::vector<CarriedEdge>& edges() const { return edges_; }
+    const std::vector<CarriedVertex>& vertices() const { return vertices_; }
+    const WorstAt& gap() const { return gap_; }
+
+private:
+    void find_faces();
+    void find_uses();
+    void find_edges();
+    void find_edge(int index);
+    void find_vertices();
+    void carry_edge(CarriedEdge& edge, const VerticesOnEdge& known);
+    SurfacePatch patch_of(int face) const;
+    void collect_tracks(int face);
+    void collect_inner_places(int face);
+    void fit_faces(bool is_again, const Progress& progress);
+    void find_normals();
+    void add_normals(const CarriedEdge& edge);
+    Vector3 normal(const EdgeOnFace& use, double t) const;
+    Vector3 point(const EdgeOnFace& use, double t) const;
+    void measure();
+    void measure_edge(CarriedEdge& edge);
+    void measure_end(const CarriedEdge& edge, bool is_low);
+    Points rows_of(const VertexIds& vertices, const Points& points) const;
+
+    const ShapeMesh& mesh_;
+    const Points& result_;
+    CarryTolerances tolerances_;
+    double size_ = 0.0;
+    std::vector<CarriedFace> faces_;
+    std::vector<CarriedEdge> edges_;
+    std::vector<CarriedVertex> vertices_;
+    WorstAt gap_;
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/base/types.h"
+
+namespace sheetmorph
+{
+
+//! A number that is worst somewhere.
+struct WorstAt
+{
+    double value = 0.0;
+    int face = -1;                    //!< counted from 0; -1 if there is none
+    Vector3 place = Vector3::Zero();  //!< mm
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/splines/face_spline.h"
+#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/splines/plate_system.h"
+#include "sheetmorph/cad/splines/span_choice.h"
+#include "sheetmorph/cad/splines/surface_breaks.h"
+
+#include <Eigen/Geometry>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Of the energy of a thin plate, beside places of weight 1.
+constexpr double plate_weight = 1e-6;
+// Of a tangent that is off by so many mm over one span, and of one across a seam.
+constexpr double tangent_weight = 100.0, seam_weight = 900.0;
+
+Vector2 scale_of(const SurfacePatch& patch)
+{
+    constexpr int samples = 6;
+    Vector2 length = Vector2::Zero();
+    for (int i = 0; i <= samples; ++i)
+        for (int j = 0; j <= samples; ++j)
+        {
+            gp_Pnt point;
+            gp_Vec along_u, along_v;
+            const double u = patch.low(0) + i * (patch.high(0) - patch.low(0)) / samples;
+            const double v = patch.low(1) + j * (patch.high(1) - patch.low(1)) / samples;
+            patch.surface->D1(u, v, point, along_u, along_v);
+            length += Vector2(along_u.Magnitude(), along_v.Magnitude());
+        }
+    length /= (samples + 1.0) * (samples + 1.0);
+    return length.cwiseMax(1e-12);
+}
+
+// Rows of derivatives at two places of every span, with which a thin plate's energy is integrated.
+void add_plate(PlateSystem& system, const CubicBasis& u, const CubicBasis& v, const Vector2& scale)
+{
+    const double gauss = 0.5 / std::sqrt(3.0);
+    const auto places = [&](const CubicBasis& basis)
+    {
+        std::vector<std::array<double, 2>> found;  // a place and the length of its span
+        for (int i = 0; i < basis.span_count(); ++i)
+        {
+            const double low = basis.ends()[static_cast<std::size_t>(i)];
+            const double length = basis.ends()[static_cast<std::size_t>(i + 1)] - low;
+            for (const double share : {0.5 - gauss, 0.5 + gauss})
+                found.push_back({low + share * length, length});
+        }
+        return found;
+    };
+    const auto in_v = places(v);
+    for (const auto& [at_u, length_u] : places(u))
+        for (const auto& [at_v, length_v] : in_v)
+        {
+            const double area = length_u * scale(0) * length_v * scale(1);
+            const double weight = 0.25 * plate_weight * area * area;
+            const auto add = [&](int du, int dv, double times)
+            {
+                const double lengths = std::pow(scale(0), 2 * du) * std::pow(scale(1), 2 * dv);
+                system.add(u.row(at_u, du), v.row(at_v, dv), Vector3::Zero(),
+                           times * weight / lengths);
+            };
+            add(2, 0, 1.0);
+            add(1, 1, 2.0);
+            add(0, 2, 1.0);
+        }
+}
+
+}  // namespace
+
+FaceSpline::FaceSpline(const SurfacePatch& patch)
+    : patch_(patch),
+      u_(patch.low(0), patch.high(0), surface_breaks(patch, 0)),
+      v_(patch.low(1), patch.high(1), surface_breaks(patch, 1)),
+      scale_(scale_of(patch))
+{
+    interpolate();
+    poles_ = base_;
+}
+
+void FaceSpline::interpolate()
+{
+    const std::vector<double> in_u = u_.greville(), in_v = v_.greville();
+    const int rows = u_.count(), columns = v_.count();
+    Eigen::MatrixXd values(rows, 3 * columns);
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j)
+        {
+            const gp_Pnt point = patch_.surface->Value(in_u[static_cast<std::size_t>(i)],
+                                                       in_v[static_cast<std::size_t>(j)]);
+            values.block<1, 3>(i, 3 * j) = to_vector(point.XYZ()).transpose();
+        }
+    const Eigen::MatrixXd across = u_.through(in_u, values);
+    Eigen::MatrixXd turned(columns, 3 * rows);
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j)
+            turned.block<1, 3>(j, 3 * i) = across.block<1, 3>(i, 3 * j);
+    const Eigen::MatrixXd poles = v_.through(in_v, turned);
+    base_.resize(rows * columns, 3);
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j)
+            base_.row(i * columns + j) = poles.block<1, 3>(j, 3 * i);
+}
+
+void FaceSpline::fit(const SplineTargets& targets, double tolerance)
+{
+    constexpr int most_rounds = 12;
+    const FaceSpline before = *this;
+    for (int round = 0;; ++round)
+    {
+        std::vector<SurfacePlace> places = targets.places;
+        for (const SurfaceTrack& track : targets.tracks)
+            add_places(track, places);
+        interpolate();
+        solve(places, targets.normals, before);
+        if (round == most_rounds)
+            return;
+        const SpanChoice choice(*this, places, targets.normals, tolerance);
+        if (!choice.is_any())
+            return;
+        u_ = u_.halved(choice.in_u());
+        v_ = v_.halved(choice.in_v());
+    }
+}
+
+// So many places that a surface cannot swing between them, however short its spans are.
+void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>& places) const
+{
+    constexpr double along = 30.0, at_end = 1000.0, to_a_span = 3.0;
+    constexpr int least = 3, most = 40;
+    const std::size_t pieces = track.parameters.size() - 1;
+    for (std::size_t i = 0; i < pieces; ++i)
+    {
+        const double low = track.parameters[i], high = track.parameters[i + 1];
+        const Vector2 here = track.uv(low), there = track.uv(high);
+        double spans = 0.0;
+        for (int k = 0; k < 2; ++k)
+            for (const Vector2& uv : {here, there, Vector2(0.5 * (here + there))})
+            {
+                const CubicBasis& basis = k == 0 ? u_ : v_;
+                const auto span = static_cast<std::size_t>(basis.span_of(uv(k)));
+                spans = std::max(spans, std::abs(there(k) - here(k))
+                                            / (basis.ends()[span + 1] - basis.ends()[span]));
+            }
+        const int cuts = std::clamp(static_cast<int>(to_a_span * spans) + 1, least, most);
+        const double length = (track.target(low) - track.target(high)).norm();
+        for (int cut = 0; cut < cuts + (i + 1 == pieces ? 1 : 0); ++cut)
+        {
+            const double t = low + cut * (high - low) / cuts;
+            const bool is_end = (i == 0 && cut == 0) || cut == cuts;
+            places.push_back({track.uv(t), track.target(t),
+                              is_end || track.is_point ? at_end : along, track.tolerance,
+                              0.5 * length});
+        }
+    }
+}
+
+void FaceSpline::solve(const std::vector<SurfacePlace>& places,
+                       const std::vector<SurfaceNormal>& normals, const FaceSpline& before)
+{
+    PlateSystem system(u_.count(), v_.count());
+    poles_ = base_;
+    for (const SurfacePlace& place : places)
+        system.add(u_.row(place.uv(0)), v_.row(place.uv(1)), place.target - point(place.uv),
+                   place.weight * place.weight);
+    for (const SurfaceNormal& one : normals)
+    {
+        const Eigen::Matrix<double, 3, 2> wrong = before.tangents(one.uv), own = tangents(one.uv);
+        for (int k = 0; k < 2; ++k)
+        {
+            const CubicBasis& basis = k == 0 ? u_ : v_;
+            const auto span = static_cast<std::size_t>(basis.span_of(one.uv(k)));
+            const double length = basis.ends()[span + 1] - basis.ends()[span];
+            const Vector3 wanted = wrong.col(k) - one.normal * one.normal.dot(wrong.col(k));
+            system.add(u_.row(one.uv(0), k == 0 ? 1 : 0), v_.row(one.uv(1), k == 1 ? 1 : 0),
+                       wanted - own.col(k), tangent_weight * length * length);
+        }
+    }
+    tie_seams(system);
+    add_plate(system, u_, v_, scale_);
+    poles_ = base_ + system.solution();
+    close();
+}
+
+// A surface is as smooth across a seam as anywhere.
+void FaceSpline::tie_seams(PlateSystem& system) const
+{
+    for (int k = 0; k < 2; ++k)
+        if (patch_.is_closed[static_cast<std::size_t>(k)])
+        {
+            const CubicBasis &across = k == 0 ? u_ : v_, &along = k == 0 ? v_ : u_;
+            const double length = across.ends()[1] - across.ends()[0];
+            for (const double place : along.greville())
+            {
+                const CubicBasis::Row here = along.row(place), low = across.row(across.low(), 1),
+                                      high = across.row(across.high(), 1);
+                const auto ordered =
+                    [&](const CubicBasis::Row& row) -> std::array<CubicBasis::Row, 2> {
+                    return k == 0 ? std::array{row, here} : std::array{here, row};
+                };
+                system.tie(ordered(low), ordered(high), seam_weight * length * length);
+            }
+        }
+}
+
+// Least squares leave what shall be one point or one curve nearly so.
+void FaceSpline::close()
+{
+    const int rows = u_.count(), columns = v_.count();
+    const auto pole = [&](int side, int place)
+    {
+        return side == 0   ? place
+               : side == 1 ? (rows - 1) * columns + place
+               : side == 2 ? place * columns
+                           : place * columns + columns - 1;
+    };
+    for (int side = 0; side < 4; ++side)
+    {
+        const int along = side < 2 ? columns : rows;
+        if (patch_.is_closed[static_cast<std::size_t>(side / 2)] && side % 2 == 0)
+            for (int i = 0; i < along; ++i)
+            {
+                const Eigen::RowVector3d middle =
+                    0.5 * (poles_.row(pole(side, i)) + poles_.row(pole(side + 1, i)));
+                poles_.row(pole(side, i)) = poles_.row(pole(side + 1, i)) = middle;
+            }
+    }
+    for (int side = 0; side < 4; ++side)
+        if (patch_.is_pole[static_cast<std::size_t>(side)])
+        {
+            const int along = side < 2 ? columns : rows;
+            Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+            for (int i = 0; i < along; ++i)
+                middle += poles_.row(pole(side, i)) / along;
+            for (int i = 0; i < along; ++i)
+                poles_.row(pole(side, i)) = middle;
+        }
+}
+
+Vector3 FaceSpline::sum(const CubicBasis::Row& u, const CubicBasis::Row& v) const
+{
+    Vector3 found = Vector3::Zero();
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            found += u.weights[static_cast<std::size_t>(i)] * v.weights[static_cast<std::size_t>(j)]
+                     * poles_.row((u.first + i) * v_.count() + v.first + j).transpose();
+    return found;
+}
+
+Vector3 FaceSpline::point(const Vector2& uv) const
+{
+    return sum(u_.row(uv(0)), v_.row(uv(1)));
+}
+
+Eigen::Matrix<double, 3, 2> FaceSpline::tangents(const Vector2& uv) const
+{
+    Eigen::Matrix<double, 3, 2> found;
+    found.col(0) = sum(u_.row(uv(0), 1), v_.row(uv(1)));
+    found.col(1) = sum(u_.row(uv(0)), v_.row(uv(1), 1));
+    return found;
+}
+
+Handle(Geom_BSplineSurface) FaceSpline::surface() const
+{
+    TColgp_Array2OfPnt points(1, u_.count(), 1, v_.count());
+    for (int i = 0; i < u_.count(); ++i)
+        for (int j = 0; j < v_.count(); ++j)
+        {
+            const auto row = poles_.row(i * v_.count() + j);
+            points.SetValue(i + 1, j + 1, gp_Pnt(row(0), row(1), row(2)));
+        }
+    const auto knots = [](const CubicBasis& basis)
+    {
+        TColStd_Array1OfReal found(1, basis.span_count() + 1);
+        for (int i = 1; i <= found.Length(); ++i)
+            found.SetValue(i, basis.ends()[static_cast<std::size_t>(i - 1)]);
+        return found;
+    };
+    const auto times = [](const CubicBasis& basis)
+    {
+        TColStd_Array1OfInteger found(1, basis.span_count() + 1);
+        for (int i = 1; i <= found.Length(); ++i)
+            found.SetValue(
+                i, static_cast<int>(std::count(basis.knots().begin(), basis.knots().end(),
+                                               basis.ends()[static_cast<std::size_t>(i - 1)])));
+        return found;
+    };
+    return new Geom_BSplineSurface(points, knots(u_), knots(v_), times(u_), times(v_), 3, 3);
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/meshing/face_mesh.h"
+#include "sheetmorph/cad/splines/cubic_basis.h"
+
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_Surface.hxx>
+#include <functional>
+
+namespace sheetmorph
+{
+
+class PlateSystem;
+
+//! A place that a carried surface goes through.
+struct SurfacePlace
+{
+    Vector2 uv = Vector2::Zero();
+    Vector3 target = Vector3::Zero();  //!< mm
+    double weight = 1.0;
+    double tolerance = 0.0;  //!< mm
+    double spacing = 0.0;    //!< to the next place, mm; spans are not much shorter
+};
+
+//! A curve that a carried surface goes through.
+struct SurfaceTrack
+{
+    std::function<Vector2(double)> uv;
+    std::function<Vector3(double)> target;  //!< mm
+    std::vector<double> parameters;         //!< ascending; both ends, and enough to know its form
+    double tolerance = 0.0;                 //!< mm
+    bool is_point = false;                  //!< in space
+};
+
+//! A place where a carried surface has a given normal, of length 1.
+struct SurfaceNormal
+{
+    Vector2 uv = Vector2::Zero();
+    Vector3 normal = Vector3::Zero();
+    double spacing = 0.0;
+};
+
+//! All that a carried surface is made of.
+struct SplineTargets
+{
+    std::vector<SurfacePlace> places;
+    std::vector<SurfaceTrack> tracks;
+    std::vector<SurfaceNormal> normals;
+};
+
+//! The part of a surface that a face lies on.
+struct SurfacePatch
+{
+    Handle(Geom_Surface) surface;
+    Vector2 low = Vector2::Zero(), high = Vector2::Zero();
+    //! Which of the four borders are one point: u low, u high, v low, v high.
+    std::array<bool, 4> is_pole = {};
+    //! Whether both borders in u, in v, are one curve.
+    std::array<bool, 2> is_closed = {};
+};
+
+//! A cubic spline surface: a surface and a displacement of it, over the same parameters.
+class FaceSpline
+{
+public:
+    //! The surface alone.
+    explicit FaceSpline(const SurfacePatch& patch);
+
+    //! Brings it as near to places and curves as their tolerances say, by least squares with a thin
+    //! plate's energy where nothing is known, and cuts spans where that fails.
+    //! \param tolerance  of what is interpolated of the surface itself, mm
+    void fit(const SplineTargets& targets, double tolerance);
+
+    Vector3 point(const Vector2& uv) const;
+    Eigen::Matrix<double, 3, 2> tangents(const Vector2& uv) const;
+
+    Handle(Geom_BSplineSurface) surface() const;
+
+private:
+    void solve(const std::vector<SurfacePlace>& places, const std::vector<SurfaceNormal>& normals,
+               const FaceSpline& before);
+    void tie_seams(PlateSystem& system) const;
+    void close();
+    void add_places(const SurfaceTrack& track, std::vector<SurfacePlace>& places) const;
+    void interpolate();
+    Vector3 sum(const CubicBasis::Row& u, const CubicBasis::Row& v) const;
+
+    friend class SpanChoice;
+
+    SurfacePatch patch_;
+    CubicBasis u_, v_;
+    Vector2 scale_;                 // mm per parameter
+    Eigen::MatrixXd base_, poles_;  // (u count * v count, 3), v fastest: of the surface, of both
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/splines/cubic_basis.h"
+
+#include <Geom_BSplineCurve.hxx>
+#include <functional>
+
+namespace sheetmorph
+{
+
+//! A point for every parameter, mm.
+using PointAt = std::function<Vector3(double parameter)>;
+
+//! A cubic spline in space.
+struct SplineCurve
+{
+    CubicBasis basis;
+    Eigen::MatrixXd poles;  //!< (count, 3) mm
+
+    Vector3 at(double t) const;
+    Handle(Geom_BSplineCurve) curve() const;
+};
+
+//! The spline through points at ascending parameters, without a kink of any derivative but at the
+//! second and the last but one (not-a-knot); a parabola through three, a line through two.
+//! \param is_closed  whether it goes on smoothly from its last point to the first
+SplineCurve curve_through(const std::vector<double>& parameters, const Points& points,
+                          bool is_closed);
+
+//! A spline with the breaks of `start`, and more where needed, within `tolerance` (mm) of a curve;
+//! it has the ends of the curve.
+SplineCurve curve_near(const PointAt& curve, const CubicBasis& start, double tolerance);
+
+}  // namespace sheetmorph

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/splines/face_spline.h"
+
+#include <Geom_Curve.hxx>
+
+namespace sheetmorph
+{
+
+//! Where a surface has no second derivative in u (direction 0) or v (1), inside a patch.
+std::vector<CubicBasis::Break> surface_breaks(const SurfacePatch& patch, int direction);
+
+//! The same along a curve, between two parameters.
+std::vector<CubicBasis::Break> curve_breaks(const Handle(Geom_Curve) & curve, double low,
+                                            double high);
+
+}  // namespace sheetmorph

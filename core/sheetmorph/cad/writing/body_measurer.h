@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/carry/carried_shape.h"
+#include "sheetmorph/cad/writing/cad_measures.h"
+
+#include <Geom_Surface.hxx>
+
+namespace sheetmorph
+{
+
+//! Compares a body that was read of a written file with what it shall be.
+class BodyMeasurer
+{
+public:
+    //! \param body  as it stands in the assembly of the file
+    BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried, const TopoDS_Shape& body);
+
+    //! \param result     (n, 3) of the mesh, in the coordinates of the assembly, mm
+    //! \param tolerance  beyond which a face is far from it, mm
+    CadMeasures measures(const Points& result, double tolerance) const;
+
+private:
+    void measure_distances(CadMeasures& found, const Points& result, double tolerance) const;
+    void measure_kinks(CadMeasures& found) const;
+    void measure_cylinders(CadMeasures& found) const;
+    void check_shape(CadMeasures& found) const;
+    TopoDS_Shape read_face(int face) const;
+
+    const ShapeMesh& mesh_;
+    const CarriedShape& carried_;
+    TopoDS_Shape body_;
+    TopTools_IndexedMapOfShape made_, read_;  // faces
+};
+
+}  // namespace sheetmorph

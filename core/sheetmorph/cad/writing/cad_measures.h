@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/carry/worst_at.h"
+
+#include <string>
+#include <vector>
+
+namespace sheetmorph
+{
+
+//! A cylinder of a part that is one in the written file, too.
+struct KeptCylinder
+{
+    int face = 0;
+    double before = 0.0, wanted = 0.0, after = 0.0;  //!< radii, mm
+};
+
+//! A carried part, measured in the file that was written; faces are counted from 0, lengths in mm.
+struct CadMeasures
+{
+    std::string name;
+    int faces = 0;
+    int kept = 0;                   //!< faces on the surface they had
+    std::vector<int> fitted_faces;  //!< ascending
+    bool is_valid = false;          //!< says OpenCASCADE's BRepCheck
+    bool was_valid = false;         //!< the same of what was read
+    std::vector<int> invalid_faces;
+    bool is_closed = false;
+    bool was_closed = false;
+    WorstAt distance;                  //!< from the deformed mesh
+    WorstAt gap;                       //!< between an edge and a fitted face
+    WorstAt kink;                      //!< degrees, at edges that were smooth
+    double edge_tolerance = 0.0;       //!< as written
+    double edge_tolerance_read = 0.0;  //!< as read again
+    double vertex_tolerance = 0.0;
+    std::vector<KeptCylinder> cylinders;
+    std::vector<int> far_faces;  //!< beyond the tolerance of the surface
+};
+
+}  // namespace sheetmorph

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/writing/written_file.h"
+#include "sheetmorph/base/errors.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESCAFControl_Writer.hxx>
+#include <IGESControl_Controller.hxx>
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TopoDS_Compound.hxx>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// A parameter of OpenCASCADE's writers with another value while it lives: they are one for the
+// whole process.
+class Setting
+{
+public:
+    Setting(const char* name, const char* value) : name_(name)
+    {
+        const char* before = Interface_Static::CVal(name);
+        before_ = before ? before : "";
+        Interface_Static::SetCVal(name, value);
+    }
+    ~Setting()
+    {
+        if (!before_.empty())
+            Interface_Static::SetCVal(name_, before_.c_str());
+    }
+    Setting(const Setting&) = delete;
+    Setting& operator=(const Setting&) = delete;
+
+private:
+    const char* name_;
+    std::string before_;
+};
+
+bool write_step(const CadDocument& document, const CadSource& source, const std::string& path)
+{
+    STEPCAFControl_Controller::Init();  // makes the parameters known, which a new writer reads
+    const Setting unit("write.step.unit", source.unit.c_str());
+    const Setting schema("write.step.schema", source.is_ap242 ? "AP242DIS" : "AP214IS");
+    const Setting names("write.stepcaf.subshapes.name", "1");
+    STEPCAFControl_Writer writer;
+    writer.SetColorMode(true);
+    writer.SetLayerMode(true);
+    writer.SetNameMode(true);
+    writer.SetMaterialMode(true);
+    writer.SetPropsMode(false);
+    return writer.Transfer(document.handle(), STEPControl_AsIs)
+           && writer.Write(path.c_str()) == IFSelect_RetDone;
+}
+
+bool write_iges(const CadDocument& document, const std::string& path)
+{
+    IGESControl_Controller::Init();
+    const Setting solids("write.iges.brep.mode", "1");
+    IGESCAFControl_Writer writer;
+    writer.SetColorMode(true);
+    writer.SetLayerMode(true);
+    writer.SetNameMode(true);
+    return writer.Transfer(document.handle()) && writer.Write(path.c_str());
+}
+
+bool write_brep(const CadDocument& document, const std::string& path)
+{
+    TDF_LabelSequence roots;
+    document.shapes()->GetFreeShapes(roots);
+    TopoDS_Compound all;
+    const BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (int i = 1; i <= roots.Length(); ++i)
+        builder.Add(all, XCAFDoc_ShapeTool::GetShape(roots.Value(i)));
+    const TopoDS_Shape whole =
+        roots.Length() == 1 ? XCAFDoc_ShapeTool::GetShape(roots.Value(1)) : all;
+    return BRepTools::Write(whole, path.c_str());
+}
+
+}  // namespace
+
+void write_document(const CadDocument& document, const CadSource& source, const std::string& path,
+                    CadFormat format)
+{
+    const bool is_done = format == CadFormat::step   ? write_step(document, source, path)
+                         : format == CadFormat::iges ? write_iges(document, path)
+                                                     : write_brep(document, path);
+    if (!is_done)
+        throw InvalidInput("the CAD file cannot be written; check the path and its rights");
+}
+
+std::shared_ptr<CadSource> read_document(const std::string& path, CadFormat format)
+{
+    return format == CadFormat::step   ? source_of_step(path)
+           : format == CadFormat::iges ? source_of_iges(path)
+                                       : source_of_brep(path, "part");
+}
+
+}  // namespace sheetmorph

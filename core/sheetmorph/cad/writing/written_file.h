@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/cad/cad_shapes.h"
+#include "sheetmorph/cad/writing/cad_writer.h"
+
+namespace sheetmorph
+{
+
+//! Writes a document.
+//! \param source  which has the unit and schema that the file shall have, too
+//! \throws InvalidInput if it cannot be written
+void write_document(const CadDocument& document, const CadSource& source, const std::string& path,
+                    CadFormat format);
+
+//! Reads it again.
+std::shared_ptr<CadSource> read_document(const std::string& path, CadFormat format);
+
+}  // namespace sheetmorph

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Deformed CAD parts written as CAD: the same faces on new surfaces, holes still cylinders."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import jsonschema
+import numpy as np
+import pytest
+
+from cad_samples import make_cad_samples
+from sheetmorph import CertificateError, RecipeError, read_part, run
+from sheetmorph.cli import main
+from sheetmorph.report import report_schema
+
+MESH = {"edge": 5.0, "deflection": 0.1, "angle": 20}
+
+
+@pytest.fixture(scope="module")
+def samples(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of CAD files."""
+    return make_cad_samples(tmp_path_factory.mktemp("cad"))
+
+
+@pytest.fixture
+def folder(samples: Path, tmp_path: Path) -> Path:
+    """The same in a folder of the test's own."""
+    for file in samples.glob("*.*"):
+        if file.suffix in (".step", ".igs", ".brep"):
+            shutil.copy(file, tmp_path)
+    return tmp_path
+
+
+def lifted(folder: Path, file: str, lift: float = 6.0, **part: object) -> Path:
+    """A recipe that lifts one end of the plate in a file by so many mm; its holes stay round."""
+    entry = {"name": "plate", "file": file, "mesh": MESH, **part}
+    points = read_part(folder / file, MESH).mesh.points
+    x, y = points[:, 0], points[:, 1]
+    holes = {
+        f"hole {k}": np.flatnonzero(np.abs(np.hypot(x - at, y - 20.0) - radius) < 1e-4)
+        for k, (at, radius) in enumerate(((15.0, 3.0), (40.0, 5.0)))
+    }
+    recipe = {
+        "sheetmorph": 1,
+        "parts": [entry],
+        "fixed": [{"part": "plate", "vertices": np.flatnonzero(x < 1e-6).tolist()}],
+        "handles": [
+            {"name": "tip", "part": "plate", "vertices": np.flatnonzero(x > 59.999).tolist()}
+        ],
+        "features": [
+            {"name": name, "part": "plate", "vertices": vertices.tolist()}
+            for name, vertices in holes.items()
+        ],
+        "pose": {"tip": {"translation": [0, 0, lift]}},
+    }
+    path = folder / "recipe.json"
+    path.write_text(json.dumps(recipe), "utf-8")
+    return path
+
+
+def only_body(report: dict) -> dict:
+    """The one body of the first part's written CAD file."""
+    (body,) = report["parts"][0]["shape"]["bodies"]
+    return body
+
+
+@pytest.mark.parametrize(
+    ("file", "write", "written"),
+    [
+        ("plate.brep", "step", "plate.step"),
+        ("plate.brep", "brep", "plate.brep"),
+        ("plate.igs", "step", "plate.step"),
+        ("plate.brep", "iges", "plate.iges"),
+    ],
+)
+def test_a_bent_plate_keeps_its_holes(folder: Path, file: str, write: str, written: str):
+    report = run(lifted(folder, file, write=write), folder / "out")
+    jsonschema.validate(report, report_schema())
+    assert {path.name for path in (folder / "out").iterdir()} == {"plate.obj", written}
+    body = only_body(report)
+    assert (body["faces"], body["is_valid"]) == (8, True)
+    assert body["is_closed"] or not body["was_closed"]
+    assert sorted(one["after"] for one in body["cylinders"]) == pytest.approx([3.0, 5.0])
+    assert max(one["error"] for one in body["cylinders"]) < 1e-12
+    assert body["distance"]["value"] < 0.01
+    assert body["gap"]["value"] < 0.0005
+    shape = report["parts"][0]["shape"]
+    assert (shape["file"], shape["format"]) == (written, write)
+    assert shape["bytes"] == (folder / "out" / written).stat().st_size
+    again = read_part(folder / "out" / written, MESH)
+    assert again.mesh.points[:, 2].max() == pytest.approx(8.0, abs=0.5)
+
+
+def test_at_rest_every_face_is_kept(folder: Path):
+    report = run(lifted(folder, "plate.brep", 0.0, write="step"), folder / "out")
+    body = only_body(report)
+    assert (body["kept"], body["fitted"]) == (8, 0)
+    assert body["distance"]["value"] < 1e-9
+
+
+def test_the_command_line_writes_step(folder: Path, capsys: pytest.CaptureFixture):
+    recipe = lifted(folder, "plate.brep")
+    assert main(["run", str(recipe), "-o", str(folder / "out"), "--step", "--quiet"]) == 0
+    assert (folder / "out" / "plate.step").is_file()
+    assert "plate.step: 4 face(s) kept, 4 fitted" in capsys.readouterr().out
+
+
+def test_an_assembly_comes_back_as_one(folder: Path):
+    entry = {"file": "fixture.step", "split": True, "mesh": MESH, "write": "step"}
+    recipe = json.loads(lifted(folder, "plate.brep").read_text())
+    points = read_part(folder / "fixture.step", MESH)
+    names = [f"fixture/{name}" for name in points.bodies]
+    recipe["parts"], recipe["primary"], recipe["features"] = [entry], names[0], []
+    plate = np.unique(points.mesh.triangles[points.bodies["plate"]])
+    x = points.mesh.points[plate, 0]
+    recipe["fixed"] = [{"part": names[0], "vertices": plate[x < 1e-6].tolist()}]
+    recipe["handles"] = [{"name": "tip", "part": names[0], "vertices": plate[x > 59.999].tolist()}]
+    (folder / "assembly.json").write_text(json.dumps(recipe), "utf-8")
+    report = run(folder / "assembly.json", folder / "out")
+    again = read_part(folder / "out" / "fixture.step", MESH)
+    assert list(again.bodies) == list(points.bodies)
+    shapes = [part["shape"] for part in report["parts"]]
+    assert [len(shape["bodies"]) for shape in shapes] == [1] * len(names)
+    assert all(shape["bodies"][0]["is_valid"] for shape in shapes)
+    moved = {part["name"]: part["shape"]["bodies"][0]["fitted"] for part in report["parts"]}
+    assert [moved[name] for name in names[1:]] == [0, 0]
+
+
+def test_what_misses_its_tolerance_is_not_written(folder: Path, capsys: pytest.CaptureFixture):
+    recipe = lifted(folder, "plate.brep", write="step", write_tolerance=1e-6)
+    arguments = ["run", str(recipe), "-o", str(folder / "out"), "--quiet"]
+    report = folder / "report.json"
+    assert main([*arguments, "--report", str(report)]) == 3
+    told = capsys.readouterr().err
+    assert 'the STEP of "plate"' in told and "faces" in told and "write_tolerance" in told
+    assert not (folder / "out").exists()
+    assert not json.loads(report.read_text())["certificate"]["passed"]
+
+
+def test_a_mesh_that_folds_is_refused(folder: Path):
+    recipe = json.loads(lifted(folder, "plate.brep", write="step").read_text())
+    recipe["pose"]["tip"] = {
+        "translation": [-70, 0, 0],
+        "rotation": {"axis": [1, 0, 0], "degrees": 170},
+    }
+    (folder / "recipe.json").write_text(json.dumps(recipe), "utf-8")
+    with pytest.raises(CertificateError, match="its mesh folds"):
+        run(folder / "recipe.json", folder / "out")
+    assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("part", "text"),
+    [
+        ({"write": "dxf"}, "CAD format"),
+        ({"write": "step", "write_tolerance": 0}, "a distance in mm"),
+        ({"write": "step", "remesh": {"edge": 2.0}}, "has another mesh"),
+    ],
+)
+def test_what_cannot_be_written_is_told(folder: Path, part: dict, text: str):
+    with pytest.raises(RecipeError, match=text):
+        run(lifted(folder, "plate.brep", **part), folder / "out")
+
+
+def test_a_mesh_is_no_shape(folder: Path):
+    run(lifted(folder, "plate.brep"), folder / "mesh")
+    recipe = json.loads((folder / "recipe.json").read_text())
+    recipe["parts"] = [{"name": "plate", "file": "mesh/plate.obj", "write": "step"}]
+    (folder / "recipe.json").write_text(json.dumps(recipe), "utf-8")
+    with pytest.raises(RecipeError, match="is no CAD file"):
+        run(folder / "recipe.json", folder / "out")
+    del recipe["parts"][0]["write"]
+    (folder / "recipe.json").write_text(json.dumps(recipe), "utf-8")
+    with pytest.raises(RecipeError, match="--step"):
+        run(folder / "recipe.json", folder / "out", step=True)
