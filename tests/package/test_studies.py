@@ -385,7 +385,7 @@ def test_slurm_gets_an_array_and_a_job_behind_it(tmp_path: Path, monkeypatch):
 DOCUMENTS = Path(__file__).resolve().parents[2] / "resources" / "docs"
 
 
-def test_the_example_of_the_document_runs(tmp_path: Path):
+def test_the_examples_of_the_document_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     recipe, text = ((DOCUMENTS / name).read_text("utf-8") for name in ("recipe.md", "studies.md"))
     for name, kind, source in (
         ("recipe.json", "json", recipe),
@@ -397,6 +397,11 @@ def test_the_example_of_the_document_runs(tmp_path: Path):
     assert main(["study", str(tmp_path / "study.json"), "-o", str(tmp_path / "out")]) == 0
     rows = rows_of(tmp_path / "out")
     assert len(rows) == 8 and {row["status"] for row in rows} >= {"passed"}
+    monkeypatch.chdir(tmp_path)
+    code = re.search(r"^```python\n(.*?)^```$", text, re.DOTALL | re.MULTILINE).group(1)
+    names: dict[str, object] = {}
+    exec(compile(code, "studies.md", "exec"), names)
+    assert set(names["measures"]) == {"tip.x", "tip.y", "tip.z", "stretch"}
 
 
 def test_the_document_names_every_key_of_the_schema():

@@ -19,9 +19,7 @@ def add_study_arguments(commands: Any) -> None:
     """Adds `study` to the commands of a parser."""
     study = commands.add_parser("study", help="compute, certify and table variants of a recipe")
     study.add_argument("recipe", metavar="STUDY", help="JSON file; its recipe is relative to it")
-    study.add_argument(
-        "-o", "--output", required=True, metavar="DIR", help="folder for the variants"
-    )
+    study.add_argument("-o", "--output", metavar="DIR", help="folder for the variants")
     text = "where variants are computed (default: local, in this process)"
     study.add_argument("--engine", choices=_ENGINES, default="local", help=text)
     text = "processes, workers of Dask, jobs of an array (default: the cores; 16 jobs)"
@@ -32,6 +30,8 @@ def add_study_arguments(commands: Any) -> None:
     study.add_argument("--runs", type=_runs, metavar="FIRST-LAST", help=text)
     text = "instead of variants: how far every parameter may go until a criterion breaks"
     study.add_argument("--range", action="store_true", help=text)
+    text = "instead of variants: one evaluation, parameters and results as Dakota's files or JSON"
+    study.add_argument("--evaluate", nargs=2, metavar=("IN", "OUT"), help=text)
     study.add_argument("--quiet", action="store_true", help="no progress on stderr")
 
 
@@ -56,6 +56,12 @@ def run_study_command(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     if wanted.scheduler is not None and wanted.engine != "dask":
         what = "only Dask has a scheduler with an address"
         raise RecipeError([Fault("--scheduler", what, "add --engine dask, or leave it out")])
+    if wanted.evaluate is not None:
+        from .study.coupling import evaluate_files
+
+        return evaluate_files(wanted.recipe, *wanted.evaluate)
+    if wanted.output is None:
+        raise RecipeError([Fault("-o", "no folder is named", "add -o DIR, for the variants")])
     with progress_on(sys.stderr, wanted.quiet) as progress:
         if wanted.range:
             return study_range(wanted.recipe, wanted.output, progress)

@@ -129,9 +129,9 @@ class Workshop:
             criteria = [entry for entry in criteria if entry["value"] is not None]
         return "; ".join([*report["certificate"]["failures"], *failures_of(criteria)])
 
-    def session(self, values: Values) -> Session:
-        """The pre-processed recipe of these values. Raises RecipeError."""
-        return self._base(self.plan.variant(values)).session
+    def measures(self, values: Values) -> Measures:
+        """What is measured of these values. Raises RecipeError."""
+        return self._base(self.plan.variant(values)).measures
 
     def _row(self, row: Row, folder: Path) -> Row:
         why = self.plan.refusal(row.parameters)
