@@ -247,7 +247,7 @@ def test_split_files_say_what_is_wrong_with_them(folder: Path):
     assert faults(named, folder) == [
         ("parts[0] (both).name", 'parts of a split file are called "both/..."')
     ]
-    assert ("parts[0].split", "only Nastran decks have properties") in faults(
+    assert ("parts[0].split", "only decks have properties") in faults(
         split_recipe("property"), folder
     )
     shared = {"sheetmorph": 1, "parts": [{"file": "deck.nas", "split": "property"}]}

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from importlib import resources
 from typing import Any
@@ -49,10 +49,12 @@ def make_report(
     result: Answer,
     written: Mapping[str, WrittenPart] | None = None,
     timings: Mapping[str, float] | None = None,
+    *,
+    decks: Sequence[Mapping[str, Any]] = (),
 ) -> dict[str, Any]:
-    """The report of a result; `written`: its files read again, by part name; timings: seconds."""
-    session = result.session
-    files = written or {}
+    """The report of a result; `written`: its files read again, by part name; timings: seconds;
+    decks: what PartFile.told() says of each."""
+    session, files = result.session, written or {}
     rest = (mesh.points for mesh in session.meshes.values())
     tol = tolerance(session.size, [*rest, *result.positions.values()])
     features = _features(result, files)
@@ -60,31 +62,33 @@ def make_report(
     warnings = warnings_of(result, parts)
     failures = [*_torn(features, tol), *thin_failures(result, tol)]
     failures += [*unsettled_failures({"parts": parts}), *shape_faults(parts)]
+    failures += _of_decks(decks, "failures")
+    told = [*_kinks(parts), *_of_decks(decks, "notes")]
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
-        "energy": session.model.energy,
-        "operator": session.model.operator,
+        **{"energy": session.model.energy, "operator": session.model.operator},
         "primary": session.model.primary,
         "refine": session.model.refine,
         "symmetry": _symmetry(session.model.symmetry),
-        "pose": result.pose,
-        "size": session.size,
-        "tolerance": tol,
+        **{"pose": result.pose, "size": session.size, "tolerance": tol},
         "certificate": {"passed": not failures, "failures": failures},
         "features": features,
+        "decks": list(decks),
         "contacts": [asdict(contact) for contact in result.contacts],
         "spread": result.spread,
         "regions": region_entries(session),
         "parts": parts,
-        "order": session.order,
-        "levels": session.levels,
-        "unreached": session.unreached,
-        "notes": [*notes_of(session), *shape_notes(result, parts), *_kinks(parts), *warnings],
+        **{"order": session.order, "levels": session.levels, "unreached": session.unreached},
+        "notes": [*notes_of(session), *shape_notes(result, parts), *told, *warnings],
         "warnings": warnings,
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
+
+
+def _of_decks(decks: Sequence[Mapping[str, Any]], key: str) -> list[str]:
+    return [text for deck in decks for text in deck[key]]
 
 
 def unsettled_failures(report: Mapping[str, Any]) -> list[str]:

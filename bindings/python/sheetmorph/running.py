@@ -32,6 +32,7 @@ class CertificateError(RuntimeError):
 
     def __init__(self, report: dict[str, Any]):
         unsettled = [*unsettled_failures(report), *shape_faults(report["parts"])]
+        unsettled += [text for deck in report["decks"] for text in deck["failures"]]
         rigid = [text for text in report["certificate"]["failures"] if text not in unsettled]
         if rigid:
             tol = report["tolerance"]
@@ -138,11 +139,10 @@ class _Morph:
     def places(self, read: list[Path], out: Path, report: Path | None) -> Places:
         """Where its files go. Raises RecipeError."""
         sources = self._parts.sources
-        targets = [out / source.file.output_name for source in sources]
+        targets = [place for source in sources for place in source.file.targets(out)]
         targets += [out / s.writing.name_for(s.file) for s in sources if s.writing is not None]
-        places = Places(
-            [self._path, *read, *(s.file.origin for s in sources)], out, targets, report
-        )
+        sourced = [path for source in sources for path in source.file.files_read]
+        places = Places([self._path, *read, *sourced], out, targets, report)
         places.check()
         return places
 
@@ -161,7 +161,7 @@ class _Morph:
         self._ways.progress(0.95, "deforming")
         result = self._session.deform(pose, progress=self._deforming)
         timings = {**self._timings, "deform": time.perf_counter() - begin}
-        _certify(result, timings, places.report, self._ways.strict)
+        _certify(result, self._parts.sources, (timings, places.report, self._ways.strict))
         self._ways.progress(0.97, "writing")
         scenes = before_and_after(result) if self._ways.pictures else ()
         pictures = [
@@ -186,8 +186,11 @@ def _keep_going(_fraction: float, _task: str) -> bool:
     return True
 
 
-def _certify(result: Result, timings: dict[str, float], report: Path | None, strict: bool) -> None:
-    found = make_report(result, None, timings)
+def _certify(
+    result: Result, sources: list[Source], ways: tuple[dict[str, float], Path | None, bool]
+) -> None:
+    timings, report, strict = ways
+    found = make_report(result, None, timings, decks=told_of_decks(result, sources))
     if found["certificate"]["passed"] and not (strict and found["warnings"]):
         return
     _fail(found, report)
@@ -245,7 +248,8 @@ class Writer:
         if self.pictures:
             draw(self.pictures, files)
         taken = {**self.timings, "write": time.perf_counter() - begin}
-        report = make_report(self.result, parts, taken)
+        decks = told_of_decks(self.result, self.sources)
+        report = make_report(self.result, parts, taken, decks=decks)
         if self.places.report is not None:
             _put_report(files, self.places.report, report)
         return report
@@ -286,6 +290,12 @@ class Writer:
             bodies = write_shapes(file, temporary, positions, writing, progress=progress)
         sizes = file.path.stat().st_size, temporary.stat().st_size
         return WrittenShapes(name, bodies, *sizes)
+
+
+def told_of_decks(result: Result, sources: list[Source]) -> list[dict[str, Any]]:
+    """What the report tells of every deck."""
+    told = (source.file.told(source.positions(result.positions)) for source in sources)
+    return [one for one in told if one is not None]
 
 
 def _remove_empty(folders: list[Path]) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import FileError, list_ids
 from .frames import Frame, FrameError, Frames
-from .model import BINARY, FIXED, Block, Elements, Raw, table_of
+from .model import BINARY, FIXED, PADDED, Block, Elements, Raw, table_of
 from .numbers import format_reals, parse_real
 from .text import CHUNK, chunks, write_edited
 
@@ -268,6 +268,10 @@ class Deck:
         self, block: Block, line: np.ndarray, axis: np.ndarray, shown: list[bytes]
     ) -> Iterator[bytes]:
         """The numbers with the blanks that keep all others in their columns."""
+        if block.kind == PADDED:
+            for row, k, text in zip(line.tolist(), axis.tolist(), shown):
+                yield b" " * block.leads.get((row, k), 0) + text.ljust(block.room)
+            return
         if block.kind != FIXED:
             for row, k, text in zip(line.tolist(), axis.tolist(), shown):
                 yield b"," * block.leads.get((row, k), 0) + text if block.leads else text

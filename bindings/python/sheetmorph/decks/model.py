@@ -13,8 +13,8 @@ from ..errors import FileError
 from .text import DeckText
 
 # How the number of a field is put back: in its columns; between commas; in place of a word; as
-# eight bytes.
-FIXED, FREE, WORD, BINARY = range(4)
+# eight bytes; in its columns, whatever of them was there (tabs).
+FIXED, FREE, WORD, BINARY, PADDED = range(5)
 Opener = Callable[[Path], bytes]
 
 
@@ -42,10 +42,10 @@ class Block:
 
     file: index of the text; lines: (n,) from 0; ids: (n,); values: (n, 3) as they are written;
     begins: (n, 3) offsets of their fields; widths: (n, 3) how much of each field is there; room:
-    how many characters a number may take; kind: FIXED, FREE, WORD or BINARY; systems: (n,) number
-    of the coordinate system each is written in, 0 the basic one; leads: by row and axis, for fields
-    that the line is too short for, how many blanks (FIXED) or commas (FREE) go before them where
-    all others are written in full.
+    how many characters a number may take; kind: FIXED, FREE, WORD, BINARY or PADDED; systems: (n,)
+    number of the coordinate system each is written in, 0 the basic one; leads: by row and axis, for
+    fields that the line is too short for, how many blanks (FIXED) or commas (FREE) go before them
+    where all others are written in full.
     """
 
     file: int

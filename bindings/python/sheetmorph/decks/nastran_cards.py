@@ -17,8 +17,8 @@ class Field(NamedTuple):
     """A field's text and its place.
 
     begin, width: offset and length of what there is of it; lead: blanks or commas that are missing
-    between the end of a short line and it; room: characters it may have; kind: "fixed", "free",
-    "tab" (a word beside tabs) or "lost" (there is no way to write into it).
+    between the end of a short line and it; room: characters it may have; kind: "fixed", "free" or
+    "tab" (fixed, in a line with tabs).
     """
 
     text: str
@@ -171,7 +171,7 @@ def _free_fields(body: str, begin: int, count: int) -> list[Field]:
 
 
 def _tab_fields(body: str, begin: int, is_large: bool) -> list[Field]:
-    """Fields of a line with tabs: the word in each, and how far it may grow before the next tab."""
+    """Fields of a line with tabs, which end where a field does: each is some characters of it."""
     columns, at = [], 0
     for char in body:
         columns.append(at)
@@ -181,16 +181,8 @@ def _tab_fields(body: str, begin: int, is_large: bool) -> list[Field]:
     for k in range(4 if is_large else 8):
         left = 8 + k * width
         inside = [j for j, column in enumerate(columns) if left <= column < left + width]
-        word = [j for j in inside if body[j] not in "\t "]
-        if not word:
-            found.append(Field("", begin + len(body), 0, 0, 0, "lost"))
-            continue
-        start, stop = word[0], word[-1] + 1
-        room = left + width - columns[start]
-        # A number that fills its field before a tab would push what follows one field on.
-        is_tab = stop < len(body) and "\t" in [body[j] for j in inside if j >= stop]
-        is_blank = stop < len(body) and not is_tab
-        kind = "lost" if is_blank else "tab"
-        room -= int(is_tab)
-        found.append(Field(body[start:stop], begin + start, stop - start, 0, room, kind))
+        start = inside[0] if inside else len(body)
+        shown = body[start : start + len(inside)].replace("\t", " ")
+        lead = max(0, left - at)
+        found.append(Field(shown, begin + start, len(inside), lead, width, "tab"))
     return found

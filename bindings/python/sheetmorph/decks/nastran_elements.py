@@ -82,7 +82,8 @@ def _nodes(
     at = 1 if card.name == "MPC" else 0
     find = _VARIED.get(card.name)
     found = list(find(card)) if find else list(places)
-    yield at, [_node(raw, file, card, k) for k in found]
+    own = _own_points(card) if card.name in _POINTS else []
+    yield at, [_node(raw, file, card, k) for k in found] + own
 
 
 def _node(raw: Raw, file: int, card: Card, position: int) -> int:
@@ -145,6 +146,24 @@ def _mpc(card: Card) -> Iterator[int]:
                 yield k
 
 
+def _own_points(card: Card) -> list[int]:
+    """The ids of the points that a weld's card has for itself."""
+    return [weld_point(card.name, card.number(0), end) for end, _ in _written_points(card)]
+
+
+def _written_points(card: Card) -> list[tuple[int, tuple[int, ...]]]:
+    """Which ends of a weld stand as coordinates in its card, and in which fields."""
+    if card.name == "CWELD" and card.text(3).upper() not in ("ELEMID", "ELPAT", "PARTPAT"):
+        return []
+    if card.text({"CWELD": 2, "CFAST": 5, "CSEAM": 8}[card.name]):
+        return []
+    return [
+        (end, places)
+        for end, places in enumerate(_POINTS[card.name])
+        if len(card.fields) > places[-1] and any(card.text(place) for place in places)
+    ]
+
+
 def _cweld(card: Card) -> Iterator[int]:
     if card.text(2):
         yield 2
@@ -181,23 +200,9 @@ def add_weld_points(points: Points, card: Card) -> None:
 
     Such a node has an id below zero, made from the card, the element and the point.
     """
-    if card.name == "CWELD" and card.text(3).upper() not in (
-        "ELEMID",
-        "ELPAT",
-        "PARTPAT",
-        "GRIDID",
-    ):
-        return
-    if card.name == "CWELD" and card.text(3).upper() == "GRIDID":
-        return
-    has_node = card.text({"CWELD": 2, "CFAST": 5, "CSEAM": 8}[card.name])
-    for k, places in enumerate(_POINTS[card.name]):
-        if has_node or len(card.fields) <= places[-1]:
-            continue
-        if any(card.text(place) for place in places):
-            points.add(
-                card, weld_point(card.name, card.number(0), k), 0, [card.fields[p] for p in places]
-            )
+    for end, places in _written_points(card):
+        fields = [card.fields[place] for place in places]
+        points.add(card, weld_point(card.name, card.number(0), end), 0, fields)
 
 
 def weld_point(name: str, element: int, end: int) -> int:

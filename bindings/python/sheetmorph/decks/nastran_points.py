@@ -7,7 +7,7 @@ from collections import defaultdict
 
 import numpy as np
 
-from .model import FIXED, FREE, WORD, Block, Raw
+from .model import FIXED, FREE, PADDED, Block, Raw
 from .nastran_cards import Card, Field
 from .numbers import parse_real
 
@@ -28,26 +28,23 @@ class Points:
                 what = f'node {node}: "{field.text.strip()}" is not a number'
                 line = self._raw.texts[self._file].line_of(field.begin)
                 raise self._raw.error((self._file, line), what)
-        kind, room = self._layout(card, node, fields)
+        kind, room = self._layout(card, fields)
         begins = [field.begin for field in fields]
         widths = [field.width for field in fields]
         leads = self._leads(fields)
         row = (card.line, node, system, values, begins, widths, leads)
         self._rows[kind, room].append(row)
 
-    def _layout(self, card: Card, node: int, fields: list[Field]) -> tuple[int, int]:
-        """Kind and room of a point; what cannot be written anew is locked."""
+    @staticmethod
+    def _layout(card: Card, fields: list[Field]) -> tuple[int, int]:
+        """Kind and room of a point."""
         width = 16 if card.is_large else 8
         if any(field.kind == "free" for field in fields):
             longest = max(len(field.text.strip()) for field in fields)
             return FREE, 16 if width == 16 or longest > 8 else 8
         if all(field.kind == "fixed" for field in fields):
             return FIXED, width
-        words = [field for field in fields if field.kind != "fixed"]
-        room = min(field.room for field in words)
-        if room < max(len(field.text.strip()) for field in words) or room < 4:
-            self._raw.locked[node] = "tabs stand where its numbers would go"
-        return WORD, max(room, 1)
+        return PADDED, width
 
     def _leads(self, fields: list[Field]) -> list[int]:
         """What goes before missing fields, where those before them are written in full."""

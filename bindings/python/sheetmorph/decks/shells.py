@@ -57,6 +57,10 @@ def _triangles(deck: Deck, block: Elements) -> tuple[np.ndarray, ...]:
         row = int(np.flatnonzero((nodes[:, :3] == 0).any(axis=1) | (nodes.shape[1] < 3))[0])
         what = f"{block.name} {block.ids[row]} has fewer than three nodes"
         raise deck.texts[block.file].error(int(block.lines[row]), what)
+    whole = block.nodes.shape[1]
+    if whole == 6 or 4 < count < 8:
+        full = 6 if whole == 6 else 8
+        nodes = np.pad(nodes, ((0, 0), (0, max(0, full - count))))
     index = deck.find(nodes)
     if (index[nodes != 0] < 0).any():
         raise _told(deck, block)

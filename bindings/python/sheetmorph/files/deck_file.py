@@ -3,11 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
+from ..decks.joints import Joint, joints_of
+from ..decks.passengers import Carried, Passengers, rules_of
+from ..decks.stale import stale_report
 from ..errors import FileError, list_ids
 from ..labels import Labels
 from ..part_mesh import PartMesh
@@ -15,12 +20,14 @@ from .atomic import FileSet
 from .part_file import PartFile
 
 SUFFIXES = suffixes()
+_SHOWN = 20
 
 
 class DeckFile(PartFile):
     """A deck; vertex ids are node ids, vertices the nodes of its shell elements in file order.
 
-    deck: all that it says; sheet: its shells.
+    deck: all that it says; sheet: its shells; settings: `passengers` and `joints` of a recipe's
+    part.
     """
 
     def __init__(self, path: Path):
@@ -35,9 +42,16 @@ class DeckFile(PartFile):
         super().__init__(path, mesh, _precision(self.deck.width_of(nodes)))
         self.properties = self.sheet.properties
         self.notes += self.deck.notes
-        others = len(self.deck.ids) - len(nodes)
-        if others:
-            self.notes.append(f"{others} nodes belong to no shell element and stay where they are")
+        self.settings: Mapping[str, Any] = {}
+        self._passengers: Passengers | None = None
+        self._last: tuple[np.ndarray, Carried] | None = None
+
+    @property
+    def files_read(self) -> list[Path]:
+        return [self.origin, *(text.path for text in self.deck.texts[1:])]
+
+    def targets(self, folder: Path) -> list[Path]:
+        return output_places(self.deck.texts, folder / self.output_name)
 
     def _labels(self, ids: np.ndarray) -> Labels:
         """The sets as groups: "SET 3", and "SET 3 nodes" or "SET 3 elements" if it may be both."""
@@ -92,9 +106,54 @@ class DeckFile(PartFile):
 
     def _all(self, positions: np.ndarray) -> np.ndarray:
         """(n, 3) positions of all nodes of the deck."""
-        whole = self.deck.points.copy()
-        whole[self.sheet.nodes] = positions
-        return whole
+        return self._carried(positions).positions
+
+    def _carried(self, positions: np.ndarray) -> Carried:
+        if self._passengers is None:
+            rules = rules_of(self.settings.get("passengers"))
+            self._passengers = Passengers(self.deck, self.sheet, rules)
+        if self._last is None or not np.array_equal(self._last[0], positions):
+            self._last = positions.copy(), self._passengers.carried(positions)
+        return self._last[1]
+
+    def told(self, positions: np.ndarray) -> dict[str, Any]:
+        """What hangs on the sheet, how its joints hold, and what the motion leaves wrong."""
+        carried = self._carried(self._checked(positions))
+        wanted = self.settings.get("joints") or {}
+        joints = joints_of(self.deck, self.sheet, carried.positions, wanted.get("limit"))
+        moved = (carried.positions != self.deck.points).any(axis=1)
+        broken = [self._joint(joint) for joint in joints.broken]
+        texts = [_broken_text(joint) for joint in broken[:_SHOWN]]
+        if len(broken) > _SHOWN:
+            texts.append(f"{len(broken) - _SHOWN} more joints came apart")
+        is_refused = wanted.get("broken", "refuse") == "refuse"
+        left = self.deck.ids[carried.left]
+        return {
+            "file": self.output_name,
+            "format": self.deck.form,
+            "moved": int(moved.sum()),
+            "passengers": carried.counts,
+            "left": left[left > 0].tolist(),
+            "joints": {
+                "count": joints.count,
+                "worst": None if joints.worst is None else self._joint(joints.worst),
+                "broken": broken,
+            },
+            "stale": stale_report(self.deck) if moved.any() else [],
+            "failures": texts if is_refused else [],
+            "notes": [] if is_refused else texts,
+        }
+
+    def _joint(self, joint: Joint) -> dict[str, Any]:
+        place = joint.place
+        return {
+            "card": place.card,
+            "id": place.number,
+            "file": self.deck.texts[place.file].path.name,
+            "line": place.line + 1,
+            "change": joint.change,
+            "limit": joint.limit,
+        }
 
     def stored_positions(self, path: Path) -> np.ndarray:
         return self._read_again(path).points[self.sheet.nodes]
@@ -108,6 +167,14 @@ class DeckFile(PartFile):
 
     def _is_unnamed(self, path: Path) -> bool:
         return self._written.get(self.path) == path
+
+
+def _broken_text(joint: Mapping[str, Any]) -> str:
+    name = f"{joint['card']} {joint['id']}" if joint["id"] else joint["card"]
+    return (
+        f"{joint['file']}, line {joint['line']}: {name} came apart by {joint['change']:.3g} mm, "
+        f"more than {joint['limit']:.3g} mm"
+    )
 
 
 def _precision(width: int) -> str:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 
@@ -37,6 +38,21 @@ class PartFile(ABC):
     def output_name(self) -> str:
         """The name of the file that a run writes."""
         return self.path.name
+
+    @property
+    def files_read(self) -> list[Path]:
+        """All files that it was read from."""
+        return [self.origin]
+
+    def targets(self, folder: Path) -> list[Path]:
+        """All files that a run writes into a folder."""
+        return [folder / self.output_name]
+
+    def told(self, positions: np.ndarray) -> dict[str, Any] | None:
+        """For the report, what else than its mesh moves, holds or stays with its vertices at (n, 3)
+        positions; None if there is nothing else in it. ``failures`` are reasons not to write it."""
+        self._checked(positions)
+        return None
 
     @abstractmethod
     def save(self, path: Path, positions: np.ndarray) -> None:

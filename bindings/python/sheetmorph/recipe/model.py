@@ -52,7 +52,8 @@ class PartEntry:
     thin: "auto" if it is solved as a thin solid where it is one, "yes" if it must be one, "" if it
     is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh; placement:
     from the coordinates of the file, in mm, to those of the assembly; sheet: as `steel`; write: how
-    its shapes are written besides, None if they are not.
+    its shapes are written besides, None if they are not; deck: `passengers` and `joints`, for
+    parts in decks.
     """
 
     where: str
@@ -67,6 +68,7 @@ class PartEntry:
     placement: Placement = Placement()
     sheet: Sheet = Sheet()
     write: CadWriting | None = None
+    deck: dict[str, Any] = field(default_factory=dict)
 
     @property
     def stem(self) -> str:
@@ -237,6 +239,7 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
         placement=_placement(entry.get("placement") or {}),
         sheet=Sheet(float(entry.get("thickness") or 0.0), float(entry.get("poisson", 0.3))),
         write=_write(entry),
+        deck={key: entry[key] for key in ("passengers", "joints") if key in entry},
     )  # fmt: skip
 
 

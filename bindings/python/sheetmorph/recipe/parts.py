@@ -11,6 +11,7 @@ import numpy as np
 from ..errors import Fault, FileError
 from ..files import PartFile, is_cad, output_name, read_part
 from ..files.cad_writing import CadWriting
+from ..files.deck_file import DeckFile
 from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
 from ..progress import Progress
@@ -96,6 +97,7 @@ def read_parts(
         try:
             meshing = entry.meshing if is_cad(entry.file) else None
             file = read_part(Path(base) / entry.file, meshing)
+            parts.faults += _deck_settings(file, entry)
             parts.add(entry, _prepared(file, entry, progress) if entry.wanted else file)
         except (FileError, SplitError) as error:
             parts.faults.append(_fault(entry, error))
@@ -116,6 +118,17 @@ def _write_faults(entry: PartEntry) -> list[Fault]:
     if entry.wanted:
         what = "a part after scale, weld or remesh has another mesh than the one of its shape"
         return [Fault(where, what, 'leave those out; "mesh" says how finely a shape is meshed')]
+    return []
+
+
+def _deck_settings(file: PartFile, entry: PartEntry) -> list[Fault]:
+    """Give a deck what its entry says about it; faults if it is none."""
+    if entry.deck and (not isinstance(file, DeckFile) or entry.wanted):
+        key = next(iter(entry.deck))
+        what = "only a deck that is not prepared has passengers and joints"
+        return [Fault(f"{entry.where}.{key}", what, "leave it out")]
+    if isinstance(file, DeckFile):
+        file.settings = entry.deck
     return []
 
 

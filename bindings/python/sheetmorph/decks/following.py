@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a sheet moves at some of its nodes and triangles, and what is carried along there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+# Of the nodes that hold a group, so many nearest ones carry each of its nodes.
+_NEAREST = 12
+
+
+class Motion:
+    """A sheet before and after: (n, 3) positions rest and moved, (m, 3) triangles.
+
+    rows: (k,) those of its nodes whose rotations are asked for.
+    """
+
+    def __init__(
+        self, rest: np.ndarray, moved: np.ndarray, triangles: np.ndarray, rows: np.ndarray
+    ):
+        self.rest, self.moved, self.triangles = rest, moved, triangles
+        near = (rest != moved).any(axis=1)
+        near[triangles[near[triangles].any(axis=1)]] = True
+        self._is_near = near
+        self._place = np.full(len(rest), -1, dtype=np.int64)
+        self._place[rows] = np.arange(len(rows))
+        self._turns = self._all_turns(len(rows))
+
+    def turns(self, rows: np.ndarray) -> np.ndarray:
+        """(k, 3, 3) the rotation of the sheet around some of its nodes: the best of the edges and
+        normals of the triangles there."""
+        return self._turns[self._place[rows]]
+
+    def stays(self, rows: np.ndarray) -> bool:
+        """Whether no triangle at some nodes moves at all."""
+        return not self._is_near[rows].any()
+
+    def _all_turns(self, count: int) -> np.ndarray:
+        place = self._place
+        corners = self.triangles[(place[self.triangles] >= 0).any(axis=1)]
+        before, after = _normals(self.rest, corners), _normals(self.moved, corners)
+        sums = np.zeros((count, 3, 3))
+        for corner in range(3):
+            at = place[corners[:, corner]]
+            inside = at >= 0
+            node = corners[inside, corner]
+            for other in (1, 2):
+                to = corners[inside, (corner + other) % 3]
+                a, b = self.rest[to] - self.rest[node], self.moved[to] - self.moved[node]
+                np.add.at(sums, at[inside], b[:, :, None] * a[:, None, :])
+            np.add.at(sums, at[inside], after[inside][:, :, None] * before[inside][:, None, :])
+        return _rotations(sums)
+
+
+def _normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(m, 3) normals as long as the square root of twice the area."""
+    one = points[triangles[:, 1]] - points[triangles[:, 0]]
+    two = points[triangles[:, 2]] - points[triangles[:, 0]]
+    normal = np.cross(one, two)
+    size = np.linalg.norm(normal, axis=1)
+    scale = np.divide(1.0, np.sqrt(size), out=np.zeros_like(size), where=size > 0.0)
+    return normal * scale[:, None]
+
+
+def _rotations(sums: np.ndarray) -> np.ndarray:
+    """(k, 3, 3) the rotations nearest to sums of b a^T."""
+    left, _, right = np.linalg.svd(sums)
+    sign = np.where(np.linalg.det(left @ right) < 0.0, -1.0, 1.0)
+    left = left.copy()
+    left[:, :, 2] *= sign[:, None]
+    return left @ right
+
+
+def rigid_motion(rest: np.ndarray, moved: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+    """Rotation (3, 3) and shift (3,) that carry (k, 3) points to others best; None if they lie on a
+    line, which leaves the rotation open."""
+    if len(rest) < 3:
+        return None
+    middle, other = rest.mean(axis=0), moved.mean(axis=0)
+    spread = np.linalg.svd(rest - middle, compute_uv=False)
+    if not spread[1] > 1e-6 * spread[0]:
+        return None
+    turn = _rotations(((moved - other).T @ (rest - middle))[None])[0]
+    return turn, other - turn @ middle
+
+
+def blended(motion: Motion, held: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """(k, 3) places of points that go along with the sheet around some of its nodes (j,)."""
+    turns = motion.turns(held)
+    anchors, targets = motion.rest[held], motion.moved[held]
+    found = np.empty_like(points)
+    for k, point in enumerate(points):
+        away = np.linalg.norm(anchors - point, axis=1)
+        near = np.argsort(away, kind="stable")[:_NEAREST]
+        if away[near[0]] == 0.0:
+            found[k] = targets[near[0]]
+            continue
+        weight = 1.0 / away[near] ** 2
+        carried = targets[near] + np.einsum("kij,kj->ki", turns[near], point - anchors[near])
+        found[k] = weight @ carried / weight.sum()
+    return found
+
+
+def on_triangle(
+    motion: Motion, triangle: int, barycentric: np.ndarray, point: np.ndarray
+) -> np.ndarray:
+    """(3,) the place of a point that goes along with a triangle, from its nearest point on it."""
+    corners = motion.triangles[triangle]
+    foot, target = barycentric @ motion.rest[corners], barycentric @ motion.moved[corners]
+    turn = _rotations(motion.turns(corners).sum(axis=0)[None])[0]
+    return target + turn @ (point - foot)

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Everything that hangs on the sheet of a deck goes along with it, by rules that can be changed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..kernel import load_kernel
+from .attachment import Group, groups_of
+from .deck import Deck
+from .following import Motion, blended, on_triangle, rigid_motion
+from .shells import Sheet
+
+RULES = ("blend", "rigid", "nearest", "stay")
+# A group that nothing ties to the sheet and that has more nodes is a part of its own.
+_LARGEST_LOOSE = 64
+
+
+@dataclass(frozen=True)
+class Rules:
+    """How passengers follow.
+
+    reach: mm, how near to the sheet something loose must be to go along, None for the middle length
+    of the sheet's edges; given: the rule of nodes by id.
+    """
+
+    reach: float | None = None
+    given: dict[int, str] = field(default_factory=dict)
+
+
+@dataclass
+class Carried:
+    """Positions (n, 3) of all nodes of a deck; by rule how many nodes followed; left: indices of
+    those that hang on nothing that moves, or are told to stay."""
+
+    positions: np.ndarray
+    counts: dict[str, int]
+    left: np.ndarray
+
+
+class Passengers:
+    """The nodes of a deck outside of its sheet."""
+
+    def __init__(self, deck: Deck, sheet: Sheet, rules: Rules = Rules()):
+        self._deck, self._sheet, self._rules = deck, sheet, rules
+        self._groups = groups_of(deck, sheet)
+        self._rest = deck.points[sheet.nodes]
+        self.reach = self._default_reach() if rules.reach is None else rules.reach
+
+    def _default_reach(self) -> float:
+        corners = self._rest[self._sheet.triangles]
+        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+        return float(np.median(edges)) if edges.size else 0.0
+
+    @property
+    def count(self) -> int:
+        """How many there are."""
+        return sum(len(group.nodes) for group in self._groups)
+
+    def carried(self, positions: np.ndarray) -> Carried:
+        """All nodes, with those of the sheet at (k, 3) positions."""
+        whole = self._deck.points.copy()
+        whole[self._sheet.nodes] = positions
+        found = Carried(whole, dict.fromkeys(RULES, 0), np.empty(0, dtype=np.int64))
+        if np.array_equal(positions, self._rest):
+            return found
+        hits = self._hits()
+        asked = [group.held for group in self._groups]
+        asked += [
+            self._sheet.triangles[hit.triangle] for some in hits.values() for hit in some if hit
+        ]
+        rows = np.unique(np.concatenate(asked)) if asked else np.empty(0, dtype=np.int64)
+        motion = Motion(self._rest, positions, self._sheet.triangles, rows.astype(np.int64))
+        left = [found.left]
+        for number, group in enumerate(self._groups):
+            rule = self._rule_of(group)
+            places = self._places(motion, group, rule, hits.get(number))
+            if places is None:
+                found.counts["stay"] += len(group.nodes)
+                left.append(group.nodes)
+                continue
+            whole[group.nodes] = places
+            found.counts[rule] += len(group.nodes)
+        found.left = np.concatenate(left)
+        return found
+
+    def _hits(self) -> dict[int, list]:
+        """By group the nearest places on the sheet, of those that go by them."""
+        wanted = [
+            k
+            for k, group in enumerate(self._groups)
+            if self._rule_of(group) == "nearest" and len(group.nodes) <= _LARGEST_LOOSE
+        ]
+        if not wanted:
+            return {}
+        tree = load_kernel().PickingTree(self._rest, self._sheet.triangles)
+        points = self._deck.points
+        return {k: [tree.nearest_point(points[n]) for n in self._groups[k].nodes] for k in wanted}
+
+    def _rule_of(self, group: Group) -> str:
+        for node in self._deck.ids[group.nodes].tolist() if self._rules.given else ():
+            if node in self._rules.given:
+                return self._rules.given[node]
+        if not len(group.held):
+            return "nearest"
+        return "rigid" if "rigid" in group.kinds and "solid" not in group.kinds else "blend"
+
+    def _places(
+        self, motion: Motion, group: Group, rule: str, hits: list | None
+    ) -> np.ndarray | None:
+        points = self._deck.points[group.nodes]
+        if rule == "stay" or (hits is None and not len(group.held)):
+            return None
+        if hits is not None:
+            return self._nearest(motion, hits, points)
+        if motion.stays(group.held):
+            return points
+        if rule == "rigid":
+            found = rigid_motion(motion.rest[group.held], motion.moved[group.held])
+            if found is not None:
+                turn, shift = found
+                return points @ turn.T + shift
+        return blended(motion, group.held, points)
+
+    def _nearest(self, motion: Motion, hits: list, points: np.ndarray) -> np.ndarray | None:
+        """Where loose points go; None if they are too far from the sheet."""
+        near = [hit is not None and hit.distance <= self.reach for hit in hits]
+        if not any(near):
+            return None
+        chosen = [k for k, is_near in enumerate(near) if is_near]
+        images = np.array([self._image(motion, hits[k], points[k]) for k in chosen])
+        if len(points) == 1 or len(chosen) == len(points) < 3:
+            return images
+        found = rigid_motion(points[chosen], images)
+        if found is None:
+            shift = (images - points[chosen]).mean(axis=0)
+            return points + shift
+        turn, shift = found
+        moved = points @ turn.T + shift
+        return points if np.array_equal(images, points[chosen]) else moved
+
+    @staticmethod
+    def _image(motion: Motion, hit: object, point: np.ndarray) -> np.ndarray:
+        corners = motion.triangles[hit.triangle]
+        if motion.stays(corners):
+            return point
+        return on_triangle(motion, hit.triangle, np.asarray(hit.barycentric), point)
+
+
+def rules_of(entries: dict[str, object] | None) -> Rules:
+    """What a recipe says under `passengers`."""
+    entries = entries or {}
+    given: dict[int, str] = {}
+    rules: Sequence[dict] = entries.get("rules", ())
+    for entry in rules:
+        given |= {int(node): entry["rule"] for node in entry["nodes"]}
+    reach = entries.get("reach")
+    return Rules(None if reach is None else float(reach), given)
