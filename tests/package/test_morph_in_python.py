@@ -39,7 +39,7 @@ def test_ten_lines_do_what_the_recipe_they_save_does(morph: sm.Morph, tmp_path: 
 
 def test_every_selector_of_a_recipe_is_a_function_of_that_name():
     functions = {"all": sm.everything, "grow": sm.grow, "shrink": sm.shrink}
-    for key in WITH:
+    for key in set(WITH) - {"drawn"}:  # only a view knows that
         assert callable(functions.get(key) or getattr(sm, key))
     assert sm.everything() == {"all": True}
     assert sm.grow(sm.rim_at([1, 2, 3], rings=1), length=5) == {

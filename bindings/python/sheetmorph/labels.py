@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -51,6 +52,29 @@ class Labels:
             groups[name] = np.flatnonzero(inside[triangle_of])
         face = None if self.face is None else self.face[triangle_of]
         return replace(self, groups=groups, face=face)
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """The labels as arrays, for an .npz; sets of nodes are left out."""
+        names = list(self.groups)
+        rows = [np.asarray(self.groups[name], dtype=np.int64) for name in names]
+        faces = [[f.body, f.number, f.kind, f.name, f.colour] for f in self.faces]
+        return {
+            "label_names": np.array(json.dumps({"groups": names, "faces": faces})),
+            "label_rows": np.concatenate([np.zeros(0, dtype=np.int64), *rows]),
+            "label_ends": np.cumsum([len(one) for one in rows], dtype=np.int64),
+            "label_face": np.zeros(0, dtype=np.int64) if self.face is None else self.face,
+        }
+
+    @classmethod
+    def of_arrays(cls, data: Mapping[str, np.ndarray]) -> Labels | None:
+        """The labels that arrays() gave; None where there are none."""
+        if "label_names" not in data:
+            return None
+        told = json.loads(str(data["label_names"]))
+        rows = np.split(data["label_rows"], data["label_ends"])[: len(told["groups"])]
+        faces = tuple(CadFace(*face) for face in told["faces"])
+        face = data["label_face"] if len(data["label_face"]) else None
+        return cls(dict(zip(told["groups"], rows)), face=face, faces=faces)
 
     @property
     def names(self) -> list[str]:

@@ -20,7 +20,7 @@ from .found import Found, Resolved
 from .model import Model, Motion, model_of, motions_of
 from .parts import Parts, parts_of_meshes, read_parts
 from .reading import named_in, read_json
-from .structure import faults_against, pose_faults, schema, structural_faults
+from .structure import faults_against, pose_faults, schema, structural_faults, where_faults
 from .unavailable import take_out
 from .values import depth_faults
 
@@ -34,6 +34,7 @@ __all__ = [
     "read_json",
     "schema",
     "validate",
+    "where_faults",
 ]
 
 

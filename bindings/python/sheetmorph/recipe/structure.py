@@ -57,6 +57,19 @@ def structural_faults(recipe: Any) -> tuple[list[Fault], Any]:
     return [fault for _, fault in places], _without_marked(sound)
 
 
+@cache
+def _where_validator() -> Any:
+    return _validator().evolve(schema={**schema(), "$ref": "#/$defs/where", **_ANY_TYPE})
+
+
+def where_faults(where: Any) -> list[Fault]:
+    """Faults of form of a selector, or a list of them, that stands alone."""
+    bad = list(bad_values({"where": where}, where, ["where"]))
+    errors = _errors(_where_validator(), where, [path[1:] for path, _ in bad])
+    faults = [_fault({"where": where}, error, ["where"]) for error in errors]
+    return faults + [fault for _, fault in bad]
+
+
 def pose_faults(pose: Any) -> list[Fault]:
     """Faults of form of a pose that stands alone; one without any is recognised at once."""
     if is_plainly_sound(pose):
@@ -87,6 +100,9 @@ _ONLY_REF: dict[str, Any] = {
     "additionalProperties": True,
     "type": "object",
 }
+
+
+_ANY_TYPE = {**_ONLY_REF, "type": ["object", "array"]}
 
 
 def _fault(recipe: Any, error: jsonschema.ValidationError, root: list[str] | None = None) -> Fault:

@@ -13,7 +13,7 @@ import numpy as np
 from ..finding.options import HOLES
 from ..labels import CadFace
 from .chosen import Chosen, SelectorError
-from .part_shape import PartShape
+from .part_shape import CREASE, PartShape
 
 CREASE_ANGLE = 20.0
 # Of the size of the part: what is farther from its point is told.
@@ -62,14 +62,20 @@ def borders_longer(shape: PartShape, told: Told) -> Chosen:
 
 
 def rim_at(shape: PartShape, told: Told) -> Chosen:
-    """The rim nearest to a point, both rims and the wall of a thin solid, with rings around it."""
-    loops, whole = _rims(shape)
+    """The rim nearest to a point, both rims and the wall of a thin solid, with rings around it.
+
+    alone: its loop without walls and other rims.
+    """
+    loops, whole = _loops(shape, told) if told.get("alone") else _rims(shape)
     if not loops:
         todo = "use face_at, or a box around the place"
         raise SelectorError(f'"{shape.name}" has no rim', todo, ("rim_at",))
     loop, distance = nearest_loop(shape, loops, told["rim_at"])
     number = next(k for k, other in enumerate(loops) if other is loop)
-    vertices = whole[number] if number < len(whole) else _with_wall(shape, loop)
+    if told.get("alone"):
+        vertices = loop
+    else:
+        vertices = whole[number] if number < len(whole) else _with_wall(shape, loop)
     rings = int(told.get("rings", 0))
     if rings:
         vertices = np.asarray(shape.near.grown(np.unique(vertices).astype(np.int32), rings))
@@ -166,6 +172,13 @@ def _rims(shape: PartShape) -> tuple[list[np.ndarray], list[np.ndarray]]:
         if frozenset(loop.tolist()) not in known
     ]
     return [*loops, *others], whole
+
+
+def _loops(shape: PartShape, told: Told) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    """The borders, and the loops at which the part bends by the crease angle."""
+    crease = math.radians(told.get("crease_angle", CREASE))
+    creases = [np.asarray(loop) for loop in shape.near.rims(crease)]
+    return [*shape.border_loops, *creases], []
 
 
 def _with_wall(shape: PartShape, loop: np.ndarray) -> np.ndarray:

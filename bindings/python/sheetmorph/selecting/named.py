@@ -30,6 +30,14 @@ def by_ids(shape: PartShape, told: Told) -> Chosen:
     return shape.of_vertices(vertices)
 
 
+def by_figure(shape: PartShape, told: Told) -> Chosen:
+    """What lies in a figure that was drawn in a view."""
+    if shape.drawn is None:
+        what = "what was drawn in a view is known in FreeCAD alone"
+        raise SelectorError(what, "use vertex ids, or say what the region is", ("drawn",))
+    return shape.of_vertices(shape.drawn(told["drawn"]))
+
+
 def by_group(shape: PartShape, told: Told) -> Chosen:
     """What the file calls by a name."""
     wanted = str(told["group"])

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
@@ -31,6 +32,7 @@ class PartShape:
 
     def __init__(self, mesh: PartMesh, placement: Placement = Placement(), name: str = ""):
         self.mesh = mesh
+        self.drawn: Callable[[Any], np.ndarray] | None = None  # what a figure in a view takes
         self.name = name or mesh.name
         self.points = np.ascontiguousarray(placement.taken_back(mesh.points))
         self.triangles = mesh.triangles

@@ -20,7 +20,7 @@ from .chosen import Chosen, SelectorError
 from .grammar import JOINING, Path, form_faults, key_of, operands
 from .grown import grown, shrunk
 from .looked_up import LOOKED_UP
-from .named import by_group, by_ids, by_kind, holes_in
+from .named import by_figure, by_group, by_ids, by_kind, holes_in
 from .part_shape import PartShape
 from .volumes import VOLUMES, within
 
@@ -30,6 +30,7 @@ _LEAVES: dict[str, Callable[[PartShape, Any], Chosen]] = {
     **LOOKED_UP,
     "vertices": by_ids,
     "group": by_group,
+    "drawn": by_figure,
     "found": by_kind,
     "all": lambda shape, _: shape.of_vertices(np.flatnonzero(shape.used)),
 }

@@ -26,6 +26,7 @@ from freecad.sheetmorph.api.loading import (
     apply_propagation,
     keep_extras,
     with_names,
+    with_sentences,
 )
 from freecad.sheetmorph.api.poses import add_named_poses, named_poses
 from freecad.sheetmorph.api.propagations import set_mode
@@ -111,11 +112,12 @@ def import_recipe(document, path: str | os.PathLike):
     """
     path = Path(path)
     package = kernel.load()
-    recipe = read_recipe(path)
-    read = package.recipe.prepare(recipe, path.parent)
+    written = package.recipe.read_json(path)
+    read = package.recipe.prepare(written, path.parent)
+    recipe = read.resolved.recipe
     if read.found is not None:
         recipe = package.recipe.filled(recipe, read.found)
-    recipe = with_names(recipe)
+    recipe = with_sentences(with_names(recipe), written)
     assembly = create_assembly(document)
     found = {}
     for entry in recipe["parts"]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 
 from freecad.sheetmorph.api.assemblies import set_refine, set_symmetry, set_unheld
 from freecad.sheetmorph.api.contacts import add_contact
@@ -12,9 +13,11 @@ from freecad.sheetmorph.api.features import add_relation, set_feature_motion, se
 from freecad.sheetmorph.api.motions import set_free_rotation, set_motion, set_rotation
 from freecad.sheetmorph.api.propagations import set_propagation
 from freecad.sheetmorph.api.regions import add_feature, add_fixed, add_follower, add_handle
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.assembly import LOCAL
 from freecad.sheetmorph.objects.contact import CONTROL_MESH
 from freecad.sheetmorph.objects.region import AXIS, FREE, LINE, PLANE
+from freecad.sheetmorph.bridge import selecting
 from freecad.sheetmorph.bridge.recipes import RELATION_KEYS
 
 
@@ -59,18 +62,52 @@ def add_regions(assembly, recipe: dict, parts: dict, meshes: dict) -> dict:
         for entry in recipe[key]:
             if "vertices" not in entry:
                 continue  # a handle that is a point on a triangle: kept as an extra
-            name = entry["part"]
-            vertices, _ = meshes[name].find(entry["vertices"])
-            added[entry["name"]] = add(assembly, parts[name], vertices, entry["name"])
+            vertices, name = vertices_of(entry, meshes), entry["name"]
+            added[name] = add(assembly, parts[entry["part"]], vertices, name)
+            keep_sentence(added[name], entry.get(SENTENCE))
     return added
+
+
+def vertices_of(entry: dict, meshes: dict) -> np.ndarray:
+    """Return the vertices (k,) of a region or a side of a contact on its mesh."""
+    is_prepared = entry.get("ids") == "prepared"
+    return meshes[entry["part"]].find(entry["vertices"], is_prepared)[0]
+
+
+SENTENCE = "where it was"
+"""A key, of no recipe, with what a region said before it was resolved."""
+
+
+def with_sentences(recipe: dict, written: dict) -> dict:
+    """Return a recipe from `with_names` whose regions still know what they said in the file."""
+    told = dict(recipe)
+    for key, _ in ADDERS:
+        said = written.get(key)
+        if isinstance(said, list) and len(said) == len(recipe[key]):
+            told[key] = [
+                {**entry, SENTENCE: old["where"]} if "where" in old else entry
+                for entry, old in zip(recipe[key], said)
+            ]
+    return told
+
+
+def keep_sentence(region, where) -> None:
+    """Let a region say what it is, if that gives just its vertices in the document too."""
+    if where is None:
+        return
+    try:
+        found = selecting.select(region.Part, where)
+    except ValueError:
+        return
+    if np.array_equal(found, model.vertices(region)):
+        model.set_vertices(region, found, json.dumps(where))
 
 
 def add_contacts(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
     """Add all contacts of a recipe; arguments as for `add_regions`."""
     for entry in recipe["contacts"]:
         a, b = (
-            (parts[side["part"]], meshes[side["part"]].find(side["vertices"])[0])
-            for side in (entry["a"], entry["b"])
+            (parts[side["part"]], vertices_of(side, meshes)) for side in (entry["a"], entry["b"])
         )
         kind = entry.get("type", CONTROL_MESH)
         add_contact(assembly, a, b, label=entry["name"], type=kind)

@@ -6,15 +6,17 @@ from __future__ import annotations
 import json
 import os
 import shutil
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from freecad.sheetmorph import reporting
-from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.bridge import conversion, kernel, selecting
 from freecad.sheetmorph.api.checks import number, require_kind
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.assembly import follow_group
+from freecad.sheetmorph.tools import sentences
 from freecad.sheetmorph.bridge.rest import Kept, read_kept, read_original, write_rest_data
 
 
@@ -27,8 +29,10 @@ def prepare(part, **cures) -> dict:
     was added or imported, which stays as it is, whatever was prepared before. Regions, contacts
     and features move to the new vertices in their places. Returns scale, weld, welded, removed,
     split, turned, and in `remesh` edge, rims, rims_on_circles, flats, deviation and
-    flat_deviation (mm, from the old facets); in `unsettled` what did not end, else None. Raises
-    ValueError; then nothing has changed.
+    flat_deviation (mm, from the old facets); in `unsettled` what did not end, else None. Regions
+    that say what they are, are resolved on the new mesh; `told` has a sentence for each that became
+    another one by more than 3 % of its area, `different` their names. Raises ValueError; then
+    nothing has changed.
     """
     original = read_original(checked(part))
     made = preparation(part, **cures)
@@ -41,15 +45,21 @@ def prepare(part, **cures) -> dict:
         placed = prepared_module().placed_on(core, made, old)
     else:
         placed = made
-    moved = moved_vertices(part, placed)
+    told: dict[str, str] = {}
+    moved = moved_vertices(part, placed, made, told)
     features = moved_features(before.features, placed, scale / old_scale)
     extras = moved_extras(part, placed)
     exchange(part, original, made, (scale, features))
-    for owner, name, vertices in moved:
-        setattr(owner, name, model.to_numbers(vertices))
+    for owner, name, vertices, where in moved:
+        if model.kind(owner) == model.REGION:
+            model.set_vertices(owner, vertices, where)
+        else:
+            setattr(owner, name, model.to_numbers(vertices))
     if extras is not None:
         assembly_of(part).Extras = extras
-    return made.preparation
+    done = {**made.preparation, "told": list(told.values()), "different": list(told)}
+    part.Preparation = json.dumps(done)
+    return done
 
 
 def preparation(part, **cures):
@@ -59,7 +69,9 @@ def preparation(part, **cures):
     """
     original = read_original(checked(part))
     wanted = wanted_of(cures)
-    mesh = kernel.load().PartMesh(original.points, original.triangles, name=part.Label)
+    mesh = kernel.load().PartMesh(
+        original.points, original.triangles, name=part.Label, labels=original.labels
+    )
     told = reporting.progress()
     return prepared_module().prepared_mesh(kernel.core(), mesh, wanted, told)[0]
 
@@ -80,6 +92,11 @@ def wanted_of(cures: dict):
         rims,
         positive(cures.get("scale", 1.0), "scale"),
     )
+
+
+def preparation_of(part) -> dict:
+    """Return what `prepare` did to a part, as it returned it; empty for one as it was added."""
+    return json.loads(checked(part).Preparation) if part.Preparation else {}
 
 
 def diagnose_original(part, scale: float = 1.0) -> dict:
@@ -118,9 +135,9 @@ def prepared_module():
     return prepared_mesh
 
 
-def package_mesh(points: np.ndarray, triangles: np.ndarray):
+def package_mesh(points: np.ndarray, triangles: np.ndarray, labels=None):
     """Return a sheetmorph.PartMesh whose vertices are called by their indices."""
-    return kernel.load().PartMesh(points, triangles)
+    return kernel.load().PartMesh(points, triangles, labels=labels)
 
 
 def scale_of(part) -> float:
@@ -128,9 +145,13 @@ def scale_of(part) -> float:
     return json.loads(part.Preparation)["scale"] if part.Preparation else 1.0
 
 
-def moved_vertices(part, placed) -> list[tuple[Any, str, np.ndarray]]:
-    """Return what is picked on a part on its new mesh: object, property, vertices.
+def moved_vertices(
+    part, placed, made, told: dict[str, str]
+) -> list[tuple[Any, str, np.ndarray, str]]:
+    """Return what is picked on a part on its new mesh: object, property, vertices, selector.
 
+    `made`: that mesh, in file coordinates; told: gets, by its name, a sentence on each that became
+    another one.
     Raises ValueError if something would have none left.
     """
     assembly = assembly_of(part)
@@ -140,11 +161,32 @@ def moved_vertices(part, placed) -> list[tuple[Any, str, np.ndarray]]:
         found += [(contact, name) for name, owner in sides if owner == part]
     moved = []
     for owner, name in found:
-        vertices, _ = placed.find(model.to_ids(getattr(owner, name)))
+        vertices, where = said_again(part, owner, (placed, made), told)
+        if vertices is None:
+            vertices, _ = placed.find(model.to_ids(getattr(owner, name)))
         if len(vertices) == 0:
             raise ValueError(f"'{owner.Label}' has no place on the new mesh; delete it first.")
-        moved.append((owner, name, vertices))
+        moved.append((owner, name, vertices, where))
     return moved
+
+
+def said_again(part, owner, meshes: tuple, told: dict[str, str]) -> tuple[np.ndarray | None, str]:
+    """Return the vertices and the selector of a region that says what it is; None, "" without."""
+    if model.kind(owner) != model.REGION or not owner.Where:
+        return None, ""
+    placed, made = meshes
+    frame = replace(read_kept(part).frame, origin=conversion.near_origin(made.points))
+    kept = Kept(made.points, made.triangles, None, frame, [], True, made.labels)
+
+    def new_ids(ids: list) -> list:
+        return placed.find(ids)[0].tolist()
+
+    scale = made.preparation["scale"] / scale_of(part)
+    said = sentences.scaled(selecting.sentence_of(owner), scale)
+    where = sentences.with_moved_ids(said, new_ids)
+    vertices, text = selecting.resolved_again(owner, kept, where, scale)
+    told |= {owner.Name: text} if text else {}
+    return vertices, "" if vertices is None else json.dumps(where)
 
 
 def moved_features(features: list[dict], placed, scale: float) -> list[dict]:
@@ -192,7 +234,9 @@ def exchange(part, original: Kept, made, known: tuple[float, list[dict]]) -> Non
             shutil.copyfile(part.RestData, kept)
             part.OriginalData = kept
         stored = os.path.join(folder, "rest.npz")
-        write_rest_data(stored, package_mesh(made.points, made.triangles), origin, features)
+        write_rest_data(
+            stored, package_mesh(made.points, made.triangles, made.labels), origin, features
+        )
         part.RestData = stored
     if first:
         part.Original = before

@@ -3,30 +3,33 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from freecad.sheetmorph.api.checks import indices, require_kind, require_part_of, vertex_count
 from freecad.sheetmorph.api.motions import rest_centroid, set_rotation
-from freecad.sheetmorph.bridge import kernel
+from freecad.sheetmorph.bridge import kernel, selecting
 from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import FIXED, FOLLOWER, FORM_FEATURE, HANDLE, RegionProxy
 
 
-def add_fixed(assembly, part, vertices: Iterable[int], label: str = "Fixed"):
+def add_fixed(assembly, part, vertices: Iterable[int] | dict, label: str = "Fixed"):
     """Add a fixed region to `part` and return it: its vertices stay where they are.
 
-    `vertices`: indices into the mesh of the part, at least one. Raises ValueError.
+    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
+    Raises ValueError.
     """
     return add_region(assembly, part, vertices, (FIXED, label))
 
 
-def add_handle(assembly, part, vertices: Iterable[int], label: str = "Handle"):
+def add_handle(assembly, part, vertices: Iterable[int] | dict, label: str = "Handle"):
     """Add a handle to `part` and return it: its vertices move as `set_motion` says.
 
-    `vertices`: indices into the mesh of the part, at least one. Raises ValueError.
+    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
+    Raises ValueError.
     """
     return add_region(assembly, part, vertices, (HANDLE, label))
 
@@ -34,7 +37,7 @@ def add_handle(assembly, part, vertices: Iterable[int], label: str = "Handle"):
 def add_feature(
     assembly,
     part,
-    vertices: Iterable[int],
+    vertices: Iterable[int] | dict,
     label: str = "Feature",
     *,
     rotation: str | Sequence = "free",
@@ -43,6 +46,7 @@ def add_feature(
 
     `rotation`: "free" (turns as a rigid body in an elastic sheet), "interpolated" (as the handles
     around it turn) or `(axis (3,), degrees)`.
+    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
     Raises ValueError: no or unknown vertices, another rotation.
     """
     region = add_region(assembly, part, vertices, (FORM_FEATURE, label))
@@ -54,37 +58,66 @@ def add_feature(
     return region
 
 
-def add_follower(assembly, part, vertices: Iterable[int], label: str = "Follower"):
+def add_follower(assembly, part, vertices: Iterable[int] | dict, label: str = "Follower"):
     """Add a follower to `part` and return it: its vertices go where a control mesh takes them.
 
     For parts other than the primary, where more than their contacts should follow closely.
-    `vertices`: indices into the mesh of the part, at least one. Raises ValueError.
+    `vertices`: indices into the mesh of the part, at least one, or a selector (see `select`).
+    Raises ValueError.
     """
     return add_region(assembly, part, vertices, (FOLLOWER, label))
 
 
-def add_region(assembly, part, vertices: Iterable[int], role_and_label: tuple[str, str]):
+def add_region(assembly, part, vertices: Iterable[int] | dict, role_and_label: tuple[str, str]):
     """Add a region of any role; what `add_fixed`, `add_handle` and the others share."""
     require_part_of(assembly, part)
-    checked = indices(vertices, vertex_count(part), "vertex")
+    checked, where = vertices_and_words(part, vertices)
     role, label = role_and_label
     region = assembly.Document.addObject("App::FeaturePython", "Region")
     RegionProxy(region)
     region.Label = label
     region.Role = role
     region.Part = part
-    model.set_vertices(region, checked)
+    model.set_vertices(region, checked, where)
     region.Pivot = rest_centroid(region)
     assembly.addObject(region)
     return region
 
 
-def set_vertices(region, vertices: Iterable[int]) -> None:
-    """Give a region other vertices, indices into the mesh of its part, at least one."""
+def vertices_and_words(part, given) -> tuple[np.ndarray, str]:
+    """Return the vertices (k,) that somebody gave, and the selector, as JSON, if it was one.
+
+    Raises ValueError: it selects nothing, or there are no such vertices.
+    """
+    if not selecting.is_selector(given):
+        return indices(given, vertex_count(part), "vertex"), ""
+    vertex_count(part)  # that it has a mesh
+    found = selecting.select(part, given)
+    return np.asarray(found, dtype=np.int64), json.dumps(given)
+
+
+def select(part, where) -> list[int]:
+    """Return the vertices that a selector, as recipes have them, stands for on a part, sorted.
+
+    Its coordinates are those of the part's file, mm. Raises ValueError if it is wrong or selects
+    nothing.
+    """
+    require_kind(part, model.PART, "part")
+    return vertices_and_words(part, where if selecting.is_selector(where) else [where])[0].tolist()
+
+
+def where(region):
+    """Return the selector that says what a region is; None if only its vertices are known."""
+    require_kind(region, model.REGION, "region")
+    return selecting.sentence_of(region)
+
+
+def set_vertices(region, vertices: Iterable[int] | dict) -> None:
+    """Give a region other vertices: indices into the mesh of its part, or a selector."""
     require_kind(region, model.REGION, "region")
     if region.Part is None:
         raise ValueError(f"Region '{region.Label}' has lost its part; delete the region.")
-    model.set_vertices(region, indices(vertices, vertex_count(region.Part), "vertex"))
+    model.set_vertices(region, *vertices_and_words(region.Part, vertices))
     if region.PivotAtCentroid:
         region.Pivot = rest_centroid(region)
 

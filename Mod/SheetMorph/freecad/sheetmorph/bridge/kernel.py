@@ -55,6 +55,18 @@ def core() -> ModuleType:
     return importlib.import_module("sheetmorph._core")
 
 
+def labels_module() -> ModuleType:
+    """Return the module of the package that knows what files call parts of a mesh."""
+    load()
+    return importlib.import_module("sheetmorph.labels")
+
+
+def selecting_module() -> ModuleType:
+    """Return the module of the package that resolves selectors."""
+    load()
+    return importlib.import_module("sheetmorph.selecting")
+
+
 def is_available() -> bool:
     """Whether `load` would succeed."""
     try:

@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from freecad.sheetmorph.bridge import conversion
+from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.bridge.snapshots import Snapshot, snapshot_of
 from freecad.sheetmorph.bridge.conversion import Frame
 from freecad.sheetmorph.objects.errors import MorphError
@@ -77,6 +77,7 @@ class Kept:
     frame: Frame
     features: list[dict]  # what is known exactly; none for most parts
     is_exact: bool  # in double; else what the mesh object has, in single precision
+    labels: object = None  # a sheetmorph.labels.Labels: what the file calls parts of it
 
 
 def read_kept(part) -> Kept:
@@ -97,7 +98,7 @@ def read_mesh_of(source, path: str) -> Kept:
     key = version_of(path)
     stored = snapshot.derived("rest data", key, lambda: rest_data_of(snapshot, path))
     frame = conversion.frame_of(source, stored["origin"])
-    known = (stored["ids"], frame, stored["features"], stored["is_exact"])
+    known = (stored["ids"], frame, stored["features"], stored["is_exact"], stored["labels"])
     return Kept(stored["points"], snapshot.triangles, *known)
 
 
@@ -115,6 +116,7 @@ def rest_data_of(snapshot: Snapshot, path: str) -> dict:
     is_exact = stored is not None and is_same_mesh(stored, snapshot.points, snapshot.triangles)
     if not is_exact:
         stored = {"points": snapshot.points.astype(float), "ids": None, "features": []}
+        stored["labels"] = None
         stored["origin"] = np.zeros(3)
     stored["points"].setflags(write=False)
     return {**stored, "is_exact": is_exact}
@@ -127,9 +129,10 @@ def read_rest_data(path: str) -> dict | None:
     with np.load(path, allow_pickle=False) as data:
         stored = {name: data[name] for name in ("points", "triangles", "ids", "origin")}
         features = json.loads(str(data["features"])) if "features" in data else []
+        labels = kernel.labels_module().Labels.of_arrays(data) if kernel.is_available() else None
     if len(stored["ids"]) == 0:
         stored["ids"] = None
-    return {**stored, "features": features}
+    return {**stored, "features": features, "labels": labels}
 
 
 def write_rest_data(path: str, mesh, origin: np.ndarray, features: list[dict] = ()) -> None:
@@ -140,7 +143,8 @@ def write_rest_data(path: str, mesh, origin: np.ndarray, features: list[dict] = 
     ids = np.zeros(0, np.int64) if mesh.ids is None else mesh.ids
     known = json.dumps(list(features))
     arrays = {"points": mesh.points, "triangles": mesh.triangles, "ids": ids, "origin": origin}
-    np.savez(path, features=np.array(known), **arrays)
+    labels = {} if mesh.labels is None else mesh.labels.arrays()
+    np.savez(path, features=np.array(known), **arrays, **labels)
 
 
 def is_same_mesh(stored: dict, local: np.ndarray, triangles: np.ndarray) -> bool:

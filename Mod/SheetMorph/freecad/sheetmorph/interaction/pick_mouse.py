@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mouse while a region is picked: hover, clicks, and figures drawn on the screen."""
 
+import numpy as np
+
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.figure import Figure
 from freecad.sheetmorph.scene.viewport import Listener, Viewport, take_every_move
 from freecad.sheetmorph.tools import figures
 from freecad.sheetmorph.tools.part_mesh import NOTHING
 from freecad.sheetmorph.tools.rims import Ray
+from freecad.sheetmorph.tools.sentences import DrawnFigure
 
 
 class PickMouse(Listener):
@@ -60,7 +63,8 @@ class PickMouse(Listener):
             return
         target = self._picker.aim(ray)
         if len(target):
-            self._picker.take(target, self._picker.mode(pointer.shift, pointer.control))
+            mode = self._picker.mode(pointer.shift, pointer.control)
+            self._picker.take(target, mode, self._picker.told(ray))
             self._host.picked()
         else:
             self._host.click(ray)
@@ -87,9 +91,11 @@ class PickMouse(Listener):
         if self._drawing is None:
             return
         if self._drawing.has_extent:
-            if not self._is_brush():
-                self._picker.paint(self._viewport.camera(), self._drawing.outline())
-            self._picker.take_painted(self._mode)
+            camera = self._viewport.camera()
+            last = self._drawing.rest() if self._is_brush() else self._drawing.outline()
+            if last is not None:
+                self._picker.paint(camera, last)
+            self._picker.take_painted(self._mode, self._said(camera))
         self._end()
         self._host.picked()
         if self._is_brush():
@@ -113,6 +119,18 @@ class PickMouse(Listener):
     def on_enter(self) -> None:
         """OK."""
         self._host.accept()
+
+    def _said(self, camera) -> dict:
+        """What was drawn, as a selector has it."""
+        options = self._picker.options
+        return DrawnFigure(
+            options.what,
+            self._drawing.places,
+            np.asarray(camera.to_clip, float).ravel().tolist(),
+            [camera.width, camera.height],
+            options.radius if self._is_brush() else 0.0,
+            options.through,
+        ).said()
 
     def _draws(self) -> bool:
         return self._picker is not None and self._picker.options.what in figures.DRAWN

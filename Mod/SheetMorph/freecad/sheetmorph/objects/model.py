@@ -80,9 +80,13 @@ def contact_vertices(contact, side: str) -> np.ndarray:
     return to_ids(contact.VerticesA if side == "a" else contact.VerticesB)
 
 
-def set_vertices(region, ids: Iterable[int]) -> None:
-    """Store the vertex indices of a region, sorted and without repetition."""
+def set_vertices(region, ids: Iterable[int], where: str = "") -> None:
+    """Store the vertex indices of a region, sorted and without repetition, and what it says it is.
+
+    `where`: a selector as JSON, empty if only the vertices are known.
+    """
     region.Vertices = to_numbers(ids)
+    region.Where = where
 
 
 def set_contact_vertices(contact, side: str, ids: Iterable[int]) -> None:

@@ -25,6 +25,10 @@ SIZE_DOC = (
     "Diameter of a hole, length of a slot, radius of a cylinder; its rim is then an exact circle, "
     "slot or cylinder of that size. 0: as in the mesh"
 )
+WHERE_DOC = (
+    "What the region is, as a selector of a recipe, in the coordinates of the file of the part; "
+    "empty where only the vertices are known"
+)
 UP = FreeCAD.Vector(0, 0, 1)
 
 COMMON = (
@@ -38,6 +42,7 @@ COMMON = (
     ),
     Property("LinkHidden", "Part", "Region", "The part the vertices belong to", mode=READ_ONLY),
     Property("FloatList", "Vertices", "Region", "Indices of the vertices", mode=HIDDEN),
+    Property("String", "Where", "Region", WHERE_DOC, mode=READ_ONLY),
 )
 MOTION = (
     Property("Distance", "TranslationX", "Motion", "Translation along the global x axis"),

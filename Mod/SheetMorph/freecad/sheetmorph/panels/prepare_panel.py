@@ -3,6 +3,7 @@
 
 import html
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api
@@ -74,7 +75,18 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
+        self._tell_differences()
         return True
+
+    def _tell_differences(self) -> None:
+        """Says which regions mean something else on the new mesh, and lights them up."""
+        done = api.preparation_of(self._part)
+        for text in done.get("told", ()):
+            App.Console.PrintWarning(f"SheetMorph: {text}\n")
+        if done.get("different"):
+            Gui.Selection.clearSelection()
+        for region in done.get("different", ()):
+            Gui.Selection.addSelection(self._part.Document.getObject(region))
 
     def _show_part(self) -> None:
         """Which one it is, where there are others: tinted, and brought into view."""

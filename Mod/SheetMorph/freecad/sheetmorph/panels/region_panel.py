@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel in which a region is picked."""
 
+import json
+
 from freecad.sheetmorph import actions
-from freecad.sheetmorph.bridge import seen
+from freecad.sheetmorph.bridge import seen, selecting
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
@@ -10,6 +12,7 @@ from freecad.sheetmorph.panels.base import Panel, legend, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
+from freecad.sheetmorph.panels.typed import Typed
 from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
@@ -18,6 +21,7 @@ from freecad.sheetmorph.scene.pick_view import PickView
 from freecad.sheetmorph.tools import picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.part_mesh import nearest_part
+from freecad.sheetmorph.tools.sentences import KEPT, operands, simplest
 
 TITLES = {
     "fixed": QT_TRANSLATE_NOOP("region", "Fixed Region"),
@@ -88,6 +92,8 @@ class RegionPanel(Panel):
         with actions.waiting():
             mesh.prepare()
         self._picker = picking.RegionPicker(mesh, vertices, options, others)
+        if self._region is not None and selecting.sentence_of(self._region) is not None:
+            self._picker.begin_with(selecting.sentence_of(self._region))
         self._picker.leave(picking.Taken(taken_from(part, self._role, self._region)))
         self._view = PickView(part.ViewObject, mesh, colours.ROLES[self._role])
         self._tools.use(self._picker)
@@ -126,6 +132,7 @@ class RegionPanel(Panel):
         text = translate("region", "Picked: {0} vertices, {1} piece(s)").format(len(picked), pieces)
         self.form.count.setText(text if pieces else translate("region", "Nothing picked yet"))
         self._faults.say("")
+        self._show_sentence()
         refused = ", ".join(f"'{label}'" for label in self._picker.refused)
         text = translate("region", "What {0} has already is left out: a vertex has one of them.")
         say(self.form.message, text.format(refused) if refused else "", bool(refused))
@@ -156,14 +163,50 @@ class RegionPanel(Panel):
     def _lines(self) -> list[str]:
         """The calls of the API that make what is picked."""
         if self._region is not None:
-            picked = actions.vertices(self._picker.picked)
-            return [call("set_vertices", name(self._region), picked)]
+            return [call("set_vertices", name(self._region), self._words(self._picker.picked))]
         groups = [self._picker.picked]
         if self._role == "form feature" and self.form.separate.isChecked():
             groups = self._picker.groups()
         owner, part = name(model.assembly_of(self._part)), name(self._part)
         function = FUNCTIONS[self._role]
-        return [call(function, owner, part, actions.vertices(group)) for group in groups]
+        return [call(function, owner, part, self._words(group)) for group in groups]
+
+    def _words(self, group) -> str:
+        """How a macro line says which vertices: by what was clicked, else by their ids."""
+        said = self._picker.said
+        if len(group) == len(self._picker.picked):
+            wanted = [said]
+        else:
+            wanted = operands(said)
+        for sentence in wanted:
+            where = selecting.sentence_for(self._part, sentence, group)
+            if where is not None:
+                return repr(where)
+        return actions.vertices(group)
+
+    # -- a selector that is typed
+
+    def _show_sentence(self) -> None:
+        """Shows what the picks say, in the field in which another selector may be typed."""
+        picked = self._picker.picked
+        where = (
+            selecting.sentence_for(self._part, self._picker.said, picked) if len(picked) else None
+        )
+        self.form.where.setText("" if where is None else json.dumps(simplest(where)))
+
+    def _take_typed(self) -> None:
+        """Picks what the typed selector stands for; what is wrong with it is told."""
+        text = self.form.where.text().strip()
+        if not text:
+            return
+        try:
+            where = json.loads(text)
+            found = selecting.select(self._part, where)
+        except (ValueError, TypeError) as error:
+            self._faults.say(str(error))
+            return
+        self._picker.take(found, picking.REPLACE, {KEPT: where})
+        self.picked()
 
     def _remove_view(self) -> None:
         if self._view is not None:
@@ -175,5 +218,6 @@ class RegionPanel(Panel):
         form = self.form
         is_new_feature = self._role == "form feature" and self._region is None
         form.separate.setVisible(is_new_feature)
+        self._typed = Typed(form.where, self._take_typed)
         self._tools.offer_holes(is_new_feature)
         form.legend.setText(legend(self._role))

@@ -9,6 +9,7 @@ MODULES = tuple(
         "kernel",
         "objects",
         "regions",
+        "selectors",
         "motions",
         "features",
         "placements",

@@ -15,6 +15,7 @@ BRUSH, RECTANGLE, LASSO = "brush", "rectangle", "lasso"
 DRAWN = (BRUSH, RECTANGLE, LASSO)
 SIDES = 32  # of the polygon that stands for a circle
 NEAREST = 2.0  # px between the corners of a lasso
+STRIDE = 0.25  # of its radius between the places of a brush's stroke that are kept
 SMALLEST, LARGEST, STEP = 4.0, 400.0, 1.15  # px, and how the wheel changes a radius
 
 
@@ -63,6 +64,25 @@ def lasso(places: Sequence[Place]) -> np.ndarray:
     return np.array(kept, dtype=float)
 
 
+def outlines(figure) -> list[np.ndarray]:
+    """What a `sentences.DrawnFigure` covers, in the pieces in which it was drawn."""
+    places = [tuple(place) for place in figure.places]
+    if figure.tool == BRUSH:
+        strokes = zip(places, places[1:])
+        first = circle(places[0], figure.radius)
+        return [first, *(swept(start, end, figure.radius) for start, end in strokes)]
+    if figure.tool == RECTANGLE:
+        return [rectangle(places[0], places[-1])]
+    if figure.tool != LASSO:
+        raise ValueError(f"A figure is a {', '.join(DRAWN)}, not a {figure.tool}.")
+    return [lasso(places)]
+
+
+def number(value: float) -> float:
+    """A whole number as such."""
+    return int(value) if float(value).is_integer() else float(value)
+
+
 def resized(radius: float, steps: float) -> float:
     """The radius of the brush after so many steps of the wheel, px."""
     return min(max(radius * STEP**steps, SMALLEST), LARGEST)
@@ -75,17 +95,42 @@ class Drawing:
         """``tool``: BRUSH with a ``radius``, RECTANGLE or LASSO."""
         self._tool, self._radius = tool, radius
         self._places = [start]
+        self._last = start  # where the mouse is; a brush keeps a place now and then
 
     def go_to(self, place: Place) -> np.ndarray:
         """Goes on to a place; returns what of a brush's stroke is new, else the figure so far."""
+        self._last = place
+        if self._tool != BRUSH:
+            self._places.append(place)
+            return self.outline()
         last = self._places[-1]
+        if math.dist(place, last) < STRIDE * self._radius:
+            return circle(last, self._radius)
         self._places.append(place)
-        return swept(last, place, self._radius) if self._tool == BRUSH else self.outline()
+        return swept(last, place, self._radius)
+
+    def rest(self) -> np.ndarray | None:
+        """What of a brush's stroke is still to come when the button is let go; None if nothing."""
+        last = self._places[-1]
+        if self._tool != BRUSH or self._last == last:
+            return None
+        self._places.append(self._last)
+        return swept(last, self._last, self._radius)
+
+    @property
+    def places(self) -> list[list[float]]:
+        """The places that say what the figure is."""
+        kept = self._places
+        if self._tool == RECTANGLE:
+            kept = [kept[0], kept[-1]]
+        elif self._tool == LASSO:
+            kept = lasso(kept).tolist()
+        return [[number(x), number(y)] for x, y in kept]
 
     def outline(self) -> np.ndarray:
         """The figure so far; for a brush the circle where it is."""
         if self._tool == BRUSH:
-            return circle(self._places[-1], self._radius)
+            return circle(self._last, self._radius)
         if self._tool == RECTANGLE:
             return rectangle(self._places[0], self._places[-1])
         return lasso(self._places)

@@ -141,6 +141,29 @@ class PartMesh:
         nearest = rims.nearest(ray, None if found is None else found[1], holes_only)
         return NOTHING if nearest is None else self.grown(nearest, rings)
 
+    def place_on_rim(self, ray: Ray, crease: float, holes_only: bool) -> list[float] | None:
+        """A place at rest (3,) on the rim that `rim` takes; None if it takes none."""
+        found = self.hit(ray)
+        point = None if found is None else found[1]
+        loop = self.edges(crease).nearest(ray, point, holes_only)
+        if loop is None:
+            return None
+        near = ray.origin if point is None else point
+        first = int(np.linalg.norm(self._seen[loop] - near, axis=1).argmin())
+        return np.asarray(self._rest[loop[first]], float).tolist()
+
+    def places_of_holes(self) -> list[list[float]]:
+        """A place at rest (3,) on the rim of every hole."""
+        return [np.asarray(self._rest[loop[0]], float).tolist() for loop in self.rims.holes()]
+
+    def place_at_rest(self, triangle: int, point: np.ndarray) -> list[float]:
+        """Where a point (3,) seen on a triangle is at rest."""
+        a, b, c = self._seen[self.triangles[triangle]]
+        weights = np.linalg.lstsq(np.stack([b - a, c - a], axis=1), point - a, rcond=None)[0]
+        corners = np.asarray(self._rest, float)[self.triangles[triangle]]
+        inner = np.clip([1.0 - weights.sum(), *weights], 0.0, 1.0)
+        return (inner @ corners / inner.sum()).tolist()
+
     def rim_at(self, vertex: int, rings: int) -> np.ndarray:
         """The closed boundary through a vertex, with rings of vertices around it.
 

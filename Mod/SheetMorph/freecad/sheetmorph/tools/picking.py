@@ -12,6 +12,7 @@ import numpy as np
 from freecad.sheetmorph.tools.figures import BRUSH, Camera
 from freecad.sheetmorph.tools.part_mesh import NOTHING, to_ids
 from freecad.sheetmorph.tools.rims import Ray
+from freecad.sheetmorph.tools.sentences import KEPT, Said, added, changed, removed
 
 REPLACE, ADD, REMOVE = "replace", "add", "remove"
 VERTEX, FACET, FACE, RIM, WHOLE = "vertex", "facet", "face", "rim", "whole"
@@ -60,7 +61,8 @@ class RegionPicker:
         self._left_out = NOTHING
         self._others = list(others)
         self._picked = to_ids(picked)
-        self._history: list[np.ndarray] = []
+        self._said: Said = None if len(self._picked) else []
+        self._history: list[tuple[np.ndarray, Said]] = []
         self._options = options
         self._painted = NOTHING
 
@@ -68,6 +70,15 @@ class RegionPicker:
     def picked(self) -> np.ndarray:
         """The vertices picked now, ascending."""
         return self._picked
+
+    @property
+    def said(self) -> Said:
+        """What the picks say, a selector in global coordinates at rest; None if nobody knows."""
+        return self._said
+
+    def begin_with(self, where: Said) -> None:
+        """Says what is picked from the beginning, a selector in the coordinates of the file."""
+        self._said = {KEPT: where}
 
     def leave(self, taken: Taken) -> None:
         """Leaves what other regions have out of every pick from now on."""
@@ -127,11 +138,28 @@ class RegionPicker:
         self._painted = np.union1d(self._painted, self.aim_inside(camera, outline))
         return self._painted
 
-    def take_painted(self, mode: str) -> bool:
+    def take_painted(self, mode: str, said: Said = None) -> bool:
         """Takes what the stroke has; one without anything changes nothing."""
         painted = self._painted
         self.forget_painted()
-        return bool(len(painted)) and self.take(painted, mode)
+        return bool(len(painted)) and self.take(painted, mode, said)
+
+    def told(self, ray: Ray) -> Said:
+        """What a click along the ray says: the face, rim or piece at this place."""
+        options, mesh = self._options, self._mesh
+        found = mesh.hit(ray)
+        crease = round(math.degrees(options.crease), 9)
+        if options.what == RIM:
+            place = mesh.place_on_rim(ray, options.crease, options.holes_only)
+            rings = {"rings": options.rings} if options.rings else {}
+            said = {"rim_at": place, "alone": True, "crease_angle": crease, **rings}
+            return None if place is None else said
+        if found is None or options.what not in (FACE, WHOLE):
+            return {"vertices": [int(vertex) for vertex in self.aim(ray)]}
+        place = mesh.place_at_rest(*found)
+        if options.what == FACE:
+            return {"face_at": place, "crease_angle": crease}
+        return {"piece_at": place}
 
     def forget_painted(self) -> None:
         """Begins a new stroke."""
@@ -140,44 +168,53 @@ class RegionPicker:
     def click(self, ray: Ray, mode: str = REPLACE) -> bool:
         """Takes what the ray aims at; a click into the void changes nothing and returns False."""
         target = self.aim(ray)
-        return bool(len(target)) and self.take(target, mode)
+        return bool(len(target)) and self.take(target, mode, self.told(ray))
 
-    def take(self, vertices: Iterable[int], mode: str = REPLACE) -> bool:
-        """Replaces, adds or removes vertices; whether that changed anything."""
+    def take(self, vertices: Iterable[int], mode: str = REPLACE, said: Said = None) -> bool:
+        """Replaces, adds or removes vertices; whether that changed anything.
+
+        ``said``: the selector that gives them, if anybody knows.
+        """
         target = to_ids(vertices)
         if mode == ADD:
-            return self._become(np.union1d(self._picked, target))
+            return self._become(np.union1d(self._picked, target), added(self._said, said))
         if mode == REMOVE:
-            return self._become(np.setdiff1d(self._picked, target))
-        return self._become(target)
+            return self._become(np.setdiff1d(self._picked, target), removed(self._said, said))
+        return self._become(target, None if said is None else [said])
 
     def take_holes(self) -> bool:
         """Picks the rims of all holes."""
         rims = self._mesh.hole_rims(self._options.rings)
-        return self._become(to_ids(np.concatenate([NOTHING, *rims])))
+        said = [
+            {"rim_at": place, "alone": True, **({"rings": rings} if rings else {})}
+            for place in self._mesh.places_of_holes()
+            for rings in [self._options.rings]
+        ]
+        return self._become(to_ids(np.concatenate([NOTHING, *rims])), said)
 
     def grow(self) -> bool:
         """Adds one ring of neighbours."""
-        return self._become(self._mesh.grown(self._picked))
+        return self._become(self._mesh.grown(self._picked), changed("grow", self._said))
 
     def shrink(self) -> bool:
         """Takes the outermost ring away."""
-        return self._become(self._mesh.shrunk(self._picked))
+        return self._become(self._mesh.shrunk(self._picked), changed("shrink", self._said))
 
     def invert(self) -> bool:
         """Picks what is not picked."""
-        return self._become(np.setdiff1d(self._mesh.used, self._picked))
+        others = np.setdiff1d(self._mesh.used, self._picked)
+        return self._become(others, removed([{"all": True}], self._said or None))
 
     def clear(self) -> bool:
         """Picks nothing."""
-        return self._become(NOTHING)
+        return self._become(NOTHING, [])
 
     def back(self) -> bool:
         """Takes back the last change."""
         if not self._history:
             return False
         self._left_out = NOTHING
-        self._picked = self._history.pop()
+        self._picked, self._said = self._history.pop()
         return True
 
     def groups(self) -> Sequence[np.ndarray]:
@@ -194,11 +231,13 @@ class RegionPicker:
         distance = np.linalg.norm(point - ray.origin) * (1.0 - 1e-6)
         return any(other.distance(ray) < distance for other in self._others)
 
-    def _become(self, picked: np.ndarray) -> bool:
+    def _become(self, picked: np.ndarray, said: Said) -> bool:
         self._left_out = np.intersect1d(picked, self._taken.vertices)
+        if len(self._left_out):
+            said = removed(said, {"vertices": self._left_out.tolist()})
         picked = np.setdiff1d(picked, self._taken.vertices)
         if np.array_equal(picked, self._picked):
             return False
-        self._history.append(self._picked)
-        self._picked = picked.astype(np.int32)
+        self._history.append((self._picked, self._said))
+        self._picked, self._said = picked.astype(np.int32), said
         return True

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A field of a panel in which Enter means the field, not OK."""
+
+from freecad.sheetmorph.qt import QtCore
+
+_ENTER = (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter)
+
+
+class Typed(QtCore.QObject):
+    """Calls something when Enter is pressed in a field; the panel's OK does not get it."""
+
+    def __init__(self, field, on_enter):
+        super().__init__(field)
+        self._on_enter = on_enter
+        field.installEventFilter(self)
+
+    def eventFilter(self, _field, event) -> bool:
+        """Take Enter, leave everything else."""
+        if event.type() != QtCore.QEvent.KeyPress or event.key() not in _ENTER:
+            return False
+        self._on_enter()
+        return True

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What picks say: selectors in global coordinates while they are picked, of the file afterwards."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+DIGITS = (3, 6, 17)
+"""Digits behind the point with which a sentence is tried, the shortest first."""
+KEPT = "kept"
+"""A key around what is in the coordinates of the file already."""
+POINTS = ("face_at", "rim_at", "piece_at")
+
+Said = Any  # a selector, None where nobody knows what to say
+
+
+@dataclass(frozen=True)
+class DrawnFigure:
+    """A figure on the screen: places (px), of a brush its radius, and what the view showed.
+
+    camera: 16 numbers, rows of the matrix to clip coordinates; view: width and height, px.
+    """
+
+    tool: str
+    places: list
+    camera: list
+    view: list
+    radius: float = 0.0
+    through: bool = False
+
+    def said(self) -> dict:
+        """As a selector has it."""
+        told = {"figure": self.tool, "places": self.places, "camera": self.camera}
+        told["view"] = self.view
+        if self.radius:
+            told["radius"] = self.radius
+        if self.through:
+            told["through"] = True
+        return {"drawn": told}
+
+
+def figure_of(told: dict) -> DrawnFigure:
+    """The figure of a selector. Raises ValueError if it is none."""
+    try:
+        figure = DrawnFigure(
+            str(told["figure"]),
+            [[float(x), float(y)] for x, y in told["places"]],
+            [float(value) for value in told["camera"]],
+            [float(value) for value in told["view"]],
+            float(told.get("radius", 0.0)),
+            bool(told.get("through", False)),
+        )
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError("A drawn figure has figure, places, camera and view.") from error
+    if not figure.places or len(figure.camera) != 16 or len(figure.view) != 2:
+        raise ValueError("A drawn figure has places, a camera of 16 numbers, a view of two.")
+    return figure
+
+
+def added(first: Said, second: Said) -> Said:
+    """Both together."""
+    if first is None or second is None:
+        return None
+    return [*(first if isinstance(first, list) else [first]), second]
+
+
+def removed(first: Said, second: Said) -> Said:
+    """The first without the second."""
+    return None if first is None or second is None else {"minus": [first, second]}
+
+
+def changed(key: str, said: Said) -> Said:
+    """Grown or shrunk by a ring."""
+    return None if said is None else {key: 1, "of": said}
+
+
+def in_file(said: Said, frame: Any, digits: int = 17) -> Said:
+    """The same in the coordinates of a part's file, points rounded to digits behind the point.
+
+    `frame`: has rotation, base, origin, as conversion.Frame.
+    """
+    if isinstance(said, list):
+        return [in_file(one, frame, digits) for one in said]
+    if not isinstance(said, dict):
+        return said
+    if KEPT in said:
+        return said[KEPT]
+    found = {}
+    for key, value in said.items():
+        if key in POINTS:
+            local = (np.asarray(value, float) - frame.base) @ frame.rotation + frame.origin
+            found[key] = rounded(local, digits)
+        elif key == "drawn":
+            found[key] = {**value, "camera": camera_in_file(value["camera"], frame, digits)}
+        elif key in ("union", "intersection", "minus", "of"):
+            found[key] = in_file(value, frame, digits)
+        else:
+            found[key] = value
+    return found
+
+
+def rounded(values: np.ndarray, digits: int) -> list[float]:
+    """Plain numbers, without minus zero."""
+    return [round(float(value), digits) + 0.0 for value in values]
+
+
+def camera_in_file(camera: Sequence[float], frame: Any, digits: int) -> list[float]:
+    """The matrix to clip coordinates from those of the file, with so many digits in all and 4."""
+    to_global = np.eye(4)
+    to_global[:3, :3] = frame.rotation
+    to_global[:3, 3] = frame.base - frame.rotation @ frame.origin
+    matrix = np.array(camera, float).reshape(4, 4)
+    if not np.array_equal(to_global, np.eye(4)):
+        matrix = matrix @ to_global
+    return [significant(value, digits + 4) for value in matrix.ravel().tolist()]
+
+
+def significant(value: float, digits: int) -> float:
+    """A number with so many significant digits."""
+    if value == 0.0 or not math.isfinite(value):
+        return 0.0
+    return float(f"{value:.{min(digits, 17)}g}")
+
+
+def with_moved_ids(where: Said, moved: Callable[[list], list]) -> Said:
+    """A selector whose vertex ids are those that `moved(ids)` gives."""
+    if isinstance(where, list):
+        return [with_moved_ids(one, moved) for one in where]
+    if not isinstance(where, dict):
+        return where
+    return {
+        key: (
+            moved(value)
+            if key == "vertices"
+            else with_moved_ids(value, moved)
+            if key in ("union", "intersection", "minus", "of")
+            else value
+        )
+        for key, value in where.items()
+    }
+
+
+PLACES = (*POINTS, "border_at", "cad_face_at", "near", "box", "point", "center")
+LENGTHS = ("radius", "length", "thickness", "diameter", "borders_longer")
+"""Keys of a selector whose values are lengths, mm."""
+
+
+def scaled(where: Said, factor: float) -> Said:
+    """A selector of a part that is so many times as large."""
+    if isinstance(where, list):
+        return [scaled(one, factor) for one in where]
+    if not isinstance(where, dict) or factor == 1.0:
+        return where
+    found = {}
+    for key, value in where.items():
+        if key in PLACES or key in LENGTHS:
+            found[key] = (factor * np.asarray(value, float)).tolist()
+        elif key == "drawn":
+            shrunk = np.diag([1.0 / factor] * 3 + [1.0])
+            camera = np.array(value["camera"], float).reshape(4, 4) @ shrunk
+            found[key] = {**value, "camera": camera.ravel().tolist()}
+        else:
+            found[key] = scaled(value, factor) if isinstance(value, (dict, list)) else value
+    return found
+
+
+def simplest(where: Said) -> Said:
+    """A list of one is that one."""
+    return where[0] if isinstance(where, list) and len(where) == 1 else where
+
+
+def operands(said: Said) -> list:
+    """The selectors that a list joins; one alone is itself."""
+    if isinstance(said, dict) and set(said) == {"union"}:
+        said = said["union"]
+    return list(said) if isinstance(said, list) else [said]

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is picked keeps its sentence: on another mesh, in a macro, and typed by hand."""
+
+import json
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from checks_drawing import ring, start, top
+from checks_macro import calls_in, macro_path, replay, start_recording, stop_recording
+from checks_picking import start_morph, view_from
+from desk import child, click_point, draw_along, enter, press, press_tool, until, xdotool
+from freecad.sheetmorph import api
+from freecad.sheetmorph.bridge import selecting
+from freecad.sheetmorph.objects import model
+from scenes import assembly, new_document, part, regions
+from shapes import HOLES
+
+__all__ = [
+    "test_a_macro_of_face_brush_rim_and_lasso_picks_is_short_and_replays_to_the_bit",
+    "test_a_part_prepared_anew_by_mouse_keeps_every_region",
+    "test_a_selector_is_typed_in_the_panel",
+]
+LONGEST = 2000  # characters of a macro with a pick of every kind
+
+
+def pick_in_every_way():
+    """Fixed by a face, a handle by the brush, holes by a rim and a lasso."""
+    view_from(0.0)
+    yield from press_tool("Mark Fixed Region…")
+    yield from click_point((0.0, 30, 10))
+    yield from press("OK")
+    yield from start("Mark Handle…", "brush")
+    yield from draw_along([(112, 8, 0), (112, 52, 0)])
+    yield from press("OK")
+    top()
+    yield from press_tool("Mark Form Features…")
+    x, y, radius = HOLES[0]
+    yield from click_point((x, y + radius + 1.5, 0))
+    yield from press("OK")
+    yield from start("Mark Form Features…", "lasso")
+    yield from draw_along(ring(*HOLES[1][:2], HOLES[1][2] + 5))
+    yield from press("OK")
+
+
+def test_a_macro_of_face_brush_rim_and_lasso_picks_is_short_and_replays_to_the_bit():
+    yield from start_recording("said")
+    yield from new_document()
+    yield from start_morph()
+    yield from pick_in_every_way()
+    yield from stop_recording("said")
+    with open(macro_path("said"), encoding="utf-8") as file:
+        text = file.read()
+    lines = [line for line in text.splitlines() if ".add_f" in line or ".add_h" in line]
+    assert [key for key in ("face_at", "brush", "rim_at", "lasso") if key not in text] == [], text
+    assert len(lines) == 4 and calls_in("said").count("add_feature") == 2, calls_in("said")
+    assert sum(map(len, lines)) < LONGEST, [len(line) for line in lines]
+    assert all(api.where(region) for region in model.regions(assembly()))
+    yield from replay("said")
+
+
+def areas() -> dict:
+    """The area of every region by its label, mm^2, as its sentence means it."""
+    shape = selecting.shape_of(part())
+    found = {}
+    for region in model.regions(assembly()):
+        chosen = selecting.chosen_on(shape, api.where(region))
+        assert api.vertices(region) == chosen.vertices.tolist(), region.Label
+        found[region.Name] = shape.area_of(chosen)
+    return found
+
+
+def prepare_with(edge: float):
+    """Prepare Mesh, with edges of a length, and OK."""
+    before = part().Source.Name
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(part())
+    yield from press_tool("Prepare Mesh…")
+    yield from until(Gui.Control.activeDialog, "the panel")
+    child("weld").setChecked(False)
+    child("remesh").setChecked(True)
+    child("thin").setChecked(False)
+    yield from enter(child("edge"), str(edge))
+    yield from press("OK")
+    yield from until(lambda: part().Source.Name != before, "the new mesh")
+    yield 300
+
+
+def test_a_part_prepared_anew_by_mouse_keeps_every_region():
+    yield from new_document()
+    yield from start_morph()
+    for x, command in ((0.0, "Mark Fixed Region…"), (120.0, "Mark Handle…")):
+        view_from(x)
+        yield from press_tool(command)
+        yield from click_point((x, 30, 10))
+        yield from press("OK")
+    top()
+    yield from press_tool("Mark Form Features…")
+    for (x, y, radius), key in zip(HOLES, ("", "shift")):
+        yield from click_point((x, y + radius + 1.5, 0), key)
+    yield from press("OK")
+    first = areas()
+    assert len(first) == 4
+    for edge in (8.0, 4.0, 3.0):
+        yield from prepare_with(edge)
+        now = areas()
+        assert now.keys() == first.keys()
+        for name, area in first.items():
+            assert abs(now[name] - area) <= 0.03 * max(area, 1e-9), (edge, name, area, now[name])
+        assert api.preparation_of(part())["told"] == []
+
+
+def test_a_selector_is_typed_in_the_panel():
+    yield from new_document()
+    yield from start_morph()
+    yield from press_tool("Mark Fixed Region…")
+    where = {"half_space": {"point": [10, 0, 0], "normal": [-1, 0, 0]}}
+    field = child("where")
+    field.setFocus()
+    yield from xdotool("type", "--delay", 15, json.dumps({**where, "holes": 9}))
+    yield from xdotool("key", "Return")
+    yield 300
+    assert "9 holes expected" in child("message").text() or Gui.Control.activeDialog()
+    assert not regions("fixed")
+    field.clear()
+    field.setFocus()
+    yield from xdotool("type", "--delay", 15, json.dumps(where))
+    yield from xdotool("key", "Return")
+    yield from until(lambda: "vertices" in child("count").text(), "the pick")
+    assert json.loads(field.text()) == where
+    yield from press("OK")
+    region = regions("fixed")[-1]
+    assert api.where(region) == where
+    points = api.rest_mesh(part())[0]
+    assert points[api.vertices(region), 0].max() <= 10.0
+    assert App.ActiveDocument.UndoCount >= 1
