@@ -234,8 +234,8 @@ class Writer:
         return report
 
     def write_parts(self) -> dict[str, Any]:
-        """The same into a folder that is there and new; it stays if anything fails."""
-        with FileSet() as files:
+        """The same into a folder that is new; its owner flushes it, or removes it."""
+        with FileSet(flushed=False) as files:
             report = self._fill(files)
             files.commit()
         return report

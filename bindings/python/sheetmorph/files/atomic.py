@@ -20,10 +20,12 @@ class FileSet:
     """Files written under temporary names beside their places and renamed together.
 
     Use it in a ``with`` block; leaving the block without ``commit()`` removes the temporaries.
-    ``committed`` is true as soon as every file has its name.
+    ``committed`` is true as soon as every file has its name. flushed: whether the files are on the
+    disk before they get their names; whoever says no sees to it by himself.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, flushed: bool = True) -> None:
+        self._flushed = flushed
         self._pending: list[tuple[Path, Path]] = []
         self.committed = False
 
@@ -73,12 +75,19 @@ class FileSet:
             require_file_place(final)
             if final.exists() and not filecmp.cmp(temporary, final, shallow=False):
                 require_unread(final, places)
-            with self.named(temporary), open(temporary, "rb") as written:
-                os.fsync(written.fileno())
+            if self._flushed:
+                with self.named(temporary):
+                    flush(temporary)
         with postponed():
             _rename_all(self._pending)
             self._pending.clear()
             self.committed = True
+
+
+def flush(path: Path) -> None:
+    """Returns when a file is on the disk."""
+    with open(path, "rb") as written:
+        os.fsync(written.fileno())
 
 
 def require_file_place(path: Path) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import re
 from abc import abstractmethod
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -110,23 +111,29 @@ class CoordinateText:
         pieces.append(self.data[done:])
         return b"".join(pieces)
 
+    @cached_property
+    def _words(self) -> tuple[list[bytes], list[int]] | None:
+        """The file's words, and which of them are the coordinates in their order; None if one is
+        no word of its own."""
+        found = list(TOKEN.finditer(self.data))
+        places = {word.span(): k for k, word in enumerate(found)}
+        own = [places.get((begin, end)) for begin, end in self.spans.reshape(-1, 2).tolist()]
+        return None if None in own else ([word.group() for word in found], own)
+
     def read_again(self, data: bytes) -> np.ndarray | None:
-        """(n, 3) coordinates of the same file with other numbers; None if anything else differs."""
-        spans = self.spans.reshape(-1, 2)
-        order = np.argsort(spans[:, 0], kind="stable")
-        numbers = []
-        done = place = 0
-        for begin, end in spans[order].tolist():
-            between = self.data[done:begin]
-            found = _NUMBER.match(data, place + len(between))
-            if found is None or not data.startswith(between, place):
-                return None
-            numbers.append(float(found.group()))
-            done, place = end, found.end()
-        if data[place:] != self.data[done:]:
+        """(n, 3) coordinates of the same file with other numbers; None if another word differs."""
+        if self._words is None:
             return None
-        values = np.empty(len(spans))
-        values[order] = numbers
+        before, own = self._words
+        words = data.split()
+        if len(words) != len(before):
+            return None
+        numbers = [words[k] for k in own]
+        for k in own:
+            words[k] = before[k]
+        if words != before or not all(map(_NUMBER.fullmatch, numbers)):
+            return None
+        values = np.array(list(map(float, numbers)))
         return values.reshape(-1, 3) if (np.abs(values) <= LARGEST).all() else None
 
 
