@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import sheetmorph
 from lumpy_plates import ends, raised
@@ -241,3 +243,58 @@ def test_the_worst_edge_and_the_worst_fold_are_in_the_report():
     recipe["pose"] = {"tip": {"rotation": {"axis": [0, 1, 0], "degrees": -90}}}
     quality = Session(recipe, mesh).deform().report()["parts"][0]["quality"]
     assert 1.0 < quality["worst_fold_degrees"] < 90.0
+
+
+def grids(sizes: list[int]) -> dict[str, PartMesh]:
+    """Square sheets of so many vertices a side, apart from each other."""
+    found = {}
+    for number, count in enumerate(sizes):
+        x, y = np.meshgrid(np.arange(count), np.arange(count), indexing="ij")
+        points = np.stack([x.ravel(), y.ravel() + 50.0 * number, 0.0 * x.ravel()], axis=1)
+        corner = np.arange(count * count).reshape(count, count)[:-1, :-1].ravel()
+        triangles = [corner[:, None] + [0, count, count + 1], corner[:, None] + [0, count + 1, 1]]
+        found[f"sheet {number}"] = PartMesh(points, np.concatenate(triangles))
+    return found
+
+
+@settings(database=None, deadline=None, max_examples=60)
+@given(st.data())
+def test_parts_that_nothing_reaches_change_nothing(data: st.DataObject):
+    """Whatever the order and the sizes of the parts, and whatever is joined rigidly to what."""
+    meshes = grids(data.draw(st.lists(st.integers(4, 12), min_size=3, max_size=7)))
+    names = list(meshes)
+    reached = data.draw(st.lists(st.sampled_from(names), min_size=1, unique=True))
+    others = [name for name in names if name not in reached]
+
+    def side(name: str, corner: int) -> dict[str, Any]:
+        count = len(meshes[name].points)
+        return {"part": name, "vertices": [abs(corner * (count - 1) - k) for k in range(3)]}
+
+    def contacts(of: list[str]) -> list[dict[str, Any]]:
+        """Every one of some parts to one before it."""
+        return [
+            {"name": f"bolt {a} {b}", "type": "rigid", "a": side(a, 1), "b": side(b, 0)}
+            for k, b in enumerate(of[1:], 1)
+            for a in [data.draw(st.sampled_from(of[:k]))]
+        ]
+
+    joined = contacts(reached)
+    recipe = {
+        "sheetmorph": 1,
+        "parts": [{"name": name} for name in names],
+        "primary": reached[0],
+        "fixed": [side(reached[0], 0)],
+        "handles": [{"name": "end", **side(reached[0], 1)}],
+        "contacts": [*joined, *contacts(others)],
+        "pose": {"end": {"translation": [0, 0, 2], "rotation": {"axis": [1, 0, 0], "degrees": 9}}},
+    }
+    result = Session(recipe, meshes).deform()
+    alone = {"parts": [{"name": name} for name in names if name in reached], "contacts": joined}
+    own = {name: mesh for name, mesh in meshes.items() if name in reached}
+    expected = Session({**recipe, **alone}, own).deform()
+    for name in reached:
+        assert np.array_equal(result.positions[name], expected.positions[name])
+    for name in others:
+        assert np.array_equal(result.positions[name], meshes[name].points)
+    assert sorted(result.session.unreached) == sorted(others)
+    assert result.session.joined_bodies == expected.session.joined_bodies

@@ -69,8 +69,11 @@ public:
         : assembly_(assembly),
           rigid_(rigid_contacts(assembly, plan)),
           sets_(static_cast<int>(rigid_.size())),
-          rank_(assembly.parts.size(), 0)
+          rank_(assembly.parts.size())
     {
+        // Parts that nothing reaches are not in the order; they come after it.
+        for (std::size_t part = 0; part < rank_.size(); ++part)
+            rank_[part] = static_cast<int>(plan.order.size() + part);
         for (std::size_t k = 0; k < plan.order.size(); ++k)
             rank_[at(plan.order[k])] = static_cast<int>(k);
         for (std::size_t k = 0; k < rigid_.size(); ++k)

@@ -227,6 +227,10 @@ bool FacetThinner::may_move(int v, int to, const std::vector<int>& fan, double w
                 common.push_back(near);
         if (b == to || c == to)
         {
+            // A triangle that goes with nothing behind it would leave its third vertex alone.
+            if (triangles_.across(t, k + 1) == none
+                && triangles_.across(t, b == to ? k + 2 : k) == none)
+                return false;
             ++going;
             continue;
         }
