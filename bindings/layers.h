@@ -18,5 +18,6 @@ void bind_repair(pybind11::module_& module);
 void bind_recognise(pybind11::module_& module);
 void bind_description(pybind11::module_& module);
 void bind_session(pybind11::module_& module);
+void bind_flat(pybind11::module_& module);
 
 }  // namespace sheetmorph

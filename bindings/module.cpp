@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module)
     sheetmorph::bind_recognise(module);
     sheetmorph::bind_description(module);
     sheetmorph::bind_session(module);
+    sheetmorph::bind_flat(module);
 }

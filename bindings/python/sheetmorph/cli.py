@@ -17,6 +17,7 @@ from typing import Any, TextIO
 
 from . import __version__
 from .cli_find import add_find_arguments, run_find
+from .cli_flatten import add_flatten_arguments, run_flatten
 from .cli_progress import progress_on
 from .cli_recipes import RECIPE_COMMANDS, add_recipe_commands
 from .cli_resolve import add_resolve_arguments, run_resolve
@@ -54,7 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _input_of(wanted: argparse.Namespace) -> str:
     files = getattr(wanted, "files", None)
-    return files[0] if files else getattr(wanted, "recipe", wanted.command)
+    return files[0] if files else getattr(wanted, "recipe", getattr(wanted, "file", wanted.command))
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> None:
@@ -141,6 +142,7 @@ def parser() -> argparse.ArgumentParser:
     text = "vertices nearer than this are one place (mm; a millionth of the size)"
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     add_find_arguments(commands)
+    add_flatten_arguments(commands)
     copy = commands.add_parser("copy", help="read decks and meshes and write them, nothing moved")
     copy.add_argument("files", nargs="+", metavar="FILE", help="deck with its includes, or mesh")
     copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for them")
@@ -207,6 +209,7 @@ _COMMANDS = {
     "resolve": run_resolve,
     "doctor": _doctor,
     "find": _find,
+    "flatten": run_flatten,
     "study": run_study_command,
     **RECIPE_COMMANDS,
 }

@@ -55,14 +55,25 @@ def _angles(points: np.ndarray, triangles: np.ndarray, sides: tuple) -> np.ndarr
 
 
 def principal_stretches(
-    rest: np.ndarray, positions: np.ndarray, triangles: np.ndarray
+    rest: np.ndarray,
+    positions: np.ndarray,
+    triangles: np.ndarray,
+    wanted: tuple[np.ndarray, np.ndarray] | None = None,
 ) -> np.ndarray:
     """(m, 2) how much longer the sheet is, in a triangle, along the direction that is stretched
     most and across it; 1: as at rest. NaN where a triangle has no area at rest.
 
-    rest, positions: (n, 3); triangles: (m, 3). Singular values of the deformation gradient.
+    rest, positions: (n, 3); triangles: (m, 3). Singular values of the deformation gradient. wanted:
+    directions (m, 3) of length 1 and factors (m,) by which each triangle is longer along them
+    without being stretched.
     """
-    gradient = np.einsum("mik,mil->mkl", positions[triangles], _shape_gradients(rest, triangles)[0])
+    gradients, axes = _shape_gradients(rest, triangles)
+    gradient = np.einsum("mik,mil->mkl", positions[triangles], gradients)
+    if wanted is not None:
+        along = np.einsum("mik,mk->mi", axes, wanted[0])
+        shorter = (1.0 / np.asarray(wanted[1]) - 1.0)[:, None, None]
+        undone = np.eye(2) + shorter * along[:, :, None] * along[:, None, :]
+        gradient = gradient @ undone
     with np.errstate(all="ignore"):
         metric = np.einsum("mki,mkj->mij", gradient, gradient)
         mean = 0.5 * (metric[:, 0, 0] + metric[:, 1, 1])
@@ -82,6 +93,23 @@ def curvature_changes(rest: np.ndarray, positions: np.ndarray, triangles: np.nda
         return _curvatures(positions, triangles, gradients) - _curvatures(
             rest, triangles, gradients
         )
+
+
+def arcs(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Directions (m, 3) in which triangles are curved most, and how far the sheet turns along them
+    within the triangle, (m,) radians; 0 where a triangle has no area.
+
+    points: (n, 3) mm; triangles: (m, 3).
+    """
+    gradients, axes = _shape_gradients(points, triangles)
+    with np.errstate(all="ignore"):
+        form = np.nan_to_num(_curvatures(points, triangles, gradients))
+    values, vectors = np.linalg.eigh(form)
+    most = np.abs(values).argmax(axis=1)
+    rows = np.arange(len(triangles))
+    directions = np.einsum("mi,mik->mk", vectors[rows, :, most], np.nan_to_num(axes))
+    along = np.einsum("mik,mk->mi", points[triangles], directions)
+    return directions, np.abs(values[rows, most]) * np.ptp(along, axis=1)
 
 
 def areas(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:

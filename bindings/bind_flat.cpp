@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/flat/flattening.h"
+#include "arrays.h"
+#include "layers.h"
+#include "progress.h"
+
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+Flattening flattened(const TriangleMesh& mesh, const std::vector<VertexIds>& rims,
+                     const py::object& neutral, const py::object& callback)
+{
+    FlatInput input{mesh, rims};
+    if (!neutral.is_none())
+    {
+        const auto [directions, factors] = neutral.cast<std::pair<py::object, py::object>>();
+        input.directions = points_from(directions, "directions");
+        const auto values = factors.cast<std::vector<double>>();
+        input.factors = Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                                          static_cast<Eigen::Index>(values.size()));
+    }
+    const Progress progress = progress_from(callback);
+    const py::gil_scoped_release without_gil;
+    return flatten(input, progress);
+}
+
+py::object places_of(const Flattening& flat)
+{
+    Points places = Points::Zero(flat.positions.rows(), 3);
+    places.leftCols<2>() = flat.positions;
+    return to_numpy(std::move(places));
+}
+
+}  // namespace
+
+void bind_flat(py::module_& module)
+{
+    py::class_<Flattening>(module, "Flattening", "A sheet laid flat.")
+        .def_property_readonly("positions", &places_of,
+                               "(n, 3) mm with z = 0, seen from the side that its normals point to")
+        .def_property_readonly(
+            "unsettled", [](const Flattening& flat) { return flat.convergence.sentence(); },
+            "empty, or what was not solved to its end")
+        .def_property_readonly(
+            "is_rigid",
+            [](const Flattening& flat)
+            { return std::vector<bool>(flat.is_rigid.begin(), flat.is_rigid.end()); },
+            "by rim: it was plane, and kept its form")
+        .def_readonly("turned", &Flattening::turned, "triangles that had to be turned over")
+        .def_readonly("flipped", &Flattening::flipped, "triangles that came out upside down");
+    module.def("flatten", &flattened, py::arg("mesh"), py::arg("rims"),
+               py::arg("neutral") = py::none(), py::arg("progress") = py::none(),
+               "Lays a sheet of one piece flat with as little stretch as it can; plane rims (lists "
+               "of vertices) keep their form. neutral: (directions (m, 3), factors (m,)), how much "
+               "longer each triangle is along one once it is flat. Raises InvalidInput.");
+}
+
+}  // namespace sheetmorph

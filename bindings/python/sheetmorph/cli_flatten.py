@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command `flatten`: the blank of a bent sheet, with its bend lines and bend table."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+from .cli_progress import progress_on
+from .errors import Fault, RecipeError
+from .files.atomic import FileSet
+
+
+def add_flatten_arguments(commands: Any) -> None:
+    """Adds `flatten` to the commands of a parser."""
+    text = "lay a bent sheet flat: blank, bend lines, bend table (kinematic, no forming)"
+    flatten = commands.add_parser("flatten", help=text)
+    flatten.add_argument("file", metavar="FILE", help="mesh of an open sheet or a thin solid")
+    text = "folder for DXF, SVG, OBJ and JSON, or one file .dxf, .svg, .obj or .json"
+    flatten.add_argument("-o", "--output", metavar="OUT", help=text)
+    text = "thickness of an open sheet, which is the middle of the metal"
+    flatten.add_argument("--thickness", type=_positive, metavar="MM", help=text)
+    text = "text file with a ratio R/T and a K-factor a line, instead of the usual ones"
+    flatten.add_argument("--k-table", metavar="TABLE", help=text)
+    text = "how much 99 %% of the area may be stretched, percent (default: 1)"
+    flatten.add_argument("--limit", type=_positive, default=1.0, metavar="PERCENT", help=text)
+    text = "weld vertices nearer than this first, where a file is cut along faces"
+    flatten.add_argument("--weld", type=_positive, metavar="MM", help=text)
+    flatten.add_argument("--quiet", action="store_true", help="no progress on stderr")
+
+
+def _positive(text: str) -> float:
+    value = float(text)
+    if not 0.0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"{text} is no number above 0")
+    return value
+
+
+def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    """Lays flat, writes, and returns the bend tables. Raises RecipeError, FileError, NotFlat."""
+    # Imported here, so that --help answers at once.
+    from .flat import KTable, flat_patterns
+    from .flat.writing import table_of, write_patterns
+
+    table = KTable() if wanted.k_table is None else KTable.read(wanted.k_table)
+    output = None if wanted.output is None else Path(wanted.output)
+    if output is not None and output.resolve() == Path(wanted.file).resolve():
+        raise RecipeError([Fault("-o", f"{output} is the sheet itself", "name another file")])
+    with progress_on(sys.stderr, wanted.quiet) as progress:
+        patterns = flat_patterns(
+            wanted.file, thickness=wanted.thickness, table=table, limit=wanted.limit / 100.0,
+            weld=wanted.weld,
+            progress=progress,
+        )  # fmt: skip
+    told = [line for pattern in patterns for line in table_of(pattern)]
+    if output is None:
+        return told
+    try:
+        written = write_patterns(patterns, output, files)
+    except ValueError as error:
+        what, _, todo = str(error).rpartition("; ")
+        raise RecipeError([Fault("flatten", what, todo)]) from error
+    return [*told, *(f"wrote {path}" for path in written)]

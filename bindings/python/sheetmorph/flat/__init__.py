@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The flat pattern of a bent sheet: kinematics, no forming simulation."""
+
+from .bends import Bend, KTable
+from .pattern import FlatPattern, NotFlat, flat_patterns
+
+__all__ = ["Bend", "FlatPattern", "KTable", "NotFlat", "flat_patterns"]

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The bends of a sheet: where they are, how far they turn, and how long their neutral fibre is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import FileError
+
+# Inner radius over thickness, and where the neutral fibre lies in the thickness from inside.
+_USUAL = ((0.0, 0.33), (1.0, 0.38), (3.0, 0.43), (10.0, 0.5))
+_SHARP = math.radians(20.0)  # edges that bend by more are folds without a radius
+_STRAIGHT = 0.98  # cosine between two edges of one fold
+
+
+@dataclass(frozen=True)
+class KTable:
+    """K-factors by inner radius over thickness, linear in between, level outside.
+
+    rows: (ratio, K) with rising ratios.
+    """
+
+    rows: tuple[tuple[float, float], ...] = _USUAL
+
+    @classmethod
+    def read(cls, path: str | Path) -> KTable:
+        """From a text file with a ratio and a K-factor a line. Raises FileError, OSError."""
+        place, rows = Path(path), []
+        for number, line in enumerate(place.read_text("utf-8", "replace").splitlines(), 1):
+            words = line.split("#")[0].replace(",", " ").split()
+            if words:
+                rows.append(_row(place, number, words))
+        if not rows or any(a[0] >= b[0] for a, b in zip(rows, rows[1:])):
+            todo = "give a ratio R/T and a K-factor a line, ratios rising"
+            raise FileError(place, "it is no table of K-factors", todo)
+        return cls(tuple(rows))
+
+    def at(self, ratio: float) -> float:
+        """The K-factor of a ratio of inner radius and thickness."""
+        ratios, factors = zip(*self.rows)
+        return float(np.interp(ratio, ratios, factors))
+
+
+def _row(place: Path, number: int, words: list[str]) -> tuple[float, float]:
+    try:
+        ratio, factor = (float(word) for word in words)
+        if ratio >= 0.0 and 0.0 < factor < 1.0:
+            return ratio, factor
+    except ValueError:
+        pass
+    what = f'"{" ".join(words)[:40]}" is no row of a table of K-factors'
+    todo = "write a ratio R/T of 0 or more and a K-factor between 0 and 1"
+    raise FileError(place, what, todo, number)
+
+
+@dataclass(frozen=True, eq=False)
+class Bend:
+    """A bend of a sheet.
+
+    angle: radians it turns; radius: of the sheet as it is given, mm, 0 for a sharp fold; inner:
+    inner radius, k_factor, allowance (length of the neutral fibre): mm, None where no thickness is
+    known; is_up: towards the side that normals point to; vertices: (k,) indices; direction: (3,)
+    along it, of length 1; triangles: (j,) of the bend.
+    """
+
+    angle: float
+    radius: float
+    is_up: bool
+    direction: np.ndarray
+    vertices: np.ndarray
+    triangles: np.ndarray
+    inner: float | None = None
+    k_factor: float | None = None
+    allowance: float | None = None
+
+    @property
+    def factor(self) -> float:
+        """How much longer its neutral fibre is than the sheet as it is given."""
+        if self.allowance is None or not self.radius:
+            return 1.0
+        return self.allowance / (self.angle * self.radius)
+
+
+def find_bends(core: Any, mesh: Any, thickness: float | None, table: KTable) -> list[Bend]:
+    """The bends of a kernel mesh, rounded ones first, then sharp folds; thickness in mm."""
+    points, triangles = np.asarray(mesh.points), np.asarray(mesh.triangles)
+    normals = _normals(points, triangles)
+    found, taken = [], np.zeros(len(triangles), bool)
+    for feature in core.find_features(mesh):
+        if feature.kind != "bend":
+            continue
+        is_in = np.zeros(len(points), bool)
+        is_in[feature.vertices] = True
+        own = np.flatnonzero(is_in[triangles].all(axis=1) & ~taken)
+        if not len(own):
+            continue
+        taken[own] = True
+        axis, sides = np.asarray(feature.axis), _beside(triangles, own)
+        told = _turn(normals[own], normals[sides], axis)
+        angle = float(feature.angle) if told is None else told
+        is_up = _bends_up(points[triangles[own]].mean(axis=1), normals[own], axis)
+        bend = Bend(angle, float(feature.radius), is_up, axis, np.unique(triangles[own]), own)
+        found.append(_with_allowance(bend, thickness, table))
+    return [*found, *_folds(points, triangles, normals, taken)]
+
+
+def _with_allowance(bend: Bend, thickness: float | None, table: KTable) -> Bend:
+    if not thickness:
+        return bend
+    inner = max(bend.radius - 0.5 * thickness, 0.0)
+    k_factor = table.at(inner / thickness)
+    told = inner, k_factor, bend.angle * (inner + k_factor * thickness)
+    return Bend(
+        bend.angle, bend.radius, bend.is_up, bend.direction, bend.vertices, bend.triangles, *told
+    )
+
+
+def _beside(triangles: np.ndarray, own: np.ndarray) -> np.ndarray:
+    """The triangles that touch some others, and are none of them."""
+    touched = np.flatnonzero(np.isin(triangles, triangles[own]).any(axis=1))
+    return np.setdiff1d(touched, own)
+
+
+def _turn(normals: np.ndarray, beside: np.ndarray, axis: np.ndarray) -> float | None:
+    """How far the flats beside a bend are turned against each other, radians, of their normals and
+    those of the bend; None where it ends on one side."""
+    middle = normals.mean(axis=0)
+    middle -= axis * (middle @ axis)
+    across = np.cross(axis, middle)
+    angles = np.arctan2(beside @ across, beside @ middle)
+    ends = angles[angles > 0.0], angles[angles < 0.0]
+    if not all(map(len, ends)):
+        return None
+    return float(np.median(ends[0]) - np.median(ends[1]))
+
+
+def _bends_up(centres: np.ndarray, normals: np.ndarray, axis: np.ndarray) -> bool:
+    """Whether the normals of a cylinder's triangles run together: it is curved to their side."""
+    across = np.cross(axis, normals.mean(axis=0))
+    shift = (centres - centres.mean(axis=0)) @ across
+    turn = (normals - normals.mean(axis=0)) @ across
+    return bool(shift @ turn < 0.0)
+
+
+def _normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    corners = points[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+
+
+def _folds(
+    points: np.ndarray, triangles: np.ndarray, normals: np.ndarray, taken: np.ndarray
+) -> Iterator[Bend]:
+    """Edges at which the sheet bends sharply, in straight rows."""
+    sides = np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
+    owner = np.tile(np.arange(len(triangles)), 3)
+    order = np.lexsort(np.sort(sides, axis=1).T)
+    edges, owner, sides = np.sort(sides, axis=1)[order], owner[order], sides[order]
+    pairs = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
+    one, other = owner[pairs], owner[pairs + 1]
+    along = points[sides[pairs, 1]] - points[sides[pairs, 0]]
+    along /= np.maximum(np.linalg.norm(along, axis=1), 1e-300)[:, None]
+    sine = np.einsum("ij,ij->i", np.cross(normals[one], normals[other]), along)
+    angle = np.arctan2(sine, np.einsum("ij,ij->i", normals[one], normals[other]))
+    sharp = np.flatnonzero((np.abs(angle) > _SHARP) & ~(taken[one] | taken[other]))
+    for row in _rows(edges[pairs[sharp]], along[sharp], np.sign(angle[sharp])):
+        k = sharp[row]
+        yield Bend(
+            angle=float(np.abs(angle[k]).mean()),
+            radius=0.0,
+            is_up=bool(angle[k].mean() < 0.0),
+            direction=along[k[0]],
+            vertices=np.unique(edges[pairs[k]]),
+            triangles=np.zeros(0, int),
+        )
+
+
+def _rows(edges: np.ndarray, along: np.ndarray, sign: np.ndarray) -> list[np.ndarray]:
+    """Indices of edges that go on straight from each other and bend to one side."""
+    at_vertex: dict[int, list[int]] = {}
+    for k, (a, b) in enumerate(edges.tolist()):
+        at_vertex.setdefault(a, []).append(k)
+        at_vertex.setdefault(b, []).append(k)
+    row_of = np.full(len(edges), -1)
+    rows: list[np.ndarray] = []
+    for start in range(len(edges)):
+        if row_of[start] >= 0:
+            continue
+        row_of[start], members, left = len(rows), [start], [start]
+        while left:
+            k = left.pop()
+            for near in {j for vertex in edges[k].tolist() for j in at_vertex[vertex]}:
+                is_on = abs(along[near] @ along[k]) > _STRAIGHT and sign[near] == sign[k]
+                if row_of[near] < 0 and is_on:
+                    row_of[near] = len(rows)
+                    members.append(near)
+                    left.append(near)
+        rows.append(np.array(members))
+    return rows

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a bent sheet to its blank, and what is left of stretch in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import FileError
+from ..files import read_part
+from ..files.packed import unpacked_name
+from ..kernel import load_kernel
+from ..part_mesh import PartMesh
+from ..progress import Progress
+from ..strain import arcs, areas, principal_stretches
+from .bends import Bend, KTable, find_bends
+
+_ROUND = 2e-3  # of the radius: rims that are nearer to a circle are cut as one
+_FEWEST_OF_CIRCLE = 12
+_WIDEST_ARC = 0.35  # radians that one triangle may span; beyond is a fold
+
+
+class NotFlat(RuntimeError):
+    """A sheet that cannot be laid flat, or not without more stretch than is allowed."""
+
+
+@dataclass(frozen=True, eq=False)
+class FlatPattern:
+    """The blank of one sheet; lengths in mm.
+
+    rest, flat: (n, 3) the sheet bent, and laid flat with z = 0; triangles: (m, 3); outline: (k,)
+    vertices around it; holes: (k,) vertices of every rim; circles: by hole its centre (3,) and
+    radius, None where it is not round; rigid: by hole whether it kept its form exactly; stretches:
+    (m, 2) principal stretches of the blank against the sheet; lines: by bend the ends (2, 3) of its
+    middle line in the blank; notes: what to know.
+    """
+
+    name: str
+    rest: np.ndarray
+    flat: np.ndarray
+    triangles: np.ndarray
+    outline: np.ndarray
+    holes: list[np.ndarray]
+    circles: list[tuple[np.ndarray, float] | None]
+    rigid: list[bool]
+    bends: list[Bend]
+    lines: list[np.ndarray]
+    stretches: np.ndarray
+    thickness: float | None = None
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the blank, mm."""
+        low, high = self.flat.min(axis=0), self.flat.max(axis=0)
+        return float(high[0] - low[0]), float(high[1] - low[1])
+
+    def residual(self) -> tuple[float, float]:
+        """The largest |principal stretch - 1|, and what 99 % of the area stay below."""
+        strain = np.abs(self.stretches - 1.0).max(axis=1)
+        area = areas(self.rest, self.triangles)
+        order = np.argsort(strain)
+        reached = np.cumsum(area[order]) / area.sum()
+        place = min(int(np.searchsorted(reached, 0.99)), len(order) - 1)
+        return float(strain.max()), float(strain[order[place]])
+
+
+def flat_patterns(
+    path: str | Path,
+    *,
+    thickness: float | None = None,
+    table: KTable | None = None,
+    limit: float = 0.01,
+    weld: float | None = None,
+    progress: Progress | None = None,
+) -> list[FlatPattern]:
+    """The blanks of the pieces of a file with open sheets or thin solids.
+
+    thickness: mm, of an open sheet in the middle of the metal; known of thin solids; limit: 99 % of
+    the area may be stretched by less; weld: mm, below which two vertices are one. Raises
+    FileError, KernelError, NotFlat, ValueError.
+    """
+    file = read_part(path, None, progress)
+    name = unpacked_name(path).stem
+    points, triangles = _welded(file.mesh, weld)
+    pieces = list(_pieces(points, triangles))
+    if not pieces:
+        raise FileError(Path(path), "it has no triangles", "give a file with a sheet")
+    wishes = _Wishes(thickness, table or KTable(), limit, progress)
+    return [
+        _flat(name if len(pieces) == 1 else f"{name}-{number}", piece, wishes)
+        for number, piece in enumerate(pieces, 1)
+    ]
+
+
+@dataclass(frozen=True)
+class _Wishes:
+    """What flat_patterns() is asked for."""
+
+    thickness: float | None
+    table: KTable
+    limit: float
+    progress: Progress | None
+
+
+def _welded(mesh: PartMesh, tolerance: float | None) -> tuple[np.ndarray, np.ndarray]:
+    """Points and triangles, after welding if a tolerance in mm is given; none that repeat a
+    vertex."""
+    points, triangles = mesh.points, mesh.triangles
+    if tolerance is not None:
+        core = load_kernel()
+        cure = core.cured(core.TriangleMesh(points, triangles), tolerance)
+        points, triangles = np.array(cure.points), np.array(cure.triangles)
+    sound = np.array([len(set(row)) == 3 for row in triangles.tolist()], bool)
+    return points, triangles[sound]
+
+
+def _pieces(points: np.ndarray, triangles: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Points and triangles of every connected piece, by rising first vertex."""
+    root = np.arange(len(points))
+    while True:
+        least = root[triangles].min(axis=1)
+        before = root.copy()
+        for corner in range(3):
+            np.minimum.at(root, triangles[:, corner], least)
+        root = root[root]
+        if (root == before).all():
+            break
+    for label in np.unique(root[triangles[:, 0]]) if len(triangles) else ():
+        own = triangles[root[triangles[:, 0]] == label]
+        used, new = np.unique(own, return_inverse=True)
+        yield points[used], new.reshape(own.shape).astype(np.int32)
+
+
+def _sheet(core: Any, name: str, piece: tuple[np.ndarray, np.ndarray]) -> tuple[Any, float | None]:
+    """The kernel's mesh of an open sheet, or of the middle of a thin solid, and its thickness."""
+    part = core.Part(name, core.TriangleMesh(*piece))
+    part.make_thin(False)
+    session = core.DeformationSession(core.Assembly([part]))
+    solid = session.thin_solid(0)
+    return session.sheet(0), None if solid is None else float(solid.thickness)
+
+
+def _flat(name: str, piece: tuple[np.ndarray, np.ndarray], wishes: _Wishes) -> FlatPattern:
+    core = load_kernel()
+    mesh, own_thickness = _sheet(core, name, piece)
+    thickness = own_thickness or wishes.thickness
+    rest, triangles = np.array(mesh.points), np.array(mesh.triangles)
+    loops = sorted((np.array(loop) for loop in core.boundary_loops(mesh)), key=_length_in(rest))
+    holes = _apart(loops[:-1])
+    bends = find_bends(core, mesh, thickness, wishes.table)
+    neutral = _neutral(rest, triangles, bends)
+    try:
+        told = neutral[0], neutral[1].tolist()
+        found = core.flatten(mesh, [rim.tolist() for rim in holes], told, wishes.progress)
+    except core.InvalidInput as error:
+        raise NotFlat(f'"{name}": {error}') from error
+    flat = _laid_along_x(np.array(found.positions), loops[-1])
+    if found.turned:
+        triangles[found.turned] = triangles[found.turned][:, ::-1]
+    pattern = FlatPattern(
+        name=name, rest=rest, flat=flat, triangles=triangles, outline=loops[-1],
+        holes=holes, circles=[_circle(flat[rim]) for rim in holes], rigid=list(found.is_rigid),
+        bends=bends, lines=[_line(rest, flat, triangles, bend) for bend in bends],
+        stretches=np.nan_to_num(principal_stretches(rest, flat, triangles, neutral), nan=1.0),
+        thickness=thickness,
+        notes=_notes(found, bends, thickness),
+    )  # fmt: skip
+    _require_flat(pattern, found, wishes.limit)
+    return pattern
+
+
+def _require_flat(pattern: FlatPattern, found: Any, limit: float) -> None:
+    largest, most = pattern.residual()
+    if len(found.flipped):
+        what = f"{len(found.flipped)} triangles come out upside down"
+        raise NotFlat(f'"{pattern.name}" cannot be laid flat: {what}; cut it where it closes')
+    if most > limit:
+        raise NotFlat(
+            f'"{pattern.name}" cannot be laid flat within {100 * limit:.2g} %: 1 % of it is '
+            f"stretched by more than {100 * most:.2g} % (the largest is {100 * largest:.2g} %); it "
+            "is curved in two directions; allow more with --limit, or cut it"
+        )
+
+
+def _notes(found: Any, bends: list[Bend], thickness: float | None) -> list[str]:
+    notes = ["kinematic, no forming simulation: what tools, friction and yield do is not in it"]
+    curved = len(found.is_rigid) - sum(found.is_rigid)
+    if curved:
+        notes.append(
+            f"{curved} rims are not plane and follow the sheet; the others keep their form"
+        )
+    if bends and thickness is None:
+        notes.append("no thickness is known: lengths are those of the sheet as given, without K")
+    if any(not bend.radius for bend in bends) and thickness:
+        notes.append("sharp folds have no radius: no allowance is made for them")
+    if found.unsettled:
+        notes.append(found.unsettled)
+    return notes
+
+
+def _length_in(points: np.ndarray) -> Any:
+    """The length of a closed loop of vertices, mm."""
+    return lambda loop: float(
+        np.linalg.norm(points[loop] - np.roll(points[loop], 1, 0), axis=1).sum()
+    )
+
+
+def _apart(loops: list[np.ndarray]) -> list[np.ndarray]:
+    """The loops that share no vertex with one before."""
+    seen: set[int] = set()
+    found = []
+    for loop in loops:
+        if seen.isdisjoint(loop.tolist()):
+            found.append(loop)
+        seen.update(loop.tolist())
+    return found
+
+
+def _neutral(
+    rest: np.ndarray, triangles: np.ndarray, bends: list[Bend]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Directions (m, 3) and factors (m,): by how much the neutral fibre is longer than the flat
+    triangle, which is a chord of the bent sheet."""
+    directions, turns = arcs(rest, triangles)
+    turns[turns > _WIDEST_ARC] = 0.0
+    factors = 1.0 + turns**2 / 24.0
+    directions[turns == 0.0] = 0.0
+    for bend in bends:
+        if bend.factor == 1.0 or not len(bend.triangles):
+            continue
+        corners = rest[triangles[bend.triangles]]
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        across = np.cross(bend.direction, normals)
+        directions[bend.triangles] = across / np.linalg.norm(across, axis=1)[:, None]
+        factors[bend.triangles] *= bend.factor
+    return directions, factors
+
+
+def _laid_along_x(flat: np.ndarray, outline: np.ndarray) -> np.ndarray:
+    """The blank turned to the smallest box that one of its sides gives, its corner at 0."""
+    rim = flat[outline, :2]
+    sides = np.roll(rim, -1, 0) - rim
+    angles = np.arctan2(sides[:, 1], sides[:, 0]) % (0.5 * np.pi)
+    angles = angles[np.unique(np.round(angles, 6), return_index=True)[1]]
+    turns = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in angles[:720]]
+    best = min(turns, key=lambda turn: round(float(np.prod(np.ptp(rim @ turn, axis=0))), 9))
+    if np.ptp(rim @ best, axis=0)[0] < np.ptp(rim @ best, axis=0)[1] * (1.0 - 1e-9):
+        best = best @ np.array([[0.0, -1.0], [1.0, 0.0]])
+    turned = flat[:, :2] @ best
+    turned -= turned[outline].min(axis=0)
+    return np.column_stack([turned, np.zeros(len(flat))])
+
+
+def _circle(rim: np.ndarray) -> tuple[np.ndarray, float] | None:
+    """Centre and radius of a rim whose vertices lie on a circle."""
+    if len(rim) < _FEWEST_OF_CIRCLE:
+        return None
+    system = np.column_stack([2.0 * rim[:, :2], np.ones(len(rim))])
+    x, y, rest = np.linalg.lstsq(system, (rim[:, :2] ** 2).sum(axis=1), rcond=None)[0]
+    radius = float(np.sqrt(max(rest + x * x + y * y, 0.0)))
+    centre = np.array([x, y, 0.0])
+    off = np.abs(np.linalg.norm(rim - centre, axis=1) - radius).max()
+    return (centre, radius) if off <= _ROUND * radius else None
+
+
+def _line(rest: np.ndarray, flat: np.ndarray, triangles: np.ndarray, bend: Bend) -> np.ndarray:
+    """The ends (2, 3) of a bend's middle line in the blank."""
+    places = flat[bend.vertices, :2]
+    if len(bend.triangles):
+        along = _carried(rest, flat, triangles[bend.triangles], bend.direction)
+    else:
+        along = np.linalg.svd(places - places.mean(axis=0))[2][0]
+    across = np.array([-along[1], along[0]])
+    far, near = places @ along, places @ across
+    middle = 0.5 * (near.min() + near.max())
+    ends = np.array([far.min(), far.max()])[:, None] * along + middle * across
+    return np.column_stack([ends, np.zeros(2)])
+
+
+def _carried(
+    rest: np.ndarray, flat: np.ndarray, triangles: np.ndarray, direction: np.ndarray
+) -> np.ndarray:
+    """A direction (3,) on some triangles as it lies in the blank, (2,) of length 1."""
+    sides = rest[triangles[:, 1:]] - rest[triangles[:, :1]]
+    moved = flat[triangles[:, 1:], :2] - flat[triangles[:, :1], :2]
+    gram = np.einsum("mik,mjk->mij", sides, sides)
+    weights = np.linalg.solve(gram, (sides @ direction)[:, :, None])[:, :, 0]
+    along = np.einsum("mi,mik->mk", weights, moved).mean(axis=0)
+    return along / np.linalg.norm(along)

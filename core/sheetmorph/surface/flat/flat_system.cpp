@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/flat/flat_system.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr double poisson = 0.3;
+constexpr double plane_enough = 1e-3;  // of a rim's size
+constexpr double rigid_modes = 1e-9;   // of the diagonal: what holds a sheet that nothing holds
+constexpr std::size_t fewest_of_rim = 3;
+
+using Gradient = Eigen::Matrix2d;
+
+Gradient gradient_of(const FlatTriangle& triangle, const FlatPoints& positions)
+{
+    Gradient f = Gradient::Zero();
+    for (int k = 0; k < 3; ++k)
+        f += positions.row(triangle.corners[at(k)]).transpose() * triangle.gradients.row(k);
+    return f;
+}
+
+Eigen::Vector3d strain_of(const Gradient& f)
+{
+    return {0.5 * (f.col(0).squaredNorm() - 1.0), 0.5 * (f.col(1).squaredNorm() - 1.0),
+            f.col(0).dot(f.col(1))};
+}
+
+Matrix3 elasticity()
+{
+    Matrix3 c;
+    c << 1.0, poisson, 0.0, poisson, 1.0, 0.0, 0.0, 0.0, 0.5 * (1.0 - poisson);
+    return c;
+}
+
+Eigen::Matrix2d tension_of(const Eigen::Matrix2d& stress)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(stress);
+    return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal()
+           * eigen.eigenvectors().transpose();
+}
+
+//! Six by six: two numbers a corner.
+struct Local
+{
+    Eigen::Matrix<double, 6, 1> gradient;
+    Eigen::Matrix<double, 6, 6> stiffness;
+};
+
+Local local_of(const FlatTriangle& triangle, const FlatPoints& positions, bool is_tension_only)
+{
+    const Gradient f = gradient_of(triangle, positions);
+    Eigen::Matrix<double, 3, 6> rows;
+    for (int k = 0; k < 3; ++k)
+    {
+        const double a = triangle.gradients(k, 0), b = triangle.gradients(k, 1);
+        rows.block<1, 2>(0, 2 * k) = a * f.col(0).transpose();
+        rows.block<1, 2>(1, 2 * k) = b * f.col(1).transpose();
+        rows.block<1, 2>(2, 2 * k) = (a * f.col(1) + b * f.col(0)).transpose();
+    }
+    const Matrix3 c = triangle.area * elasticity();
+    const Eigen::Vector3d s = c * strain_of(f);
+    Local found{rows.transpose() * s, rows.transpose() * c * rows};
+    Eigen::Matrix2d stress;
+    stress << s(0), s(2), s(2), s(1);
+    if (is_tension_only)
+        stress = tension_of(stress);
+    const Matrix3 between = triangle.gradients * stress * triangle.gradients.transpose();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            found.stiffness.block<2, 2>(2 * i, 2 * j).diagonal().array() += between(i, j);
+    return found;
+}
+
+// (k, 2) of points that lie in a plane, and how far they are off it.
+std::pair<FlatPoints, double> in_their_plane(const TriangleMesh& mesh, const VertexIds& vertices)
+{
+    const Points points = mesh.points()(vertices, Eigen::indexing::all);
+    const Eigen::RowVector3d centre = points.colwise().mean();
+    const Eigen::MatrixXd arms = points.rowwise() - centre;
+    const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(Matrix3(arms.transpose() * arms));
+    const FlatPoints flat = arms * eigen.eigenvectors().rightCols<2>();
+    return {flat, (arms * eigen.eigenvectors().col(0)).cwiseAbs().maxCoeff()};
+}
+
+// The points turned, not mirrored, and shifted to where they fit best; the sum of squares left.
+std::pair<FlatPoints, double> fitted(const FlatPoints& form, const FlatPoints& places)
+{
+    const Eigen::RowVector2d from = form.colwise().mean(), to = places.colwise().mean();
+    const Eigen::Matrix2d product = (form.rowwise() - from).transpose() * (places.rowwise() - to);
+    const double angle = std::atan2(product(0, 1) - product(1, 0), product(0, 0) + product(1, 1));
+    Eigen::Matrix2d turn;
+    turn << std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle);
+    FlatPoints found = ((form.rowwise() - from) * turn).rowwise() + to;
+    return {found, (found - places).squaredNorm()};
+}
+
+}  // namespace
+
+FlatSystem::FlatSystem(const FlatInput& input, std::vector<FlatTriangle> triangles,
+                       FlatPoints start)
+    : mesh_(input.mesh),
+      triangles_(std::move(triangles)),
+      positions_(std::move(start)),
+      is_rigid_(input.rims.size(), 0),
+      rim_of_(at(input.mesh.vertex_count()), -1)
+{
+    place_rims(input);
+    number();
+}
+
+// Plane rims take their own form, the side up that fits.
+void FlatSystem::place_rims(const FlatInput& input)
+{
+    for (std::size_t k = 0; k < input.rims.size(); ++k)
+    {
+        const VertexIds& rim = input.rims[k];
+        if (rim.size() < fewest_of_rim)
+            continue;
+        const auto [form, off] = in_their_plane(mesh_, rim);
+        if (off > plane_enough * (form.colwise().maxCoeff() - form.colwise().minCoeff()).norm())
+            continue;
+        FlatPoints mirrored = form;
+        mirrored.col(0) *= -1.0;
+        const FlatPoints places = positions_(rim, Eigen::indexing::all);
+        const auto one = fitted(form, places), other = fitted(mirrored, places);
+        positions_(rim, Eigen::indexing::all) =
+            one.second <= other.second ? one.first : other.first;
+        is_rigid_[k] = 1;
+        for (const int vertex : rim)
+            rim_of_[at(vertex)] = static_cast<int>(rims_.size());
+        rims_.push_back(rim);
+    }
+}
+
+void FlatSystem::number()
+{
+    std::vector<char> is_used(rim_of_.size(), 0);
+    for (const FlatTriangle& triangle : triangles_)
+        for (const int corner : triangle.corners)
+            is_used[at(corner)] = 1;
+    first_.assign(rim_of_.size() + rims_.size(), -1);
+    const auto add = [this](std::size_t thing, int count, const Vector3& place)
+    {
+        first_[thing] = count_;
+        count_ += count;
+        for (int k = 0; k < count; ++k)
+            places_.push_back(place);
+    };
+    for (std::size_t i = 0; i < rim_of_.size(); ++i)
+        if (rim_of_[i] < 0 && is_used[i])
+            add(i, 2, mesh_.points().row(static_cast<Eigen::Index>(i)).transpose());
+    for (std::size_t k = 0; k < rims_.size(); ++k)
+        add(rim_of_.size() + k, 3, mesh_.points().row(rims_[k].front()).transpose());
+}
+
+Eigen::Vector2d FlatSystem::centre_of(int rim) const
+{
+    const FlatPoints places = positions_(rims_[at(rim)], Eigen::indexing::all);
+    return places.colwise().mean().transpose();
+}
+
+FlatSystem::Columns FlatSystem::columns_of(const FlatTriangle& triangle) const
+{
+    Columns found;
+    found.rows = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, 9);
+    for (int k = 0; k < 3; ++k)
+    {
+        const int vertex = triangle.corners[at(k)], rim = rim_of_[at(vertex)];
+        const int first = rim < 0 ? first_[at(vertex)] : first_[rim_of_.size() + at(rim)];
+        for (int x = 0; x < (rim < 0 ? 2 : 3); ++x)
+        {
+            const auto known = std::find(found.ids.begin(), found.ids.end(), first + x);
+            const auto column = known - found.ids.begin();
+            if (known == found.ids.end())
+                found.ids.push_back(first + x);
+            if (x < 2)
+                found.rows(2 * k + x, column) = 1.0;
+            else
+            {
+                const Eigen::Vector2d arm = positions_.row(vertex).transpose() - centre_of(rim);
+                found.rows.block<2, 1>(2 * k, column) << -arm.y(), arm.x();
+            }
+        }
+    }
+    found.rows.conservativeResize(6, static_cast<Eigen::Index>(found.ids.size()));
+    return found;
+}
+
+double FlatSystem::energy() const
+{
+    double sum = 0.0;
+    for (const FlatTriangle& triangle : triangles_)
+    {
+        const Eigen::Vector3d e = strain_of(gradient_of(triangle, positions_));
+        sum += 0.5 * triangle.area * e.dot(elasticity() * e);
+    }
+    return sum;
+}
+
+std::optional<Eigen::VectorXd> FlatSystem::newton_step(bool is_tension_only) const
+{
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count_);
+    std::vector<Eigen::Triplet<double>> entries;
+    double largest = 0.0;
+    for (const FlatTriangle& triangle : triangles_)
+    {
+        const Local local = local_of(triangle, positions_, is_tension_only);
+        const Columns columns = columns_of(triangle);
+        const Eigen::MatrixXd matrix = columns.rows.transpose() * local.stiffness * columns.rows;
+        const Eigen::VectorXd forces = columns.rows.transpose() * local.gradient;
+        for (std::size_t a = 0; a < columns.ids.size(); ++a)
+        {
+            const auto row = static_cast<Eigen::Index>(a);
+            gradient(columns.ids[a]) += forces(row);
+            largest = std::max(largest, matrix(row, row));
+            for (std::size_t b = 0; b < columns.ids.size(); ++b)
+                entries.emplace_back(columns.ids[a], columns.ids[b],
+                                     matrix(row, static_cast<Eigen::Index>(b)));
+        }
+    }
+    for (int k = 0; k < count_; ++k)
+        entries.emplace_back(k, k, rigid_modes * largest);
+    auto whole = std::make_shared<SparseMatrix>(count_, count_);
+    whole->setFromTriplets(entries.begin(), entries.end());
+    return solved(whole, -gradient);
+}
+
+std::optional<Eigen::VectorXd> FlatSystem::solved(const std::shared_ptr<const SparseMatrix>& whole,
+                                                  const Eigen::VectorXd& right) const
+{
+    Points places(count_, 3);
+    std::vector<int> own(at(count_));
+    for (int k = 0; k < count_; ++k)
+    {
+        places.row(k) = places_[at(k)].transpose();
+        own[at(k)] = k;
+    }
+    try
+    {
+        const auto tree = std::make_shared<const SeparatorTree>(nested_dissection(*whole, places));
+        return SparseCholesky({whole, own, count_}, tree).solve(right);
+    }
+    catch (const SolverError&)
+    {
+        return std::nullopt;
+    }
+}
+
+void FlatSystem::step(const Eigen::VectorXd& change, double share)
+{
+    for (std::size_t i = 0; i < rim_of_.size(); ++i)
+        if (first_[i] >= 0)
+            positions_.row(static_cast<Eigen::Index>(i)) +=
+                share * change.segment<2>(first_[i]).transpose();
+    for (std::size_t k = 0; k < rims_.size(); ++k)
+    {
+        const Eigen::Vector3d of_rim = share * change.segment<3>(first_[rim_of_.size() + k]);
+        const Eigen::Vector2d centre = centre_of(static_cast<int>(k));
+        const Eigen::Rotation2Dd turn(of_rim(2));
+        for (const int vertex : rims_[k])
+            positions_.row(vertex) =
+                (centre + of_rim.head<2>() + turn * (positions_.row(vertex).transpose() - centre))
+                    .transpose();
+    }
+}
+
+}  // namespace sheetmorph

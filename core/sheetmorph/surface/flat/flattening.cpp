@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/flat/flattening.h"
+
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/topology/boundary.h"
+#include "sheetmorph/mesh/topology/components.h"
+#include "sheetmorph/mesh/topology/orientation.h"
+#include "sheetmorph/surface/flat/flat_system.h"
+
+#include <Eigen/Geometry>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int most_rounds = 60;
+constexpr double settled = 1e-8;  // of the size: a round that moves less is the last
+
+void require_sheet(const TriangleMesh& mesh, const EdgeTable& table)
+{
+    if (connected_components(mesh).count != 1)
+        throw InvalidInput("the sheet is in pieces; lay them flat one by one");
+    for (int edge = 0; edge < table.count(); ++edge)
+        if (table.uses(edge).count() > 2)
+            throw InvalidInput(
+                "three triangles meet in one edge (a T-joint), which no flat sheet has; cut it "
+                "into parts there");
+    if (boundary_edges(mesh).empty())
+        throw InvalidInput("the sheet is closed, so that it cannot be laid flat; cut it open");
+}
+
+// Each as it wants to lie in the plane: as at rest, longer where the neutral fibre says so.
+std::vector<FlatTriangle> triangles_of(const TriangleMesh& mesh, const FlatInput& input)
+{
+    std::vector<FlatTriangle> found;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        if (is_thin(mesh.points(), mesh.triangles(), t))
+            continue;
+        const auto ids = mesh.triangles().row(t);
+        const Vector3 first = mesh.points().row(ids(0)).transpose();
+        const Vector3 one = mesh.points().row(ids(1)).transpose() - first;
+        const Vector3 other = mesh.points().row(ids(2)).transpose() - first;
+        const Vector3 normal = one.cross(other).normalized();
+        Eigen::Matrix<double, 2, 3> axes;
+        axes << one.normalized().transpose(), normal.cross(one.normalized()).transpose();
+        Eigen::Matrix2d sides;
+        sides << axes * one, axes * other;
+        if (input.factors.size() > 0 && input.factors(t) != 1.0)
+        {
+            const Eigen::Vector2d along =
+                (axes * input.directions.row(t).transpose()).stableNormalized();
+            sides += (input.factors(t) - 1.0) * along * (along.transpose() * sides);
+        }
+        const Eigen::Matrix2d inverse = sides.inverse();
+        FlatTriangle triangle{t, {ids(0), ids(1), ids(2)}, {}, 0.5 * std::abs(sides.determinant())};
+        triangle.gradients << -inverse.colwise().sum(), inverse;
+        found.push_back(triangle);
+    }
+    return found;
+}
+
+// The vertices farthest apart, nearly: pinned, they tell where the flat sheet is and how large.
+std::array<int, 2> farthest_pair(const TriangleMesh& mesh, const std::vector<FlatTriangle>& all)
+{
+    const auto farthest_from = [&](const Vector3& place)
+    {
+        int best = all.front().corners[0];
+        double longest = -1.0;
+        for (const FlatTriangle& triangle : all)
+            for (const int corner : triangle.corners)
+                if (const double distance = (mesh.points().row(corner).transpose() - place).norm();
+                    distance > longest)
+                {
+                    longest = distance;
+                    best = corner;
+                }
+        return best;
+    };
+    const int one = farthest_from(mesh.points().row(all.front().corners[0]).transpose());
+    return {one, farthest_from(mesh.points().row(one).transpose())};
+}
+
+//! Unknowns u, v of every vertex but two pinned ones.
+struct ConformalProblem
+{
+    SparseMatrix rows;          // (2 m, 2 n)
+    std::vector<int> unknowns;  // (2 n), -1: pinned or in no triangle
+    int count = 0;
+};
+
+ConformalProblem conformal_problem(const TriangleMesh& mesh, const std::vector<FlatTriangle>& all,
+                                   const std::array<int, 2>& pinned)
+{
+    ConformalProblem problem;
+    problem.unknowns.assign(2 * at(mesh.vertex_count()), -1);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t t = 0; t < all.size(); ++t)
+    {
+        const double weight = std::sqrt(all[t].area);
+        const int row = static_cast<int>(2 * t);
+        for (int k = 0; k < 3; ++k)
+        {
+            const int u = 2 * all[t].corners[at(k)];
+            const double a = weight * all[t].gradients(k, 0), b = weight * all[t].gradients(k, 1);
+            // u_x = v_y and u_y = -v_x.
+            entries.emplace_back(row, u, a);
+            entries.emplace_back(row, u + 1, -b);
+            entries.emplace_back(row + 1, u, b);
+            entries.emplace_back(row + 1, u + 1, a);
+            problem.unknowns[at(u)] = problem.unknowns[at(u + 1)] = 0;
+        }
+    }
+    for (const int vertex : pinned)
+        problem.unknowns[at(2 * vertex)] = problem.unknowns[at(2 * vertex + 1)] = -1;
+    for (int& unknown : problem.unknowns)
+        if (unknown == 0)
+            unknown = problem.count++;
+    problem.rows.resize(static_cast<Eigen::Index>(2 * all.size()), 2 * mesh.vertex_count());
+    problem.rows.setFromTriplets(entries.begin(), entries.end());
+    return problem;
+}
+
+double area_of(const FlatTriangle& triangle, const FlatPoints& positions)
+{
+    const Eigen::Vector2d first = positions.row(triangle.corners[0]).transpose();
+    Eigen::Matrix2d sides;
+    sides << positions.row(triangle.corners[1]).transpose() - first,
+        positions.row(triangle.corners[2]).transpose() - first;
+    return 0.5 * sides.determinant();
+}
+
+// Least squares conformal map, as large as the sheet.
+FlatPoints conformal_map(const TriangleMesh& mesh, const std::vector<FlatTriangle>& all)
+{
+    const std::array<int, 2> pinned = farthest_pair(mesh, all);
+    const ConformalProblem problem = conformal_problem(mesh, all, pinned);
+    Eigen::VectorXd told = Eigen::VectorXd::Zero(2 * mesh.vertex_count());
+    told(2 * pinned[1]) = (mesh.points().row(pinned[1]) - mesh.points().row(pinned[0])).norm();
+    auto whole = std::make_shared<SparseMatrix>(
+        own_product(problem.rows, Eigen::VectorXd::Ones(problem.rows.rows())));
+    const Eigen::VectorXd right = -(*whole * told);
+    Eigen::VectorXd sums(problem.count);
+    Points places(told.size(), 3);
+    for (Eigen::Index k = 0; k < told.size(); ++k)
+    {
+        places.row(k) = mesh.points().row(k / 2);
+        if (problem.unknowns[at(k)] >= 0)
+            sums(problem.unknowns[at(k)]) = right(k);
+    }
+    const auto tree = std::make_shared<const SeparatorTree>(nested_dissection(*whole, places));
+    const Eigen::VectorXd found =
+        SparseCholesky({whole, problem.unknowns, problem.count}, tree).solve(sums);
+    FlatPoints positions(mesh.vertex_count(), 2);
+    for (Eigen::Index k = 0; k < told.size(); ++k)
+        positions(k / 2, k % 2) =
+            problem.unknowns[at(k)] >= 0 ? found(problem.unknowns[at(k)]) : told(k);
+    double now = 0.0, wanted = 0.0;
+    for (const FlatTriangle& triangle : all)
+    {
+        now += std::abs(area_of(triangle, positions));
+        wanted += triangle.area;
+    }
+    return positions * std::sqrt(wanted / now);
+}
+
+// \returns how far it moved the sheet, mm
+double improve(FlatSystem& system)
+{
+    const FlatPoints before = system.positions();
+    const double start = system.energy();
+    for (const bool is_tension_only : {false, true})
+    {
+        const std::optional<Eigen::VectorXd> change = system.newton_step(is_tension_only);
+        if (!change)
+            continue;
+        const int most = is_tension_only ? 30 : 1;
+        for (int halving = 0; halving < most; ++halving)
+        {
+            system.step(*change, std::ldexp(1.0, -halving));
+            if (system.energy() <= start)
+                return (system.positions() - before).rowwise().norm().maxCoeff();
+            system.restore(before);
+        }
+    }
+    return 0.0;
+}
+
+}  // namespace
+
+Flattening flatten(const FlatInput& input, const Progress& progress)
+{
+    const EdgeTable table(input.mesh);
+    require_sheet(input.mesh, table);
+    const Orientation orientation = consistent_orientation(input.mesh, table);
+    if (!orientation.is_possible)
+        throw InvalidInput("the sheet has one side only (a Moebius strip); cut it open");
+    const TriangleMesh mesh = oriented(input.mesh, orientation);
+    const std::vector<FlatTriangle> triangles = triangles_of(mesh, input);
+    progress.report(0.0, "laying flat");
+    FlatSystem system(input, triangles, conformal_map(mesh, triangles));
+    Flattening found;
+    found.convergence = {"the flat shape", false, 0, 0.0};
+    for (; found.convergence.rounds < most_rounds && !found.convergence.is_converged;
+         ++found.convergence.rounds)
+    {
+        progress.report(static_cast<double>(found.convergence.rounds) / most_rounds, "laying flat");
+        found.convergence.miss = improve(system);
+        found.convergence.is_converged = found.convergence.miss <= settled * mesh.size();
+    }
+    found.positions = system.positions();
+    found.is_rigid = system.rigid_rims();
+    found.turned = orientation.flipped;
+    for (const FlatTriangle& triangle : triangles)
+        if (area_of(triangle, found.positions) <= 0.0)
+            found.flipped.push_back(triangle.index);
+    progress.report(1.0, "laying flat");
+    return found;
+}
+
+}  // namespace sheetmorph
