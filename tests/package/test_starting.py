@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import sheetmorph
-from plates import plate, write_plate
+from sheet_meshes import circle, flat, lifted, polygon
 from sheetmorph.cli import main
 from sheetmorph.recipe import read_json
 
@@ -23,6 +23,18 @@ REAL = [
 ]
 
 
+def holed(path: Path, shift: float = 0.0) -> np.ndarray:
+    """Writes a sheet of 120 x 60 mm with three round holes; its vertices (n, 3)."""
+    outline = polygon([(0, 0), (120, 0), (120, 60), (0, 60)], 3.0)
+    rims = [circle((x, 30.0), 6.0, 24) for x in (30.0, 60.0, 90.0)]
+    flat_points, triangles = flat(outline, rims, 3.0)
+    points = lifted(flat_points, shift)
+    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (triangles + 1).tolist()]
+    path.write_text("\n".join(lines) + "\n")
+    return points
+
+
 def ran(files: list[str], folder: Path) -> dict:
     """The report of `init` and `run`."""
     recipe, report = folder / "recipe.json", folder / "report.json"
@@ -32,30 +44,31 @@ def ran(files: list[str], folder: Path) -> dict:
     return json.loads(report.read_text())
 
 
-def test_a_plate_is_held_at_one_end_and_lifted_at_the_other(tmp_path: Path, monkeypatch):
+def test_a_sheet_is_held_at_one_end_and_lifted_at_the_other(tmp_path: Path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    write_plate(plate(), tmp_path / "plate.obj", "obj")
-    report = ran(["plate.obj"], tmp_path)
+    rest = holed(tmp_path / "sheet.obj")
+    report = ran(["sheet.obj"], tmp_path)
     recipe = read_json(tmp_path / "recipe.json")
-    assert recipe["parts"] == [{"name": "plate", "file": "plate.obj"}]
+    assert recipe["parts"] == [{"name": "sheet", "file": "sheet.obj"}]
     assert "// found: 3 round holes" in (tmp_path / "recipe.json").read_text()
     assert len(report["features"]) == 3 and report["certificate"]["passed"]
-    rest = plate().points
-    moved = sheetmorph.read_part(tmp_path / "out" / "plate.obj").mesh.points
-    lift = recipe["pose"]["end"]["translation"]
-    assert np.array_equal(moved[plate().left], rest[plate().left])
-    assert moved[plate().right] == pytest.approx(rest[plate().right] + lift)
-    assert np.linalg.norm(lift) == pytest.approx(0.05 * np.ptp(rest[:, 0]), rel=1e-3)
+    moved = sheetmorph.read_part(tmp_path / "out" / "sheet.obj").mesh.points
+    lift = np.array(recipe["pose"]["end"]["translation"])
+    left, right = rest[:, 0] <= 6.0, rest[:, 0] >= 114.0
+    assert np.array_equal(moved[left], rest[left])
+    assert moved[right] == pytest.approx(rest[right] + lift)
+    assert lift.tolist() == [0.0, 0.0, 6.0]
 
 
 def test_several_files_are_parts_of_one_assembly(tmp_path: Path, capsys):
     (tmp_path / "meshes").mkdir()
-    for name in ("one", "two"):
-        write_plate(plate(), tmp_path / "meshes" / f"{name}.stl", "binary.stl")
-    files = [str(tmp_path / "meshes" / f"{name}.stl") for name in ("one", "two")]
+    files = [str(tmp_path / "meshes" / f"{name}.obj") for name in ("one", "two")]
+    for number, file in enumerate(files):
+        holed(Path(file), 1.5 * number)
     report = ran(files, tmp_path)
     assert [part["name"] for part in report["parts"]] == ["one", "two"]
-    assert read_json(tmp_path / "recipe.json")["parts"][0]["file"] == "meshes/one.stl"
+    assert {contact["type"] for contact in report["contacts"]} >= {"rigid"}
+    assert read_json(tmp_path / "recipe.json")["parts"][0]["file"] == "meshes/one.obj"
     capsys.readouterr()
     assert main(["init", *files]) == 0
     assert '"primary": ' in capsys.readouterr().out
@@ -63,7 +76,7 @@ def test_several_files_are_parts_of_one_assembly(tmp_path: Path, capsys):
 
 def test_init_writes_over_none_of_its_files(tmp_path: Path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    write_plate(plate(), tmp_path / "plate.obj", "obj")
+    holed(tmp_path / "plate.obj")
     before = (tmp_path / "plate.obj").read_bytes()
     assert main(["init", "plate.obj", "-o", "plate.obj"]) == 2
     assert main(["init", "lid.obj", "-o", "recipe.json"]) == 2
