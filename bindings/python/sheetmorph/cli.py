@@ -16,6 +16,8 @@ from types import FrameType
 from typing import Any, TextIO
 
 from . import __version__
+from .cli_certify import add_certify_arguments, certified_run, run_certify
+from .cli_copy import run_copy
 from .cli_find import add_find_arguments, run_find
 from .cli_flatten import add_flatten_arguments, run_flatten
 from .cli_progress import progress_on
@@ -75,6 +77,8 @@ def _explain(error: Exception, recipe: str, files: FileSet) -> tuple[str, int]:
         return f"{place}: {error.strerror or error}; check the path and its rights", BAD_INPUT
     if isinstance(error, MemoryError):
         return f"{recipe}: not enough memory; {_state(files)}", NOT_CERTIFIED
+    if getattr(error, "certificate", None) is not None:  # of files that were written before
+        return f"{recipe}: {error}", NOT_CERTIFIED
     # The kernel's SolverError, or a certificate.
     if isinstance(error, RuntimeError) and type(error).__module__.startswith("sheetmorph"):
         return f"{recipe}: {error}; {_state(files)}", NOT_CERTIFIED
@@ -143,9 +147,7 @@ def parser() -> argparse.ArgumentParser:
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     add_find_arguments(commands)
     add_flatten_arguments(commands)
-    copy = commands.add_parser("copy", help="read decks and meshes and write them, nothing moved")
-    copy.add_argument("files", nargs="+", metavar="FILE", help="deck with its includes, or mesh")
-    copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for them")
+    add_certify_arguments(commands, run)
     add_recipe_commands(commands)
     add_study_arguments(commands)
     return parser
@@ -168,9 +170,10 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
             files=files, strict=wanted.strict, pictures=wanted.pictures, step=wanted.step,
             progress=progress,
         )  # fmt: skip
+    certified = certified_run(wanted) if wanted.certify else []
     if wanted.json:
         return _as_json(report)
-    return ending_of(report, wanted.output, is_quiet=wanted.quiet)
+    return [*ending_of(report, wanted.output, is_quiet=wanted.quiet), *certified]
 
 
 def _as_json(found: Any) -> list[str]:
@@ -196,14 +199,9 @@ def _find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     return run_find(wanted, files)
 
 
-def _copy(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    from .copying import copy_files
-
-    return copy_files(wanted.files, wanted.output, files)
-
-
 _COMMANDS = {
-    "copy": _copy,
+    "certify": run_certify,
+    "copy": run_copy,
     "run": _run,
     "check": _check,
     "resolve": run_resolve,

@@ -19,12 +19,14 @@ _NINE = ((0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7
 @dataclass(frozen=True)
 class Sheet:
     """nodes: (n,) indices of the deck's nodes that shells have, rising; triangles: (m, 3) int32
-    rows of nodes, in the order of the cards; properties: (m,); elements: (m,) ids."""
+    rows of nodes, in the order of the cards; properties: (m,); elements: (m,) ids; faces: (e, 4)
+    rows of nodes at the corners of every shell, -1 in the last one of a triangle."""
 
     nodes: np.ndarray
     triangles: np.ndarray
     properties: np.ndarray
     elements: np.ndarray
+    faces: np.ndarray
 
 
 def sheet_of(deck: Deck) -> Sheet:
@@ -34,7 +36,7 @@ def sheet_of(deck: Deck) -> Sheet:
     pieces = [piece for piece in pieces if len(piece[0])]
     if not pieces:
         none = np.zeros(0, dtype=np.int64)
-        return Sheet(none, np.zeros((0, 3), np.int32), none, none)
+        return Sheet(none, np.zeros((0, 3), np.int32), none, none, np.zeros((0, 4), np.int32))
     triangles = np.concatenate([piece[0] for piece in pieces])
     places = np.concatenate([piece[1] for piece in pieces])
     properties = np.concatenate([piece[2] for piece in pieces])
@@ -46,7 +48,22 @@ def sheet_of(deck: Deck) -> Sheet:
     used = np.zeros(len(deck.ids), dtype=bool)
     used[triangles] = True
     rows = (np.cumsum(used) - 1).astype(np.int32)
-    return Sheet(np.flatnonzero(used), rows[triangles], properties, elements)
+    faces = np.concatenate([_corners(deck, block) for block in found])
+    faces = np.where(faces >= 0, rows[np.maximum(faces, 0)], np.int32(-1))
+    return Sheet(np.flatnonzero(used), rows[triangles], properties, elements, faces)
+
+
+def _corners(deck: Deck, block: Elements) -> np.ndarray:
+    """(e, 4) indices of the nodes at the corners of elements, -1 in the last one of triangles."""
+    count = 4 if block.nodes.shape[1] >= 4 and block.nodes.shape[1] != 6 else 3
+    corners = np.full((len(block.ids), 4), -1, dtype=np.int32)
+    corners[:, :count] = deck.find(block.nodes[:, :count])
+    if count == 4:
+        is_quad = (block.nodes[:, 3] != 0) & (corners[:, 3] != corners[:, 2])
+        corners[~is_quad, 3] = -1
+    first = corners[:, :3]
+    sound = (first[:, 0] != first[:, 1]) & (first[:, 1] != first[:, 2])
+    return corners[sound & (first[:, 2] != first[:, 0])]
 
 
 def _triangles(deck: Deck, block: Elements) -> tuple[np.ndarray, ...]:

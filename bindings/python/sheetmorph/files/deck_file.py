@@ -116,9 +116,29 @@ class DeckFile(PartFile):
             self._last = positions.copy(), self._passengers.carried(positions)
         return self._last[1]
 
+    @property
+    def corner_faces(self) -> np.ndarray:
+        """(m, 4) rows of ``mesh`` at the corners of the shells, -1 in the last one of triangles."""
+        return self.sheet.faces
+
     def told(self, positions: np.ndarray) -> dict[str, Any]:
         """What hangs on the sheet, how its joints hold, and what the motion leaves wrong."""
-        carried = self._carried(self._checked(positions))
+        return self._told(self._carried(self._checked(positions)))
+
+    def told_of(self, nodes: np.ndarray) -> dict[str, Any]:
+        """The same of a deck that was written, with its nodes at (n, 3) positions."""
+        rules = self._carried(nodes[self.sheet.nodes])
+        return self._told(Carried(nodes, rules.counts, rules.left))
+
+    def stored_deck(self, path: Path) -> Deck:
+        """The deck as it was written. Raises FileError if it has other nodes."""
+        found = self._read_again(path)
+        if not np.array_equal(found.ids, self.deck.ids):
+            what = f"it has other nodes than {self.path.name}"
+            raise FileError(path, what, "name the folder that a run of this recipe wrote")
+        return found
+
+    def _told(self, carried: Carried) -> dict[str, Any]:
         wanted = self.settings.get("joints") or {}
         joints = joints_of(self.deck, self.sheet, carried.positions, wanted.get("limit"))
         moved = (carried.positions != self.deck.points).any(axis=1)
@@ -156,7 +176,7 @@ class DeckFile(PartFile):
         }
 
     def stored_positions(self, path: Path) -> np.ndarray:
-        return self._read_again(path).points[self.sheet.nodes]
+        return self.stored_deck(path).points[self.sheet.nodes]
 
     def _read_again(self, path: Path) -> Deck:
         """The deck as it was written at `path`, its includes at their places or still unnamed."""

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a certificate asks for: sets that come along under their names, or a file of one's own."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from ..errors import FileError
+from ..files.comments import plain_json
+from .quality import MEASURES
+
+_OTHERS = ("set", "comment", "elements", "time_step", "features", "contacts")
+
+
+@dataclass(frozen=True)
+class Criteria:
+    """name; elements: limits ("min", "max") by measure; target: time step in ms for which mass is
+    scaled, None for none; allowed: how many elements may newly fail; gap_change: mm, of a contact,
+    None if it is not judged."""
+
+    name: str
+    elements: dict[str, dict[str, float]] = field(default_factory=dict)
+    target: float | None = None
+    allowed: int = 0
+    gap_change: float | None = None
+
+
+def shipped() -> dict[str, Any]:
+    """The sets that come along, by name."""
+    text = resources.files("sheetmorph").joinpath("certifying/criteria.json").read_text("utf-8")
+    return json.loads(text)
+
+
+def read_criteria(name: str | Path | None) -> Criteria:
+    """A set by its name, or the criteria in a JSON file. Raises FileError."""
+    sets = shipped()
+    if name is None or str(name) in sets:
+        key = "standard" if name is None else str(name)
+        return _criteria(Path(key), key, sets[key])
+    path = Path(name)
+    try:
+        found = json.loads(plain_json(path.read_text("utf-8")))
+    except OSError as error:
+        todo = f"name a file, or one of the sets {', '.join(sets)}"
+        raise FileError(path, f"cannot be read ({error.strerror or error})", todo) from None
+    except ValueError as error:
+        raise FileError(path, f"it is no JSON ({error})", "correct it") from None
+    if not isinstance(found, dict):
+        raise FileError(path, "criteria are an object", 'write {"elements": {...}}')
+    base = found.get("set", "")
+    if base and base not in sets:
+        raise FileError(path, f'there is no set "{base}"', f"use one of {', '.join(sets)}")
+    merged = {**sets.get(base, {}), **found}
+    merged["elements"] = {**sets.get(base, {}).get("elements", {}), **found.get("elements", {})}
+    return _criteria(path, path.name, merged)
+
+
+def _criteria(path: Path, name: str, found: dict[str, Any]) -> Criteria:
+    unknown = [key for key in found if key not in _OTHERS]
+    if unknown:
+        raise FileError(path, f'unknown key "{unknown[0]}"', f"use {', '.join(_OTHERS)}")
+    elements = dict(found.get("elements", {}))
+    allowed = elements.pop("newly_failing", 0)
+    for measure, limits in elements.items():
+        if measure not in MEASURES:
+            todo = f"use {', '.join(MEASURES)} or newly_failing"
+            raise FileError(path, f'there is no measure "{measure}"', todo)
+        is_sound = isinstance(limits, dict) and set(limits) <= {"min", "max"}
+        if not is_sound or not all(_is_number(value) for value in limits.values()):
+            what = f'"{measure}" needs numbers under "min" or "max"'
+            raise FileError(path, what, 'write {"max": 10}')
+    target = found.get("time_step", {}).get("target_ms")
+    gap = found.get("contacts", {}).get("gap_change")
+    for value in (target, gap, allowed):
+        if value is not None and not (_is_number(value) and value >= 0):
+            raise FileError(path, f"{value!r} is no number of 0 or more", "write a number")
+    return Criteria(name, elements, target, int(allowed), gap)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)

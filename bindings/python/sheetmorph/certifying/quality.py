@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Measures of shell elements, each by the definition that stands beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+_GAUSS = 1.0 / np.sqrt(3.0)
+_CORNERS = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=float)
+
+
+def _edges(corners: np.ndarray) -> np.ndarray:
+    return np.roll(corners, -1, axis=1) - corners
+
+
+def _lengths(corners: np.ndarray) -> np.ndarray:
+    return np.linalg.norm(_edges(corners), axis=2)
+
+
+def _angles(corners: np.ndarray) -> np.ndarray:
+    """(m, k) degrees, at every corner."""
+    ahead = _edges(corners)
+    behind = -np.roll(ahead, 1, axis=1)
+    cosine = _ratio((ahead * behind).sum(axis=2), _norm(ahead) * _norm(behind), 1.0)
+    return np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
+
+
+def _norm(vectors: np.ndarray) -> np.ndarray:
+    return np.linalg.norm(vectors, axis=-1)
+
+
+def _ratio(above: np.ndarray, below: np.ndarray, otherwise: float) -> np.ndarray:
+    return np.divide(above, below, out=np.full(below.shape, otherwise), where=below > 0.0)
+
+
+def areas(corners: np.ndarray) -> np.ndarray:
+    """(m,) areas of (m, 3, 3) triangles or (m, 4, 3) quads: half the cross product of diagonals."""
+    if corners.shape[1] == 3:
+        one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    else:
+        one, two = corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
+    return 0.5 * _norm(np.cross(one, two))
+
+
+def aspect(corners: np.ndarray) -> np.ndarray:
+    """Longest edge over shortest."""
+    length = _lengths(corners)
+    return _ratio(length.max(axis=1), length.min(axis=1), 1e9)
+
+
+def warpage(corners: np.ndarray) -> np.ndarray:
+    """Degrees between the two triangles of a quad, of the worse diagonal; 0 for triangles."""
+    if corners.shape[1] == 3:
+        return np.zeros(len(corners))
+    worst = np.zeros(len(corners))
+    for k in (0, 1):
+        a, b, c, d = (corners[:, (k + j) % 4] for j in range(4))
+        one, two = np.cross(b - a, c - a), np.cross(c - a, d - a)
+        cosine = _ratio((one * two).sum(axis=1), _norm(one) * _norm(two), 1.0)
+        worst = np.maximum(worst, np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))))
+    return worst
+
+
+def skew(corners: np.ndarray) -> np.ndarray:
+    """90 degrees less the smallest angle between lines through the middles of sides (quads), or
+    between a median and the line through the middles of the other sides (triangles)."""
+    middle = 0.5 * (corners + np.roll(corners, -1, axis=1))
+    if corners.shape[1] == 4:
+        pairs = [(middle[:, 2] - middle[:, 0], middle[:, 3] - middle[:, 1])]
+    else:
+        pairs = [
+            (corners[:, k] - middle[:, (k + 1) % 3], middle[:, k] - middle[:, (k + 2) % 3])
+            for k in range(3)
+        ]
+    worst = np.zeros(len(corners))
+    for one, two in pairs:
+        cosine = _ratio(np.abs((one * two).sum(axis=1)), _norm(one) * _norm(two), 1.0)
+        angle = np.degrees(np.arccos(np.clip(cosine, 0.0, 1.0)))
+        worst = np.maximum(worst, 90.0 - angle)
+    return worst
+
+
+def taper(corners: np.ndarray) -> np.ndarray:
+    """1 less the smallest of the four corner triangles over half the quad; 0 for triangles."""
+    if corners.shape[1] == 3:
+        return np.zeros(len(corners))
+    parts = np.stack([areas(corners[:, [(k - 1) % 4, k, (k + 1) % 4]]) for k in range(4)], axis=1)
+    return 1.0 - _ratio(parts.min(axis=1), 0.25 * parts.sum(axis=1), 0.0)
+
+
+def jacobian(corners: np.ndarray) -> np.ndarray:
+    """Smallest over largest determinant at the 2 x 2 Gauss points of a quad; 1 for triangles."""
+    if corners.shape[1] == 3:
+        return np.ones(len(corners))
+    normal = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    unit = normal * _ratio(np.ones(len(normal)), _norm(normal), 0.0)[:, None]
+    found = []
+    for u, v in _GAUSS * _CORNERS:
+        across = 0.25 * _CORNERS[:, 0] * (1.0 + v * _CORNERS[:, 1])
+        along = 0.25 * _CORNERS[:, 1] * (1.0 + u * _CORNERS[:, 0])
+        one = np.einsum("k,mki->mi", across, corners)
+        two = np.einsum("k,mki->mi", along, corners)
+        found.append((np.cross(one, two) * unit).sum(axis=1))
+    values = np.stack(found, axis=1)
+    return _ratio(values.min(axis=1), values.max(axis=1), -1.0)
+
+
+def min_angle(corners: np.ndarray) -> np.ndarray:
+    """Degrees, the smallest at a corner."""
+    return _angles(corners).min(axis=1)
+
+
+def max_angle(corners: np.ndarray) -> np.ndarray:
+    """Degrees, the largest at a corner."""
+    return _angles(corners).max(axis=1)
+
+
+def min_length(corners: np.ndarray) -> np.ndarray:
+    """The shortest edge, mm."""
+    return _lengths(corners).min(axis=1)
+
+
+def step_length(corners: np.ndarray) -> np.ndarray:
+    """mm, what the time step of a shell goes by: its area (twice that of a triangle) over its
+    longest edge (LS-DYNA's default)."""
+    factor = 2.0 if corners.shape[1] == 3 else 1.0
+    return _ratio(factor * areas(corners), _lengths(corners).max(axis=1), 0.0)
+
+
+MEASURES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "aspect": aspect,
+    "warpage": warpage,
+    "skew": skew,
+    "taper": taper,
+    "jacobian": jacobian,
+    "min_angle": min_angle,
+    "max_angle": max_angle,
+    "min_length": min_length,
+}
+
+
+def measured(
+    measure: Callable[[np.ndarray], np.ndarray], points: np.ndarray, faces: np.ndarray
+) -> np.ndarray:
+    """(m,) a measure of faces (m, 4), whose last corner is -1 in triangles, at points (n, 3)."""
+    found = np.empty(len(faces))
+    is_quad = faces[:, 3] >= 0
+    for rows, count in ((is_quad, 4), (~is_quad, 3)):
+        if rows.any():
+            found[rows] = measure(points[faces[rows, :count]])
+    return found

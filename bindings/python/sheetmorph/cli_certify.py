@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command `certify`, and what `run --certify` does after a run."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from .cli_copy import add_copy_arguments
+from .files.atomic import FileSet
+
+NAMES = ("certificate.json", "certificate.html")
+
+
+def add_certify_arguments(commands: Any, run: argparse.ArgumentParser) -> None:
+    """Adds `certify` and `copy` to the commands of a parser, and options to `run`."""
+    text = "a set (standard, crash, static) or a JSON file with criteria (default: standard)"
+    add_copy_arguments(commands)
+    run.add_argument("--certify", action="store_true", help="certify what was written, in DIR")
+    run.add_argument("--criteria", metavar="FILE", help=f"for --certify, {text}")
+    command = commands.add_parser("certify", help="measure and judge what a run wrote")
+    command.add_argument("recipe", help="the recipe of the run")
+    command.add_argument("folder", metavar="DIR", help="the folder that the run wrote")
+    command.add_argument("--criteria", metavar="FILE", help=text)
+    command.add_argument("--json", metavar="FILE", help="where to write the certificate")
+    command.add_argument("--page", metavar="FILE", help="where to write it as a page (HTML)")
+
+
+def run_certify(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
+    """Certifies; returns what to print. Raises NotCertified."""
+    return certified(wanted.recipe, wanted.folder, wanted.criteria, (wanted.json, wanted.page))
+
+
+def certified(
+    recipe: str, folder: str, criteria: str | None, places: tuple[str | None, str | None]
+) -> list[str]:
+    """The same for a recipe, a folder, criteria and the files for the certificate."""
+    from .certifying import Targets, certify, read_criteria
+
+    files = [None if place is None else Path(place) for place in places]
+    found = certify(recipe, folder, read_criteria(criteria), Targets(*files))
+    parts, features = len(found["parts"]), len(found["features"])
+    joints = sum(deck["joints"]["count"] for deck in found["decks"])
+    return [
+        f"{folder}: certified by {found['criteria']['name']}: {parts} part(s), "
+        f"{features} form feature(s), {len(found['contacts'])} contact(s), {joints} joint(s)"
+    ]
+
+
+def certified_run(wanted: argparse.Namespace) -> list[str]:
+    """What `run --certify` does once the parts are written."""
+    places = tuple(str(Path(wanted.output) / name) for name in NAMES)
+    return certified(wanted.recipe, wanted.output, wanted.criteria, places)

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command `copy`: files read and written again, nothing moved."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from .files.atomic import FileSet
+
+
+def add_copy_arguments(commands: Any) -> None:
+    """Adds `copy` to the commands of a parser."""
+    copy = commands.add_parser("copy", help="read decks and meshes and write them, nothing moved")
+    copy.add_argument("files", nargs="+", metavar="FILE", help="deck with its includes, or mesh")
+    copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for them")
+
+
+def run_copy(wanted: argparse.Namespace, files: FileSet) -> list[str]:
+    """Copies; returns what to print."""
+    # Imported here, so that --help answers at once.
+    from .copying import copy_files
+
+    return copy_files(wanted.files, wanted.output, files)
