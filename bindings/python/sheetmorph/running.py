@@ -18,7 +18,7 @@ from .files.cad_writing import write_shapes
 from .pictures import Scene, before_and_after, draw
 from .places import Places
 from .progress import Progress
-from .recipe import filled, named_in, prepare, read_json
+from .recipe import named_in, prepare, read_json, with_ids
 from .recipe.parts import Source
 from .recipe.steps import with_step
 from .report import WrittenPart, make_report, shape_faults, unsettled_failures
@@ -73,8 +73,7 @@ def resolve(recipe_path: str | Path, progress: Progress | None = None) -> dict[s
     recipe = read_json(path)
     with named_in(path):
         parts = prepare(recipe, path.parent, progress)
-    ids = parts.resolved.recipe
-    return ids if parts.found is None else filled(ids, parts.found)
+    return with_ids(parts)
 
 
 def run(

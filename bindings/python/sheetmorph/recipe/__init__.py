@@ -35,6 +35,7 @@ __all__ = [
     "schema",
     "validate",
     "where_faults",
+    "with_ids",
 ]
 
 
@@ -65,6 +66,12 @@ def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> 
         told = in_file_ids(parts.resolved.recipe, parts.meshes)
         parts.found = search(told, find_parts(parts), connections_of(parts), progress)
     return parts
+
+
+def with_ids(parts: Parts) -> dict[str, Any]:
+    """The recipe of the parts with vertex ids in place of selectors, and what was found."""
+    ids = parts.resolved.recipe
+    return ids if parts.found is None else filled(ids, parts.found)
 
 
 def _resolved(recipe: Any, model: Model, meshes: Mapping[str, PartMesh]) -> Resolved:

@@ -15,6 +15,8 @@ from .found import Found
 from .stacks import regions_by_vertex, solvable
 
 SECTIONS = ("features", "contacts")
+# Options of "auto" that every feature gets as its own.
+_OF_EVERY = ("rotation",)
 
 
 def asked_sections(recipe: Any) -> dict[str, dict[str, Any]]:
@@ -77,7 +79,7 @@ def _of_file(entry: dict[str, Any], meshes: Mapping[str, PartMesh]) -> dict[str,
 def _options(asked: Mapping[str, Mapping[str, Any]]) -> FindOptions:
     features = dict(asked.get("features", {}))
     contacts = dict(asked.get("contacts", {}))
-    for key in ("kinds", "parts"):
+    for key in ("kinds", "parts", *_OF_EVERY):
         features.pop(key, None)
     for key in ("type", "parts"):
         contacts.pop(key, None)
@@ -92,7 +94,9 @@ def _taken(
     result = Found(gap=found.gap)
     if "features" in asked:
         chosen = _wanted_features(asked["features"], found.features, result.left_out)
-        result.features = _without_conflicts(recipe, chosen, result.left_out)
+        turning = {key: asked["features"][key] for key in _OF_EVERY if key in asked["features"]}
+        kept = _without_conflicts(recipe, chosen, result.left_out)
+        result.features = [{**entry, **turning} for entry in kept]
     if "contacts" in asked:
         options = asked["contacts"]
         parts = options.get("parts")

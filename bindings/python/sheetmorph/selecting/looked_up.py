@@ -70,7 +70,7 @@ def rim_at(shape: PartShape, told: Told) -> Chosen:
     if not loops:
         todo = "use face_at, or a box around the place"
         raise SelectorError(f'"{shape.name}" has no rim', todo, ("rim_at",))
-    loop, distance = nearest_loop(shape, loops, told["rim_at"])
+    loop, distance = nearest_loop(shape, loops, told["rim_at"], len(whole))
     number = next(k for k, other in enumerate(loops) if other is loop)
     if told.get("alone"):
         vertices = loop
@@ -132,11 +132,17 @@ def _largest(shape: PartShape, patches: Iterator[Any]) -> np.ndarray:
 
 
 def nearest_loop(
-    shape: PartShape, loops: Sequence[np.ndarray], point: Sequence[float]
+    shape: PartShape, loops: Sequence[np.ndarray], point: Sequence[float], holes: int = 0
 ) -> tuple[np.ndarray, float]:
-    """The loop nearest to a point, the shortest of several, and its distance, mm."""
+    """The loop nearest to a point, the shortest of several, and its distance, mm.
+
+    holes: how many loops, the first ones, are as near as their centre is, if that is nearer.
+    """
     place = np.array(point, dtype=float)
     gaps = [_line_distance(shape.points[loop], place) for loop in loops]
+    for k, loop in enumerate(loops[:holes]):
+        centre = shape.points[loop].mean(axis=0)
+        gaps[k] = min(gaps[k], float(np.linalg.norm(centre - place)))
     least = min(gaps) + shape.slack
     near = [k for k, gap in enumerate(gaps) if gap <= least]
     best = min(near, key=lambda k: loop_length(shape, loops[k]))
@@ -168,7 +174,7 @@ def _rims(shape: PartShape) -> tuple[list[np.ndarray], list[np.ndarray]]:
     known = {frozenset(loop.tolist()) for loop in loops}
     others = [
         loop
-        for loop in (*shape.border_loops, *shape.crease_loops)
+        for loop in (*shape.border_loops, *shape.loops_at(CREASE))
         if frozenset(loop.tolist()) not in known
     ]
     return [*loops, *others], whole
@@ -176,9 +182,7 @@ def _rims(shape: PartShape) -> tuple[list[np.ndarray], list[np.ndarray]]:
 
 def _loops(shape: PartShape, told: Told) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """The borders, and the loops at which the part bends by the crease angle."""
-    crease = math.radians(told.get("crease_angle", CREASE))
-    creases = [np.asarray(loop) for loop in shape.near.rims(crease)]
-    return [*shape.border_loops, *creases], []
+    return [*shape.border_loops, *shape.loops_at(told.get("crease_angle", CREASE))], []
 
 
 def _with_wall(shape: PartShape, loop: np.ndarray) -> np.ndarray:

@@ -34,6 +34,7 @@ class PartShape:
         self.mesh = mesh
         self.drawn: Callable[[Any], np.ndarray] | None = None  # what a figure in a view takes
         self.name = name or mesh.name
+        self._loops: dict[float, list[np.ndarray]] = {}  # of the last angle
         self.points = np.ascontiguousarray(placement.taken_back(mesh.points))
         self.triangles = mesh.triangles
         self.used = np.zeros(len(self.points), dtype=bool)
@@ -91,10 +92,12 @@ class PartShape:
         """The closed loops where the sheet ends, vertices in order."""
         return [np.asarray(loop) for loop in self.core.boundary_loops(self.kernel_mesh)]
 
-    @cached_property
-    def crease_loops(self) -> list[np.ndarray]:
-        """The closed loops where the sheet ends or bends sharply."""
-        return [np.asarray(loop) for loop in self.near.rims(math.radians(CREASE))]
+    def loops_at(self, crease: float) -> list[np.ndarray]:
+        """The closed loops where the sheet ends or bends by an angle, degrees, or more."""
+        if crease not in self._loops:
+            found = self.near.rims(math.radians(crease))
+            self._loops = {crease: [np.asarray(loop) for loop in found]}
+        return self._loops[crease]
 
     @cached_property
     def features(self) -> list[dict[str, Any]]:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 
@@ -114,10 +113,7 @@ def import_recipe(document, path: str | os.PathLike):
     package = kernel.load()
     written = package.recipe.read_json(path)
     read = package.recipe.prepare(written, path.parent)
-    recipe = read.resolved.recipe
-    if read.found is not None:
-        recipe = package.recipe.filled(recipe, read.found)
-    recipe = with_sentences(with_names(recipe), written)
+    recipe = with_sentences(with_names(package.recipe.with_ids(read)), written)
     assembly = create_assembly(document)
     found = {}
     for entry in recipe["parts"]:
@@ -164,15 +160,3 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
 def without_ids(mesh):
     """Return a sheetmorph.PartMesh whose vertices are called by their indices."""
     return kernel.load().PartMesh(mesh.points, mesh.triangles, name=mesh.name)
-
-
-def read_recipe(path: Path) -> dict:
-    """Return the recipe in a JSON file; raises ValueError that says where the JSON is wrong."""
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except json.JSONDecodeError as error:
-        raise ValueError(
-            f"{path.name}, line {error.lineno}: this is no JSON ({error.msg}); correct the file."
-        ) from error
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{path.name}: this is no text; choose a recipe (JSON).") from error

@@ -85,6 +85,11 @@ def others_in_front(part, frame: Frame) -> list[PartMesh]:
     return found
 
 
+def words_of(part, said: Any, digits: int) -> Any:
+    """Return what a pick said in the coordinates of the part's file, with so many digits."""
+    return sentences.simplest(sentences.in_file(said, read_kept(part).frame, digits))
+
+
 def sentence_for(part, said: Any, vertices: np.ndarray) -> Any:
     """Return what a pick said, in the coordinates of the part's file and as short as it may be.
 
@@ -94,7 +99,7 @@ def sentence_for(part, said: Any, vertices: np.ndarray) -> Any:
         return None
     shape = shape_of(part)
     for digits in sentences.DIGITS:
-        where = sentences.simplest(sentences.in_file(said, read_kept(part).frame, digits))
+        where = words_of(part, said, digits)
         try:
             if np.array_equal(chosen_on(shape, where).vertices, vertices):
                 return where

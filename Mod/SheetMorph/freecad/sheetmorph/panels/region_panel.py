@@ -21,7 +21,7 @@ from freecad.sheetmorph.scene.pick_view import PickView
 from freecad.sheetmorph.tools import picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.part_mesh import nearest_part
-from freecad.sheetmorph.tools.sentences import KEPT, operands, simplest
+from freecad.sheetmorph.tools.sentences import KEPT, operands
 
 TITLES = {
     "fixed": QT_TRANSLATE_NOOP("region", "Fixed Region"),
@@ -188,11 +188,8 @@ class RegionPanel(Panel):
 
     def _show_sentence(self) -> None:
         """Shows what the picks say, in the field in which another selector may be typed."""
-        picked = self._picker.picked
-        where = (
-            selecting.sentence_for(self._part, self._picker.said, picked) if len(picked) else None
-        )
-        self.form.where.setText("" if where is None else json.dumps(simplest(where)))
+        where = selecting.words_of(self._part, self._picker.said, 3)
+        self.form.where.setText(json.dumps(where) if where else "")
 
     def _take_typed(self) -> None:
         """Picks what the typed selector stands for; what is wrong with it is told."""
