@@ -2,6 +2,7 @@
 """The flat pattern of a bent sheet: kinematics, no forming simulation."""
 
 from .bends import Bend, KTable
-from .pattern import FlatPattern, NotFlat, flat_patterns
+from .pattern import FlatPattern, NotFlat, flat_patterns, patterns_of
+from .writing import table_of
 
-__all__ = ["Bend", "FlatPattern", "KTable", "NotFlat", "flat_patterns"]
+__all__ = ["Bend", "FlatPattern", "KTable", "NotFlat", "flat_patterns", "patterns_of", "table_of"]

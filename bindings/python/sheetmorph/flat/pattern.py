@@ -21,6 +21,7 @@ from .bends import Bend, KTable, find_bends
 
 _ROUND = 2e-3  # of the radius: rims that are nearer to a circle are cut as one
 _FEWEST_OF_CIRCLE = 12
+_STRAIGHT = 1e-3  # radians: a loop that turns by less goes on straight
 _WIDEST_ARC = 0.35  # radians that one triangle may span; beyond is a fold
 
 
@@ -59,6 +60,15 @@ class FlatPattern:
         low, high = self.flat.min(axis=0), self.flat.max(axis=0)
         return float(high[0] - low[0]), float(high[1] - low[1])
 
+    def corners(self, loop: np.ndarray) -> np.ndarray:
+        """The vertices of a loop at which it turns, (k,)."""
+        places = self.flat[loop, :2]
+        before, after = places - np.roll(places, 1, 0), np.roll(places, -1, 0) - places
+        sine = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
+        lengths = np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
+        is_corner = np.abs(sine) > _STRAIGHT * np.maximum(lengths, 1e-300)
+        return loop[is_corner] if is_corner.sum() >= 3 else loop
+
     def residual(self) -> tuple[float, float]:
         """The largest |principal stretch - 1|, and what 99 % of the area stay below."""
         strain = np.abs(self.stretches - 1.0).max(axis=1)
@@ -85,11 +95,23 @@ def flat_patterns(
     FileError, KernelError, NotFlat, ValueError.
     """
     file = read_part(path, None, progress)
-    name = unpacked_name(path).stem
     points, triangles = _welded(file.mesh, weld)
-    pieces = list(_pieces(points, triangles))
-    if not pieces:
+    if not len(triangles):
         raise FileError(Path(path), "it has no triangles", "give a file with a sheet")
+    mesh = PartMesh(points, triangles, name=unpacked_name(path).stem)
+    return patterns_of(mesh, thickness=thickness, table=table, limit=limit, progress=progress)
+
+
+def patterns_of(
+    mesh: PartMesh,
+    *,
+    thickness: float | None = None,
+    table: KTable | None = None,
+    limit: float = 0.01,
+    progress: Progress | None = None,
+) -> list[FlatPattern]:
+    """The blanks of the pieces of a mesh; as flat_patterns()."""
+    name, pieces = mesh.name, list(_pieces(mesh.points, mesh.triangles))
     wishes = _Wishes(thickness, table or KTable(), limit, progress)
     return [
         _flat(name if len(pieces) == 1 else f"{name}-{number}", piece, wishes)

@@ -78,10 +78,10 @@ def dxf_of(pattern: FlatPattern) -> str:
     for name, colour in _LAYERS:
         pairs += [(0, "LAYER"), (2, name), (70, 0), (62, colour), (6, "CONTINUOUS")]
     pairs += [(0, "ENDTAB"), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
-    pairs += _polyline("OUTLINE", pattern.flat[pattern.outline])
+    pairs += _polyline("OUTLINE", pattern.flat[pattern.corners(pattern.outline)])
     for rim, circle in zip(pattern.holes, pattern.circles):
         if circle is None:
-            pairs += _polyline("HOLES", pattern.flat[rim])
+            pairs += _polyline("HOLES", pattern.flat[pattern.corners(rim)])
         else:
             pairs += [(0, "CIRCLE"), (8, "HOLES"), *_place(circle[0]), (40, circle[1])]
     for bend, line in zip(pattern.bends, pattern.lines):

@@ -104,7 +104,14 @@ from freecad.sheetmorph.api.regions import (
     vertices,
     where,
 )
-from freecad.sheetmorph.api.thin import add_through_holes, propose_thin, set_thin, thin_solid
+from freecad.sheetmorph.api.flat import flatten
+from freecad.sheetmorph.api.thin import (
+    add_through_holes,
+    propose_thin,
+    set_sheet,
+    set_thin,
+    thin_solid,
+)
 
 __all__ = [
     "add_contact",
@@ -134,6 +141,7 @@ __all__ = [
     "face",
     "find_contacts",
     "find_features",
+    "flatten",
     "global_frame",
     "group",
     "grow",
@@ -175,6 +183,7 @@ __all__ = [
     "set_rotation",
     "set_size",
     "set_symmetry",
+    "set_sheet",
     "set_thin",
     "set_unheld",
     "set_vertices",

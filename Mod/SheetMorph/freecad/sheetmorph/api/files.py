@@ -29,7 +29,7 @@ from freecad.sheetmorph.api.loading import (
 )
 from freecad.sheetmorph.api.poses import add_named_poses, named_poses
 from freecad.sheetmorph.api.propagations import set_mode
-from freecad.sheetmorph.api.thin import set_thin
+from freecad.sheetmorph.api.thin import set_sheet, set_thin
 from freecad.sheetmorph.bridge.rest import write_rest_data
 
 
@@ -154,6 +154,7 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
         set_mode(part, entry.get("mode", 0))
         thin = entry.get("thin", False)
         set_thin(part, thin["thickness"] if isinstance(thin, dict) else thin)
+        set_sheet(part, entry.get("thickness") or 0.0, entry.get("poisson", 0.3))
     return added
 
 

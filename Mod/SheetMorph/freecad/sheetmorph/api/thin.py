@@ -36,6 +36,20 @@ def set_thin(part, thin: str | bool | float) -> None:
         part.Thickness = thickness
 
 
+def set_sheet(part, thickness: float = 0.0, poisson: float = 0.3) -> None:
+    """Say what a part is where the energy is steel: its thickness in mm, and Poisson's ratio.
+
+    Thickness 0: that of the thin solid, or a hundredth of the size. Raises ValueError.
+    """
+    require_kind(part, model.PART, "part")
+    thickness, poisson = number(thickness, "thickness"), number(poisson, "Poisson's ratio")
+    if thickness < 0.0:
+        raise ValueError(f"The thickness is {thickness} mm; pass 0 or more.")
+    if not 0.0 <= poisson <= 0.49:
+        raise ValueError(f"Poisson's ratio is {poisson}; pass one from 0 to 0.49.")
+    part.SheetThickness, part.Poisson = thickness, poisson
+
+
 def thin_solid(part) -> tuple[Any, str]:
     """Look at a part at rest: return the `sheetmorph._core.ThinSolid` it is, and an empty text.
 

@@ -13,6 +13,7 @@ import platform
 import sys
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
+from collections.abc import Callable
 from types import ModuleType
 
 KERNEL_API = 1
@@ -65,6 +66,18 @@ def selecting_module() -> ModuleType:
     """Return the module of the package that resolves selectors."""
     load()
     return importlib.import_module("sheetmorph.selecting")
+
+
+def flat() -> ModuleType:
+    """Return the module of the package that lays sheets flat."""
+    load()
+    return importlib.import_module("sheetmorph.flat")
+
+
+def principal_stretches() -> Callable:
+    """Return the function of the package that measures stretch."""
+    load()
+    return importlib.import_module("sheetmorph.strain").principal_stretches
 
 
 def is_available() -> bool:

@@ -7,8 +7,8 @@ of its own may compute frames, one at a time.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -96,14 +96,18 @@ class LiveSession:
         """What the learning of the present drag failed with, empty if it has not."""
         return "" if self._session is None else self._live.failure
 
-    def answer(self, question: Question) -> Frame:
-        """Return all parts in a pose; not exact is 1e-6 of the size. Raises MorphError."""
+    def answer(self, question: Question, goes_on: Callable[[], bool] | None = None) -> Frame:
+        """Return all parts in a pose; not exact is 1e-6 of the size. Raises MorphError.
+
+        `goes_on` is asked while an exact answer takes long: as soon as it says no, the frame is a
+        live one.
+        """
         rests = self.parts
         if self._session is None:
             found, positions = None, {name: rest.points for name, rest in rests.items()}
         else:
             try:
-                found = self._solve(question)
+                found, question = self._solve(question, goes_on)
             except FAILURES as error:
                 raise MorphError(one_sentence(error)) from error
             positions = {name: found.positions[self.names[name]] for name in rests}
@@ -136,10 +140,14 @@ class LiveSession:
         shown = self._shown or self.answer(self.ask())
         return shown_control_mesh(shown.result, self._morph, contact and contact.Name)
 
-    def _solve(self, question: Question):
+    def _solve(self, question: Question, goes_on: Callable[[], bool] | None):
         if question.is_exact:
-            return self._session.deform(question.pose)
-        return self._live.deform(question.pose, question.moved)
+            asked = None if goes_on is None else lambda _fraction, _task: goes_on()
+            try:
+                return self._session.deform(question.pose, progress=asked), question
+            except kernel.core().Cancelled:
+                question = replace(question, is_exact=False)
+        return self._live.deform(question.pose, question.moved), question
 
 
 def live(assembly, progress: Progress | None = None) -> LiveSession:

@@ -117,7 +117,15 @@ def answer_options(assembly) -> dict:
 def part_entry(part, names: dict[str, str]) -> dict:
     """Return the recipe's entry of a part without its file."""
     mode = MODES.index(part.Mode)
-    return {"name": names[part.Name], **({"mode": mode} if mode else {}), **thin_entry(part)}
+    found = {"name": names[part.Name], **({"mode": mode} if mode else {})}
+    return {**found, **thin_entry(part), **sheet_entry(part)}
+
+
+def sheet_entry(part) -> dict:
+    """Return what a part is as steel, where that is not what is usual."""
+    thickness, poisson = part.SheetThickness.Value, part.Poisson
+    found = {"thickness": thickness} if thickness > 0.0 else {}
+    return {**found, **({"poisson": poisson} if poisson != 0.3 else {})}
 
 
 def thin_entry(part) -> dict:

@@ -16,6 +16,7 @@ _TOOLBARS = {
         create.ImportPart,
         sheets.PrepareMesh,
         sheets.ThicknessMap,
+        sheets.Flatten,
     ),
     QT_TRANSLATE_NOOP("Workbench", "SheetMorph Regions"): (
         regions.MarkFixed,

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands about the sheet a part is made of."""
 
-from freecad.sheetmorph import subject
+from freecad.sheetmorph import actions, subject
+from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore
 
@@ -27,6 +28,26 @@ class ThicknessMap(Command):
         from freecad.sheetmorph.panels import thickness_panel
 
         thickness_panel.open_panel(subject.part())
+
+
+class Flatten(Command):
+    """Lays a part flat, as a sketch."""
+
+    name = "SheetMorph_Flatten"
+    text = QT_TRANSLATE_NOOP("SheetMorph_Flatten", "Flatten")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_Flatten",
+        "Lays the selected part flat, as it is now: a sketch of its blank with bend lines",
+    )
+
+    def possible(self) -> bool:
+        """With a part."""
+        return subject.part() is not None
+
+    def execute(self) -> None:
+        """One undo step."""
+        part = subject.part()
+        actions.attempt("Flatten", call("flatten", name(part)), document=part.Document)
 
 
 class PrepareMesh(Command):

@@ -10,7 +10,7 @@ from freecad.sheetmorph.scene.ghost import Ghost
 from freecad.sheetmorph.scene.wireframe import Wireframe
 from freecad.sheetmorph.tools import live_values
 
-NONE, DISPLACEMENT, QUALITY, GAPS = range(4)
+NONE, DISPLACEMENT, QUALITY, GAPS, STRETCH = range(5)
 
 
 class LiveScene:
@@ -68,6 +68,9 @@ class LiveScene:
         if kind == GAPS:
             meshes = {name: (rest.points, rest.triangles) for name, rest in parts.items()}
             return live_values.Gaps(kernel.core(), meshes, self._sides())
+        if kind == STRETCH:
+            meshes = {name: (rest.points, rest.triangles) for name, rest in parts.items()}
+            return live_values.Stretch(kernel.principal_stretches(), meshes)
         return None
 
     def remove(self) -> None:

@@ -61,7 +61,7 @@ class LiveUpdate(QtCore.QObject):
             self.scene.refresh(self._frame)
 
     def use_colours(self, kind: int) -> None:
-        """What the colours say: NONE, DISPLACEMENT, QUALITY or GAPS of live_scene."""
+        """What the colours say: NONE, DISPLACEMENT, QUALITY, GAPS or STRETCH of live_scene."""
         self._valuer, self.legend = self.scene.valuer(kind), None
         self.ask()
 
@@ -119,7 +119,7 @@ class LiveUpdate(QtCore.QObject):
     def _compute(self, question):
         """In the thread: a frame, the values of its colours, their legend, the milliseconds."""
         start, valuer = time.perf_counter(), self._valuer
-        frame = self._live.answer(question)
+        frame = self._live.answer(question, lambda: self._worker.is_free)
         values = None if valuer is None else valuer(frame.positions)
         legend = None if valuer is None else live_values.legend_of(valuer, values)
         return frame, values, legend, 1000.0 * (time.perf_counter() - start)

@@ -23,7 +23,11 @@ THIN_DOC = (
     "Whether a closed mesh is a thin solid: solved once as a sheet, both skins and the walls "
     "follow and keep the thickness. Automatic: if it is recognised as one"
 )
-DECISIVE = ("Mode", "Thin", "Thickness")
+SHEET_DOC = (
+    "How thick the sheet is where the energy is steel; 0: as the thin solid, or a hundredth of the "
+    "size"
+)
+DECISIVE = ("Mode", "Thin", "Thickness", "SheetThickness", "Poisson")
 """Properties that the deformation depends on."""
 
 
@@ -36,6 +40,10 @@ class PartProxy(ObjectProxy):
         Property("Enumeration", "Mode", "Part", MODE_DOC, MODES),
         Property("Enumeration", "Thin", "Part", THIN_DOC, list(THIN)),
         Property("Length", "Thickness", "Part", "Of a thin solid whose thickness is given"),
+        Property("Length", "SheetThickness", "Part", SHEET_DOC),
+        Property(
+            "Float", "Poisson", "Part", "Poisson's ratio, read where the energy is steel", 0.3
+        ),
         Property("Link", "Deformation", "Part", "What the mesh depends on", mode=HIDDEN),
         Property("String", "FileName", "Part", "File the part was read from", "", READ_ONLY),
         Property("FileIncluded", "RestData", "Part", "Rest positions in double", mode=HIDDEN),

@@ -220,9 +220,16 @@ class MovePanel(Panel):
         self._faults.say(self._live.unsettled)
         computed, drawn = self._live.kernel_ms, self._live.draw_ms
         text = translate("panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
-        if self._live.is_preview:
+        text = text.format(computed, drawn)
+        is_steel = self._handles.assembly.Energy == "steel"
+        if self._live.is_preview and is_steel:
+            told = translate("panels", "Linear preview: steel follows when you rest. {0}")
+            text = told.format(text)
+        elif self._live.is_preview:
             text = translate("panels", "Preview: refined on release. {0}").format(text)
-        say(self.form.status, text.format(computed, drawn))
+        elif is_steel:
+            text = translate("panels", "Steel, final. {0}").format(text)
+        say(self.form.status, text)
         self._shown.tell()
 
     def _hush(self) -> None:

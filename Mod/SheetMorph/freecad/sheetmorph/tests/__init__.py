@@ -20,6 +20,7 @@ MODULES = tuple(
         "propagation",
         "welded",
         "thin",
+        "steel",
         "preparing",
         "files",
         "cad",

@@ -47,6 +47,29 @@ class Quality:
         }
 
 
+class Stretch:
+    """By how much the sheet is stretched or pressed around every vertex at most, percent."""
+
+    unit, worst = "%", "largest stretch"
+
+    def __init__(self, stretches, meshes: dict[str, tuple]):
+        """``stretches``: sheetmorph.strain.principal_stretches; ``meshes``: by part points (n, 3)
+        at rest and triangles (m, 3)."""
+        self._stretches, self._meshes = stretches, meshes
+
+    def __call__(self, positions: Positions) -> Positions:
+        """The values (n,) by part."""
+        found = {}
+        for name, (rest, triangles) in self._meshes.items():
+            stretches = self._stretches(rest, positions[name], triangles)
+            strain = np.nan_to_num(100.0 * np.abs(stretches - 1.0).max(axis=1))
+            values = np.full(len(rest), np.nan)
+            for corner in range(3):
+                np.fmax.at(values, triangles[:, corner], strain)
+            found[name] = values
+        return found
+
+
 @dataclass(frozen=True, eq=False)
 class Side:
     """Vertices (k,) of a part and the part they face."""
