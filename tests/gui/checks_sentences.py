@@ -5,13 +5,16 @@ import json
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 from checks_drawing import ring, start, top
 from checks_macro import calls_in, macro_path, replay, start_recording, stop_recording
 from checks_picking import start_morph, view_from
-from desk import child, click_point, draw_along, enter, press, press_tool, until, xdotool
+from desk import child, click_point, draw_along, enter, press, press_tool, until, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import selecting
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.scene.wireframe import NAME
+from pivy import coin
 from scenes import assembly, new_document, part, regions
 from shapes import HOLES
 
@@ -109,6 +112,19 @@ def test_a_part_prepared_anew_by_mouse_keeps_every_region():
         assert api.preparation_of(part())["told"] == []
 
 
+def wires_in_view() -> np.ndarray:
+    """The places that are drawn as wires, global mm."""
+    search = coin.SoSearchAction()
+    search.setName(NAME)
+    search.apply(view().getSceneGraph())
+    node = search.getPath().getTail()
+    kinds = coin.SoSearchAction()
+    kinds.setType(coin.SoCoordinate3.getClassTypeId())
+    kinds.apply(node)
+    values = kinds.getPath().getTail().point.getValues()
+    return np.array([value.getValue() for value in values])
+
+
 def test_a_selector_is_typed_in_the_panel():
     yield from new_document()
     yield from start_morph()
@@ -127,6 +143,8 @@ def test_a_selector_is_typed_in_the_panel():
     yield from xdotool("key", "Return")
     yield from until(lambda: "vertices" in child("count").text(), "the pick")
     assert json.loads(field.text()) == where
+    plane = wires_in_view()
+    assert len(plane) == 4 and abs(plane[:, 0] - 10.0).max() < 1e-3
     yield from press("OK")
     region = regions("fixed")[-1]
     assert api.where(region) == where

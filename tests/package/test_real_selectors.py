@@ -84,6 +84,15 @@ def test_a_region_is_the_same_by_area_at_edges_of_12_6_and_3_mm(selector):
     assert np.ptp(areas) <= 0.03 * min(areas), areas
 
 
+def test_faces_have_the_colours_of_their_file():
+    for mesh in meshes(12.0).values():
+        colours = {face.colour for face in mesh.labels.faces}
+        assert all(len(colour) == 7 and colour[0] == "#" for colour in colours), colours
+        shape = PartShape(mesh)
+        area = sum(shape.area_of(selected(shape, {"group": f"colour {c}"})) for c in colours)
+        assert area == pytest.approx(shape.areas.sum(), rel=1e-9)
+
+
 def test_one_recipe_gives_the_same_shape_at_edges_of_12_6_and_3_mm():
     results = {edge: Session(RECIPE, {COVER: meshes(edge)[COVER]}).deform() for edge in EDGES}
     regions = [result.report()["regions"] for result in results.values()]

@@ -17,7 +17,7 @@ from freecad.sheetmorph.bridge.conversion import Frame
 from freecad.sheetmorph.bridge.rest import Kept, read_kept, read_rest, version_of
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.tools import sentences
+from freecad.sheetmorph.tools import sentences, spaces
 from freecad.sheetmorph.tools.figures import Camera, outlines
 from freecad.sheetmorph.tools.part_mesh import PartMesh
 
@@ -88,6 +88,14 @@ def others_in_front(part, frame: Frame) -> list[PartMesh]:
 def words_of(part, said: Any, digits: int) -> Any:
     """Return what a pick said in the coordinates of the part's file, with so many digits."""
     return sentences.simplest(sentences.in_file(said, read_kept(part).frame, digits))
+
+
+def spaces_of(part, where: Any) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Return boxes, planes, cylinders and spheres that a selector speaks of: vertices (k, 3),
+    global mm, and triangles."""
+    kept = read_kept(part)
+    found = spaces.shapes_of(where, kept.points)
+    return [(kept.frame.to_global(points), triangles) for points, triangles in found]
 
 
 def sentence_for(part, said: Any, vertices: np.ndarray) -> Any:

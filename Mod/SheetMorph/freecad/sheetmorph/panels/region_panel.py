@@ -18,6 +18,7 @@ from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.scene.pick_view import PickView
+from freecad.sheetmorph.scene.wireframe import Wireframe
 from freecad.sheetmorph.tools import picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.part_mesh import nearest_part
@@ -74,6 +75,7 @@ class RegionPanel(Panel):
         self._picker = self._view = None
         self._light = session.show(PartLight())
         session.show(ViewLegend(session.view)).show_roles(legend(role))
+        self._spaces = session.show(Wireframe(session.view))
         session.at_end(self._remove_view)
         self._mouse = session.show(PickMouse(session.view, self))
         self._tools = PickTools(self.form, None, self.picked)
@@ -190,6 +192,7 @@ class RegionPanel(Panel):
         """Shows what the picks say, in the field in which another selector may be typed."""
         where = selecting.words_of(self._part, self._picker.said, 3)
         self.form.where.setText(json.dumps(where) if where else "")
+        self._spaces.show(selecting.spaces_of(self._part, where))
 
     def _take_typed(self) -> None:
         """Picks what the typed selector stands for; what is wrong with it is told."""
