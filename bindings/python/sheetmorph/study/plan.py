@@ -102,7 +102,7 @@ class Plan:
     def _depended_on(self) -> Any:
         study = self.study
         files = {
-            source.file.origin.name: [_digest_of_file(source.file.origin), _digest_of(source.file)]
+            source.file.origin.name: [*map(_digest_of_file, source.file.files_read)]
             for source in self.parts.sources
         }
         meanings = [entry.meaning() for entry in study.parameters]
@@ -144,10 +144,3 @@ def _digest(data: Any) -> str:
 
 def _digest_of_file(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def _digest_of(file: Any) -> str:
-    """Of the mesh: files that the file includes come in here."""
-    found = hashlib.sha256(np.ascontiguousarray(file.mesh.points).tobytes())
-    found.update(np.ascontiguousarray(file.mesh.triangles).tobytes())
-    return found.hexdigest()

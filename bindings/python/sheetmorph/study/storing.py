@@ -98,7 +98,7 @@ class Store:
             yield made
             # All at once: a disk takes many files in little more time than one.
             with ThreadPoolExecutor(_AT_ONCE) as pool:
-                list(pool.map(flush, made.iterdir()))
+                list(pool.map(flush, filter(Path.is_file, made.rglob("*"))))
             self._name(made, self.out / folder_name(run))
         finally:
             shutil.rmtree(made, ignore_errors=True)

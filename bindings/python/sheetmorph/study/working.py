@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import shutil
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Iterator
@@ -13,11 +14,12 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import FileError, KernelError, RecipeError
+from ..files.deck_file import DeckFile
 from ..places import Places
 from ..recipe import prepare
 from ..recipe.parts import Parts
 from ..report import make_report, part_report
-from ..running import Writer
+from ..running import Writer, told_of_decks
 from ..session import Result, Session
 from .certifying import certificate, failures_of, judged
 from .figures import Figures
@@ -32,7 +34,6 @@ from .variants import Variant
 # Sessions that are kept: variants that share one often come in turn.
 _KEPT = 2
 _OWN_PARTS = ("parts", "features", "contacts")
-_DECKS = (".nas", ".bdf", ".dat", ".fem", ".blk")
 
 
 @dataclass(frozen=True)
@@ -121,7 +122,7 @@ class Workshop:
             return "; ".join(map(str, error.faults))
         except RuntimeError as error:  # the solver gave up
             return " ".join(str(error).split())
-        report = make_report(result) if exact else _live_report(result)
+        report = report_of(result, base.parts) if exact else _live_report(result)
         figures = Figures(result, report)
         measures = base.measures.taken(Scene(result.positions, values, figures.figure))
         criteria = judged(self.plan.study.criteria, {**values, **measures}, figures.figure)
@@ -180,8 +181,7 @@ class Workshop:
         sources = [
             source
             for source in parts.sources
-            if "parts" in wanted
-            or ("decks" in wanted and source.file.path.suffix.lower() in _DECKS)
+            if "parts" in wanted or ("decks" in wanted and isinstance(source.file, DeckFile))
         ]
         return Writer(result, sources, Places([], folder, [], None), {}, []).write_parts()
 
@@ -211,6 +211,11 @@ class Workshop:
         return _Base(session, parts, Measures(plan.study, session.model, parts.meshes))
 
 
+def report_of(result: Result, parts: Parts) -> dict[str, Any]:
+    """The report of an exact answer that is not written."""
+    return make_report(result, decks=told_of_decks(result, parts.sources))
+
+
 def _live_report(result: Result) -> dict[str, Any]:
     """What a report tells of parts, of an answer that is not exact."""
     return {
@@ -224,7 +229,10 @@ def _live_report(result: Result) -> dict[str, Any]:
 
 def _clear(folder: Path) -> None:
     for path in folder.iterdir():
-        path.unlink()
+        if path.is_dir():
+            shutil.rmtree(path)
+        else:
+            path.unlink()
 
 
 def work(task: Task) -> Cost:
