@@ -163,6 +163,24 @@ def test_includes_come_out_of_a_run(folder: Path):
     assert moved[node(ALONG - 1, 0)].tolist() == [120.0, 0.0, 15.0]
 
 
+def test_wide_fields_keep_twice_the_digits(folder: Path):
+    lines = []
+    for line in (folder / "deck.bdf").read_text().splitlines():
+        fields = line.split(",")
+        small = fields[0] == "GRID"
+        lines.append("".join(f"{f:<8}" for f in fields) + "$ note" if small else line)
+    (folder / "deck.bdf").write_text("\n".join(lines) + "\n")
+    narrow = run(recipe(folder), folder / "out")
+    wide = run(recipe(folder), folder / "wide", wide=True)
+    errors = [[part["file"]["error"] for part in one["parts"]] for one in (narrow, wide)]
+    assert min(errors[0]) > 1e-6 and max(errors[1]) < 1e-11
+    before, after = places(folder / "deck.bdf"), places(folder / "wide" / "deck.bdf")
+    assert list(before) == list(after)
+    text = (folder / "wide" / "deck.bdf").read_text()
+    assert "GRID*" in text and text.count("$ note") == len(before) - 1
+    assert wide["parts"][0]["file"]["precision"] == "16 characters"
+
+
 def masked(deck) -> list[bytes]:
     """The files of a deck without the numbers of its nodes, blanks and commas."""
     found = []

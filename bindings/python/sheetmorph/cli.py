@@ -168,7 +168,7 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
         report = run(
             wanted.recipe, wanted.output, wanted.pose, wanted.report,
             files=files, strict=wanted.strict, pictures=wanted.pictures, step=wanted.step,
-            progress=progress,
+            wide=wanted.wide, progress=progress,
         )  # fmt: skip
     certified = certified_run(wanted) if wanted.certify else []
     if wanted.json:

@@ -86,6 +86,7 @@ def run(
     strict: bool = False,
     pictures: bool = False,
     step: bool = False,
+    wide: bool = False,
     progress: Progress | None = None,
 ) -> dict[str, Any]:
     """Deform the parts of a recipe file and write them under out_dir; returns the report.
@@ -95,11 +96,13 @@ def run(
     the report to; files: a new FileSet for the parts, whose ``committed`` tells, also after an
     interrupt, whether they were written; strict: the report's warnings are failures of the
     certificate; pictures: before.png and after.png beside the parts; step: parts of CAD files are
-    written as STEP, too; progress(fraction, task) returns whether to go on. Raises RecipeError,
-    FileError, KernelError, CertificateError, PictureError, OSError; then no part is written.
+    written as STEP, too; wide: moved nodes of decks get long fields; progress(fraction, task)
+    returns whether to go on. Raises RecipeError, FileError, KernelError, CertificateError,
+    PictureError, OSError; then no part is written.
     """
     path, out = Path(recipe_path), Path(out_dir)
     morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step))
+    morph.widen(wide)
     pose = _named_pose(morph.recipe, pose)
     pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
     with named_in(path):
@@ -134,6 +137,11 @@ class _Morph:
             self._parts = prepare(self.recipe, path.parent, ways.progress)
         self._timings = {"read": time.perf_counter() - begin}
         self._session: Session | None = None
+
+    def widen(self, is_wide: bool) -> None:
+        """Whether numbers in decks get the longest fields there are."""
+        for source in self._parts.sources:
+            source.file.is_wide = is_wide
 
     def places(self, read: list[Path], out: Path, report: Path | None) -> Places:
         """Where its files go. Raises RecipeError."""

@@ -14,6 +14,7 @@ from .frames import Frame, FrameError, Frames
 from .model import BINARY, FIXED, PADDED, Block, Elements, Raw, table_of
 from .numbers import format_reals, parse_real
 from .text import CHUNK, chunks, write_edited
+from .wide import is_small_grid, wide_grid
 
 _EIGHT = 8
 
@@ -105,13 +106,47 @@ class Deck:
             )
         return row
 
-    def save(self, positions: np.ndarray, file: int, out: BinaryIO) -> None:
+    def save(
+        self, positions: np.ndarray, file: int, out: BinaryIO, *, is_wide: bool = False
+    ) -> None:
         """Write one of the files with the nodes at (n, 3) positions.
 
-        Raises FileError for a number that does not fit its field.
+        is_wide: moved nodes in small fields of Nastran get large ones. Raises FileError for a
+        number that does not fit its field.
         """
         values = self._written_values(positions)
-        write_edited(self.texts[file], out, self._edits(file, values))
+        edits = self._wide_edits(file, values) if is_wide else self._edits(file, values)
+        write_edited(self.texts[file], out, edits)
+
+    def _wide_edits(self, file: int, values: np.ndarray) -> Iterable:
+        """The same with small GRID cards made large ones, all at once."""
+        text = self.texts[file]
+        found: list[tuple[int, int, bytes]] = []
+        for number, block in enumerate(self.raw.blocks):
+            if block.file != file:
+                continue
+            may = self.form == "Nastran" and block.kind == FIXED and block.room == 8
+            changed = self._changed(number, values, slice(None)).reshape(-1, 3).any(axis=1)
+            rows = np.flatnonzero(changed) if may else np.empty(0, dtype=np.int64)
+            rows = [k for k in rows.tolist() if is_small_grid(text, int(block.lines[k]))]
+            for k in rows:
+                node = int(self._rows[number][k])
+                numbers = self._texts(values[node], 16, node)
+                found.append(wide_grid(text, int(block.lines[k]), numbers))
+            wide = {int(block.lines[k]) for k in rows}
+            for at, widths, texts in self._edits_of([number], values):
+                lines = np.searchsorted(text.begins, at, side="right") - 1
+                found += [
+                    (begin, width, new)
+                    for begin, width, new, line in zip(
+                        at.tolist(), widths.tolist(), texts, lines.tolist()
+                    )
+                    if line not in wide
+                ]
+        found.sort(key=lambda edit: edit[0])
+        if found:
+            begins, widths, texts = zip(*found)
+            yield np.array(begins), np.array(widths), list(texts)
 
     def unwritten(self, positions: np.ndarray) -> np.ndarray:
         """The nodes (k,) that are not at rest in (n, 3) positions, and cannot be written."""

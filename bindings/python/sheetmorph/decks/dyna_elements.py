@@ -50,7 +50,9 @@ _MORE_NODES = {"H20": 20, "H27": 27, "T15": 15, "T20": 20, "P21": 21, "P40": 40,
 def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> None:
     """Add the elements of a keyword to what was read. Raises FileError."""
     name, _, options = section.name[len("ELEMENT_") :].partition("_")
-    known = _KINDS[name]
+    known = _KINDS.get(name)
+    if known is None:
+        return
     words = [word for word in options.split("_") if word] if options != "SHL4_TO_SHL8" else []
     strange = [word for word in words if word not in known.options and word not in _MORE_NODES]
     rows = cards.filled(section.rows)

@@ -14,6 +14,7 @@ from .cut import small
 from .deck import Deck
 from .includes import Included
 from .model import BINARY, WORD, Block, Elements, Opener, Place, Raw
+from .numbers import LARGEST
 from .text import CHUNK, chunks
 
 SUFFIXES = (".msh",)
@@ -317,8 +318,9 @@ class _Binary(_Text):
         places = begins[:, None] + 8 * np.arange(3)
         widths = np.full((len(ids), 3), 8, np.uint8)
         lines = np.zeros(len(ids), np.int32)
+        values = np.where(np.abs(values) <= LARGEST, values, np.nan)
         self.raw.blocks.append(
-            Block(0, lines, ids.astype(np.int64), values.astype(float), places, widths, 24, BINARY)
+            Block(0, lines, ids.astype(np.int64), values, places, widths, 24, BINARY)
         )
 
     def _nodes(self) -> None:

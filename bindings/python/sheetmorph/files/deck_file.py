@@ -80,12 +80,14 @@ class DeckFile(PartFile):
     def write_into(self, files: FileSet, path: Path, positions: np.ndarray) -> Path:
         checked = self._all(self._checked(positions))
         self._require_free(checked)
+        if self.is_wide and self.deck.form == "Nastran" and self.precision == "8 characters":
+            self.precision = "16 characters"
         first = None
         for number, place in enumerate(output_places(self.deck.texts, path)):
             place.parent.mkdir(parents=True, exist_ok=True)
             temporary = files.temporary_for(place)
             with files.named(temporary), temporary.open("wb") as out:
-                self.deck.save(checked, number, out)
+                self.deck.save(checked, number, out, is_wide=self.is_wide)
             self._written[self.deck.texts[number].path] = temporary
             first = first or temporary
         return first

@@ -21,7 +21,8 @@ class PartFile(ABC):
     "8 characters", "16 characters"); notes: what a user should know, for the report; properties:
     (m,) property id of every triangle of a deck, None for other formats; bodies: (k,) indices of
     the triangles of every part of a CAD file by name, None for other formats; origin: the file of
-    the user, another than path where it was unpacked into the folder unpacked_in.
+    the user, another than path where it was unpacked into the folder unpacked_in; is_wide: numbers
+    get the longest fields that the format has.
     """
 
     def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):
@@ -33,6 +34,7 @@ class PartFile(ABC):
         self.notes: list[str] = []
         self.properties: np.ndarray | None = None
         self.bodies: dict[str, np.ndarray] | None = None
+        self.is_wide = False
 
     @property
     def output_name(self) -> str:
