@@ -3,6 +3,7 @@
 #include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/cad/cad_reader.h"
 #include "sheetmorph/cad/writing/cad_writer.h"
+#include "sheetmorph/cad/writing/kept_model.h"
 #include "arrays.h"
 
 #include <pybind11/functional.h>
@@ -102,7 +103,14 @@ void bind_part(py::module_& module)
         .def_readonly("parts", &CadModel::parts)
         .def_readonly("edge", &CadModel::edge, "the longest edge wanted, mm")
         .def_readonly("deflection", &CadModel::deflection, "mm")
-        .def_readonly("angle", &CadModel::angle, "radians");
+        .def_readonly("angle", &CadModel::angle, "radians")
+        .def(
+            "kept_mesh",
+            [](const CadModel& model, std::size_t part)
+            { return py::bytes(kept_mesh(model.parts.at(part))); },
+            py::arg("part"), "What kept_model needs to know of the mesh of a part.")
+        .def("brep", &brep_of, py::arg("part"),
+             "The shape of one part as the text of a BREP file, where it stands, at rest.");
     py::class_<CadPart>(module, "CadPart", "One solid or free shell of a CAD file, meshed.")
         .def_readonly("name", &CadPart::name)
         .def_property_readonly("points", [](const py::object& self)
@@ -259,6 +267,13 @@ CadFormat format_from(const std::string& name)
 
 void bind_writer(py::module_& module)
 {
+    module.def(
+        "kept_model",
+        [](const std::string& brep, const py::bytes& mesh, const std::string& name)
+        { return kept_model(brep, mesh, name); },
+        py::arg("brep"), py::arg("mesh"), py::arg("name"),
+        "A CadModel of one part of another, of its brep() and its kept_mesh(), not meshed again. "
+        "Raises InvalidInput.");
     module.def(
         "write_cad",
         [](const CadModel& model, const py::list& of_parts, const std::string& path,

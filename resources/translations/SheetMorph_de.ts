@@ -140,6 +140,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_DeformedShape</name>
+  <message>
+   <source>Deformed Shape</source>
+   <translation>Verformte Form</translation>
+  </message>
+  <message>
+   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
+   <translation>Macht aus dem gewählten Teil eine verformte Form mit den Flächen derjenigen, aus der es entstand</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_ExportParts</name>
   <message>
    <source>Export Parts…</source>

@@ -140,6 +140,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_DeformedShape</name>
+  <message>
+   <source>Deformed Shape</source>
+   <translation>変形した形状</translation>
+  </message>
+  <message>
+   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
+   <translation>選択した部品から、元の形状と同じ面を持つ変形した形状を作ります</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_ExportParts</name>
   <message>
    <source>Export Parts…</source>

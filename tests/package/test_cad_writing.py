@@ -94,6 +94,18 @@ def test_a_bent_plate_keeps_its_holes(folder: Path, file: str, write: str, writt
     assert again.mesh.points[:, 2].max() == pytest.approx(8.0, abs=0.5)
 
 
+def test_a_hole_of_another_size_is_a_cylinder_of_that_size(folder: Path):
+    recipe = json.loads(lifted(folder, "plate.brep", write="step").read_text())
+    recipe["features"][1]["size"] = 12.0
+    (folder / "recipe.json").write_text(json.dumps(recipe), "utf-8")
+    body = only_body(run(folder / "recipe.json", folder / "out"))
+    small, large = sorted(body["cylinders"], key=lambda one: one["after"])
+    assert small["after"] == pytest.approx(3.0, abs=1e-12)
+    assert (large["before"], large["wanted"]) == (5.0, pytest.approx(6.0, abs=1e-9))
+    assert large["after"] == pytest.approx(6.0, abs=1e-9)
+    assert body["is_valid"] and body["is_closed"]
+
+
 def test_at_rest_every_face_is_kept(folder: Path):
     report = run(lifted(folder, "plate.brep", 0.0, write="step"), folder / "out")
     body = only_body(report)

@@ -81,6 +81,12 @@ def kink_notes(part: str, shape: dict[str, Any]) -> Iterator[str]:
             )
 
 
+def body_faults(body: dict[str, Any], writing: CadWriting = CadWriting("brep")) -> list[str]:
+    """A sentence for everything that is wrong with one body as write_shapes() answers it."""
+    told = {"tolerance": writing.tolerance, "edge_tolerance": writing.edge_tolerance}
+    return list(_body_failures(_body(body), told))
+
+
 def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]:
     if body["far_faces"]:
         far, faces = body["distance"], _faces(body["far_faces"])

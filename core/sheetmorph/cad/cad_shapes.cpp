@@ -203,9 +203,7 @@ std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const st
     const auto source = std::make_shared<CadSource>();
     const TDF_Label label = source->document.shapes()->AddShape(shape, false, false);
     TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
-    BodyList list;
-    list.add(shape, TopLoc_Location(), name, {});
-    source->bodies = list.bodies();
+    collect_all(*source, {});
     return source;
 }
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -52,17 +53,27 @@ def write_shapes(
     shapes cannot be carried, RuntimeError of the kernel.
     """
     ends = np.cumsum([len(part.points) for part in file.model.parts])
-    of_bodies = np.split(np.ascontiguousarray(positions, dtype=np.float64), ends[:-1])
+    of_bodies = np.split(positions, ends[:-1])
+    return write_model(file.model, path, of_bodies, writing, progress=progress)
+
+
+def write_model(
+    model: Any,
+    path: Path,
+    positions: Sequence[np.ndarray],
+    writing: CadWriting,
+    *,
+    progress: Progress | None = None,
+) -> list[dict[str, Any]]:
+    """The same for a CadModel of the kernel with positions (n, 3) of each of its parts."""
     wanted = {
         "format": writing.format,
         "tolerance": writing.tolerance,
         "edge_tolerance": writing.edge_tolerance,
     }
+    arrays = [np.ascontiguousarray(one, dtype=np.float64) for one in positions]
     try:
-        return load_cad().write_cad(
-            file.model, [np.ascontiguousarray(p) for p in of_bodies], str(path.absolute()), wanted,
-            progress,
-        )  # fmt: skip
+        return load_cad().write_cad(model, arrays, str(path.absolute()), wanted, progress)
     except ValueError as error:
         what, _, todo = str(error).rpartition("; ")
         raise FileError(path, what or todo, todo if what else "look at the part") from None

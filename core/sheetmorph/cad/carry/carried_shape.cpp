@@ -43,7 +43,10 @@ CarriedShape carried_shape(const ShapeMesh& mesh, const Points& result,
     carried.shape = builder.built(mesh.shape);
     keep_continuity(carrier, builder);
     for (const CarriedFace& face : carrier.faces())
+    {
         carried.is_kept.push_back(face.motion.has_value());
+        carried.scale.push_back(face.motion ? face.motion->scale : 1.0);
+    }
     carried.gap = carrier.gap();
     carried.image = builder.images();
     return carried;

@@ -22,6 +22,7 @@ struct CarriedShape
 {
     TopoDS_Shape shape;
     std::vector<bool> is_kept;           //!< one a face: on the surface it had, moved
+    std::vector<double> scale;           //!< one a face: of the radius of a cylinder, else 1
     WorstAt gap;                         //!< between an edge and a fitted face
     TopTools_DataMapOfShapeShape image;  //!< of every vertex, edge, face, shell and solid
 };

@@ -3,7 +3,6 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/cad/carry/face_patch.h"
-#include "sheetmorph/cad/carry/rigid_fit.h"
 #include "sheetmorph/cad/occt_surface.h"
 #include "sheetmorph/cad/splines/surface_breaks.h"
 
@@ -95,10 +94,12 @@ void ShapeCarrier::find_faces()
         const Handle(Geom_Surface) surface = BRep_Tool::Surface(found.face, place);
         found.rest = Handle(Geom_Surface)::DownCast(surface->Transformed(place.Transformation()));
         const VertexIds vertices = distinct(known.vertices);
-        found.motion = rigid_fit(rows_of(vertices, mesh_.rest), rows_of(vertices, result_),
-                                 rigid_share * size_, false);
+        const Points before = rows_of(vertices, mesh_.rest), after = rows_of(vertices, result_);
+        found.motion = rigid_fit(before, after, rigid_share * size_, false);
+        if (!found.motion)
+            found.motion = resized_fit(before, after, rigid_share * size_, found.rest);
         if (found.motion)
-            found.surface = Handle(Geom_Surface)::DownCast(found.rest->Transformed(*found.motion));
+            found.surface = found.motion->surface(found.rest);
         faces_.push_back(std::move(found));
     }
 }
@@ -130,7 +131,7 @@ void ShapeCarrier::find_uses()
 
 void ShapeCarrier::find_vertices()
 {
-    std::vector<const gp_Trsf*> motions(static_cast<std::size_t>(mesh_.vertices.Extent()));
+    std::vector<const KeptMotion*> motions(static_cast<std::size_t>(mesh_.vertices.Extent()));
     for (const CarriedFace& face : faces_)
         if (face.motion)
             for (TopExp_Explorer it(face.face, TopAbs_VERTEX); it.More(); it.Next())
@@ -149,7 +150,7 @@ void ShapeCarrier::find_vertices()
                 .squaredNorm()
                 .minCoeff(&near);
         if (motions[i])
-            found.point = moved(found.point, *motions[i]);
+            found.point = motions[i]->point(found.point);
         else
             found.point += (result_.row(near) - mesh_.rest.row(near)).transpose();
         vertices_.push_back(found);
@@ -203,10 +204,21 @@ void ShapeCarrier::find_edge(int index)
 void ShapeCarrier::carry_edge(CarriedEdge& edge, const VerticesOnEdge& known)
 {
     if (edge.motion)
-    {
-        edge.curve = Handle(Geom_Curve)::DownCast(edge.rest->Transformed(*edge.motion));
+        edge.curve = edge.motion->curve(edge.rest);
+    if (!edge.curve.IsNull())
         return;
-    }
+    PointAt target;
+    if (edge.motion)
+        target = [&](double t) { return edge.motion->point(point_of(edge.rest->Value(t))); };
+    else
+        target = [&edge, shift = displacement(edge, known)](double t) -> Vector3
+        { return point_of(edge.rest->Value(t)) + shift.at(t); };
+    const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
+    edge.curve = curve_near(target, start, 0.2 * tolerances_.edge).curve();
+}
+
+SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOnEdge& known) const
+{
     std::vector<double> parameters;
     std::vector<Vector3> shifts;
     const double least = 1e-9 * (edge.high - edge.low);
@@ -230,11 +242,7 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge, const VerticesOnEdge& known)
     edge.rest->D1(edge.low, here, at_low);
     edge.rest->D1(edge.high, here, at_high);
     const bool is_closed = edge.first == edge.last && at_low.Angle(at_high) < 1e-3;
-    const SplineCurve shift = curve_through(parameters, rows, is_closed);
-    const auto target = [&](double t) -> Vector3
-    { return point_of(edge.rest->Value(t)) + shift.at(t); };
-    const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
-    edge.curve = curve_near(target, start, 0.2 * tolerances_.edge).curve();
+    return curve_through(parameters, rows, is_closed);
 }
 
 Vector3 ShapeCarrier::point(const EdgeOnFace& use, double t) const

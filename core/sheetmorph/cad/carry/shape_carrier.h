@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/cad/carry/carried_shape.h"
+#include "sheetmorph/cad/carry/kept_motion.h"
 #include "sheetmorph/cad/splines/face_spline.h"
 #include "sheetmorph/cad/splines/spline_curve.h"
 
@@ -10,7 +11,6 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <gp_Trsf.hxx>
 #include <optional>
 
 namespace sheetmorph
@@ -21,7 +21,7 @@ struct CarriedFace
 {
     TopoDS_Face face;
     Handle(Geom_Surface) rest, surface;
-    std::optional<gp_Trsf> motion;     //!< of one that is kept
+    std::optional<KeptMotion> motion;  //!< of one that is kept
     std::optional<FaceSpline> spline;  //!< of one that is fitted
     SplineTargets targets;             //!< of the spline
     double tolerance = 0.0;
@@ -43,7 +43,7 @@ struct CarriedEdge
     int first = -1, last = -1;  //!< vertices
     std::vector<EdgeOnFace> uses;
     Handle(Geom_Curve) rest, curve;
-    std::optional<gp_Trsf> motion;
+    std::optional<KeptMotion> motion;
     std::vector<double> samples;  //!< parameters, ascending, ends included
     bool is_smooth = false;       //!< its two faces had one tangent plane at rest
     double tolerance = 0.0;
@@ -80,6 +80,7 @@ private:
     void find_edge(int index);
     void find_vertices();
     void carry_edge(CarriedEdge& edge, const VerticesOnEdge& known);
+    SplineCurve displacement(const CarriedEdge& edge, const VerticesOnEdge& known) const;
     SurfacePatch patch_of(int face) const;
     void collect_tracks(int face);
     void collect_inner_places(int face);

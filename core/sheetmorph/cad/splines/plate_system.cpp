@@ -73,12 +73,23 @@ Eigen::MatrixXd PlateSystem::solution() const
             }
     Eigen::SparseMatrix<double> matrix(u_count_ * v_count_, u_count_ * v_count_);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver(matrix);
+    const double largest = Eigen::VectorXd(matrix.diagonal()).maxCoeff();
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
+    // What is hardly known at all may have no pivot left beside what is known well.
+    for (const double share : {0.0, 1e-14, 1e-11, 1e-8})
+    {
+        solver.setShift(share * largest);
+        solver.compute(matrix);
+        if (solver.info() == Eigen::Success)
+            break;
+    }
     if (solver.info() != Eigen::Success)
-        throw SolverError("a surface cannot be fitted");
+        throw SolverError("a surface cannot be fitted; mesh the part finer");
+    constexpr int refinements = 2;
     Eigen::MatrixXd found = solver.solve(right_);
-    const Eigen::MatrixXd rest = right_ - matrix.selfadjointView<Eigen::Lower>() * found;
-    return found + solver.solve(rest);
+    for (int i = 0; i < refinements; ++i)
+        found += solver.solve(right_ - matrix.selfadjointView<Eigen::Lower>() * found);
+    return found;
 }
 
 }  // namespace sheetmorph

@@ -203,7 +203,9 @@ void BodyMeasurer::measure_cylinders(CadMeasures& found) const
             continue;
         const CadSurface after = describe_surface(TopoDS::Face(read_face(f)), exact);
         const double radius = after.kind == SurfaceKind::cylinder ? after.radius : 0.0;
-        found.cylinders.push_back({f, before.radius, before.radius, radius});
+        found.cylinders.push_back({f, before.radius,
+                                   carried_.scale[static_cast<std::size_t>(f)] * before.radius,
+                                   radius});
     }
 }
 

@@ -6,9 +6,11 @@
 #include "sheetmorph/cad/writing/document_copy.h"
 #include "sheetmorph/cad/writing/written_file.h"
 
+#include <BRepTools.hxx>
 #include <TopExp.hxx>
 #include <algorithm>
 #include <deque>
+#include <sstream>
 
 namespace sheetmorph
 {
@@ -39,6 +41,7 @@ CarriedShape as_it_was(const ShapeMesh& mesh)
     CarriedShape same;
     same.shape = mesh.shape;
     same.is_kept.assign(static_cast<std::size_t>(mesh.faces.Extent()), true);
+    same.scale.assign(same.is_kept.size(), 1.0);
     TopTools_IndexedMapOfShape parts;
     TopExp::MapShapes(mesh.shape, parts);
     for (int i = 1; i <= parts.Extent(); ++i)
@@ -177,6 +180,17 @@ std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Poin
                        progress.report(0.9, "measuring");
                        return measured(model, positions, made.bodies, writing);
                    });
+}
+
+std::string brep_of(const CadModel& model, int part)
+{
+    if (!model.source || part < 0 || part >= static_cast<int>(model.source->bodies.size()))
+        throw InvalidInput("there is no such part; read the file again");
+    std::ostringstream text;
+    text.precision(17);
+    BRepTools::Write(model.source->bodies[static_cast<std::size_t>(part)].shape, text, false, false,
+                     TopTools_FormatVersion_CURRENT);
+    return text.str();
 }
 
 }  // namespace sheetmorph

@@ -35,4 +35,8 @@ struct CadWriting
 std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Points>& positions,
                                    const CadWriting& writing, const Progress& progress);
 
+//! The shape of one part in OpenCASCADE's BREP format, where it stands in the assembly, at rest.
+//! \throws InvalidInput if the model was not read of a file
+std::string brep_of(const CadModel& model, int part);
+
 }  // namespace sheetmorph

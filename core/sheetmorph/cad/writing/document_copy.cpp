@@ -94,8 +94,21 @@ DocumentCopy::DocumentCopy(const CadSource& source, const std::vector<NewBody>& 
     TDF_LabelSequence roots;
     source.document.shapes()->GetFreeShapes(roots);
     for (int i = 1; i <= roots.Length(); ++i)
-        made(product_of(roots.Value(i)));
+        copy_root(roots.Value(i));
     document_.shapes()->UpdateAssemblies();
+}
+
+// A root that is a product placed somewhere is so again.
+void DocumentCopy::copy_root(const TDF_Label& root)
+{
+    const TDF_Label product = made(product_of(root));
+    if (product.IsNull() || !XCAFDoc_ShapeTool::IsReference(root))
+        return;
+    const TopoDS_Shape placed =
+        XCAFDoc_ShapeTool::GetShape(product).Moved(XCAFDoc_ShapeTool::GetLocation(root));
+    const TDF_Label label = document_.shapes()->AddShape(placed, false, false);
+    copy_attributes(root, label);
+    set_name(label, name_of(root));
 }
 
 int DocumentCopy::product_count(const TDF_Label& product) const

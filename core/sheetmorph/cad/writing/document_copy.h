@@ -30,6 +30,7 @@ public:
 private:
     using Key = std::pair<std::string, std::vector<int>>;
 
+    void copy_root(const TDF_Label& root);
     TDF_Label copied(const TDF_Label& product, const Key& key);
     TDF_Label made(const TDF_Label& product);
     TDF_Label new_product(const TDF_Label& product);

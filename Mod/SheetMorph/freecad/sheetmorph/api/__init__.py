@@ -104,6 +104,7 @@ from freecad.sheetmorph.api.regions import (
     vertices,
     where,
 )
+from freecad.sheetmorph.api.shapes import deformed_shape, update_shapes
 from freecad.sheetmorph.api.flat import flatten
 from freecad.sheetmorph.api.thin import (
     add_through_holes,
@@ -134,6 +135,7 @@ __all__ = [
     "copy_in_pose",
     "create_assembly",
     "deform",
+    "deformed_shape",
     "diagnose",
     "diagnose_original",
     "exact_features",
@@ -197,4 +199,5 @@ __all__ = [
     "vertices_of_facets",
     "where",
     "write_parts",
+    "update_shapes",
 ]

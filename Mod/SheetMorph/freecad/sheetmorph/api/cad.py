@@ -14,6 +14,7 @@ from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.files import add_mesh
 from freecad.sheetmorph.bridge.rest import read_kept
+from freecad.sheetmorph.bridge.shapes import keep_shape
 
 
 def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> list:
@@ -63,11 +64,12 @@ def check_shape(assembly, source) -> None:
 def add_model(assembly, model) -> list:
     """Add all parts of a CadModel of the kernel that have triangles; return them."""
     cad_file = kernel.load().files.cad_file
-    return [
-        add_mesh(assembly, mesh, mesh.name, cad_file.exact_features(part))
-        for part, mesh in zip(model.parts, cad_file.part_meshes(model))
-        if len(mesh.triangles)
-    ]
+    parts = []
+    for number, (part, mesh) in enumerate(zip(model.parts, cad_file.part_meshes(model))):
+        if len(mesh.triangles):
+            parts.append(add_mesh(assembly, mesh, mesh.name, cad_file.exact_features(part)))
+            keep_shape(parts[-1], model, number)
+    return parts
 
 
 def exact_features(part) -> list[dict]:

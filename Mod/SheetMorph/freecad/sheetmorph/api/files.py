@@ -29,6 +29,7 @@ from freecad.sheetmorph.api.loading import (
 )
 from freecad.sheetmorph.api.poses import add_named_poses, named_poses
 from freecad.sheetmorph.api.propagations import set_mode
+from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.api.thin import set_sheet, set_thin
 from freecad.sheetmorph.bridge.rest import write_rest_data
 
@@ -77,11 +78,13 @@ def write_parts(assembly, folder: str | os.PathLike) -> list[Path]:
     """Write every part, deformed exactly, into `folder` and return the files and the report.
 
     An imported part is written in its own format with only the coordinates changed, any other as
-    OBJ; coordinates are global, in double. `report.json` says how good the result is. Either all
+    OBJ; coordinates are global, in double. Where a part has a deformed shape, that is brought up to
+    date and written beside it as STEP. `report.json` says how good the result is. Either all
     files appear or none. Raises MorphError, ValueError, OSError.
     """
     require_assembly(assembly)
     morph = solving.read_morph(assembly)
+    update_shapes(assembly)
     cache = solving.cache_of(assembly)
     positions = solving.deform(assembly)
     report = cache.result(morph).report() if morph.is_held() else None

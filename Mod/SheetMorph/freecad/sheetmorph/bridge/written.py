@@ -26,6 +26,10 @@ def write_parts(assembly, morph, positions: dict[str, np.ndarray], place: tuple)
         for part in model.parts(assembly):
             write_one(files, part, morph.rests[part.Name], (folder / names[part.Name], positions))
         paths = [folder / name for name in names.values()]
+        for part in model.parts(assembly):
+            if part.DeformedShape is not None:
+                paths.append(folder / f"{Path(names[part.Name]).stem}.step")
+                part.DeformedShape.Shape.exportStep(str(files.temporary_for(paths[-1])))
         if report is not None:
             paths.append(folder / "report.json")
             text = json.dumps(report, indent=2)

@@ -44,6 +44,7 @@ _TOOLBARS = {
         poses.BlendPoses,
         poses.CopyInPose,
         poses.CopyAsMeshes,
+        sheets.DeformedShape,
     ),
     QT_TRANSLATE_NOOP("Workbench", "SheetMorph Exchange"): (
         exchange.ExportParts,

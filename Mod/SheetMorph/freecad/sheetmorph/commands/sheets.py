@@ -50,6 +50,26 @@ class Flatten(Command):
         actions.attempt("Flatten", call("flatten", name(part)), document=part.Document)
 
 
+class DeformedShape(Command):
+    """Makes the shape of a part where the part is now."""
+
+    name = "SheetMorph_DeformedShape"
+    text = QT_TRANSLATE_NOOP("SheetMorph_DeformedShape", "Deformed Shape")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_DeformedShape",
+        "Makes a shape of the selected part, deformed, with the faces of the one it was made from",
+    )
+
+    def possible(self) -> bool:
+        """With a part that was made from a shape."""
+        part = subject.part()
+        return part is not None and bool(part.ShapeData)
+
+    def execute(self) -> None:
+        """One undo step."""
+        actions.attempt("Deformed Shape", call("deformed_shape", name(subject.part())))
+
+
 class PrepareMesh(Command):
     """Opens the panel that cures a mesh and meshes it anew."""
 

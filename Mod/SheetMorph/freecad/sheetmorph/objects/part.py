@@ -51,6 +51,8 @@ class PartProxy(ObjectProxy):
         Property("FileIncluded", "OriginalData", "Part", "Its positions in double", mode=HIDDEN),
         Property("String", "Preparation", "Part", "What was done to the mesh", "", HIDDEN),
         Property("FileIncluded", "FileData", "Part", "The file as it was read", mode=HIDDEN),
+        Property("FileIncluded", "ShapeData", "Part", "The CAD shape that was meshed", mode=HIDDEN),
+        Property("LinkHidden", "DeformedShape", "Part", "Its shape, deformed", mode=READ_ONLY),
     )
 
     def __init__(self, obj):

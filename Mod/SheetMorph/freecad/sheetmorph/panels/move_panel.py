@@ -6,6 +6,7 @@ from functools import partial
 
 from freecad.sheetmorph import actions, preferences
 from freecad.sheetmorph.api.poses import motion_of, restore, snapshot
+from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import progress
@@ -93,9 +94,23 @@ class MovePanel(Panel):
                 self._faults.say(fault)
                 return False
             actions.note(*lines, "App.ActiveDocument.recompute()")
+            self._let_shapes_follow()
         self._pending.keep()
         self._handles.begin()
         return True
+
+    def _let_shapes_follow(self) -> None:
+        """Deformed shapes, if there are any, belong to the step; one that cannot follow is told."""
+        owner = self._handles.assembly
+        if not any(part.DeformedShape for part in model.parts(owner)):
+            return
+        try:
+            with actions.waiting():
+                update_shapes(owner)
+        except actions.FAULTS as error:
+            actions.tell("Deformed Shape", error)
+            return
+        actions.note(actions.call("update_shapes", actions.name(owner)))
 
     def _recomputed(self) -> str:
         """Lets all results follow, as part of the step; returns what is wrong, if anything."""

@@ -24,6 +24,7 @@ MODULES = tuple(
         "preparing",
         "files",
         "cad",
+        "shapes",
         "recipes",
         "examples",
         "registration",

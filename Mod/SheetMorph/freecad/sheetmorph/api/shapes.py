@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Deformed shapes: a part that was made from a CAD shape as a shape again."""
+
+from __future__ import annotations
+
+from freecad.sheetmorph.bridge import kernel, shapes, solving
+from freecad.sheetmorph.objects import assembly_of, model
+from freecad.sheetmorph.objects.errors import MorphError
+
+
+def deformed_shape(part):
+    """Make, or bring up to date, the deformed shape of a part; return it, a Part::Feature.
+
+    It has the faces of the shape that the part was made from: those that moved as one rigid body,
+    holes of form features for example, on their own surfaces, the others on splines within 0.01 mm
+    of the deformed mesh. It follows when `update_shapes` is called. Raises MorphError: the part was
+    not made from a shape, its mesh was changed or folds, a tolerance is missed.
+    """
+    positions = solving.deform(assembly_of(part))[part.Name]
+    shape, body = shapes.carried_shape(part, positions)
+    faults = kernel.load().shape_report.body_faults(body)
+    if faults:
+        raise MorphError(f"The shape of part '{part.Label}': {'; '.join(faults)}.")
+    feature = part.DeformedShape
+    if feature is None:
+        feature = part.Document.addObject("Part::Feature", "DeformedShape")
+        feature.Label = f"{part.Label} deformed"
+        part.DeformedShape = feature
+    feature.Shape = shape
+    feature.Placement = shapes.placement_of(part).multiply(shape.Placement)
+    return feature
+
+
+def update_shapes(assembly) -> list:
+    """Bring all deformed shapes of an assembly up to date; return them."""
+    return [deformed_shape(part) for part in model.parts(assembly) if part.DeformedShape]
