@@ -87,6 +87,7 @@ def test_positions_that_are_not_finite_are_refused(sample: Path, tmp_path: Path)
         ("part.SLDPRT.gz", 'unknown format ".SLDPRT", a file of a CAD program'),
         ("part.what", 'unknown format ".what"'),
         ("missing.obj", "there is no such file"),
+        (".", "it is a folder"),
     ],
 )
 def test_a_file_that_cannot_be_a_part_says_why(name: str, what: str, tmp_path: Path):

@@ -37,6 +37,8 @@ _WAYS = (
 
 def unknown_format(path: Path, known: Sequence[str]) -> FileError:
     """What to tell about a file that is not read."""
+    if path.is_dir():
+        return FileError(path, "it is a folder", "name a file in it")
     suffix = Path(path.stem).suffix if path.suffix.lower() == ".gz" else path.suffix
     for suffixes, what, todo in _WAYS:
         if suffix.lower() in suffixes:
