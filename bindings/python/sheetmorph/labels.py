@@ -39,7 +39,10 @@ class Labels:
         return replace(self, groups={**self.groups, **groups})
 
     def carried(self, triangle_of: np.ndarray) -> Labels:
-        """The labels of another mesh each of whose triangles (m,) comes from one of this mesh."""
+        """The labels of another mesh each of whose triangles (m,) comes from one of this mesh.
+
+        Groups that have no triangle there are left out.
+        """
         count = 1 + max(
             int(triangle_of.max(initial=-1)),
             *(int(rows.max(initial=-1)) for rows in self.groups.values()),
@@ -49,7 +52,9 @@ class Labels:
         for name, rows in self.groups.items():
             inside = np.zeros(count, dtype=bool)
             inside[rows] = True
-            groups[name] = np.flatnonzero(inside[triangle_of])
+            rows_here = np.flatnonzero(inside[triangle_of])
+            if len(rows_here):
+                groups[name] = rows_here
         face = None if self.face is None else self.face[triangle_of]
         return replace(self, groups=groups, face=face)
 
