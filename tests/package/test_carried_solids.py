@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids of every kind of face, bent and twisted by a tenth of their size, written as STEP."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sheetmorph.files.cad_file import read_cad
+from sheetmorph.files.cad_writing import CadWriting, write_model
+from test_real_files import real_file
+
+_SCRIPT = """
+import os
+import FreeCAD
+import Import
+import Part
+from FreeCAD import Vector
+
+folder = os.environ["CAD_SAMPLES"]
+box = Part.makeBox(60, 40, 10)
+drilled = Part.makeBox(60, 40, 6).cut(Part.makeCylinder(4, 10, Vector(20, 20, -1)))
+for name, shape in (
+    ("tube", Part.makeCylinder(10, 80).cut(Part.makeCylinder(8, 80))),
+    ("dish", Part.makeSphere(30, Vector(), Vector(0, 0, 1), 0, 90, 360).cut(Part.makeSphere(28))),
+    ("cone", Part.makeCone(20, 0, 50)),
+    ("ball", Part.makeSphere(20)),
+    ("ring", Part.makeTorus(30, 6)),
+    ("fillets", box.makeFillet(3, box.Edges)),
+    ("countersunk", drilled.cut(Part.makeCone(4, 8, 4, Vector(20, 20, 2.5)))),
+):
+    shape.exportStep(os.path.join(folder, name + ".step"))
+document = FreeCAD.newDocument("pins")
+shown, pin = [], Part.makeCylinder(3, 30)
+for label, x in (("pin a", 0), ("pin b", 20), ("pin c", 40)):
+    shown.append(document.addObject("Part::Feature", "Part"))
+    shown[-1].Label = label
+    shown[-1].Shape = pin
+    shown[-1].Placement.Base = Vector(x, 0, 0)
+document.recompute()
+Import.export(shown, os.path.join(folder, "pins.step"))
+open(os.path.join(folder, "done"), "w").close()
+os._exit(0)
+"""
+SOLIDS = ("tube", "dish", "cone", "ball", "ring", "fillets", "countersunk")
+
+
+@pytest.fixture(scope="module")
+def solids(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of STEP files that FreeCAD made."""
+    program = shutil.which("freecadcmd")
+    if program is None:
+        pytest.skip("freecadcmd, which makes the CAD files, is not installed")
+    folder = tmp_path_factory.mktemp("solids")
+    (folder / "make.py").write_text(_SCRIPT, "utf-8")
+    settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "CAD_SAMPLES": str(folder)}
+    settings.pop("PYTHONPATH", None)
+    subprocess.run(
+        [program, str(folder / "make.py")], env=settings, stdin=subprocess.DEVNULL,
+        capture_output=True,
+    )  # fmt: skip
+    assert (folder / "done").is_file(), "FreeCAD did not make the CAD files"
+    return folder
+
+
+def bent(points: np.ndarray, share: float = 0.1) -> np.ndarray:
+    """Points (n, 3) on an arc along their longest extent, and twisted about it."""
+    extent = np.ptp(points, axis=0)
+    along, across, up = np.argsort(-extent)
+    middle = 0.5 * (points.max(axis=0) + points.min(axis=0))
+    x, y, z = ((points - middle)[:, k] for k in (along, across, up))
+    size = float(np.linalg.norm(extent))
+    radius = extent[along] ** 2 / (4.0 * share * size)
+    moved = np.empty_like(points)
+    moved[:, along] = (radius - z) * np.sin(x / radius)
+    lift = radius - (radius - z) * np.cos(x / radius)
+    turn = share * 2.0 * x / extent[along]
+    moved[:, across] = y * np.cos(turn) - lift * np.sin(turn)
+    moved[:, up] = y * np.sin(turn) + lift * np.cos(turn)
+    return moved + middle
+
+
+@pytest.mark.parametrize("name", SOLIDS)
+def test_a_bent_solid_is_valid_closed_and_near_its_mesh(solids: Path, tmp_path: Path, name: str):
+    model = read_cad(solids / f"{name}.step").model
+    positions = [bent(np.array(part.points)) for part in model.parts]
+    (body,) = write_model(model, tmp_path / "out.step", positions, CadWriting("step"))
+    assert (body["was_valid"], body["is_valid"], body["is_closed"]) == (True, True, True)
+    assert body["distance"]["value"] < 0.01
+    assert body["gap"]["value"] < 0.0005
+    assert body["edge_tolerance"] < 0.001
+    assert body["edge_tolerance_read"] < 0.005
+    assert body["kink"]["value"] < 0.2
+
+
+def test_an_instance_that_differs_becomes_a_product_of_its_own(solids: Path, tmp_path: Path):
+    model = read_cad(solids / "pins.step").model
+    positions = [np.array(part.points) for part in model.parts]
+    positions[1] = bent(positions[1])
+    bodies = write_model(model, tmp_path / "pins.step", positions, CadWriting("step"))
+    assert [body["kept"] == body["faces"] for body in bodies] == [True, False, True]
+    assert all(body["is_valid"] and body["distance"]["value"] < 0.01 for body in bodies)
+    again = read_cad(tmp_path / "pins.step").model
+    assert [part.name for part in again.parts] == [part.name for part in model.parts]
+    for before, after in zip(model.parts, again.parts):
+        shift = np.abs(before.points.mean(axis=0) - after.points.mean(axis=0))
+        assert shift.max() < 5.0
+    solids_in = [
+        (folder / "pins.step").read_text().count("MANIFOLD_SOLID_BREP(")
+        for folder in (solids, tmp_path)
+    ]
+    assert solids_in == [1, 2]
+
+
+def test_inches_stay_inches(tmp_path: Path):
+    path = real_file("06-laser-cut-box/box_sides.step")
+    model = read_cad(path).model
+    positions = [np.array(part.points) for part in model.parts]
+    positions[6] = bent(positions[6])
+    bodies = write_model(model, tmp_path / "box.step", positions, CadWriting("step"))
+    assert all(body["is_valid"] and body["distance"]["value"] < 0.01 for body in bodies)
+    assert "CONVERSION_BASED_UNIT('INCH'" in (tmp_path / "box.step").read_text()
