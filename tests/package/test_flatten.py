@@ -82,7 +82,7 @@ def test_a_bracket_comes_back_to_the_blank_it_was_bent_from(bracket):
     assert radius == pytest.approx(HOLE_RADIUS, rel=2e-3)
     assert min(centre[0], LENGTH - centre[0]) == pytest.approx(HOLE[0], abs=0.05)
     (bend,) = pattern.bends
-    assert math.degrees(bend.angle) == pytest.approx(120.0, abs=2.0)
+    assert math.degrees(bend.angle) == pytest.approx(120.0, abs=0.01)
     assert bend.radius == pytest.approx(8.0, rel=0.01)
     assert bend.is_up and bend.k_factor is None
     (line,) = pattern.lines

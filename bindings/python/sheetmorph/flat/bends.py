@@ -101,9 +101,11 @@ def find_bends(core: Any, mesh: Any, thickness: float | None, table: KTable) -> 
         if not len(own):
             continue
         taken[own] = True
-        axis, sides = np.asarray(feature.axis), _beside(triangles, own)
-        told = _turn(normals[own], normals[sides], axis)
-        angle = float(feature.angle) if told is None else told
+        axis, near = np.asarray(feature.axis), _beside(triangles, own)
+        # A row of triangles may lie across the end of the bend: the next one is flat.
+        far = _beside(triangles, np.union1d(own, near))
+        angles = [_turn(normals[own], normals[sides], axis) for sides in (far, near)]
+        angle = next((a for a in angles if a is not None), float(feature.angle))
         is_up = _bends_up(points[triangles[own]].mean(axis=1), normals[own], axis)
         bend = Bend(angle, float(feature.radius), is_up, axis, np.unique(triangles[own]), own)
         found.append(_with_allowance(bend, thickness, table))

@@ -17,6 +17,7 @@ from .pattern import FlatPattern
 
 _LAYERS = (("OUTLINE", 7), ("HOLES", 1), ("BEND_UP", 5), ("BEND_DOWN", 3))
 _MARGIN = 10.0  # mm around an SVG
+_LETTER = 0.62  # width of a letter over its height
 _FULL_COLOUR = 0.01  # a stretch of 1 % and more has the strongest colour
 _TABLE = ("bend", "angle", "radius", "inner radius", "K", "allowance")
 
@@ -110,7 +111,7 @@ def svg_of(pattern: FlatPattern) -> str:
     """The blank in mm, its triangles coloured by the stretch that is left, and the bend table."""
     width, height = pattern.size
     rows = table_of(pattern)
-    letter = max(2.5, 0.012 * width)
+    letter = width / (_LETTER * max(map(len, rows)))
     whole = height + 2 * _MARGIN + letter * 1.6 * (len(rows) + 1)
     box = f"{width + 2 * _MARGIN:.3f} {whole:.3f}"
     across, down = box.split()
