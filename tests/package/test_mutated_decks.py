@@ -69,3 +69,9 @@ def test_a_mutated_deck_is_read_or_refused(name: str, edits: list):
         assert error.what  # a number that does not fit, a shell without its nodes
         return
     assert np.array_equal(again.ids, deck.ids)
+
+
+def test_an_id_beyond_all_numbers_is_none():
+    data = SAMPLES["deck.k"].replace(b"         5         6\n", b"      1e30         6\n")
+    welds = [block for block in read(data, "deck.k").elements if block.kind == "weld"]
+    assert welds[0].nodes.tolist() == [[0, 6]]

@@ -14,6 +14,7 @@ JOINTS = (
     "CONSTRAINED_NODE_SET", "CONSTRAINED_GENERALIZED_WELD", "CONSTRAINED_EXTRA_NODES",
     "CONSTRAINED_JOINT", "DEFINE_COORDINATE_NODES", "SET_NODE",
 )  # fmt: skip
+_LARGEST = 1e15
 
 
 class Joints:
@@ -101,5 +102,5 @@ def _number(text: str) -> int:
     found = parse_integer(text)
     if found is None:
         real = parse_real(text)
-        found = int(real) if real is not None else 0
+        found = int(real) if real is not None and abs(real) < _LARGEST else 0
     return found
