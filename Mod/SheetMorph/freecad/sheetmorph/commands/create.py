@@ -10,7 +10,8 @@ from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
-MESHES = "*.obj *.off *.ply *.stl *.nas *.bdf *.dat *.vtk *.vtu *.inp"
+DECKS = "*.nas *.bdf *.dat *.fem *.blk *.k *.key *.dyn *.inp *.rad *.msh"
+MESHES = f"*.obj *.off *.ply *.stl *.vtk *.vtu {DECKS}"
 CAD = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 FILTER = (
     f"Meshes, decks and CAD ({MESHES} {' '.join('*' + ending for ending in CAD)});;All files (*)"
