@@ -107,7 +107,7 @@ def test_no_command_fails_when_asked_whether_it_is_active():
     wanting = {
         f"SheetMorph_{name}" for name in ("AddPart", "FindContacts", "MarkContact", "SetPrimary")
     }
-    wanting |= {"SheetMorph_BlendPoses", "SheetMorph_CopyInPose"}
+    wanting |= {f"SheetMorph_{name}" for name in ("BlendPoses", "CopyInPose", "DeformedShape")}
     of_features = ("FeatureSettings", "GroupFeatures", "MakeCoaxial", "KeepDistance")
     wanting |= {f"SheetMorph_{name}" for name in of_features}
     assert active == set(names) - wanting, (set(names) - wanting) ^ active
