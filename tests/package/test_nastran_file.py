@@ -132,7 +132,9 @@ def test_every_coordinate_of_a_short_line_can_be_written(tmp_path: Path):
 
 
 def test_a_default_coordinate_system_counts(deck: Path):
-    system = b"GRDSET          7\nCORD2R  7               1.      2.      3.      1.      2.      4.\n"
+    system = (
+        b"GRDSET          7\nCORD2R  7               1.      2.      3.      1.      2.      4.\n"
+    )
     system += b"        2.      2.      3."
     deck.write_bytes(NASTRAN.replace(b"$ nodes", system))
     points = read_part(deck).mesh.points
