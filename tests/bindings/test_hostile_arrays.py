@@ -72,6 +72,16 @@ DOORS = {
     "remeshed": (_core.remeshed, *MESH, NUMBER, st.booleans()),
     "find_thin_solid": (_core.find_thin_solid, *MESH, NUMBER),
     "find_features": (_core.find_features, *MESH),
+    "flatten": (
+        lambda mesh, rim, along, longer, is_told: _core.flatten(
+            mesh, [rim, rim], (along, longer) if is_told else None
+        ),
+        *MESH,
+        IDS,
+        hostile.points(),
+        IDS,
+        st.booleans(),
+    ),
     "Screen": (
         lambda matrix, width, height: _core.Screen(matrix, width, height),
         st.lists(NUMBER, min_size=16, max_size=16).map(lambda all: np.reshape(all, (4, 4))),

@@ -192,10 +192,10 @@ def test_a_slow_frame_blocks_nothing_and_the_last_event_wins():
     rest = stored()
     answered, quick, may_go_on = [], live_session.LiveSession.answer, threading.Event()
 
-    def slow(self, question):
+    def slow(self, question, goes_on=None):
         answered.append(question)
         assert may_go_on.wait(60.0), "the window was blocked"
-        return quick(self, question)
+        return quick(self, question, goes_on)
 
     live_session.LiveSession.answer = slow
     try:
