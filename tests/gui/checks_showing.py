@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is shown while a handle is dragged: ghost, features, colours with their scale, gaps."""
 
+import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_dragging import drag_up, grab_up_arrow
 from checks_moving import lifted, open_panel
 from desk import child, choose_below, colour_at, enter, picture, press, tick, until, view, xdotool
+from freecad.sheetmorph.objects import model
 from pivy import coin
 from PySide import QtGui
-from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, part, stored
+from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, part, regions, stored
 
 __all__ = [
     "test_the_original_stays_as_a_ghost_while_the_part_moves",
@@ -16,6 +18,8 @@ __all__ = [
     "test_features_say_how_far_they_move",
     "test_displacement_has_colours_with_a_scale",
     "test_quality_and_gaps_have_colours_too",
+    "test_steel_is_a_preview_first_and_its_stretch_has_colours",
+    "test_a_part_that_was_moved_is_laid_flat_as_a_sketch_and_undone",
 ]
 
 
@@ -156,3 +160,37 @@ def test_quality_and_gaps_have_colours_too():
     assert 0.0 < change < 1.0
     yield from press("OK")
     assert largest(drawn() - stored()) == 0.0
+
+
+def test_steel_is_a_preview_first_and_its_stretch_has_colours():
+    yield from new_morph()
+    model.assembly_of(regions("handle")[0]).Energy = "steel"
+    App.ActiveDocument.recompute()
+    yield from open_panel()
+    yield from enter(child("translation_z"), "18")
+    yield from until(lambda: "Linear preview" in child("status").text(), "the preview")
+    yield from until(lambda: "Steel, final" in child("status").text(), "the steel", 30.0)
+    yield from choose_below(child("colours"), 4)
+    yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
+    picture("stretch")
+    yield from press("OK")
+    assert largest(drawn() - stored()) == 0.0
+
+
+def test_a_part_that_was_moved_is_laid_flat_as_a_sketch_and_undone():
+    yield from new_morph()
+    before = {entry.Name for entry in App.ActiveDocument.Objects}
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(part())
+    Gui.runCommand("SheetMorph_Flatten")
+    yield 500
+    made = [entry for entry in App.ActiveDocument.Objects if entry.Name not in before]
+    sketches = [entry for entry in made if entry.isDerivedFrom("Sketcher::SketchObject")]
+    assert len(sketches) == 1, [entry.Name for entry in made]
+    assert sketches[0].Shape.BoundBox.XMin > part().Mesh.BoundBox.XMax, "the part hides the blank"
+    Gui.Selection.clearSelection()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield 300
+    picture("flattened")
+    App.ActiveDocument.undo()
+    assert {entry.Name for entry in App.ActiveDocument.Objects} == before

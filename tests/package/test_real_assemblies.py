@@ -19,6 +19,7 @@ import recipes  # noqa: E402
 import riveted_support  # noqa: E402
 import selection  # noqa: E402
 from sheetmorph import Session, _core, run  # noqa: E402
+from sheetmorph.running import CertificateError  # noqa: E402
 
 pytestmark = pytest.mark.skipif(recipes.data_folder() is None, reason=recipes.ABSENT)
 ALONE = ["shelf", "bracket", "end plate", "bar", "cylinder", "bumpy_plane"]
@@ -145,7 +146,15 @@ def test_rigid_seams_that_hang_together_are_one_body_and_what_they_tear_is_told(
 @pytest.mark.parametrize("name", WHOLE)
 def test_the_command_line_writes_what_the_files_can_hold(name: str, tmp_path: Path):
     path = tmp_path / "recipe.json"
-    path.write_text(json.dumps(recipes.make(name)), encoding="utf-8")
+    recipe = recipes.make(name)
+    if name == "support":
+        # Its pose pulls bars between two brackets apart, which the run tells.
+        path.write_text(json.dumps(recipe), encoding="utf-8")
+        with pytest.raises(CertificateError, match="RBE2 27500 came apart by 13.6 mm"):
+            run(path, tmp_path / "out")
+        assert not (tmp_path / "out").exists()
+        recipe["parts"][0]["joints"] = {"broken": "tell"}
+    path.write_text(json.dumps(recipe), encoding="utf-8")
     report = run(path, tmp_path / "out")
     assert report["certificate"]["passed"] and report["unreached"] == []
     # 8 characters of a deck: 3482.17 is good for 0.005 mm; float32 of an STL for 4e-5 mm.

@@ -11,6 +11,9 @@ from freecad.sheetmorph.bridge import kernel, solving
 from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.objects import assembly_of, model
 
+# Between the assembly and its blanks, a share of their size.
+_GAP = 0.1
+
 
 def flatten(part, thickness: float | None = None, limit: float = 1.0) -> list:
     """Lay the deformed part flat: return a sketch a piece, its outline, holes and bend lines.
@@ -31,7 +34,22 @@ def flatten(part, thickness: float | None = None, limit: float = 1.0) -> list:
     )
     for line in [line for pattern in patterns for line in kernel.flat().table_of(pattern)]:
         FreeCAD.Console.PrintMessage(f"SheetMorph: {line}\n")
-    return [_sketch(part, pattern) for pattern in patterns]
+    place, made = _beside(part), []
+    for pattern in patterns:
+        low, high = pattern.flat[:, :2].min(axis=0), pattern.flat[:, :2].max(axis=0)
+        made.append(_sketch(part, pattern))
+        made[-1].Placement.Base = place - FreeCAD.Vector(*low, 0.0)
+        place.x += _GAP * float(np.linalg.norm(high - low)) + float(high[0] - low[0])
+    return made
+
+
+def _beside(part) -> FreeCAD.Vector:
+    """Where the first blank has its lower left corner: right of all parts, none hides it."""
+    boxes = [entry.Mesh.BoundBox for entry in model.parts(assembly_of(part))]
+    whole = FreeCAD.BoundBox()
+    for box in boxes:
+        whole.add(box)
+    return FreeCAD.Vector(whole.XMax + _GAP * whole.DiagonalLength, whole.YMin, 0.0)
 
 
 def _sketch(part, pattern):
