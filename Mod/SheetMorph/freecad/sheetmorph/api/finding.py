@@ -18,7 +18,7 @@ from freecad.sheetmorph.api.regions import add_feature
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import FORM_FEATURE
 
-HOLES = ("round hole", "slotted hole", "rectangular hole")
+HOLES = ("round hole", "slotted hole", "rectangular hole", "hole")
 Vector = tuple[float, float, float]
 
 

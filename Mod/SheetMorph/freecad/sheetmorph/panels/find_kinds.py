@@ -2,7 +2,7 @@
 """What the two panels of proposals differ in: features and contacts."""
 
 from freecad.sheetmorph.actions import call, name, vertices
-from freecad.sheetmorph.api.finding import with_washers
+from freecad.sheetmorph.api.finding import HOLES, with_washers
 from freecad.sheetmorph.panels.base import number_in
 from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.tools import words
@@ -59,7 +59,7 @@ class Features:
             size = f"R {words.length(one.radius, 4)}, {words.plain(one.angle)}°"
         mark = "? " if self.doubt(one) else ""
         texts = (one.name, size, mark + words.percent(quality))
-        is_checked = not one.is_marked and one.kind in _HOLES
+        is_checked = not one.is_marked and one.kind in HOLES
         tip = MARKED if one.is_marked else f"{one.kind}, {len(one.vertices)} vertices"
         tip = "\n".join(filter(None, (one.name, tip, self.doubt(one))))
         return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
@@ -148,7 +148,6 @@ class Contacts:
         return call("add_contact", assembly, *sides, **keywords)
 
 
-# What is checked as it is found, and what is only offered besides.
-_HOLES = ("round hole", "slotted hole", "rectangular hole")
-_OFFERED = (*_HOLES, "bend")
+# Holes are checked as they are found; bends are only offered besides.
+_OFFERED = (*HOLES, "bend")
 FEATURES, CONTACTS = Features(), Contacts()
