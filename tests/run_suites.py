@@ -41,6 +41,7 @@ SANITIZED_PYTEST = {
 ADDRESS_SANITIZER = {
     "ASAN_OPTIONS": "detect_leaks=1:detect_stack_use_after_return=1:check_initialization_order=1",
     "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
+    "LSAN_OPTIONS": f"print_suppressions=0:suppressions={ROOT}/tests/core/leaks_of_others.txt",
 }
 # libgomp and OpenBLAS are not instrumented, their barriers are invisible: one thread each, and what
 # they and CHOLMOD, the oracle of the tests, write among themselves does not count. The threads of

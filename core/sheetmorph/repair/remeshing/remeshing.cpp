@@ -52,7 +52,8 @@ double total_area(const TriangleMesh& mesh)
 // Equilateral triangles of an edge length that cover an area.
 double needed(double area, double edge)
 {
-    return area / (0.433 * edge * edge);
+    // One after the other: the square of a tiny edge is 0.
+    return area / 0.433 / edge / edge;
 }
 
 void check(const TriangleMesh& mesh, const RemeshOptions& options)
@@ -63,10 +64,11 @@ void check(const TriangleMesh& mesh, const RemeshOptions& options)
                            + " mm; give a positive one");
     const double area = total_area(mesh);
     if (needed(area, options.edge) > most_triangles)
-        throw InvalidInput("edges of " + std::to_string(options.edge) + " mm would need "
-                           + std::to_string(std::lround(needed(area, options.edge) / 1e6))
-                           + " million triangles; give a longer edge, "
-                           + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
+        throw InvalidInput(
+            "edges of " + std::to_string(options.edge) + " mm would need "
+            + std::to_string(std::lround(std::min(needed(area, options.edge), 1e24) / 1e6))
+            + " million triangles; give a longer edge, "
+            + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
 }
 
 // Small facets on bends and beside rims ask for short edges far beyond what the edge length does.
