@@ -75,7 +75,8 @@ def _told(deck: Deck, place: Path) -> str:
     elements = f", {', '.join(words)}" if words else ""
     nodes = int((deck.ids > 0).sum())
     told = f"{place}: {deck.form}, {nodes} nodes{elements}{files}, every byte as it was"
-    return "; ".join([told, *deck.notes])
+    placing = [f"{card.card} {card.what}: it cannot be morphed" for card in deck.raw.placing[:1]]
+    return "; ".join([told, *deck.notes, *placing])
 
 
 _WORDS = {

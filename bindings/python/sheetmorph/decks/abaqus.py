@@ -18,12 +18,13 @@ from .frames import Frame
 from .includes import Included
 from .model import Elements, Opener, Place, Raw
 from .numbers import parse_real
+from .placing import note_placing
 from .text import chunks
 
 SUFFIXES = (".inp",)
 # CalculiX reads no more characters of a number.
 _ROOM = 20
-_MADE = ("NGEN", "NFILL", "NCOPY", "NMAP")
+_MADE = ("NGEN", "NFILL")
 _STALE = {
     "ORIENTATION": "local directions by coordinates are kept as they are",
     "NODAL THICKNESS": "the thickness at its nodes is kept as it is",
@@ -105,6 +106,8 @@ class _Reader:
             place = f"{lines.text.path.name}, line {keyword.line + 1}"
             told = f"{place}: *{name} makes nodes of others; they are not written and follow"
             self.raw.notes.append(f"{told} only as the solver makes them")
+        elif note_placing(self.raw, name, (lines.file, keyword.line)):
+            pass
         elif name in ("PART", "END PART", "INSTANCE", "END INSTANCE"):
             self._scope(lines, keyword)
         elif name == "SHELL SECTION" and len(keyword.rows):

@@ -18,6 +18,7 @@ from .dyna_stale import stale_of
 from .includes import Included
 from .model import FREE, WORD, Block, Opener, Raw
 from .numbers import parse_integer, parse_real
+from .placing import note_placing, remember_placing
 
 SUFFIXES = (".k", ".key", ".dyn", ".keyword")
 # Keywords of nodes and of what is written like them, with whether they are nodes of the model.
@@ -28,7 +29,6 @@ _NODES = {
     "INITIAL_FOAM_REFERENCE_GEOMETRY": False,
     "BOUNDARY_PRESCRIBED_FINAL_GEOMETRY": False,
 }
-_UNREAD = ("NODE_TRANSFORM", "NODE_MERGE", "NODE_RIGID_SURFACE", "NODE_SCALAR")
 
 
 def read_dyna(path: Path, opener: Opener) -> Deck:
@@ -101,9 +101,8 @@ class _Reader:
             self._parameter(cards, section)
         elif name in _NODES:
             self._nodes(cards, section, widths)
-        elif name.startswith(_UNREAD):
-            what = f"*{name} changes places of nodes"
-            raise self.raw.error((cards.file, section.line), what, "write its result into *NODE")
+        elif note_placing(self.raw, name, (cards.file, section.line)):
+            pass
         elif name.startswith(ELEMENTS):
             add_elements(cards, section, widths.label, widths.real)
         elif name.startswith(JOINTS):
@@ -129,7 +128,8 @@ class _Reader:
             return
         if option.startswith("_TRANSFORM"):
             names = names[:1]
-            self._require_plain(cards, section)
+            if not _is_plain(cards, section):
+                remember_placing(self.raw, section.name, (cards.file, section.line))
         elif option:
             what = f"*{section.name}: what it includes is not read, and stays as it is"
             self.raw.notes.append(f"{cards.text.path.name}, line {section.line + 1}: {what}")
@@ -137,15 +137,6 @@ class _Reader:
         for line, name in names:
             file = self._included.add(name, (cards.file, line))
             self._file(file)
-
-    def _require_plain(self, cards: DynaCards, section: Section) -> None:
-        """An include that is shifted, turned or numbered anew has no places of its own."""
-        for line in section.rows[1:].tolist():
-            fields = cards.fields(line, 10)
-            if any((parse_real(text) or 0.0) not in (0.0, 1.0) for text in fields):
-                what = f"*{section.name} numbers or places what it includes anew"
-                todo = "write the transformed nodes into a file of their own"
-                raise self.raw.error((cards.file, line), what, todo)
 
     def _parameter(self, cards: DynaCards, section: Section) -> None:
         if section.name not in ("PARAMETER", "PARAMETER_LOCAL"):
@@ -203,6 +194,25 @@ class _Reader:
         for one, two in zip(rows[::2], rows[1::2]):
             number = parse_integer(cards.fields(one, cards.width)[0]) or 0
             self._sections[number] = parse_real(cards.fields(two, cards.width)[0]) or 0.0
+
+
+def _is_plain(cards: DynaCards, section: Section) -> bool:
+    """Whether an include is neither shifted, turned, scaled nor numbered anew: offsets of ids in
+    its first two cards, factors of mass, time, length in the third, a transformation in the last.
+    """
+    rows = section.rows.tolist()
+    named = set(cards.filled(section.rows).tolist())
+    while rows and (rows[0] not in named or cards.text.line(rows[0]).rstrip().endswith(" +")):
+        rows = rows[1:]
+    # A blank card is a card: nothing is shifted by it.
+    for k, line in enumerate(rows[1:]):
+        fields = [text.strip() for text in cards.fields(line, cards.width)]
+        # Behind: prefix and suffix of names, or the scale of temperature, which place nothing.
+        fields = fields[:1] if k in (1, 3) else fields[:3] if k == 2 else fields
+        allowed = (0.0, 1.0) if k == 2 else (0.0,)
+        if any(text and parse_real(text) not in allowed for text in fields):
+            return False
+    return True
 
 
 def _joined(file: int, rows: list[tuple], room: int) -> list[Block]:

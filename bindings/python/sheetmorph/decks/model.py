@@ -86,7 +86,7 @@ class Raw:
 
     mark: before exponents; wins: "last" where the last definition of a node counts, "same" where
     several must be equal; locked: nodes that are not to be moved, with the reason; thickness: of
-    shells by property.
+    shells by property; placing: cards that change where nodes are once they are read.
     """
 
     form: str
@@ -96,6 +96,7 @@ class Raw:
     blocks: list[Block] = field(default_factory=list)
     elements: list[Elements] = field(default_factory=list)
     stale: list[Place] = field(default_factory=list)
+    placing: list[Place] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     locked: dict[int, str] = field(default_factory=dict)
     thickness: dict[int, float] = field(default_factory=dict)

@@ -19,15 +19,16 @@ from .nastran_points import Points
 from .nastran_sets import card_sets, control_sets
 from .nastran_stale import STALE, stale_of
 from .numbers import parse_integer, parse_integers, parse_real, parse_reals
+from .placing import NASTRAN as PLACING
+from .placing import note_placing
 from .text import chunks
 
 SUFFIXES = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch")
 # Shells in one line: how many nodes.
 PLAIN_SHELLS = {"CTRIA3": 3, "CTRIAR": 3, "CQUAD4": 4, "CQUADR": 4}
 _FRAMES = frozenset(f"CORD{k}{kind}" for k in "12" for kind in "RCS")
-_OTHER = frozenset(
-    {"GRID", "GRDSET", "PSHELL", "SET1", "SET3", *PLAIN_SHELLS, *_FRAMES, *ELEMENTS, *STALE}
-)
+_KNOWN = frozenset({"GRID", "GRDSET", "PSHELL", "SET1", "SET3", *PLAIN_SHELLS, *_FRAMES})
+_OTHER = frozenset({*_KNOWN, *ELEMENTS, *STALE, *PLACING})
 
 
 def read_nastran(path: Path, opener: Opener) -> Deck:
@@ -263,6 +264,8 @@ class _Reader:
             for card in found:
                 add_weld_points(points, card)
         self.raw.blocks += points.blocks()
+        for card in found if name in PLACING else ():
+            note_placing(self.raw, name, (file, card.line))
         self.raw.stale += stale_of(file, name, found)
 
     def _whole(self, file: int, card: Card, position: int) -> int | None:

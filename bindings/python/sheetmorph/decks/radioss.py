@@ -12,6 +12,7 @@ from .deck import Deck
 from .includes import Included
 from .model import Elements, NamedSet, Opener, Place, Raw
 from .numbers import parse_integer, parse_real
+from .placing import note_placing, remember_placing
 
 SUFFIXES = (".rad",)
 # Elements: what they are, in which column of 10 their first node stands, how many there are.
@@ -55,7 +56,6 @@ class _Reader:
         self._bodies: list[tuple[int, int, int, int, int]] = []
         self._part_property: dict[int, int] = {}
         self._thickness: dict[int, float] = {}
-        self._submodels: list[int] = []
         self._parameters: dict[str, float] = {}
 
     def read(self) -> Deck:
@@ -84,12 +84,13 @@ class _Reader:
         first[filled] = text.codes[text.begins[filled]]
         is_include = self._includes(file, first)
         heads = np.flatnonzero(first == ord("/"))
-        heads = heads[[not text.line(k).startswith("//") for k in heads.tolist()]]
+        # Lines with // are comments, but for those around a submodel.
+        heads = heads[[_is_head(text.line(k)) for k in heads.tolist()]]
         if file:
             self._require_whole(file, first, int(heads[0]) if len(heads) else len(text))
         is_card = (first != ord("#")) & (first != ord("/")) & (first != 0) & ~is_include
         for line, end in zip(heads.tolist(), [*heads[1:].tolist(), len(text)]):
-            words = text.line(line).strip()[1:].split("/")
+            words = text.line(line).strip().lstrip("/").split("/")
             rows = np.flatnonzero(is_card[line + 1 : end]) + line + 1
             if self._block(file, [word.strip().upper() for word in words], (line, rows)):
                 break
@@ -126,10 +127,10 @@ class _Reader:
             self._nodes(file, at)
         elif name in _ELEMENTS and len(words) > 1:
             self._elements(file, name, (number, rows))
-        elif name in ("TRANSFORM", "CNODE"):
-            what = f"/{'/'.join(words)} places nodes"
-            if not self._submodels:
-                self.raw.notes.append(f"{what}: they stand in /NODE as they do before it")
+        elif name == "SUBMODEL":
+            self._submodel(file, words, at)
+        elif note_placing(self.raw, "/".join(words), (file, line)):
+            pass
         elif name == "RBODY" and len(rows) > 1:
             self._body(file, words, (line, rows))
         elif name == "GRNOD" and words[1:2] == ["NODE"]:
@@ -143,6 +144,13 @@ class _Reader:
             if "/".join(words).startswith(key):
                 self.raw.stale.append(Place(f"/{'/'.join(words)}", number, file, line, reason))
         return False
+
+    def _submodel(self, file: int, words: list[str], at: tuple[int, np.ndarray]) -> None:
+        """A submodel that may shift ids: behind its title, the offset of all, and of each kind."""
+        line, rows = at
+        shifts = [k for k in rows.tolist() if k > line + 1]
+        if any(number for k in shifts[:1] for number in self._numbers(file, np.array([k]))):
+            remember_placing(self.raw, "/".join(["", *words]), (file, line))
 
     def _version(self, file: int, line: int) -> None:
         version = parse_integer(self._fields(file, line, (10,))[0]) or 0
@@ -216,3 +224,7 @@ class _Reader:
         number = parse_integer(words[1]) or 0 if len(words) > 1 else 0
         lead, group = parse_integer(fields[0]) or 0, parse_integer(fields[4]) or 0
         self._bodies.append((number, lead, group, file, line))
+
+
+def _is_head(shown: str) -> bool:
+    return not shown.startswith("//") or shown[2:].upper().startswith(("SUBMODEL", "ENDSUB"))

@@ -12,6 +12,7 @@ import numpy as np
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
 from ..decks.joints import Joint, joints_of
 from ..decks.passengers import Carried, Passengers, rules_of
+from ..decks.placing import require_places
 from ..decks.stale import stale_report
 from ..errors import FileError, list_ids
 from ..labels import Labels
@@ -32,6 +33,7 @@ class DeckFile(PartFile):
 
     def __init__(self, path: Path):
         self.deck: Deck = read_deck(path)
+        require_places(self.deck)
         self.sheet = sheet_of(self.deck)
         if not len(self.sheet.triangles):
             todo = "choose a deck with shell elements"
