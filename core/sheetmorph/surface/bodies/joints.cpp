@@ -217,6 +217,14 @@ void Joints::restore(const std::vector<BodyState>& states)
     renew_levels();
 }
 
+void Joints::start_as_known()
+{
+    for (std::size_t k = 0; k < turners_.size(); ++k)
+        if (const int body = turners_[k].body; body >= 0)
+            states_[k] = state_of_motion(part_.roles.bodies[at(body)], known_.motions[at(body)]);
+    renew_levels();
+}
+
 void Joints::step(const Eigen::VectorXd& q)
 {
     for (std::size_t k = 0; k < turners_.size(); ++k)

@@ -37,6 +37,9 @@ public:
     //! Back to states() of before.
     void restore(const std::vector<BodyState>& states);
 
+    //! Puts every body exactly where its known motion has it, those that follow others too.
+    void start_as_known();
+
     //! Where a body of the part is: by its turner, or as it was known.
     BodyState state_of_body(int body) const;
 

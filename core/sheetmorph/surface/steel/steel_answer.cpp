@@ -47,6 +47,7 @@ SteelAnswer::Shape SteelAnswer::solve(const ShellPose& pose, const Progress& pro
 {
     const std::vector<Turner> turners = shell_turners(pose.part);
     Joints joints(pose.part, pose.targets, turners, pose.bodies);
+    joints.start_as_known();  // as the positions that the sheet starts from
     ShellMovers movers(mesh_, pose, joints, turners);
     ShellSystem shell({mesh_, pose.part, poisson_}, std::move(movers), joints);
     Shape found{pose.positions, {}, pose.bodies};
