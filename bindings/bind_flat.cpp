@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/base/errors.h"
 #include "sheetmorph/surface/flat/flattening.h"
 #include "arrays.h"
 #include "layers.h"
@@ -14,17 +15,28 @@ namespace sheetmorph
 namespace
 {
 
+std::pair<py::object, std::vector<double>> neutral_from(const py::object& neutral)
+{
+    try
+    {
+        return neutral.cast<std::pair<py::object, std::vector<double>>>();
+    }
+    catch (const py::cast_error&)
+    {
+        throw InvalidInput("neutral must be a pair of directions (m, 3) and numbers (m,)");
+    }
+}
+
 Flattening flattened(const TriangleMesh& mesh, const std::vector<VertexIds>& rims,
                      const py::object& neutral, const py::object& callback)
 {
     FlatInput input{mesh, rims};
     if (!neutral.is_none())
     {
-        const auto [directions, factors] = neutral.cast<std::pair<py::object, py::object>>();
+        const auto [directions, factors] = neutral_from(neutral);
         input.directions = points_from(directions, "directions");
-        const auto values = factors.cast<std::vector<double>>();
-        input.factors = Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                                          static_cast<Eigen::Index>(values.size()));
+        input.factors = Eigen::Map<const Eigen::VectorXd>(
+            factors.data(), static_cast<Eigen::Index>(factors.size()));
     }
     const Progress progress = progress_from(callback);
     const py::gil_scoped_release without_gil;

@@ -33,6 +33,38 @@ void require_sheet(const TriangleMesh& mesh, const EdgeTable& table)
         throw InvalidInput("the sheet is closed, so that it cannot be laid flat; cut it open");
 }
 
+void require_rims(const FlatInput& input)
+{
+    std::vector<char> is_taken(at(input.mesh.vertex_count()), 0);
+    for (std::size_t rim = 0; rim < input.rims.size(); ++rim)
+        for (const int vertex : input.rims[rim])
+        {
+            if (vertex < 0 || vertex >= input.mesh.vertex_count())
+                throw InvalidInput("rim " + std::to_string(rim) + " names vertex "
+                                   + std::to_string(vertex) + ", the sheet has "
+                                   + std::to_string(input.mesh.vertex_count()));
+            if (is_taken[at(vertex)])
+                throw InvalidInput("vertex " + std::to_string(vertex)
+                                   + " is in rims twice; let each be in one, once");
+            is_taken[at(vertex)] = 1;
+        }
+}
+
+void require_neutral(const FlatInput& input)
+{
+    const Eigen::Index count = input.factors.size();
+    if (count == 0 && input.directions.rows() == 0)
+        return;
+    if (count != input.mesh.triangle_count() || input.directions.rows() != count)
+        throw InvalidInput("a neutral fibre takes a direction and a factor for each of the "
+                           + std::to_string(input.mesh.triangle_count()) + " triangles, not "
+                           + std::to_string(input.directions.rows()) + " and "
+                           + std::to_string(count));
+    if (!input.directions.allFinite() || !input.factors.allFinite()
+        || !(input.factors.array() > 0.0).all())
+        throw InvalidInput("directions and factors of a neutral fibre are finite, factors above 0");
+}
+
 // Each as it wants to lie in the plane: as at rest, longer where the neutral fibre says so.
 std::vector<FlatTriangle> triangles_of(const TriangleMesh& mesh, const FlatInput& input)
 {
@@ -196,11 +228,15 @@ Flattening flatten(const FlatInput& input, const Progress& progress)
 {
     const EdgeTable table(input.mesh);
     require_sheet(input.mesh, table);
+    require_rims(input);
+    require_neutral(input);
     const Orientation orientation = consistent_orientation(input.mesh, table);
     if (!orientation.is_possible)
         throw InvalidInput("the sheet has one side only (a Moebius strip); cut it open");
     const TriangleMesh mesh = oriented(input.mesh, orientation);
     const std::vector<FlatTriangle> triangles = triangles_of(mesh, input);
+    if (triangles.empty())
+        throw InvalidInput("the sheet has no triangle with an area");
     progress.report(0.0, "laying flat");
     FlatSystem system(input, triangles, conformal_map(mesh, triangles));
     Flattening found;

@@ -38,7 +38,8 @@ struct Flattening
 //! 2002) on, the membrane energy of steel in the plane, by Newton's method. Kinematics alone: no
 //! press, no friction.
 //! \throws InvalidInput for a sheet that is closed, one-sided, in pieces, or has edges of more than
-//! two triangles
+//! two triangles; for rims that name a vertex it has not, or one twice; for a neutral fibre that
+//! has not one finite direction and one factor above 0 for each triangle
 //! \throws Cancelled if the progress callback asks for it
 Flattening flatten(const FlatInput& input, const Progress& progress = {});
 
