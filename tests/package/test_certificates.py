@@ -112,9 +112,29 @@ def test_a_run_is_certified_with_its_hole_round(folder: Path, capsys):
     (part,) = found["parts"]
     assert part["thickness"] == 1.5 and part["flipped"] == 0
     area = 80.0**2 - RING / 2 * 100 * np.sin(2 * np.pi / RING)
+    assert part["material"] == {"name": "steel", "density_t_mm3": 7.85e-9}
     assert part["mass"]["before_t"] == pytest.approx(area * 1.5 * 7.85e-9, rel=1e-9)
     page = (folder / "out" / "certificate.html").read_text()
     assert "passed" in page and page.count("<svg") > 4 and "http" not in page
+
+
+UNITS = {"t": (2.7e-9, 70000.0), "kg": (2.7e-6, 70.0), "g": (2.7e-3, 70000.0)}
+
+
+@pytest.mark.parametrize("unit", sorted(UNITS))
+def test_mass_and_time_step_are_of_the_material_of_the_deck(folder: Path, unit: str):
+    density, young = UNITS[unit]
+    card = f"*MAT_ELASTIC_TITLE\naluminium\n{1:10d}{density:10.2e}{young:10.1f}{0.33:10.2f}\n"
+    (folder / "plate.k").write_text(plate().replace("*END", card + "*END"))
+    recipe, out = folder / "recipe.json", folder / "out"
+    assert main(["run", str(recipe), "-o", str(out), "--quiet"]) == 0
+    (part,) = certify(recipe, out, read_criteria("static"), Targets())["parts"]
+    assert part["material"]["name"] == "*MAT_ELASTIC_TITLE 1"
+    assert part["material"]["density_t_mm3"] == pytest.approx(2.7e-9)
+    sound = np.sqrt(70e9 / (2700.0 * (1.0 - 0.33**2)))
+    assert part["time_step"]["sound_m_s"] == pytest.approx(sound)
+    area = 80.0**2 - RING / 2 * 100 * np.sin(2 * np.pi / RING)
+    assert part["mass"]["before_t"] == pytest.approx(area * 1.5 * 2.7e-9, rel=1e-9)
 
 
 def test_a_file_that_was_changed_afterwards_fails(folder: Path, capsys):

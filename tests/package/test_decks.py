@@ -232,3 +232,28 @@ def test_many_fields_are_read_as_single_ones_are():
     values, sound = parse_integers(codes)
     assert values[sound].tolist() == [12, -7, 0, 3, 12]
     assert sound.tolist() == [True] * 4 + [False] * 4 + [True]
+
+
+CARDS = b"PSHELL,1,4,1.5\nMAT1,4,70000.,%s,%s,2.7-9\nENDDATA\n"
+ALLOY = b"*Material, name=Steel\n*Density\n2.7e-9,\n*Elastic\n70000., 0.33\n"
+
+
+@pytest.mark.parametrize(
+    ("data", "name", "told"),
+    [
+        (NASTRAN.replace(b"ENDDATA\n", CARDS % (b"", b".33")), "a.bdf", "MAT1 4"),
+        (NASTRAN.replace(b"ENDDATA\n", CARDS % (b"26315.7895", b"")), "a.bdf", "MAT1 4"),
+        (ABAQUS + ALLOY, "a.inp", "*MATERIAL STEEL"),
+        (ABAQUS + ALLOY.replace(b"2.7e-9", b"2700."), "a.inp", "steel"),
+        (ABAQUS + ALLOY.replace(b"0.33", b"9"), "a.inp", "steel"),
+        (ABAQUS + ALLOY.replace(b"70000.", b"nonsense"), "a.inp", "steel"),
+        (ABAQUS, "a.inp", "steel"),
+    ],
+    ids=["poisson", "shear", "abaqus", "metres", "no ratio", "no number", "none"],
+)
+def test_the_material_of_shells(data: bytes, name: str, told: str):
+    found = read(data, name).raw.materials.of(1)
+    assert found.name == told
+    if told != "steel":
+        sound = np.sqrt(70e9 / (2700.0 * (1.0 - 0.33**2)))
+        assert found.density == 2.7e-9 and found.sound == pytest.approx(sound, rel=1e-6)

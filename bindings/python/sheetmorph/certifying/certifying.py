@@ -11,10 +11,11 @@ from typing import Any
 
 import numpy as np
 
+from ..decks.materials import STEEL
 from ..errors import FileError
 from ..files import FileSet
 from ..files.deck_file import DeckFile
-from ..finding.deck import part_thickness
+from ..finding.deck import part_material, part_thickness
 from ..kernel import load_kernel
 from ..recipe import filled, named_in, prepare, read_json
 from ..recipe.model import Model, RegionEntry, model_of
@@ -105,6 +106,7 @@ def _write(certificate: dict[str, Any], written: dict[str, Written], targets: Ta
 def _written(parts: Parts, folder: Path) -> tuple[dict[str, Written], list[dict[str, Any]]]:
     """The parts by name, and what decks tell of what hangs on them."""
     thickness = part_thickness(parts.sources)
+    materials = part_material(parts.sources)
     entries = {entry.name: entry for entry in parts.entries}
     found: dict[str, Written] = {}
     decks = []
@@ -122,9 +124,9 @@ def _written(parts: Parts, folder: Path) -> tuple[dict[str, Written], list[dict[
             given = entries[name].sheet.thickness or thickness.get(name, 0.0)
             mesh = parts.meshes[name]
             error = _width_error(source, mesh.points)
-            found[name] = Written(
-                mesh, places[vertices], _own_faces(faces, vertices, mesh), given, error
-            )
+            own = _own_faces(faces, vertices, mesh)
+            material = materials.get(name, STEEL)
+            found[name] = Written(mesh, places[vertices], own, given, error, material)
     return found, decks
 
 

@@ -12,13 +12,11 @@ import numpy as np
 
 from ..certificate import feature_edges
 from ..decks.following import rigid_motion
+from ..decks.materials import STEEL, Material
 from ..part_mesh import PartMesh
 from .criteria import Criteria
 from .quality import MEASURES, areas, measured, step_length
 
-# Sound in a sheet of steel, m/s, and its density, t/mm3.
-SOUND = 5420.0
-STEEL = 7.85e-9
 _ROUND = 0.12
 _BINS = 20
 
@@ -27,13 +25,14 @@ _BINS = 20
 class Written:
     """A part as it was and as it was written: its mesh at rest, (n, 3) places read from the file,
     faces (m, 4) with -1 in the last corner of triangles, thickness mm (0 if it is not known), and
-    what a coordinate in the file is good for, mm."""
+    what a coordinate in the file is good for, mm; material: of its sheet."""
 
     mesh: PartMesh
     places: np.ndarray
     faces: np.ndarray
     thickness: float
     width_error: float
+    material: Material = STEEL
 
 
 def feature_entry(core: Any, part: Written, name: str, vertices: np.ndarray) -> dict[str, Any]:
@@ -112,7 +111,8 @@ def part_entry(core: Any, part: Written, criteria: Criteria) -> dict[str, Any]:
     rest, moved, faces = part.mesh.points, part.places, part.faces
     flipped = core.compare_quality(rest, moved, part.mesh.triangles).flipped
     thickness = part.thickness or 1.0
-    sizes = [measured(areas, points, faces) * thickness * STEEL for points in (rest, moved)]
+    weight = thickness * part.material.density
+    sizes = [measured(areas, points, faces) * weight for points in (rest, moved)]
     return {
         "name": part.mesh.name,
         "elements": len(faces),
@@ -124,6 +124,7 @@ def part_entry(core: Any, part: Written, criteria: Criteria) -> dict[str, Any]:
         ],
         "newly_failing": int(_newly_failing(part, criteria).sum()),
         "thickness": part.thickness or None,
+        "material": {"name": part.material.name, "density_t_mm3": part.material.density},
         "mass": None if not part.thickness else _change(*(float(s.sum()) for s in sizes)),
         "area_change": _relative(*(float(s.sum()) for s in sizes)),
         "time_step": _steps(part, sizes, criteria.target),
@@ -178,9 +179,9 @@ def _newly_failing(part: Written, criteria: Criteria) -> np.ndarray:
 
 def _steps(part: Written, masses: list[np.ndarray], target: float | None) -> dict[str, Any]:
     """The explicit time step in ms, and the share of mass that scaling to a target adds."""
-    entry: dict[str, Any] = {"sound_m_s": SOUND, "target_ms": target}
+    entry: dict[str, Any] = {"sound_m_s": part.material.sound, "target_ms": target}
     for word, points, mass in zip(("before", "after"), (part.mesh.points, part.places), masses):
-        step = measured(step_length, points, part.faces) / SOUND
+        step = measured(step_length, points, part.faces) / part.material.sound
         entry[f"{word}_ms"] = float(step.min(initial=np.inf)) if len(step) else None
         added = None
         if target is not None and len(step):

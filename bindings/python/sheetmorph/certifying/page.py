@@ -24,7 +24,7 @@ _FEATURE_HEADS = (
 )
 _PART_HEADS = (
     *("part", "elements", "largest displacement, mm", "flipped", "newly failing"),
-    *("thickness, mm", "mass, kg", "area change, %", "time step before, µs", "after"),
+    *("thickness, mm", "material", "mass, kg", "area change, %", "time step before, µs", "after"),
     "mass added, share",
 )
 _QUALITY_HEADS = (
@@ -93,7 +93,8 @@ def _tables(entry: dict[str, Any]) -> str:
     ]
     parts = [
         [p["name"], p["elements"], p["largest_displacement"], p["flipped"], p["newly_failing"],
-         p["thickness"], None if p["mass"] is None else 1000.0 * p["mass"]["after_t"],
+         p["thickness"], p["material"]["name"],
+         None if p["mass"] is None else 1000.0 * p["mass"]["after_t"],
          100.0 * p["area_change"], _microseconds(p["time_step"]["before_ms"]),
          _microseconds(p["time_step"]["after_ms"]), p["time_step"]["added_mass_after"]]
         for p in entry["parts"]

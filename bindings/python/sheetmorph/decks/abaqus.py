@@ -69,6 +69,7 @@ class _Reader:
         self._system = 0
         self._sets = Sets(raw)
         self._elsets: dict[str, int] = {}
+        self._material_name = ""
 
     def read(self) -> Deck:
         self._file(self._included.first(self._path))
@@ -115,10 +116,28 @@ class _Reader:
             shown = lines.text.line(int(keyword.rows[0])).split(",")[0]
             if number is not None:
                 self.raw.thickness[number] = parse_real(shown) or 0.0
+                material = keyword.options.get("MATERIAL", "").upper()
+                self.raw.materials.of_property[number] = material
+        elif name in ("MATERIAL", "ELASTIC", "DENSITY"):
+            self._material(lines, keyword)
         else:
             add_joint(self._sets, lines, keyword)
         if _STALE.get(name):
             self.raw.stale.append(Place(f"*{name}", 0, lines.file, keyword.line, _STALE[name]))
+
+    def _material(self, lines: AbaqusLines, keyword: Keyword) -> None:
+        found = self.raw.materials
+        if keyword.name == "MATERIAL":
+            self._material_name = keyword.options.get("NAME", "").upper()
+            found.names[self._material_name] = f"*MATERIAL {self._material_name}"
+        elif len(keyword.rows):
+            values = [value or 0.0 for value in lines.reals(int(keyword.rows[0]))]
+            is_elastic = keyword.name == "ELASTIC"
+            if is_elastic and keyword.options.get("TYPE", "ISOTROPIC").upper()[:3] != "ISO":
+                return
+            tables = (found.young, found.poisson) if is_elastic else (found.density,)
+            for table, value in zip(tables, values):
+                table[self._material_name] = value
 
     def _scope(self, lines: AbaqusLines, keyword: Keyword) -> None:
         name = keyword.options.get("NAME", "").upper()

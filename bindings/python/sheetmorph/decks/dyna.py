@@ -29,6 +29,17 @@ _NODES = {
     "INITIAL_FOAM_REFERENCE_GEOMETRY": False,
     "BOUNDARY_PRESCRIBED_FINAL_GEOMETRY": False,
 }
+# Materials that begin with id, density, Young's modulus, Poisson's ratio.
+_MATERIALS = frozenset(
+    f"MAT_{name}"
+    for names in (
+        "ELASTIC 001 PLASTIC_KINEMATIC 003 POWER_LAW_PLASTICITY 018 RIGID 020",
+        "STRAIN_RATE_DEPENDENT_PLASTICITY 019 PIECEWISE_LINEAR_PLASTICITY 024",
+        "3-PARAMETER_BARLAT 036 TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC 037",
+        "SIMPLIFIED_JOHNSON_COOK 098 MODIFIED_PIECEWISE_LINEAR_PLASTICITY 123",
+    )
+    for name in names.split()
+)
 
 
 def read_dyna(path: Path, opener: Opener) -> Deck:
@@ -107,6 +118,8 @@ class _Reader:
             add_elements(cards, section, widths.label, widths.real)
         elif name.startswith(JOINTS):
             self._joints.add(cards, section)
+        elif name.removesuffix("_TITLE") in _MATERIALS:
+            self._material(cards, section)
         elif name in ("PART", "SECTION_SHELL", "SECTION_SHELL_TITLE"):
             self._properties(cards, section)
         self.raw.stale += stale_of(cards, section)
@@ -183,12 +196,24 @@ class _Reader:
                 self.raw.locked[number] = f"{shown.strip()} is a parameter"
         return line, number, values, fields[1:4]
 
+    def _material(self, cards: DynaCards, section: Section) -> None:
+        rows = section.rows.tolist()[1 if section.name.endswith("_TITLE") else 0 :]
+        if not rows:
+            return
+        key, *values = cards.fields(rows[0], cards.width)[:4]
+        found, key = self.raw.materials, key.strip()
+        tables = (found.density, found.young, found.poisson)
+        for table, value in zip(tables, values):
+            table[key] = parse_real(value) or 0.0
+        found.names[key] = f"*{section.name} {key}"
+
     def _properties(self, cards: DynaCards, section: Section) -> None:
         rows = section.rows.tolist()
         if section.name == "PART":
             for line in rows[1::2]:
                 fields = cards.fields(line, cards.width)
                 self._parts[parse_integer(fields[0]) or 0] = parse_integer(fields[1]) or 0
+                self.raw.materials.of_property[parse_integer(fields[0]) or 0] = fields[2].strip()
             return
         rows = rows[1:] if section.name.endswith("TITLE") else rows
         for one, two in zip(rows[::2], rows[1::2]):

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import FileError
+from .materials import Materials
 from .text import DeckText
 
 # How the number of a field is put back: in its columns; between commas; in place of a word; as
@@ -86,7 +87,8 @@ class Raw:
 
     mark: before exponents; wins: "last" where the last definition of a node counts, "same" where
     several must be equal; locked: nodes that are not to be moved, with the reason; thickness: of
-    shells by property; placing: cards that change where nodes are once they are read.
+    shells by property; materials: of these; placing: cards that change where nodes are once they
+    are read.
     """
 
     form: str
@@ -100,6 +102,7 @@ class Raw:
     notes: list[str] = field(default_factory=list)
     locked: dict[int, str] = field(default_factory=dict)
     thickness: dict[int, float] = field(default_factory=dict)
+    materials: Materials = field(default_factory=Materials)
     sets: list[NamedSet] = field(default_factory=list)
 
     def error(self, place: tuple[int, int], what: str, todo: str = "correct the card") -> FileError:

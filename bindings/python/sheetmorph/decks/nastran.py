@@ -27,7 +27,7 @@ SUFFIXES = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch")
 # Shells in one line: how many nodes.
 PLAIN_SHELLS = {"CTRIA3": 3, "CTRIAR": 3, "CQUAD4": 4, "CQUADR": 4}
 _FRAMES = frozenset(f"CORD{k}{kind}" for k in "12" for kind in "RCS")
-_KNOWN = frozenset({"GRID", "GRDSET", "PSHELL", "SET1", "SET3", *PLAIN_SHELLS, *_FRAMES})
+_KNOWN = frozenset({"GRID", "GRDSET", "MAT1", "PSHELL", "SET1", "SET3", *PLAIN_SHELLS, *_FRAMES})
 _OTHER = frozenset({*_KNOWN, *ELEMENTS, *STALE, *PLACING})
 
 
@@ -258,6 +258,10 @@ class _Reader:
         elif name == "PSHELL":
             for card in found:
                 self.raw.thickness[card.number(0)] = card.real(2)
+                self.raw.materials.of_property[card.number(0)] = card.text(1)
+        elif name == "MAT1":
+            for card in found:
+                self._material(card)
         if name in PLAIN_SHELLS or name in ELEMENTS:
             self.raw.elements += elements_of(self.raw, file, name, found)
         if name in ("CWELD", "CFAST", "CSEAM"):
@@ -267,6 +271,14 @@ class _Reader:
         for card in found if name in PLACING else ():
             note_placing(self.raw, name, (file, card.line))
         self.raw.stale += stale_of(file, name, found)
+
+    def _material(self, card: Card) -> None:
+        found, key = self.raw.materials, card.text(0)
+        young, shear = card.real(1), card.real(2)
+        found.young[key], found.density[key] = young, card.real(4)
+        is_given = card.text(3) or not (shear > 0.0 and young > 0.0)
+        found.poisson[key] = card.real(3) if is_given else young / (2.0 * shear) - 1.0
+        found.names[key] = f"MAT1 {key}"
 
     def _whole(self, file: int, card: Card, position: int) -> int | None:
         """A whole number; None if the field is blank. Raises FileError."""

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from ..decks.materials import Material
 from ..files.deck_file import DeckFile
 from ..part_mesh import PartMesh
 from ..recipe.parts import Source
@@ -30,6 +31,24 @@ def part_thickness(sources: Sequence[Source]) -> dict[str, float]:
             inside[vertices] = True
             of_part = values[inside[corners]]
             found[name] = float(np.median(of_part)) if len(of_part) else 0.0
+    return found
+
+
+def part_material(sources: Sequence[Source]) -> dict[str, Material]:
+    """By part: the material of most triangles of its shells, for parts of decks; steel where a
+    deck does not tell."""
+    found = {}
+    for source in sources:
+        if not isinstance(source.file, DeckFile):
+            continue
+        corners = source.file.mesh.triangles[:, 0]
+        for name, vertices in source.members.items():
+            inside = np.zeros(len(source.file.mesh.points), dtype=bool)
+            inside[vertices] = True
+            numbers, counts = np.unique(source.file.properties[inside[corners]], return_counts=True)
+            if len(numbers):
+                most = int(numbers[counts.argmax()])
+                found[name] = source.file.deck.raw.materials.of(most)
     return found
 
 
