@@ -145,6 +145,36 @@ TEST(FeatureRelations, ADistanceIsKept)
               0.1);
 }
 
+// How many times longer any edge became.
+double longest_draw(const Case& one, const Points& after)
+{
+    double worst = 0.0;
+    const Points& before = one.mesh.points();
+    for (int t = 0; t < one.mesh.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+        {
+            const int a = one.mesh.triangles()(t, k), b = one.mesh.triangles()(t, (k + 1) % 3);
+            worst = std::max(worst, (after.row(a) - after.row(b)).norm()
+                                        / (before.row(a) - before.row(b)).norm());
+        }
+    return worst;
+}
+
+TEST(FeatureRelations, SteelGoesAlongWithFeaturesOfADistance)
+{
+    Case one = strip_with_holes();
+    one.targets.handles = {
+        cases::motion({-30.0, 10.0, 40.0}, {0.2, 1.0, 0.1}, -35.0, {300.0, 50.0, 0.0})};
+    one.constraints.links = {{"bar", FeatureLinkType::distance, 2, 0, {}, {0, 0, 1}}};
+    const double linear = longest_draw(one, solve(one).positions);
+    one.constraints.energy = Energy::steel;
+    const Deformation shape = solve(one);
+    const Vector3 a = shape.features[0].apply(centre_of(one, 0));
+    const Vector3 b = shape.features[2].apply(centre_of(one, 2));
+    EXPECT_NEAR((a - b).norm(), 200.0, 1e-9);
+    EXPECT_LT(longest_draw(one, shape.positions), linear);
+}
+
 // Two holes one above the other: the ends of a bracket bent to a U.
 Case bracket()
 {
