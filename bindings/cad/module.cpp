@@ -246,6 +246,8 @@ py::dict as_dict(const CadMeasures& measures)
     found["edge_tolerance"] = measures.edge_tolerance;
     found["edge_tolerance_read"] = measures.edge_tolerance_read;
     found["vertex_tolerance"] = measures.vertex_tolerance;
+    found["volume_before"] = measures.volume_before;
+    found["volume_after"] = measures.volume_after;
     found["far_faces"] = measures.far_faces;
     py::list cylinders;
     for (const KeptCylinder& one : measures.cylinders)

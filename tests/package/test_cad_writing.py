@@ -111,6 +111,9 @@ def test_at_rest_every_face_is_kept(folder: Path):
     body = only_body(report)
     assert (body["kept"], body["fitted"]) == (8, 0)
     assert body["distance"]["value"] < 1e-9
+    assert body["volume_after"] == pytest.approx(body["volume_before"], rel=1e-12)
+    exact = 2.0 * (60.0 * 40.0 - np.pi * (3.0**2 + 5.0**2))
+    assert body["volume_after"] == pytest.approx(exact, rel=5e-3)
 
 
 def test_the_command_line_writes_step(folder: Path, capsys: pytest.CaptureFixture):

@@ -101,6 +101,18 @@ double largest_tolerance(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind)
     return worst;
 }
 
+// Inside a closed mesh, mm^3.
+double volume_of(const Points& points, const Triangles& triangles)
+{
+    const Vector3 middle = points.colwise().mean().transpose();
+    const auto corner = [&](Eigen::Index t, int k)
+    { return Vector3(points.row(triangles(t, k)).transpose() - middle); };
+    double sum = 0.0;
+    for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+        sum += corner(t, 0).dot(corner(t, 1).cross(corner(t, 2)));
+    return std::abs(sum) / 6.0;
+}
+
 bool is_closed(const TopoDS_Shape& shape)
 {
     TopTools_IndexedMapOfShape shells;
@@ -138,16 +150,23 @@ CadMeasures BodyMeasurer::measures(const Points& result, double tolerance) const
             ++found.kept;
         else
             found.fitted_faces.push_back(static_cast<int>(f));
-    measure_distances(found, result, tolerance);
+    const Points read = measure_distances(found, result, tolerance);
     measure_kinks(found);
     measure_cylinders(found);
     check_shape(found);
+    if (found.was_closed)
+    {
+        found.volume_before = volume_of(mesh_.rest, mesh_.triangles);
+        found.volume_after = volume_of(read, mesh_.triangles);
+    }
     return found;
 }
 
-void BodyMeasurer::measure_distances(CadMeasures& found, const Points& result,
-                                     double tolerance) const
+// The vertices of the mesh where the faces that were read have them.
+Points BodyMeasurer::measure_distances(CadMeasures& found, const Points& result,
+                                       double tolerance) const
 {
+    Points read = result;
     for (int f = 0; f < found.faces; ++f)
     {
         const TopoDS_Face face = TopoDS::Face(read_face(f));
@@ -158,12 +177,19 @@ void BodyMeasurer::measure_distances(CadMeasures& found, const Points& result,
         for (std::size_t i = 0; i < known.vertices.size(); ++i)
         {
             const Vector3 wanted = result.row(known.vertices[i]).transpose();
-            double distance = (surface.point(known.parameters[i]) - wanted).norm();
+            Vector3 there = surface.point(known.parameters[i]);
+            double distance = (there - wanted).norm();
             if (distance > 0.5 * tolerance)  // written with other parameters, perhaps
             {
-                projection.ValueOfUV(gp_Pnt(wanted(0), wanted(1), wanted(2)), 1e-7);
-                distance = std::min(distance, projection.Gap());
+                const gp_Pnt2d uv =
+                    projection.ValueOfUV(gp_Pnt(wanted(0), wanted(1), wanted(2)), 1e-7);
+                if (projection.Gap() < distance)
+                {
+                    distance = projection.Gap();
+                    there = to_vector(projection.Value(uv).XYZ());
+                }
             }
+            read.row(known.vertices[i]) = there.transpose();
             worst = std::max(worst, distance);
             if (distance > found.distance.value)
                 found.distance = {distance, f, wanted};
@@ -171,6 +197,7 @@ void BodyMeasurer::measure_distances(CadMeasures& found, const Points& result,
         if (!(worst <= tolerance))
             found.far_faces.push_back(f);
     }
+    return read;
 }
 
 void BodyMeasurer::measure_kinks(CadMeasures& found) const

@@ -21,7 +21,7 @@ public:
     CadMeasures measures(const Points& result, double tolerance) const;
 
 private:
-    void measure_distances(CadMeasures& found, const Points& result, double tolerance) const;
+    Points measure_distances(CadMeasures& found, const Points& result, double tolerance) const;
     void measure_kinks(CadMeasures& found) const;
     void measure_cylinders(CadMeasures& found) const;
     void check_shape(CadMeasures& found) const;

@@ -35,6 +35,8 @@ struct CadMeasures
     double edge_tolerance_read = 0.0;  //!< as read again
     double vertex_tolerance = 0.0;
     std::vector<KeptCylinder> cylinders;
+    double volume_before = 0.0;  //!< of a closed body's mesh, mm^3
+    double volume_after = 0.0;   //!< the same triangles, on the faces as read again
     std::vector<int> far_faces;  //!< beyond the tolerance of the surface
 };
 
