@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import sheetmorph
+import sheetmorph.decks
 from sheetmorph.cli import main
 from sheetmorph.kernel import load_kernel
 from sheetmorph.recipe import schema
@@ -51,6 +52,26 @@ def test_the_example_of_the_recipe_runs(tmp_path: Path, monkeypatch: pytest.Monk
     assert positions[13] == pytest.approx([40, 10, 20])
     report = json.loads((tmp_path / "report.json").read_text())
     assert report["features"][0]["edge_error"] < report["tolerance"]
+
+
+def test_the_way_of_a_deck_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    (deck,), (recipe,) = blocks("decks.md", "python"), blocks("decks.md", "json")
+    exec(compile(deck, "decks.md", "exec"), {})
+    (tmp_path / "recipe.json").write_text(recipe)
+    commands = [line for block in blocks("decks.md", "sh") for line in block.strip().split("\n")]
+    assert len(commands) == 5
+    for command in commands:
+        words = shlex.split(command)
+        assert words[0] == "sheetmorph" and main(words[1:]) == 0, command
+    assert (tmp_path / "same" / "plate.bdf").read_bytes() == Path("plate.bdf").read_bytes()
+    proof = json.loads((tmp_path / "proof.json").read_text())
+    (part,), (told,) = proof["parts"], proof["decks"]
+    assert proof["passed"] and part["material"]["name"] == "MAT1 1"
+    assert told["left"] == [] and told["joints"]["count"] >= 1
+    assert [card["card"] for card in told["stale"]] == ["CORD2R"]
+    moved = sheetmorph.decks.read_deck(tmp_path / "morphed" / "plate.bdf")
+    assert moved.points[moved.find(np.array([200]))[0], 2] > 0.5
 
 
 def test_the_recipe_document_names_every_key_of_the_schema():
