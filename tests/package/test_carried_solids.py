@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -17,6 +18,7 @@ from test_real_files import real_file
 
 _SCRIPT = """
 import os
+import re
 import FreeCAD
 import Import
 import Part
@@ -125,3 +127,29 @@ def test_inches_stay_inches(tmp_path: Path):
     bodies = write_model(model, tmp_path / "box.step", positions, CadWriting("step"))
     assert all(body["is_valid"] and body["distance"]["value"] < 0.01 for body in bodies)
     assert "CONVERSION_BASED_UNIT('INCH'" in (tmp_path / "box.step").read_text()
+
+
+def products_in(path: Path) -> set[str]:
+    """The names of all products in a STEP file."""
+    found = re.findall(r"= ?PRODUCT\s*\(\s*'[^']*'\s*,\s*'([^']*)'", path.read_text("latin-1"))
+    return set(found)
+
+
+def colours_in(path: Path) -> set[tuple[float, ...]]:
+    """The colours that a STEP file has, red, green and blue."""
+    found = re.findall(r"= ?COLOUR_RGB\s*\(\s*'[^']*'([^)]*)\)", path.read_text("latin-1"))
+    return {tuple(round(float(x), 6) for x in one.strip(", \r\n").split(",")) for one in found}
+
+
+def test_products_names_and_colours_come_back(tmp_path: Path):
+    path = real_file("03-laser4diy-enclosure/Enclosure_v3_v9.step")
+    model = read_cad(path).model
+    positions = [np.array(part.points) for part in model.parts]
+    bodies = write_model(model, tmp_path / "again.step", positions, CadWriting("step"))
+    assert all(body["kept"] == body["faces"] for body in bodies)
+    again = tmp_path / "again.step"
+    # Bodies beside the components of a product become a component without a name of its own.
+    assert products_in(again) - {"COMPOUND"} == products_in(path)
+    # Two appearances of one colour are one.
+    assert len(colours_in(again)) == 3
+    assert colours_in(again) == colours_in(path)
