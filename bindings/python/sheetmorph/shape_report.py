@@ -7,8 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from .errors import list_ids
 from .files.cad_writing import CadWriting
+from .part_mesh import PartMesh
 
 # Beyond it a kink is told, degrees; how far the radius of a kept cylinder may be off, mm.
 KINK, RADIUS = 0.1, 1e-9
@@ -55,8 +58,8 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
     """A sentence for everything that is not as the recipe wants it; flipped: triangles of its mesh
     that fold over."""
     crossings = shape["self_intersections"]
-    if flipped or crossings["deformed"] > crossings["rest"]:
-        what = f"{flipped} triangles fold over" if flipped else "it passes through itself"
+    what = _fold(flipped, crossings["rest"], crossings["deformed"])
+    if what:
         yield (
             f'"{part}" cannot be written as {shape["format"].upper()}: its mesh folds ({what}), '
             "and so would its faces; turn it less, or mesh it finer"
@@ -67,6 +70,22 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
         if body["name"] != part:
             lead += f', "{body["name"]}"'
         yield from (f"{lead}: {text}" for text in _body_failures(body, shape))
+
+
+def fold_of(core: Any, mesh: PartMesh, positions: np.ndarray) -> str:
+    """What of a part's mesh folds at positions (n, 3), in a few words; empty if nothing does."""
+    flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
+    rest, deformed = (
+        len(core.self_intersections(core.TriangleMesh(np.array(points), mesh.triangles)))
+        for points in (mesh.points, positions)
+    )
+    return _fold(flipped, rest, deformed)
+
+
+def _fold(flipped: int, rest: int, deformed: int) -> str:
+    if flipped:
+        return f"{flipped} triangles fold over"
+    return "it passes through itself" if deformed > rest else ""
 
 
 def kink_notes(part: str, shape: dict[str, Any]) -> Iterator[str]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from freecad.sheetmorph.bridge import kernel, shapes, solving
+from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.errors import MorphError
 
@@ -17,6 +18,7 @@ def deformed_shape(part):
     not made from a shape, its mesh was changed or folds, a tolerance is missed.
     """
     positions = solving.deform(assembly_of(part))[part.Name]
+    _require_unfolded(part, positions)
     shape, body = shapes.carried_shape(part, positions)
     faults = kernel.load().shape_report.body_faults(body)
     if faults:
@@ -29,6 +31,17 @@ def deformed_shape(part):
     feature.Shape = shape
     feature.Placement = shapes.placement_of(part).multiply(shape.Placement)
     return feature
+
+
+def _require_unfolded(part, positions) -> None:
+    package, rest = kernel.load(), read_rest(part)
+    mesh = package.PartMesh(rest.points, rest.triangles)
+    fold = package.shape_report.fold_of(kernel.core(), mesh, positions)
+    if fold:
+        raise MorphError(
+            f"The mesh of part '{part.Label}' folds ({fold}), and so would the faces of its shape: "
+            "turn its handles less, or mesh it finer."
+        )
 
 
 def update_shapes(assembly) -> list:

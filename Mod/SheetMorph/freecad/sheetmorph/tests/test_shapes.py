@@ -82,6 +82,15 @@ class TestDeformedShapes(test_cad.CadTest):
         self.assertEqual(len(self.radii(shape)), 2)
         self.assertAlmostEqual(shape.BoundBox.XMax, points[:, 0].max(), delta=0.02)
 
+    def test_a_mesh_that_folds_makes_no_shape(self):
+        part = self.bent_plate()
+        handle = next(o for o in self.document.Objects if o.Label.startswith("Handle"))
+        api.set_motion(handle, (-200, 0, 0))
+        self.document.recompute()
+        with self.assertRaisesRegex(MorphError, "folds .*turn its handles less"):
+            api.deformed_shape(part)
+        self.assertIsNone(part.DeformedShape)
+
     def test_a_mesh_has_no_shape(self):
         source = self.document.addObject("Mesh::Feature", "Mesh")
         source.Mesh = Mesh.createBox(4, 4, 4)
