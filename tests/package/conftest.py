@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from part_samples import samples
+from plates import plate, recipe_of, save_recipe, write_plate
 
 
 @pytest.fixture(params=sorted(samples()))
@@ -16,3 +17,13 @@ def sample(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     path = tmp_path / request.param
     path.write_bytes(samples()[request.param])
     return path
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with plate.obj and recipe.json; the working folder of the test."""
+    part = plate()
+    write_plate(part, tmp_path / "plate.obj", "obj")
+    save_recipe(recipe_of(part, "plate.obj"), tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path

@@ -17,21 +17,11 @@ from typing import Any
 import jsonschema
 import pytest
 
-from plates import plate, recipe_of, save_recipe, write_plate
+from plates import plate, save_recipe
 import sheetmorph
 from sheetmorph import Result, Session
 from sheetmorph.cli import main
 from sheetmorph.report import report_schema
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with plate.obj and recipe.json; the working folder of the test."""
-    part = plate()
-    write_plate(part, tmp_path / "plate.obj", "obj")
-    save_recipe(recipe_of(part, "plate.obj"), tmp_path)
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 def change(folder: Path, **entries: object) -> None:

@@ -12,7 +12,6 @@ import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from plates import plate, recipe_of, save_recipe, write_plate
 from sheetmorph.cli import main
 from sheetmorph.pictures import Arrow, PictureError, Scene, Sheet, draw, drawing
 from sheetmorph.pictures.scene import ROLES
@@ -71,31 +70,21 @@ def test_a_driver_that_gives_up_is_one_sentence(tmp_path: Path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.fixture
-def recipe(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
-    """A recipe of a plate in the working folder of the test."""
-    part = plate()
-    write_plate(part, tmp_path / "plate.obj", "obj")
-    save_recipe(recipe_of(part, "plate.obj"), tmp_path)
-    monkeypatch.chdir(tmp_path)
-    return "recipe.json"
-
-
-def test_show_draws_what_a_recipe_means(recipe: str, capsys):
-    assert main(["show", recipe, "-o", "rest.png", "--view", "0.1,-0.3,1"]) == 0
+def test_show_draws_what_a_recipe_means(folder: Path, capsys):
+    assert main(["show", "recipe.json", "-o", "rest.png", "--view", "0.1,-0.3,1"]) == 0
     picture = pixels(Path("rest.png"))
     for role in ("fixed", "handle", "form feature"):
         assert share_near(picture, ROLES[role]) > 1e-4, role
-    assert main(["show", recipe, "-o", "moved.png", "--after"]) == 0
+    assert main(["show", "recipe.json", "-o", "moved.png", "--after"]) == 0
     moved = pixels(Path("moved.png"))
     assert share_near(moved, ROLES["fixed"], 20) == 0.0
-    assert main(["show", recipe, "-o", "no.png", "--pose", "open"]) == 2
+    assert main(["show", "recipe.json", "-o", "no.png", "--pose", "open"]) == 2
     assert 'there is no pose "open"' in capsys.readouterr().err
     assert not Path("no.png").exists()
 
 
-def test_run_puts_pictures_beside_the_parts(recipe: str):
-    assert main(["run", recipe, "-o", "out", "--pictures"]) == 0
+def test_run_puts_pictures_beside_the_parts(folder: Path):
+    assert main(["run", "recipe.json", "-o", "out", "--pictures"]) == 0
     assert sorted(path.name for path in Path("out").iterdir()) == [
         "after.png",
         "before.png",

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from plates import plate, recipe_of, save_recipe, write_plate
+from plates import save_recipe
 from sheetmorph.cli import main
 from sheetmorph.errors import RecipeError
 from sheetmorph.files.comments import plain_json
@@ -62,16 +62,6 @@ def test_a_mistake_in_toml_is_told_where_it_is(tmp_path: Path, text: str, place:
     path.write_text(text)
     with pytest.raises(RecipeError, match=f"{place}: not TOML"):
         read_json(path)
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with plate.obj and recipe.json; the working folder of the test."""
-    part = plate()
-    write_plate(part, tmp_path / "plate.obj", "obj")
-    save_recipe(recipe_of(part, "plate.obj"), tmp_path)
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
 
 
 def test_every_entry_that_is_wrong_has_its_line(folder: Path, capsys):

@@ -64,14 +64,20 @@ def run_find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     text = one_line_each(found)
     if wanted.output is None:
         return [text]
+    path = write_text(wanted, text + "\n", files)
+    features, contacts = len(found["features"]), len(found["contacts"])
+    return [f"{path}: {features} feature(s), {contacts} contact(s)"]
+
+
+def write_text(wanted: argparse.Namespace, text: str, files: FileSet) -> Path:
+    """Writes what a command found in files to where its -o says. Raises RecipeError, FileError."""
     path = Path(wanted.output)
     if any(path.resolve() == Path(file).resolve() for file in wanted.files):
         raise RecipeError([Fault("-o", f"{path} is one of the files", "name another file")])
     with files:
-        files.temporary_for(path).write_text(text + "\n", "utf-8")
+        files.temporary_for(path).write_text(text, "utf-8")
         files.commit()
-    features, contacts = len(found["features"]), len(found["contacts"])
-    return [f"{path}: {features} feature(s), {contacts} contact(s)"]
+    return path
 
 
 def _known_kinds(kinds: list[str]) -> list[str]:

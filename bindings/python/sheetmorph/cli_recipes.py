@@ -10,8 +10,8 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from .cli_find import write_text
 from .cli_progress import progress_on
-from .errors import Fault, RecipeError
 from .files.atomic import FileSet
 
 _SCHEMAS = ("recipe", "report", "find", "doctor")
@@ -55,12 +55,7 @@ def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
         text = starting_recipe(wanted.files, folder, progress)
     if not wanted.output:
         return [text.rstrip("\n")]
-    path = Path(wanted.output)
-    if any(path.resolve() == Path(file).resolve() for file in wanted.files):
-        raise RecipeError([Fault("-o", f"{path} is one of the files", "name another file")])
-    with files:
-        files.temporary_for(path).write_text(text, "utf-8")
-        files.commit()
+    path = write_text(wanted, text, files)
     return [f"{path}: written; look at it with `show`, edit it, `run` it"]
 
 

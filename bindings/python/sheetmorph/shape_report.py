@@ -12,6 +12,7 @@ import numpy as np
 from .errors import list_ids
 from .files.cad_writing import CadWriting
 from .part_mesh import PartMesh
+from .thin import crossing_counts
 
 # Beyond it a kink is told, degrees; how far the radius of a kept cylinder may be off, mm.
 KINK, RADIUS = 0.1, 1e-9
@@ -75,11 +76,7 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
 def fold_of(core: Any, mesh: PartMesh, positions: np.ndarray) -> str:
     """What of a part's mesh folds at positions (n, 3), in a few words; empty if nothing does."""
     flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
-    rest, deformed = (
-        len(core.self_intersections(core.TriangleMesh(np.array(points), mesh.triangles)))
-        for points in (mesh.points, positions)
-    )
-    return _fold(flipped, rest, deformed)
+    return _fold(flipped, *crossing_counts(core, mesh, positions))
 
 
 def _fold(flipped: int, rest: int, deformed: int) -> str:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from .answer import Answer
+from .part_mesh import PartMesh
 
 
 def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
@@ -45,11 +46,17 @@ def crossings(result: Answer, part: str) -> tuple[int, int]:
     if part not in result.crossings:
         mesh = result.session.meshes[part]
         core = result.session.core
-        result.crossings[part] = tuple(
-            len(core.self_intersections(core.TriangleMesh(np.array(points), mesh.triangles)))
-            for points in (mesh.points, result.positions[part])
-        )
+        result.crossings[part] = crossing_counts(core, mesh, result.positions[part])
     return result.crossings[part]
+
+
+def crossing_counts(core: Any, mesh: PartMesh, positions: np.ndarray) -> tuple[int, int]:
+    """The same of a mesh and positions (n, 3) of its vertices."""
+    rest, deformed = (
+        len(core.self_intersections(core.TriangleMesh(np.array(points), mesh.triangles)))
+        for points in (mesh.points, positions)
+    )
+    return rest, deformed
 
 
 def thin_failures(result: Answer, tol: float) -> list[str]:
