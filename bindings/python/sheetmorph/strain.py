@@ -67,19 +67,44 @@ def principal_stretches(
     directions (m, 3) of length 1 and factors (m,) by which each triangle is longer along them
     without being stretched.
     """
-    gradients, axes = _shape_gradients(rest, triangles)
-    gradient = np.einsum("mik,mil->mkl", positions[triangles], gradients)
-    if wanted is not None:
-        along = np.einsum("mik,mk->mi", axes, wanted[0])
-        shorter = (1.0 / np.asarray(wanted[1]) - 1.0)[:, None, None]
-        undone = np.eye(2) + shorter * along[:, :, None] * along[:, None, :]
-        gradient = gradient @ undone
-    with np.errstate(all="ignore"):
-        metric = np.einsum("mki,mkj->mij", gradient, gradient)
-        mean = 0.5 * (metric[:, 0, 0] + metric[:, 1, 1])
-        half = np.hypot(0.5 * (metric[:, 0, 0] - metric[:, 1, 1]), metric[:, 0, 1])
-        squares = np.column_stack([mean + half, mean - half])
-        return np.sqrt(np.maximum(squares, 0.0))
+    return PrincipalStretches(rest, triangles, wanted)(positions)
+
+
+class PrincipalStretches:
+    """principal_stretches() of many positions of one mesh: what rest says is worked out once."""
+
+    def __init__(
+        self,
+        rest: np.ndarray,
+        triangles: np.ndarray,
+        wanted: tuple[np.ndarray, np.ndarray] | None = None,
+    ):
+        gradients, axes = _shape_gradients(rest, triangles)
+        if wanted is not None:
+            along = np.einsum("mik,mk->mi", axes, wanted[0])
+            shorter = (1.0 / np.asarray(wanted[1]) - 1.0)[:, None, None]
+            gradients = gradients @ (np.eye(2) + shorter * along[:, :, None] * along[:, None, :])
+        self._triangles = np.asarray(triangles)
+        # The gradients of the three corners add up to nothing: two sides tell the deformation.
+        with np.errstate(all="ignore"):
+            (a, b), (c, d) = gradients[:, 1].T, gradients[:, 2].T
+            self._metric = (
+                (a * a, 2.0 * a * c, c * c),
+                (a * b, a * d + b * c, c * d),
+                (b * b, 2.0 * b * d, d * d),
+            )
+
+    def __call__(self, positions: np.ndarray) -> np.ndarray:
+        """(m, 2) for positions (n, 3)."""
+        first, second, third = (positions[corners] for corners in self._triangles.T)
+        one, other = second - first, third - first
+        pairs = ((one, one), (one, other), (other, other))
+        dots = [np.einsum("mk,mk->m", a, b) for a, b in pairs]
+        with np.errstate(all="ignore"):
+            xx, xy, yy = (sum(map(np.multiply, row, dots)) for row in self._metric)
+            mean, half = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy)
+            squares = np.column_stack([mean + half, mean - half])
+            return np.sqrt(np.maximum(squares, 0.0))
 
 
 def curvature_changes(rest: np.ndarray, positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -13,7 +13,6 @@ import platform
 import sys
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
-from collections.abc import Callable
 from types import ModuleType
 
 KERNEL_API = 1
@@ -74,10 +73,10 @@ def flat() -> ModuleType:
     return importlib.import_module("sheetmorph.flat")
 
 
-def principal_stretches() -> Callable:
-    """Return the function of the package that measures stretch."""
+def stretches() -> type:
+    """Return the class of the package that measures stretch, a mesh at a time."""
     load()
-    return importlib.import_module("sheetmorph.strain").principal_stretches
+    return importlib.import_module("sheetmorph.strain").PrincipalStretches
 
 
 def is_available() -> bool:

@@ -70,7 +70,7 @@ class LiveScene:
             return live_values.Gaps(kernel.core(), meshes, self._sides())
         if kind == STRETCH:
             meshes = {name: (rest.points, rest.triangles) for name, rest in parts.items()}
-            return live_values.Stretch(kernel.principal_stretches(), meshes)
+            return live_values.Stretch(kernel.stretches(), meshes)
         return None
 
     def remove(self) -> None:

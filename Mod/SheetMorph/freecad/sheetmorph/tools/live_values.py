@@ -53,21 +53,32 @@ class Stretch:
     unit, worst = "%", "largest stretch"
 
     def __init__(self, stretches, meshes: dict[str, tuple]):
-        """``stretches``: sheetmorph.strain.principal_stretches; ``meshes``: by part points (n, 3)
+        """``stretches``: sheetmorph.strain.PrincipalStretches; ``meshes``: by part points (n, 3)
         at rest and triangles (m, 3)."""
-        self._stretches, self._meshes = stretches, meshes
+        self._parts = {
+            name: (stretches(rest, triangles), len(rest), *_around(triangles))
+            for name, (rest, triangles) in meshes.items()
+        }
 
     def __call__(self, positions: Positions) -> Positions:
         """The values (n,) by part."""
         found = {}
-        for name, (rest, triangles) in self._meshes.items():
-            stretches = self._stretches(rest, positions[name], triangles)
-            strain = np.nan_to_num(100.0 * np.abs(stretches - 1.0).max(axis=1))
-            values = np.full(len(rest), np.nan)
-            for corner in range(3):
-                np.fmax.at(values, triangles[:, corner], strain)
+        for name, (stretches, count, vertices, order, starts) in self._parts.items():
+            strain = 100.0 * np.abs(stretches(positions[name]) - 1.0).max(axis=1)
+            values = np.full(count, np.nan)
+            if len(order):
+                values[vertices] = np.maximum.reduceat(np.nan_to_num(strain)[order], starts)
             found[name] = values
         return found
+
+
+def _around(triangles):
+    """The vertices that triangles (m, 3) have, the triangles around one after the other, and where
+    those of each begin."""
+    corners = np.asarray(triangles).ravel()
+    order = np.argsort(corners, kind="stable")
+    vertices, starts = np.unique(corners[order], return_index=True)
+    return vertices, order // 3, starts
 
 
 @dataclass(frozen=True, eq=False)
