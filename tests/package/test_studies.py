@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 import sheetmorph
+from sheetmorph.certifying import certify, read_criteria
 from sheetmorph.cli import main
 from sheetmorph.study import study_schema
 from study_samples import contents, rows_of, write_recipe, write_study
@@ -45,7 +46,40 @@ def test_every_variant_has_its_files_and_a_row(tmp_path: Path):
         assert told["parameters"]["lift"] == float(row["lift"])
         assert float(row["tip"]) == pytest.approx(float(row["lift"]), abs=1e-12)
         proof = json.loads((folder / "certificate.json").read_text())
-        assert proof["certificate"]["passed"] and "timings" not in proof
+        assert proof["passed"] and proof["failures"] == []
+
+
+def test_certificates_are_those_of_certify(tmp_path: Path):
+    jsonschema = pytest.importorskip("jsonschema")
+    out = study(tmp_path, parameters={"lift": {**LIFT, "steps": 2}}, sampling={}, certify="static")
+    schema = Path(sheetmorph.__file__).parent / "certificate.schema.json"
+    found = json.loads((out / "000001" / "certificate.json").read_text())
+    jsonschema.validate(found, json.loads(schema.read_text()))
+    recipe = json.loads((tmp_path / "recipe.json").read_text())
+    recipe["pose"]["tip"]["translation"][2] = 10
+    (tmp_path / "recipe.json").write_text(json.dumps(recipe))
+    single = certify(tmp_path / "recipe.json", out / "000001", read_criteria("static"))
+    own = {key: found[key] for key in single if key != "inputs"}
+    assert own == {key: value for key, value in single.items() if key != "inputs"}
+    assert found["study"]["measures"] == {} and found["study"]["pose"] == recipe["pose"]
+
+
+def test_elements_that_newly_fail_fail_a_variant(tmp_path: Path):
+    criteria = {"elements": {"min_angle": {"min": 44.999}}}
+    (tmp_path / "mine.json").write_text(json.dumps(criteria))
+    lift = {"path": LIFT["path"], "values": [30]}
+    out = study(tmp_path, parameters={"lift": lift}, sampling=None, certify="mine.json")
+    (row,) = rows_of(out)
+    assert row["status"] == "failed" and "newly fail the criteria" in row["why"]
+
+
+def test_certificates_alone_are_of_files_all_the_same(tmp_path: Path):
+    whole = contents(study(tmp_path))
+    alone = contents(study(tmp_path, write=["certificate"]))
+    for name, data in alone.items():
+        if name.endswith("certificate.json"):
+            assert data == whole[name] and json.loads(data)["outputs"][0]["file"] == "plate.obj"
+    assert not any(name.endswith(".obj") for name in alone)
 
 
 def test_a_variant_is_what_run_makes_of_the_changed_recipe(tmp_path: Path):
@@ -108,7 +142,7 @@ def test_poses_are_blended_by_their_shares(tmp_path: Path):
     for row in rows_of(out):
         assert float(row["tip"]) == pytest.approx(12 + 12 * float(row["up"]), abs=1e-9)
         run = out / f"{int(row['run']):06d}" / "certificate.json"
-        pose = json.loads(run.read_text())["pose"]
+        pose = json.loads(run.read_text())["study"]["pose"]
         assert pose["tip"]["rotation"]["degrees"] == pytest.approx(45.0)
         assert pose["tip"]["rotation"]["axis"] == pytest.approx([0, -1, 0])
 
@@ -188,7 +222,7 @@ def test_what_breaks_a_criterion_fails_and_has_no_parts(tmp_path: Path):
     assert high["why"] == "z is 10, at most 5 is allowed"
     assert not (out / "000001" / "plate.obj").exists()
     proof = json.loads((out / "000001" / "certificate.json").read_text())
-    assert proof["certificate"]["failures"] == [high["why"]]
+    assert proof["failures"] == [high["why"]]
 
 
 def test_what_the_kernel_refuses_is_a_row_that_says_why(tmp_path: Path):

@@ -230,7 +230,7 @@ class Writer:
         try:
             with files:
                 out.mkdir(parents=True, exist_ok=True)
-                report = self._fill(files)
+                report, _ = self._fill(files)
                 if report["certificate"]["passed"]:
                     files.commit()
         finally:
@@ -240,14 +240,15 @@ class Writer:
             _fail(report, self.places.report)
         return report
 
-    def write_parts(self) -> dict[str, Any]:
-        """The same into a folder that is new; its owner flushes it, or removes it."""
+    def write_parts(self) -> tuple[dict[str, Any], dict[str, WrittenPart]]:
+        """The same into a folder that is new; its owner flushes it, or removes it. Returns the
+        report, and the parts as their files hold them, by name."""
         with FileSet(flushed=False) as files:
-            report = self._fill(files)
+            report, parts = self._fill(files)
             files.commit()
-        return report
+        return report, parts
 
-    def _fill(self, files: FileSet) -> dict[str, Any]:
+    def _fill(self, files: FileSet) -> tuple[dict[str, Any], dict[str, WrittenPart]]:
         begin = time.perf_counter()
         parts: dict[str, WrittenPart] = {}
         for source in self.sources:
@@ -259,7 +260,7 @@ class Writer:
         report = make_report(self.result, parts, taken, decks=decks)
         if self.places.report is not None:
             _put_report(files, self.places.report, report)
-        return report
+        return report, parts
 
     def _written_parts(self, files: FileSet, source: Source) -> dict[str, WrittenPart]:
         """Write the file of some parts; what it holds of each, by part name."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import itertools
 import json
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,9 @@ from ..recipe.model import Model, RegionEntry, model_of
 from ..recipe.parts import Parts, Source
 from .criteria import Criteria
 from .measuring import (
+    RestContact,
+    RestFeature,
+    Sheet,
     Written,
     contact_entry,
     digest,
@@ -67,25 +71,79 @@ def certify(
         parts = prepare(recipe, path.parent)
     whole = parts.resolved.recipe
     model = model_of(whole if parts.found is None else filled(whole, parts.found))
-    written, decks = _written(parts, folder)
-    core = load_kernel()
-    entry = {
-        "sheetmorph_certificate": 1,
-        "criteria": {"name": criteria.name, "elements": criteria.elements},
-        "features": _features(core, model, written),
-        "contacts": _contacts(core, model, written),
-        "parts": [part_entry(core, part, criteria) for part in written.values()],
-        "penetrations": _penetrations(core, written),
-        "decks": decks,
-        "inputs": _digests([path, *(f for s in parts.sources for f in s.file.files_read)]),
-        "outputs": _digests([f for s in parts.sources for f in s.file.targets(folder)]),
-    }
-    failures = _failures(entry, criteria)
-    certificate = {**entry, "passed": not failures, "failures": failures}
+    certifier = Certifier(parts, model, criteria, path)
+    places = {name: at for s in parts.sources for name, at in _places_in(s, folder).items()}
+    written = certifier.written(places)
+    sized = {name for name, motion in model.pose.items() if motion.size is not None}
+    certificate = certifier.certificate(folder, written, sized)
     _write(certificate, written, targets)
-    if failures:
+    if not certificate["passed"]:
         raise NotCertified(certificate)
     return certificate
+
+
+class Certifier:
+    """Certifies runs of one recipe: what they start from is measured once.
+
+    model: with a vertex list for every region; recipe: its file.
+    """
+
+    def __init__(self, parts: Parts, model: Model, criteria: Criteria, recipe: Path):
+        self._core = load_kernel()
+        self._sources, self._criteria = parts.sources, criteria
+        self._sheets = _sheets(parts)
+        regions = [region for region in model.of_kind("feature") if region.part in self._sheets]
+        self._features = [self._rest_feature(region) for region in regions]
+        self._sized = {region.name for region in regions if region.size is not None}
+        self._contacts = [
+            self._rest_contact(contact)
+            for contact in model.contacts
+            if contact.a.part in self._sheets and contact.b.part in self._sheets
+        ]
+        read = [path for source in self._sources for path in source.file.files_read]
+        self._inputs = _digests([recipe, *read])
+
+    def written(self, places: Mapping[str, np.ndarray]) -> dict[str, Written]:
+        """The parts beside their places (n, 3) as the files hold them, by name."""
+        return {name: Written(sheet, places[name]) for name, sheet in self._sheets.items()}
+
+    def certificate(
+        self, folder: Path, written: dict[str, Written], sized: Collection[str] = ()
+    ) -> dict[str, Any]:
+        """The certificate of the files in a folder; sized: features that a pose gives a size."""
+        core, criteria = self._core, self._criteria
+        entry = {
+            "sheetmorph_certificate": 1,
+            "criteria": {"name": criteria.name, "elements": criteria.elements},
+            "features": [self._feature(one, written, sized) for one in self._features],
+            "contacts": [
+                contact_entry(one, (written[one.parts[0]], written[one.parts[1]]))
+                for one in self._contacts
+            ],
+            "parts": [part_entry(core, part, criteria) for part in written.values()],
+            "penetrations": _penetrations(written),
+            "decks": [told for source in self._sources for told in _told_again(source, folder)],
+            "inputs": self._inputs,
+            "outputs": _digests([f for s in self._sources for f in s.file.targets(folder)]),
+        }
+        failures = _failures(entry, criteria)
+        return {**entry, "passed": not failures, "failures": failures}
+
+    def _rest_feature(self, region: RegionEntry) -> RestFeature:
+        sheet = self._sheets[region.part]
+        return RestFeature(self._core, sheet, region.name, _vertices(region, sheet))
+
+    def _rest_contact(self, contact: Any) -> RestContact:
+        one, two = (self._sheets[side.part] for side in (contact.a, contact.b))
+        rows = _vertices(contact.a, one), _vertices(contact.b, two)
+        return RestContact(contact.name, (one, two), rows)
+
+    def _feature(
+        self, feature: RestFeature, written: dict[str, Written], sized: Collection[str]
+    ) -> dict[str, Any]:
+        entry = feature_entry(self._core, written[feature.part], feature)
+        is_sized = feature.name in self._sized or feature.name in sized
+        return {**entry, "allowed": None} if is_sized else entry
 
 
 def _digests(paths: list[Path]) -> list[dict[str, str]]:
@@ -103,45 +161,44 @@ def _write(certificate: dict[str, Any], written: dict[str, Written], targets: Ta
         files.commit()
 
 
-def _written(parts: Parts, folder: Path) -> tuple[dict[str, Written], list[dict[str, Any]]]:
-    """The parts by name, and what decks tell of what hangs on them."""
+def _sheets(parts: Parts) -> dict[str, Sheet]:
+    """The parts at rest, by name."""
     thickness = part_thickness(parts.sources)
     materials = part_material(parts.sources)
     entries = {entry.name: entry for entry in parts.entries}
-    found: dict[str, Written] = {}
-    decks = []
+    found: dict[str, Sheet] = {}
     for source in parts.sources:
-        place = folder / source.file.output_name
-        if not place.is_file():
-            todo = "name the folder that a run of this recipe wrote"
-            raise FileError(place, "there is no such file", todo)
-        stored = _stored(source, place)
-        told = _told_again(source, stored, place)
-        decks += [told] if told else []
         faces = _faces(source)
-        places = source.placement.placed(stored)
         for name, vertices in source.members.items():
             given = entries[name].sheet.thickness or thickness.get(name, 0.0)
             mesh = parts.meshes[name]
-            error = _width_error(source, mesh.points)
             own = _own_faces(faces, vertices, mesh)
-            material = materials.get(name, STEEL)
-            found[name] = Written(mesh, places[vertices], own, given, error, material)
-    return found, decks
+            error = _width_error(source, mesh.points)
+            found[name] = Sheet(name, mesh, own, given, error, materials.get(name, STEEL))
+    return found
 
 
-def _stored(source: Source, place: Path) -> np.ndarray:
+def _places_in(source: Source, folder: Path) -> dict[str, np.ndarray]:
+    """Places (n, 3) of the parts of a file that was written into a folder, by name."""
+    place = folder / source.file.output_name
+    if not place.is_file():
+        todo = "name the folder that a run of this recipe wrote"
+        raise FileError(place, "there is no such file", todo)
     stored = source.file.stored_positions(place)
     if stored.shape != source.file.mesh.points.shape:
         what = f"it has {len(stored)} vertices, the part {len(source.file.mesh.points)}"
         raise FileError(place, what, "name the folder that a run of this recipe wrote")
-    return stored
+    places = source.placement.placed(stored)
+    return {name: places[vertices] for name, vertices in source.members.items()}
 
 
-def _told_again(source: Source, stored: np.ndarray, place: Path) -> dict[str, Any] | None:
+def _told_again(source: Source, folder: Path) -> list[dict[str, Any]]:
+    """What a deck that was written tells of what hangs on its parts; nothing of other files."""
     if not isinstance(source.file, DeckFile):
-        return None
-    return source.file.told_of(source.file.stored_deck(place).points)
+        return []
+    deck = source.file.stored_deck(folder / source.file.output_name)
+    told = source.file.told_of(deck.points)
+    return [told] if told else []
 
 
 def _faces(source: Source) -> np.ndarray:
@@ -171,37 +228,14 @@ def _width_error(source: Source, points: np.ndarray) -> float:
     return 0.5 * 10.0 ** -min(decimals, 15)
 
 
-def _features(core: Any, model: Model, written: dict[str, Written]) -> list[dict[str, Any]]:
-    sized = {name for name, motion in model.pose.items() if motion.size is not None}
-    found = []
-    for region in model.of_kind("feature"):
-        part = written.get(region.part)
-        if part is None:
-            continue
-        entry = feature_entry(core, part, region.name, _vertices(region, part))
-        is_sized = region.size is not None or region.name in sized
-        found.append({**entry, "allowed": None} if is_sized else entry)
-    return found
-
-
-def _vertices(region: RegionEntry, part: Written) -> np.ndarray:
-    rows, _ = part.mesh.find(region.vertices or [])
+def _vertices(region: RegionEntry, sheet: Sheet) -> np.ndarray:
+    rows, _ = sheet.mesh.find(region.vertices or [])
     return rows
 
 
-def _contacts(core: Any, model: Model, written: dict[str, Written]) -> list[dict[str, Any]]:
-    found = []
-    for contact in model.contacts:
-        if contact.a.part in written and contact.b.part in written:
-            parts = [written[side.part] for side in (contact.a, contact.b)]
-            rows = [_vertices(side, part) for side, part in zip((contact.a, contact.b), parts)]
-            found.append(contact_entry(core, contact.name, tuple(zip(parts, rows))))
-    return found
-
-
-def _penetrations(core: Any, written: dict[str, Written]) -> list[dict[str, Any]]:
+def _penetrations(written: dict[str, Written]) -> list[dict[str, Any]]:
     pairs = itertools.permutations(written.values(), 2)
-    found = (penetrations(core, one, other) for one, other in pairs)
+    found = (penetrations(one, other) for one, other in pairs)
     return [entry for entry in found if entry is not None]
 
 
@@ -214,7 +248,7 @@ def _failures(entry: dict[str, Any], criteria: Criteria) -> list[str]:
         if one["allowed"] is not None and one["edge_error"] > one["allowed"]
     ]
     for part in entry["parts"]:
-        if part["flipped"]:
+        if part["flipped"] and criteria.flipped:
             found.append(f"{part['flipped']} triangles of {part['name']} fold over")
         if part["newly_failing"] > criteria.allowed:
             count = part["newly_failing"]

@@ -20,13 +20,14 @@ _OTHERS = ("set", "comment", "elements", "time_step", "features", "contacts")
 class Criteria:
     """name; elements: limits ("min", "max") by measure; target: time step in ms for which mass is
     scaled, None for none; allowed: how many elements may newly fail; gap_change: mm, of a contact,
-    None if it is not judged."""
+    None if it is not judged; flipped: whether triangles that fold over are."""
 
     name: str
     elements: dict[str, dict[str, float]] = field(default_factory=dict)
     target: float | None = None
     allowed: int = 0
     gap_change: float | None = None
+    flipped: bool = True
 
 
 def shipped() -> dict[str, Any]:

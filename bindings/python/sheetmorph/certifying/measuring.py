@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,7 @@ import numpy as np
 from ..certificate import feature_edges
 from ..decks.following import rigid_motion
 from ..decks.materials import STEEL, Material
+from ..kernel import load_kernel
 from ..part_mesh import PartMesh
 from .criteria import Criteria
 from .quality import MEASURES, areas, measured, step_length
@@ -21,25 +24,80 @@ _ROUND = 0.12
 _BINS = 20
 
 
-@dataclass(frozen=True)
-class Written:
-    """A part as it was and as it was written: its mesh at rest, (n, 3) places read from the file,
-    faces (m, 4) with -1 in the last corner of triangles, thickness mm (0 if it is not known), and
-    what a coordinate in the file is good for, mm; material: of its sheet."""
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """Places (n, 3) of a part in one state, faces (m, 4) with -1 in the last corner of triangles;
+    what is measured of it is measured once."""
 
-    mesh: PartMesh
     places: np.ndarray
+    faces: np.ndarray
+    triangles: np.ndarray
+    _known: dict[Any, np.ndarray] = field(default_factory=dict)
+
+    def measured(self, measure: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+        """(m,) a measure of its elements."""
+        if measure not in self._known:
+            self._known[measure] = measured(measure, self.places, self.faces)
+        return self._known[measure]
+
+    @cached_property
+    def tree(self) -> Any:
+        """Finds the nearest place on it."""
+        return load_kernel().PickingTree(np.ascontiguousarray(self.places), self.triangles)
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """A part as it was: its name in the recipe, its mesh at rest, faces (m, 4) of its elements,
+    thickness mm (0 if it is not known), and what a coordinate in its file is good for, mm;
+    material: of its sheet."""
+
+    name: str
+    mesh: PartMesh
     faces: np.ndarray
     thickness: float
     width_error: float
     material: Material = STEEL
 
+    @cached_property
+    def shape(self) -> Shape:
+        """The part at rest."""
+        return Shape(self.mesh.points, self.faces, self.mesh.triangles)
 
-def feature_entry(core: Any, part: Written, name: str, vertices: np.ndarray) -> dict[str, Any]:
+
+class Written:
+    """A part beside what was written of it: (n, 3) places read from the file."""
+
+    def __init__(self, sheet: Sheet, places: np.ndarray):
+        self.sheet, self.mesh, self.faces = sheet, sheet.mesh, sheet.faces
+        self.places, self.rest = places, sheet.shape
+        self.now = Shape(places, sheet.faces, sheet.mesh.triangles)
+
+
+class RestFeature:
+    """What a form feature was: its vertices, its edges (e, 2), and its round rims."""
+
+    def __init__(self, core: Any, sheet: Sheet, name: str, vertices: np.ndarray):
+        self.name, self.part, self.vertices = name, sheet.name, vertices
+        self.edges = feature_edges(sheet.mesh, vertices)
+        self.rims = _round_rims(core, sheet.mesh, vertices)
+
+
+class RestContact:
+    """What a contact was: names of its parts, vertices of both sides, and from each vertex how far
+    the other part is."""
+
+    def __init__(self, name: str, sheets: tuple[Sheet, Sheet], rows: tuple[Any, Any]):
+        self.name, self.rows = name, rows
+        self.parts = tuple(sheet.name for sheet in sheets)
+        self.gaps = _gaps(tuple(sheet.shape for sheet in sheets), rows)
+
+
+def feature_entry(core: Any, part: Written, feature: RestFeature) -> dict[str, Any]:
     """How a form feature came out: worst edge error against the best rigid motion, and round rims
     before and after."""
     rest, moved = part.mesh.points, part.places
-    edges = feature_edges(part.mesh, vertices)
+    vertices, edges = feature.vertices, feature.edges
     found = rigid_motion(rest[vertices], moved[vertices])
     turn = np.eye(3) if found is None else found[0]
     before = rest[edges[:, 0]] - rest[edges[:, 1]]
@@ -49,73 +107,74 @@ def feature_entry(core: Any, part: Written, name: str, vertices: np.ndarray) -> 
     else:
         error = np.linalg.norm(after - before @ turn.T, axis=1)
     return {
-        "name": name,
-        "part": part.mesh.name,
+        "name": feature.name,
+        "part": feature.part,
         "vertices": len(vertices),
         "edge_error": float(error.max(initial=0.0)),
-        "allowed": 4.0 * part.width_error + 1e-9 * float(np.abs(moved).max(initial=1.0)),
-        "rims": _rims(core, part, vertices),
+        "allowed": 4.0 * part.sheet.width_error + 1e-9 * float(np.abs(moved).max(initial=1.0)),
+        "rims": [_rim_entry(core, one, moved[rim]) for rim, one in feature.rims],
     }
 
 
-def _rims(core: Any, part: Written, vertices: np.ndarray) -> list[dict[str, float]]:
-    """Diameter and roundness (the worst distance from the fitted circle) of round rims inside."""
-    inside = np.zeros(len(part.mesh.points), dtype=bool)
+def _round_rims(core: Any, mesh: PartMesh, vertices: np.ndarray) -> list[tuple[np.ndarray, Any]]:
+    """Round rims among the vertices, with the circles they lie on."""
+    inside = np.zeros(len(mesh.points), dtype=bool)
     inside[vertices] = True
-    near = inside[part.mesh.triangles].any(axis=1)
-    rows, corners = np.unique(part.mesh.triangles[near], return_inverse=True)
-    mesh = core.TriangleMesh(
-        part.mesh.points[rows], np.ascontiguousarray(corners.reshape(-1, 3), np.int32)
+    near = inside[mesh.triangles].any(axis=1)
+    rows, corners = np.unique(mesh.triangles[near], return_inverse=True)
+    around = core.TriangleMesh(
+        mesh.points[rows], np.ascontiguousarray(corners.reshape(-1, 3), np.int32)
     )
     found = []
-    for loop in core.boundary_loops(mesh):
+    for loop in core.boundary_loops(around):
         rim = rows[np.asarray(loop)]
-        if len(rim) < 6 or not inside[rim].all():
-            continue
-        one, two = (core.fit_circle(points[rim]) for points in (part.mesh.points, part.places))
-        if one.residual <= _ROUND * one.radius:
-            found.append(
-                {
-                    "diameter_before": 2.0 * float(one.radius),
-                    "diameter_after": 2.0 * float(two.radius),
-                    "roundness_before": float(one.residual),
-                    "roundness_after": float(two.residual),
-                }
-            )
+        if len(rim) >= 6 and inside[rim].all():
+            circle = core.fit_circle(mesh.points[rim])
+            found += [(rim, circle)] if circle.residual <= _ROUND * circle.radius else []
     return found
 
 
-def contact_entry(core: Any, name: str, sides: tuple[tuple[Written, np.ndarray], ...]) -> dict:
+def _rim_entry(core: Any, one: Any, places: np.ndarray) -> dict[str, float]:
+    """Diameter and roundness (the worst distance from the fitted circle) of a rim."""
+    two = core.fit_circle(places)
+    return {
+        "diameter_before": 2.0 * float(one.radius),
+        "diameter_after": 2.0 * float(two.radius),
+        "roundness_before": float(one.residual),
+        "roundness_after": float(two.residual),
+    }
+
+
+def contact_entry(contact: RestContact, parts: tuple[Written, Written]) -> dict[str, Any]:
     """The gap of a contact before and after, and its worst change: from the vertices of the one
     side to the surface of the other part, both ways."""
-    gaps: tuple[list[float], list[float]] = ([], [])
-    for (one, vertices), (other, _) in (sides, sides[::-1]):
-        for places, points, target in (
-            (gaps[0], one.mesh.points, other.mesh.points),
-            (gaps[1], one.places, other.places),
-        ):
-            tree = core.PickingTree(target, other.mesh.triangles)
-            hits = [tree.nearest_point(points[k]) for k in vertices]
-            places += [0.0 if hit is None else float(hit.distance) for hit in hits]
-    before, after = np.array(gaps[0]), np.array(gaps[1])
+    before, after = contact.gaps, _gaps(tuple(part.now for part in parts), contact.rows)
     return {
-        "name": name,
+        "name": contact.name,
         "gap_before": float(before.mean()) if len(before) else 0.0,
         "gap_after": float(after.mean()) if len(after) else 0.0,
         "worst_change": float(np.abs(after - before).max(initial=0.0)),
     }
 
 
+def _gaps(shapes: tuple[Shape, ...], rows: tuple[Any, ...]) -> np.ndarray:
+    """(k,) how far the vertices of either side are from the other part, mm."""
+    gaps: list[float] = []
+    for own, other, vertices in zip(shapes, shapes[::-1], rows):
+        hits = [other.tree.nearest_point(place) for place in own.places[vertices]]
+        gaps += [0.0 if hit is None else float(hit.distance) for hit in hits]
+    return np.array(gaps)
+
+
 def part_entry(core: Any, part: Written, criteria: Criteria) -> dict[str, Any]:
     """Quality before and after, flipped triangles, mass, time step."""
-    rest, moved, faces = part.mesh.points, part.places, part.faces
+    sheet, rest, moved = part.sheet, part.mesh.points, part.places
     flipped = core.compare_quality(rest, moved, part.mesh.triangles).flipped
-    thickness = part.thickness or 1.0
-    weight = thickness * part.material.density
-    sizes = [measured(areas, points, faces) * weight for points in (rest, moved)]
+    weight = (sheet.thickness or 1.0) * sheet.material.density
+    sizes = [shape.measured(areas) * weight for shape in (part.rest, part.now)]
     return {
-        "name": part.mesh.name,
-        "elements": len(faces),
+        "name": part.sheet.name,
+        "elements": len(part.faces),
         "largest_displacement": float(np.linalg.norm(moved - rest, axis=1).max(initial=0.0)),
         "flipped": int(flipped),
         "quality": [
@@ -123,9 +182,9 @@ def part_entry(core: Any, part: Written, criteria: Criteria) -> dict[str, Any]:
             for measure in MEASURES
         ],
         "newly_failing": int(_newly_failing(part, criteria).sum()),
-        "thickness": part.thickness or None,
-        "material": {"name": part.material.name, "density_t_mm3": part.material.density},
-        "mass": None if not part.thickness else _change(*(float(s.sum()) for s in sizes)),
+        "thickness": sheet.thickness or None,
+        "material": {"name": sheet.material.name, "density_t_mm3": sheet.material.density},
+        "mass": None if not sheet.thickness else _change(*(float(s.sum()) for s in sizes)),
         "area_change": _relative(*(float(s.sum()) for s in sizes)),
         "time_step": _steps(part, sizes, criteria.target),
     }
@@ -140,12 +199,8 @@ def _relative(before: float, after: float) -> float:
 
 
 def _quality_entry(part: Written, name: str, limits: dict[str, float]) -> dict[str, Any]:
-    before = measured(MEASURES[name], part.mesh.points, part.faces)
-    after = measured(MEASURES[name], part.places, part.faces)
+    before, after = (shape.measured(MEASURES[name]) for shape in (part.rest, part.now))
     worst = np.min if name in ("jacobian", "min_angle", "min_length") else np.max
-    low, high = (f([before.min(initial=np.inf), after.min(initial=np.inf)]) for f in (min, min))
-    high = max(float(before.max(initial=low)), float(after.max(initial=low)))
-    bins = np.linspace(low, high if high > low else low + 1.0, _BINS + 1) if len(before) else None
     return {
         "measure": name,
         **limits,
@@ -154,12 +209,19 @@ def _quality_entry(part: Written, name: str, limits: dict[str, float]) -> dict[s
         "failing_before": int(_fails(before, limits).sum()),
         "failing_after": int(_fails(after, limits).sum()),
         "largest_change": float(np.abs(after - before).max(initial=0.0)),
-        "histogram": None if bins is None else {
-            "edges": bins.tolist(),
-            "before": np.histogram(before, bins)[0].tolist(),
-            "after": np.histogram(after, bins)[0].tolist(),
-        },
-    }  # fmt: skip
+        "histogram": _histogram(before, after) if len(before) else None,
+    }
+
+
+def _histogram(before: np.ndarray, after: np.ndarray) -> dict[str, list[float]]:
+    low = float(min(before.min(), after.min()))
+    high = float(max(before.max(), after.max()))
+    span = (low, high if high > low else low + 1.0)
+    return {
+        "edges": np.linspace(*span, _BINS + 1).tolist(),
+        "before": np.histogram(before, _BINS, span)[0].tolist(),
+        "after": np.histogram(after, _BINS, span)[0].tolist(),
+    }
 
 
 def _fails(values: np.ndarray, limits: dict[str, float]) -> np.ndarray:
@@ -172,16 +234,17 @@ def _newly_failing(part: Written, criteria: Criteria) -> np.ndarray:
     """(m,) whether an element that met the criteria does so no more."""
     found = np.zeros(len(part.faces), dtype=bool)
     for name, limits in criteria.elements.items():
-        before = _fails(measured(MEASURES[name], part.mesh.points, part.faces), limits)
-        found |= _fails(measured(MEASURES[name], part.places, part.faces), limits) & ~before
+        before, after = (shape.measured(MEASURES[name]) for shape in (part.rest, part.now))
+        found |= _fails(after, limits) & ~_fails(before, limits)
     return found
 
 
 def _steps(part: Written, masses: list[np.ndarray], target: float | None) -> dict[str, Any]:
     """The explicit time step in ms, and the share of mass that scaling to a target adds."""
-    entry: dict[str, Any] = {"sound_m_s": part.material.sound, "target_ms": target}
-    for word, points, mass in zip(("before", "after"), (part.mesh.points, part.places), masses):
-        step = measured(step_length, points, part.faces) / part.material.sound
+    sound = part.sheet.material.sound
+    entry: dict[str, Any] = {"sound_m_s": sound, "target_ms": target}
+    for word, shape, mass in zip(("before", "after"), (part.rest, part.now), masses):
+        step = shape.measured(step_length) / sound
         entry[f"{word}_ms"] = float(step.min(initial=np.inf)) if len(step) else None
         added = None
         if target is not None and len(step):
@@ -192,28 +255,28 @@ def _steps(part: Written, masses: list[np.ndarray], target: float | None) -> dic
     return entry
 
 
-def penetrations(core: Any, one: Written, other: Written) -> dict[str, Any] | None:
+def penetrations(one: Written, other: Written) -> dict[str, Any] | None:
     """Vertices of a part that newly come nearer to another than half of both thicknesses."""
-    room = 0.5 * (one.thickness + other.thickness)
+    room = 0.5 * (one.sheet.thickness + other.sheet.thickness)
     if room <= 0.0:
         return None
     low, high = other.places.min(axis=0) - room, other.places.max(axis=0) + room
     near = np.flatnonzero(((one.places >= low) & (one.places <= high)).all(axis=1))
     if not len(near):
         return None
-    before = core.PickingTree(other.mesh.points, other.mesh.triangles)
-    after = core.PickingTree(other.places, other.mesh.triangles)
+    before, after = other.rest.tree, other.now.tree
+    rounding = 4.0 * (one.sheet.width_error + other.sheet.width_error)
     count, worst = 0, 0.0
     for k in near.tolist():
         now = float(after.nearest_point(one.places[k]).distance)
         if now >= room:
             continue
         then = min(float(before.nearest_point(one.mesh.points[k]).distance), room)
-        if then - now > max(0.1 * room, 4.0 * (one.width_error + other.width_error)):
+        if then - now > max(0.1 * room, rounding):
             count, worst = count + 1, max(worst, room - now)
     if not count:
         return None
-    return {"part": one.mesh.name, "into": other.mesh.name, "vertices": count, "depth": worst}
+    return {"part": one.sheet.name, "into": other.sheet.name, "vertices": count, "depth": worst}
 
 
 def digest(path: Path) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The certificate of a variant: the report on its files read again, and the study's criteria."""
+"""The certificate of a variant: of its files read again, and of the study's own criteria."""
 
 from __future__ import annotations
 
@@ -8,26 +8,31 @@ from typing import Any
 
 # Holds for every study that does not say otherwise: no triangle may turn over.
 STANDARD: dict[str, dict[str, float]] = {"flipped": {"max": 0.0}}
-# Of a report: what differs from run to run.
-_FLEETING = ("timings",)
+# Of a report: what a certificate does not tell itself.
+_TOLD = ("pose", "tolerance", "warnings")
 
 Numbers = Mapping[str, float | None]
 
 
 def certificate(
-    report: dict[str, Any], criteria: list[dict[str, Any]], measures: Numbers
+    proof: dict[str, Any],
+    report: dict[str, Any],
+    criteria: list[dict[str, Any]],
+    measures: Numbers,
 ) -> dict[str, Any]:
     """What `certificate.json` of a variant holds; it is the same whenever it is computed.
 
-    report: of Writer.write(); criteria: as judged() gives them.
+    proof: of a Certifier; report: of Writer.write_parts(); criteria: as judged() gives them.
     """
-    failures = [*report["certificate"]["failures"], *failures_of(criteria)]
-    kept = {key: value for key, value in report.items() if key not in _FLEETING}
+    of_decks = [text for deck in report["decks"] for text in deck["failures"]]
+    solved = [text for text in report["certificate"]["failures"] if text not in of_decks]
+    failures = [*solved, *proof["failures"], *failures_of(criteria)]
+    told = {key: report[key] for key in _TOLD}
     return {
-        **kept,
-        "certificate": {"passed": not failures, "failures": failures},
-        "criteria": criteria,
-        "measures": dict(measures),
+        **proof,
+        "passed": not failures,
+        "failures": failures,
+        "study": {**told, "criteria": criteria, "measures": dict(measures)},
     }
 
 

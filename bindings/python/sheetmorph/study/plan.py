@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +31,7 @@ from .sampling import Values, out_of_range, samples_of
 from .spots import spot_of
 from .variants import Changes, Variant
 
-_FORMAT = 1
+_FORMAT = 2
 # Samples of which one at least must be sound in form.
 _TRIED = 8
 
@@ -108,7 +109,7 @@ class Plan:
         meanings = [entry.meaning() for entry in study.parameters]
         limits = [[entry.low, entry.high, entry.values] for entry in study.parameters]
         constraints = [entry.text for entry in study.constraints]
-        asked = [study.measure, study.criteria, study.write]
+        asked = [study.measure, study.criteria, study.write, asdict(study.certify)]
         # Where a range or a constraint refuses nothing, what is computed does not depend on it.
         refuses = any(map(self.refusal, self.samples))
         told = [limits, constraints] if refuses else []

@@ -10,6 +10,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+from ..certifying import Criteria, read_criteria, shipped
 from ..errors import Fault, RecipeError
 from ..recipe import faults_against, named_in, read_json
 from ..recipe.values import depth_faults
@@ -73,6 +74,7 @@ class Study:
     measure: dict[str, dict[str, Any]] = field(default_factory=dict)
     criteria: dict[str, dict[str, float]] = field(default_factory=dict)
     write: tuple[str, ...] = ("parts", "certificate")
+    certify: Criteria = Criteria("study")
 
     @property
     def names(self) -> list[str]:
@@ -118,7 +120,17 @@ def _study(path: Path, data: Any) -> Study:
         measure=measure,
         criteria=data.get("criteria", {}),
         write=tuple(data.get("write", Study.write)),
+        certify=_certify(path.parent, data.get("certify")),
     )
+
+
+def _certify(folder: Path, told: str | None) -> Criteria:
+    """What certificates judge elements and contacts by; triangles that turn over are judged by the
+    study's own criteria."""
+    if told is None:
+        return replace(Study.certify, flipped=False)
+    found = read_criteria(told if told in shipped() else folder / told)
+    return replace(found, flipped=False)
 
 
 def _parameter(name: str, entry: dict[str, Any]) -> Parameter:

@@ -9,15 +9,16 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
+from ..certifying import Certifier
 from ..errors import FileError, KernelError, RecipeError
 from ..files.deck_file import DeckFile
 from ..places import Places
 from ..recipe import prepare
-from ..recipe.parts import Parts
+from ..recipe.parts import Parts, Source
 from ..report import make_report, part_report
 from ..running import Writer, told_of_decks
 from ..session import Result, Session
@@ -74,11 +75,18 @@ class _Watch:
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """A pre-processed recipe."""
+    """A pre-processed recipe, and what certificates of its variants start from."""
 
     session: Session
     parts: Parts
     measures: Measures
+    plan: Plan
+
+    @cached_property
+    def certifier(self) -> Certifier:
+        """Measures what variants start from, once."""
+        study = self.plan.study
+        return Certifier(self.parts, self.session.model, study.certify, study.recipe)
 
 
 class Workshop:
@@ -161,29 +169,38 @@ class Workshop:
         base = self._base(variant)
         with self._watch.kernel_works():
             result = base.session.deform(variant.pose)
-        report = self._write(result, base.parts, folder)
+        report, proof = self._written(base, variant, result, folder)
         figures = Figures(result, report)
         scene = Scene(result.positions, row.parameters, figures.figure)
         measures = base.measures.taken(scene)
         known = {**row.parameters, **measures}
         criteria = judged(self.plan.study.criteria, known, figures.figure)
-        proof = certificate(report, criteria, measures)
-        failures = proof["certificate"]["failures"]
+        proof = certificate(proof, report, criteria, measures)
+        failures = proof["failures"]
         if failures:
             _clear(folder)
         self._write_rest(folder, proof, result)
         status = FAILED if failures else PASSED
         return replace(row, status=status, why="; ".join(failures), measures=measures)
 
-    def _write(self, result: Result, parts: Parts, folder: Path) -> dict[str, Any]:
-        """The part files that are asked for; returns the report on them."""
-        wanted = self.plan.study.write
-        sources = [
-            source
-            for source in parts.sources
-            if "parts" in wanted or ("decks" in wanted and isinstance(source.file, DeckFile))
-        ]
-        return Writer(result, sources, Places([], folder, [], None), {}, []).write_parts()
+    def _written(
+        self, base: _Base, variant: Variant, result: Result, folder: Path
+    ) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Write the parts, read them again and certify them; only what is asked for stays.
+
+        Returns the report and the certificate.
+        """
+        sources, wanted = base.parts.sources, self.plan.study.write
+        writer = Writer(result, sources, Places([], folder, [], None), {}, [])
+        report, parts = writer.write_parts()
+        written = base.certifier.written({name: part.positions for name, part in parts.items()})
+        sized = [name for name, motion in variant.pose.items() if "size" in motion]
+        proof = base.certifier.certificate(folder, written, sized)
+        for source in sources:
+            is_deck = isinstance(source.file, DeckFile)
+            if "parts" not in wanted and not ("decks" in wanted and is_deck):
+                _remove(source, folder)
+        return report, proof
 
     def _write_rest(self, folder: Path, proof: dict[str, Any], result: Result) -> None:
         wanted = self.plan.study.write
@@ -208,7 +225,7 @@ class Workshop:
         parts = plan.parts if shared else prepare(variant.recipe, plan.folder)
         with self._watch.kernel_works():
             session = Session(variant.recipe, parts.meshes, found=parts.found)
-        return _Base(session, parts, Measures(plan.study, session.model, parts.meshes))
+        return _Base(session, parts, Measures(plan.study, session.model, parts.meshes), plan)
 
 
 def report_of(result: Result, parts: Parts) -> dict[str, Any]:
@@ -225,6 +242,16 @@ def _live_report(result: Result) -> dict[str, Any]:
         "warnings": [],
         "certificate": {"failures": []},
     }
+
+
+def _remove(source: Source, folder: Path) -> None:
+    """Remove what was written of a source."""
+    names = [] if source.writing is None else [source.writing.name_for(source.file)]
+    for path in (*source.file.targets(folder), *(folder / name for name in names)):
+        path.unlink(missing_ok=True)
+        while path.parent != folder and not any(path.parent.iterdir()):
+            path = path.parent
+            path.rmdir()
 
 
 def _clear(folder: Path) -> None:
