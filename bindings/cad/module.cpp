@@ -233,6 +233,7 @@ py::dict as_dict(const CadMeasures& measures)
     py::dict found;
     found["name"] = measures.name;
     found["faces"] = measures.faces;
+    found["washers"] = measures.washers;
     found["kept"] = measures.kept;
     found["fitted_faces"] = measures.fitted_faces;
     found["is_valid"] = measures.is_valid;

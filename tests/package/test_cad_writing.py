@@ -106,6 +106,42 @@ def test_a_hole_of_another_size_is_a_cylinder_of_that_size(folder: Path):
     assert body["is_valid"] and body["is_closed"]
 
 
+def with_washer(folder: Path, wide: float) -> dict:
+    """The recipe of a plate that is lifted, its larger hole held with all within so many mm."""
+    recipe = json.loads(lifted(folder, "plate.brep", write="step").read_text())
+    points = read_part(folder / "plate.brep", MESH).mesh.points
+    near = np.flatnonzero(np.hypot(points[:, 0] - 40.0, points[:, 1] - 20.0) < wide)
+    recipe["features"][1]["vertices"] = near.tolist()
+    (folder / "recipe.json").write_text(json.dumps(recipe), "utf-8")
+    return recipe
+
+
+def test_a_washer_is_divided_from_its_face_and_stays_plane(folder: Path):
+    recipe = with_washer(folder, 12.0)
+    report = run(folder / "recipe.json", folder / "out")
+    jsonschema.validate(report, report_schema())
+    body = only_body(report)
+    assert (body["faces"], body["washers"]) == (10, 2)
+    assert body["is_valid"] and body["is_closed"]
+    assert body["kept"] == 6  # the held end, both holes, both washers, the far end
+    assert body["gap"]["value"] < 0.0005 and body["distance"]["value"] < 0.01
+    (part,) = read_part(folder / "out" / "plate.step", MESH).model.parts
+    planes = [(one.point, one.axis) for one in part.surfaces if one.kind == "plane"]
+    held = np.array(recipe["features"][1]["vertices"])
+    rest = read_part(folder / "plate.brep", MESH).mesh.points
+    held = held[np.abs(rest[held, 2] - 1.0) > 0.99]  # not inside the wall
+    deformed = read_part(folder / "out" / "plate.obj").mesh.points
+    off = [np.abs((deformed[held] - point) @ axis) for point, axis in planes]
+    assert np.max(np.min(off, axis=0)) < 1e-9
+
+
+def test_a_rim_alone_is_no_washer(folder: Path):
+    with_washer(folder, 5.1)
+    body = only_body(run(folder / "recipe.json", folder / "out"))
+    assert (body["faces"], body["washers"]) == (8, 0)
+    assert body["is_valid"] and body["is_closed"]
+
+
 def test_at_rest_every_face_is_kept(folder: Path):
     report = run(lifted(folder, "plate.brep", 0.0, write="step"), folder / "out")
     body = only_body(report)

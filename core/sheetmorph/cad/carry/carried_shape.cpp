@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/carry/carried_shape.h"
 #include "sheetmorph/cad/carry/shape_builder.h"
+#include "sheetmorph/cad/carry/washers.h"
 
 #include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
@@ -31,16 +32,27 @@ void keep_continuity(const ShapeCarrier& carrier, ShapeBuilder& builder)
     }
 }
 
+WasheredMesh with_washers(const ShapeMesh& mesh, const Points& result,
+                          const CarryTolerances& tolerances)
+{
+    constexpr double of_edge = 0.05;
+    const double rigid = rigid_tolerance(mesh);
+    return divide_along_washers(mesh, result, face_motions(mesh, result, rigid),
+                                {rigid, of_edge * tolerances.edge});
+}
+
 }  // namespace
 
-CarriedShape carried_shape(const ShapeMesh& mesh, const Points& result,
+CarriedShape carried_shape(const std::shared_ptr<const ShapeMesh>& mesh, const Points& result,
                            const CarryTolerances& tolerances, const Progress& progress)
 {
-    ShapeCarrier carrier(mesh, result, tolerances);
+    const WasheredMesh divided = with_washers(*mesh, result, tolerances);
+    CarriedShape carried;
+    carried.mesh = divided.mesh ? divided.mesh : mesh;
+    ShapeCarrier carrier(*carried.mesh, result, tolerances);
     carrier.run(progress);
     ShapeBuilder builder(carrier);
-    CarriedShape carried;
-    carried.shape = builder.built(mesh.shape);
+    carried.shape = builder.built(carried.mesh->shape);
     keep_continuity(carrier, builder);
     for (const CarriedFace& face : carrier.faces())
     {
@@ -48,7 +60,11 @@ CarriedShape carried_shape(const ShapeMesh& mesh, const Points& result,
         carried.scale.push_back(face.motion ? face.motion->scale : 1.0);
     }
     carried.gap = carrier.gap();
+    for (const auto& [whole, washer] : divided.washers)
+        carried.washers.emplace_back(whole, builder.built(washer));
     carried.image = builder.images();
+    for (TopTools_DataMapOfShapeShape::Iterator it(divided.replaced); it.More(); it.Next())
+        carried.image.Bind(it.Key(), carried.image.Find(it.Value()));
     return carried;
 }
 

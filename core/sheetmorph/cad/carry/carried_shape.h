@@ -6,6 +6,7 @@
 #include "sheetmorph/cad/meshing/shape_mesh.h"
 
 #include <TopTools_DataMapOfShapeShape.hxx>
+#include <memory>
 
 namespace sheetmorph
 {
@@ -25,15 +26,21 @@ struct CarriedShape
     std::vector<double> scale;           //!< one a face: of the radius of a cylinder, else 1
     WorstAt gap;                         //!< between an edge and a fitted face
     TopTools_DataMapOfShapeShape image;  //!< of every vertex, edge, face, shell and solid
+    //! The mesh of the shape as it was; with more faces where washers were divided from them, the
+    //! last ones.
+    std::shared_ptr<const ShapeMesh> mesh;
+    std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>>
+        washers;  //!< the face each was of, its image
 };
 
 //! Carries what a mesh did to the shape that it was made of. Faces and edges whose vertices moved
 //! as one rigid body keep their surfaces and curves; the others become splines of third degree,
-//! which keep the parameters that their points had.
+//! which keep the parameters that their points had. A ring of triangles inside a face that moves
+//! with a hole becomes a face of its own.
 //!
 //! \param result  (n, 3) positions of the mesh, in the coordinates of the shape, mm
 //! \throws InvalidInput if a face has no mesh, SolverError
-CarriedShape carried_shape(const ShapeMesh& mesh, const Points& result,
+CarriedShape carried_shape(const std::shared_ptr<const ShapeMesh>& mesh, const Points& result,
                            const CarryTolerances& tolerances, const Progress& progress);
 
 }  // namespace sheetmorph

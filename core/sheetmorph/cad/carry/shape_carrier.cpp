@@ -2,6 +2,7 @@
 #include "sheetmorph/cad/carry/shape_carrier.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/parallel.h"
+#include "sheetmorph/cad/carry/face_motions.h"
 #include "sheetmorph/cad/carry/face_patch.h"
 #include "sheetmorph/cad/occt_surface.h"
 #include "sheetmorph/cad/splines/surface_breaks.h"
@@ -20,9 +21,6 @@ namespace sheetmorph
 
 namespace
 {
-
-// Of the size of a shape: what moves rigidly to within it is rigid.
-constexpr double rigid_share = 1e-9;
 
 Vector3 point_of(const gp_Pnt& point)
 {
@@ -63,41 +61,23 @@ Vector3 CarriedEdge::at(double t) const
 
 ShapeCarrier::ShapeCarrier(const ShapeMesh& mesh, const Points& result,
                            const CarryTolerances& tolerances)
-    : mesh_(mesh), result_(result), tolerances_(tolerances)
+    : mesh_(mesh), result_(result), tolerances_(tolerances), rigid_tolerance_(rigid_tolerance(mesh))
 {
-    size_ = (mesh.rest.colwise().maxCoeff() - mesh.rest.colwise().minCoeff()).norm();
     find_faces();
     find_uses();
     find_vertices();
     find_edges();
 }
 
-Points ShapeCarrier::rows_of(const VertexIds& vertices, const Points& points) const
-{
-    Points rows(static_cast<Eigen::Index>(vertices.size()), 3);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        rows.row(static_cast<Eigen::Index>(i)) = points.row(vertices[i]);
-    return rows;
-}
-
 void ShapeCarrier::find_faces()
 {
+    FaceMotions motions = face_motions(mesh_, result_, rigid_tolerance_);
     for (int f = 0; f < mesh_.faces.Extent(); ++f)
     {
         CarriedFace found;
         found.face = TopoDS::Face(mesh_.faces(f + 1));
-        const VerticesOnFace& known = mesh_.on_face[static_cast<std::size_t>(f)];
-        if (known.vertices.empty())
-            throw InvalidInput("face " + std::to_string(f)
-                               + " has no mesh to be carried by; repair it in the CAD system");
-        TopLoc_Location place;
-        const Handle(Geom_Surface) surface = BRep_Tool::Surface(found.face, place);
-        found.rest = Handle(Geom_Surface)::DownCast(surface->Transformed(place.Transformation()));
-        const VertexIds vertices = distinct(known.vertices);
-        const Points before = rows_of(vertices, mesh_.rest), after = rows_of(vertices, result_);
-        found.motion = rigid_fit(before, after, rigid_share * size_, false);
-        if (!found.motion)
-            found.motion = resized_fit(before, after, rigid_share * size_, found.rest);
+        found.rest = placed_surface(found.face);
+        found.motion = std::move(motions[static_cast<std::size_t>(f)]);
         if (found.motion)
             found.surface = found.motion->surface(found.rest);
         faces_.push_back(std::move(found));
@@ -196,7 +176,7 @@ void ShapeCarrier::find_edge(int index)
     {
         const VertexIds vertices = distinct(known.vertices);
         found.motion = rigid_fit(rows_of(vertices, mesh_.rest), rows_of(vertices, result_),
-                                 rigid_share * size_, is_line(found.rest));
+                                 rigid_tolerance_, is_line(found.rest));
     }
     carry_edge(found, known);
 }

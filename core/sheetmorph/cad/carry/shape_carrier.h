@@ -92,12 +92,11 @@ private:
     void measure();
     void measure_edge(CarriedEdge& edge);
     void measure_end(const CarriedEdge& edge, bool is_low);
-    Points rows_of(const VertexIds& vertices, const Points& points) const;
 
     const ShapeMesh& mesh_;
     const Points& result_;
     CarryTolerances tolerances_;
-    double size_ = 0.0;
+    double rigid_tolerance_;
     std::vector<CarriedFace> faces_;
     std::vector<CarriedEdge> edges_;
     std::vector<CarriedVertex> vertices_;

@@ -127,7 +127,7 @@ bool is_closed(const TopoDS_Shape& shape)
 
 BodyMeasurer::BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried,
                            const TopoDS_Shape& body)
-    : mesh_(mesh), carried_(carried), body_(body)
+    : before_(mesh), mesh_(*carried.mesh), carried_(carried), body_(body)
 {
     TopExp::MapShapes(carried.shape, TopAbs_FACE, made_);
     TopExp::MapShapes(body, TopAbs_FACE, read_);
@@ -136,15 +136,23 @@ BodyMeasurer::BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried,
                           + std::to_string(made_.Extent()) + " in the written file");
 }
 
+const TopoDS_Shape& BodyMeasurer::image_of(int face) const
+{
+    const int own = face - before_.faces.Extent();
+    return own < 0 ? carried_.image.Find(before_.faces(face + 1))
+                   : carried_.washers[static_cast<std::size_t>(own)].second;
+}
+
 TopoDS_Shape BodyMeasurer::read_face(int face) const
 {
-    return read_(made_.FindIndex(carried_.image.Find(mesh_.faces(face + 1))));
+    return read_(made_.FindIndex(image_of(face)));
 }
 
 CadMeasures BodyMeasurer::measures(const Points& result, double tolerance) const
 {
     CadMeasures found;
     found.faces = mesh_.faces.Extent();
+    found.washers = static_cast<int>(carried_.washers.size());
     for (std::size_t f = 0; f < carried_.is_kept.size(); ++f)
         if (carried_.is_kept[f])
             ++found.kept;
@@ -240,13 +248,13 @@ void BodyMeasurer::check_shape(CadMeasures& found) const
 {
     const BRepCheck_Analyzer analyzer(body_);
     found.is_valid = analyzer.IsValid();
-    found.was_valid = BRepCheck_Analyzer(mesh_.shape).IsValid();
+    found.was_valid = BRepCheck_Analyzer(before_.shape).IsValid();
     found.gap = carried_.gap;
     for (int f = 0; f < found.faces && !found.is_valid; ++f)
         if (!analyzer.IsValid(read_face(f)))
             found.invalid_faces.push_back(f);
     found.is_closed = is_closed(body_);
-    found.was_closed = is_closed(mesh_.shape);
+    found.was_closed = is_closed(before_.shape);
     found.edge_tolerance = largest_tolerance(carried_.shape, TopAbs_EDGE);
     found.edge_tolerance_read = largest_tolerance(body_, TopAbs_EDGE);
     found.vertex_tolerance = largest_tolerance(body_, TopAbs_VERTEX);

@@ -13,6 +13,7 @@ namespace sheetmorph
 class BodyMeasurer
 {
 public:
+    //! \param mesh  of the shape as it was read
     //! \param body  as it stands in the assembly of the file
     BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried, const TopoDS_Shape& body);
 
@@ -25,9 +26,11 @@ private:
     void measure_kinks(CadMeasures& found) const;
     void measure_cylinders(CadMeasures& found) const;
     void check_shape(CadMeasures& found) const;
+    const TopoDS_Shape& image_of(int face) const;
     TopoDS_Shape read_face(int face) const;
 
-    const ShapeMesh& mesh_;
+    const ShapeMesh& before_;
+    const ShapeMesh& mesh_;  // with washers as faces of their own
     const CarriedShape& carried_;
     TopoDS_Shape body_;
     TopTools_IndexedMapOfShape made_, read_;  // faces

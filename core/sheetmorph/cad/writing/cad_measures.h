@@ -21,6 +21,7 @@ struct CadMeasures
 {
     std::string name;
     int faces = 0;
+    int washers = 0;                //!< faces that were divided from others, the last ones
     int kept = 0;                   //!< faces on the surface they had
     std::vector<int> fitted_faces;  //!< ascending
     bool is_valid = false;          //!< says OpenCASCADE's BRepCheck

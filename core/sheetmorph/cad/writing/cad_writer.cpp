@@ -36,9 +36,11 @@ double size_of(const Points& points)
     return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
 }
 
-CarriedShape as_it_was(const ShapeMesh& mesh)
+CarriedShape as_it_was(const std::shared_ptr<const ShapeMesh>& known)
 {
+    const ShapeMesh& mesh = *known;
     CarriedShape same;
+    same.mesh = known;
     same.shape = mesh.shape;
     same.is_kept.assign(static_cast<std::size_t>(mesh.faces.Extent()), true);
     same.scale.assign(same.is_kept.size(), 1.0);
@@ -75,7 +77,7 @@ public:
                 return;
             }
         CarriedShape carried =
-            is_moved ? carried_one(entry, local, progress) : as_it_was(*entry.known);
+            is_moved ? carried_one(entry, local, progress) : as_it_was(entry.known);
         forms_.push_back({entry.known.get(), std::move(local), std::move(carried)});
         bodies.push_back({static_cast<int>(forms_.size()) - 1, &forms_.back().carried});
     }
@@ -95,7 +97,7 @@ private:
     {
         try
         {
-            return carried_shape(*entry.known, local, tolerances_, progress);
+            return carried_shape(entry.known, local, tolerances_, progress);
         }
         catch (const InvalidInput& error)
         {

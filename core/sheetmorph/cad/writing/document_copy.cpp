@@ -33,14 +33,16 @@ TDF_Label product_of(const TDF_Label& label)
 }
 
 // The images of all that is in a placed body, placed like it.
-void note_images(Images& images, const TopoDS_Shape& body, const CarriedShape& carried)
+void note_images(PartImages& images, const TopoDS_Shape& body, const CarriedShape& carried)
 {
     const TopLoc_Location place = body.Location();
     TopTools_IndexedMapOfShape before;
     TopExp::MapShapes(body.Located(TopLoc_Location()), before);
     for (int i = 1; i <= before.Extent(); ++i)
         if (carried.image.IsBound(before(i)))
-            images.Bind(before(i).Moved(place), carried.image.Find(before(i)).Moved(place));
+            images.one.Bind(before(i).Moved(place), carried.image.Find(before(i)).Moved(place));
+    for (const auto& [whole, washer] : carried.washers)
+        images.washers.emplace_back(whole.Moved(place), washer.Moved(place));
 }
 
 // A shape with images in the place of bodies; faces that stand alone are left out.
@@ -171,17 +173,16 @@ TDF_Label DocumentCopy::copied(const TDF_Label& product, const Key& key)
 }
 
 void DocumentCopy::name_faces(const TDF_Label& product, const TopoDS_Shape& body,
-                              const std::vector<FaceTag>& tags,
-                              const TopTools_DataMapOfShapeShape& images) const
+                              const std::vector<FaceTag>& tags, const PartImages& images) const
 {
     TopTools_IndexedMapOfShape faces;
     TopExp::MapShapes(body, TopAbs_FACE, faces);
     for (int f = 1; f <= std::min(faces.Extent(), static_cast<int>(tags.size())); ++f)
         if (const std::string& name = tags[static_cast<std::size_t>(f - 1)].name; !name.empty())
-            if (const TDF_Label label =
-                    document_.shapes()->AddSubShape(product, images.Find(faces(f)));
-                !label.IsNull())
-                set_name(label, name);
+            for (const TopoDS_Shape& image : images.of(faces(f)))
+                if (const TDF_Label label = document_.shapes()->AddSubShape(product, image);
+                    !label.IsNull())
+                    set_name(label, name);
 }
 
 TDF_Label DocumentCopy::new_product(const TDF_Label& product)
@@ -190,7 +191,8 @@ TDF_Label DocumentCopy::new_product(const TDF_Label& product)
     const std::size_t index = next_++;
     if (index >= ranges_.size())
         return {};
-    Images images, faces;
+    PartImages images;
+    Images faces;
     std::vector<TopoDS_Shape> sewn;
     const auto [first, last] = ranges_[index];
     // The bodies stand in the assembly; in the product they stand where its shape says.
@@ -201,13 +203,13 @@ TDF_Label DocumentCopy::new_product(const TDF_Label& product)
         const NamedShape& body = source_.bodies[k];
         note_images(images, inside(body.shape, k), *bodies_[k].carried);
         for (const auto& [old, there] : body.sewn)
-            faces.Bind(inside(old, k), images.Find(inside(there, k)));
+            faces.Bind(inside(old, k), images.one.Find(inside(there, k)));
         if (!body.sewn.empty())
-            sewn.push_back(images.Find(inside(body.shape, k)));
+            sewn.push_back(images.one.Find(inside(body.shape, k)));
     }
-    const TopoDS_Shape whole = with_shells(rebuilt(shape, images), sewn);
+    const TopoDS_Shape whole = with_shells(rebuilt(shape, images.one), sewn);
     for (Images::Iterator it(faces); it.More(); it.Next())
-        images.Bind(it.Key(), it.Value());
+        images.one.Bind(it.Key(), it.Value());
     const TDF_Label made = document_.shapes()->AddShape(whole, false, false);
     copy_attributes(product, made);
     set_name(made, name_for(product, entry_of(product)));
@@ -217,7 +219,7 @@ TDF_Label DocumentCopy::new_product(const TDF_Label& product)
     for (std::size_t k = first; k < last && last - first > 1; ++k)
         if (const std::string& name = source_.bodies[k].own_name; !name.empty())
             if (const TDF_Label label = document_.shapes()->AddSubShape(
-                    made, images.Find(inside(source_.bodies[k].shape, k)));
+                    made, images.one.Find(inside(source_.bodies[k].shape, k)));
                 !label.IsNull())
                 set_name(label, name);
     return made;

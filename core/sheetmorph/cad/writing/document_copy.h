@@ -3,6 +3,7 @@
 
 #include "sheetmorph/cad/cad_shapes.h"
 #include "sheetmorph/cad/carry/carried_shape.h"
+#include "sheetmorph/cad/writing/label_attributes.h"
 
 #include <map>
 
@@ -37,8 +38,7 @@ private:
     Key key_of(const TDF_Label& product) const;
     int product_count(const TDF_Label& product) const;
     void name_faces(const TDF_Label& product, const TopoDS_Shape& body,
-                    const std::vector<FaceTag>& tags,
-                    const TopTools_DataMapOfShapeShape& images) const;
+                    const std::vector<FaceTag>& tags, const PartImages& images) const;
     std::string name_for(const TDF_Label& product, const std::string& entry);
 
     const CadSource& source_;

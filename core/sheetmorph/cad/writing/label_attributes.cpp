@@ -68,8 +68,18 @@ void copy_attributes(const TDF_Label& from, const TDF_Label& to)
     copy_material(from, to);
 }
 
-void copy_parts(const TDF_Label& from, const TDF_Label& to,
-                const TopTools_DataMapOfShapeShape& images,
+std::vector<TopoDS_Shape> PartImages::of(const TopoDS_Shape& part) const
+{
+    std::vector<TopoDS_Shape> found;
+    if (one.IsBound(part))
+        found.push_back(one.Find(part));
+    for (const auto& [whole, washer] : washers)
+        if (whole.IsSame(part))
+            found.push_back(washer);
+    return found;
+}
+
+void copy_parts(const TDF_Label& from, const TDF_Label& to, const PartImages& images,
                 const Handle(XCAFDoc_ShapeTool) & shapes)
 {
     TDF_LabelSequence parts;
@@ -77,13 +87,14 @@ void copy_parts(const TDF_Label& from, const TDF_Label& to,
     for (int i = 1; i <= parts.Length(); ++i)
     {
         const TopoDS_Shape part = XCAFDoc_ShapeTool::GetShape(parts.Value(i));
-        if (part.IsNull() || !images.IsBound(part))
+        if (part.IsNull())
             continue;
-        const TDF_Label made = shapes->AddSubShape(to, images.Find(part));
-        if (made.IsNull())
-            continue;
-        copy_attributes(parts.Value(i), made);
-        set_name(made, name_of(parts.Value(i)));
+        for (const TopoDS_Shape& image : images.of(part))
+            if (const TDF_Label made = shapes->AddSubShape(to, image); !made.IsNull())
+            {
+                copy_attributes(parts.Value(i), made);
+                set_name(made, name_of(parts.Value(i)));
+            }
     }
 }
 

@@ -5,9 +5,22 @@
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace sheetmorph
 {
+
+//! What became of the parts of a shape.
+struct PartImages
+{
+    TopTools_DataMapOfShapeShape one;
+    //! Faces that were divided from others, after the face that each was of.
+    std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> washers;
+
+    //! All that a part is now.
+    std::vector<TopoDS_Shape> of(const TopoDS_Shape& part) const;
+};
 
 //! Gives a product or component of a document a name in UTF-8.
 void set_name(const TDF_Label& label, const std::string& name);
@@ -17,8 +30,7 @@ void copy_attributes(const TDF_Label& from, const TDF_Label& to);
 
 //! The same and the names of all faces, edges, ... of a product that have some; their images are in
 //! the other product.
-void copy_parts(const TDF_Label& from, const TDF_Label& to,
-                const TopTools_DataMapOfShapeShape& images,
+void copy_parts(const TDF_Label& from, const TDF_Label& to, const PartImages& images,
                 const Handle(XCAFDoc_ShapeTool) & shapes);
 
 }  // namespace sheetmorph
