@@ -11,8 +11,10 @@ from .files.atomic import FileSet
 
 def add_copy_arguments(commands: Any) -> None:
     """Adds `copy` to the commands of a parser."""
-    copy = commands.add_parser("copy", help="read decks and meshes and write them, nothing moved")
-    copy.add_argument("files", nargs="+", metavar="FILE", help="deck with its includes, or mesh")
+    copy = commands.add_parser(
+        "copy", help="read decks, meshes, files of welds and write them as they are"
+    )
+    copy.add_argument("files", nargs="+", metavar="FILE", help="deck, mesh or file of welds")
     copy.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for them")
 
 

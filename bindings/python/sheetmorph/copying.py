@@ -9,6 +9,7 @@ from pathlib import Path
 from .errors import Fault, FileError, RecipeError
 from .decks import Deck, is_deck, output_places, read_deck
 from .files import FileSet, read_part
+from .joint_files import JointFile, is_joint_file, read_joint_file
 from .places import Places
 
 
@@ -40,7 +41,10 @@ class _Copy:
         self.read = [path]
         self.places = [folder / path.name]
         self._deck: Deck | None = None
-        if is_deck(path):
+        self._joints = read_joint_file(path) if is_joint_file(path) else None
+        if self._joints is not None:
+            pass
+        elif is_deck(path):
             self._deck = read_deck(path)
             self.read = [text.path for text in self._deck.texts]
             self.places = output_places(self._deck.texts, self.places[0])
@@ -49,6 +53,8 @@ class _Copy:
             self.places = [folder / self._file.output_name]
 
     def write(self, files: FileSet) -> str:
+        if self._joints is not None:
+            return self._write_joints(files, self._joints)
         if self._deck is None:
             self._file.write_into(files, self.places[0], self._file.mesh.points)
             return f"{self.places[0]}: {len(self._file.mesh.points)} vertices"
@@ -64,6 +70,15 @@ class _Copy:
             what = "it did not come out as it went in"
             raise FileError(self.read[0], what, "please report it with this deck")
         return _told(self._deck, self.places[0])
+
+    def _write_joints(self, files: FileSet, joints: JointFile) -> str:
+        place = self.places[0]
+        temporary = files.temporary_for(place)
+        with files.named(temporary), temporary.open("wb") as written:
+            joints.save(joints.points, joints.directions, written)
+        count, points = len(joints.joints), len(joints.points)
+        told = f"{place}: {joints.form}, {count} joints, {points} points, every byte as it was"
+        return "; ".join([told, *joints.notes])
 
 
 def _told(deck: Deck, place: Path) -> str:

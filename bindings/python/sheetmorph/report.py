@@ -6,8 +6,8 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
 from importlib import resources
 from typing import Any
 
@@ -39,6 +39,18 @@ class WrittenPart:
     shapes: WrittenShapes | None = None
 
 
+@dataclass(frozen=True)
+class FilesTold:
+    """What PartFile.told() says of every deck, JointSource.told() of every file of joints."""
+
+    decks: list[dict[str, Any]] = field(default_factory=list)
+    joint_files: list[dict[str, Any]] = field(default_factory=list)
+
+    def texts(self, key: str) -> list[str]:
+        """All `failures` or `notes`."""
+        return [text for file in (*self.decks, *self.joint_files) for text in file[key]]
+
+
 def report_schema() -> dict[str, Any]:
     """The published JSON Schema of the report."""
     text = resources.files("sheetmorph").joinpath("report.schema.json").read_text("utf-8")
@@ -50,10 +62,10 @@ def make_report(
     written: Mapping[str, WrittenPart] | None = None,
     timings: Mapping[str, float] | None = None,
     *,
-    decks: Sequence[Mapping[str, Any]] = (),
+    beside: FilesTold | None = None,
 ) -> dict[str, Any]:
     """The report of a result; `written`: its files read again, by part name; timings: seconds;
-    decks: what PartFile.told() says of each."""
+    beside: what decks and files of joints say."""
     session, files = result.session, written or {}
     rest = (mesh.points for mesh in session.meshes.values())
     tol = tolerance(session.size, [*rest, *result.positions.values()])
@@ -62,19 +74,19 @@ def make_report(
     warnings = warnings_of(result, parts)
     failures = [*_torn(features, tol), *thin_failures(result, tol)]
     failures += [*unsettled_failures({"parts": parts}), *shape_faults(parts)]
-    failures += _of_decks(decks, "failures")
-    told = [*_kinks(parts), *_of_decks(decks, "notes")]
+    beside = beside or FilesTold()
+    failures += beside.texts("failures")
+    told = [*_kinks(parts), *beside.texts("notes")]
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
         **{"energy": session.model.energy, "operator": session.model.operator},
-        "primary": session.model.primary,
-        "refine": session.model.refine,
+        **{"primary": session.model.primary, "refine": session.model.refine},
         "symmetry": _symmetry(session.model.symmetry),
         **{"pose": result.pose, "size": session.size, "tolerance": tol},
         "certificate": {"passed": not failures, "failures": failures},
         "features": features,
-        "decks": list(decks),
+        **{"decks": beside.decks, "joint_files": beside.joint_files},
         "contacts": [asdict(contact) for contact in result.contacts],
         "spread": result.spread,
         "regions": region_entries(session),
@@ -85,10 +97,6 @@ def make_report(
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
-
-
-def _of_decks(decks: Sequence[Mapping[str, Any]], key: str) -> list[str]:
-    return [text for deck in decks for text in deck[key]]
 
 
 def unsettled_failures(report: Mapping[str, Any]) -> list[str]:

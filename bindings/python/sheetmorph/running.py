@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import tempfile
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,13 +16,14 @@ import numpy as np
 from .errors import KernelError
 from .files import FileSet
 from .files.cad_writing import write_shapes
+from .joint_files.following import JointSource, joint_sources
 from .pictures import Scene, before_and_after, draw
 from .places import Places
 from .progress import Progress
 from .recipe import named_in, prepare, read_json, with_ids
 from .recipe.parts import Source
 from .recipe.steps import with_step
-from .report import WrittenPart, make_report, shape_faults, unsettled_failures
+from .report import FilesTold, WrittenPart, make_report, shape_faults, unsettled_failures
 from .session import Result, Session
 from .shape_report import WrittenShapes
 
@@ -32,7 +34,8 @@ class CertificateError(RuntimeError):
 
     def __init__(self, report: dict[str, Any]):
         unsettled = [*unsettled_failures(report), *shape_faults(report["parts"])]
-        unsettled += [text for deck in report["decks"] for text in deck["failures"]]
+        beside = [*report["decks"], *report["joint_files"]]
+        unsettled += [text for file in beside for text in file["failures"]]
         rigid = [text for text in report["certificate"]["failures"] if text not in unsettled]
         if rigid:
             tol = report["tolerance"]
@@ -135,6 +138,7 @@ class _Morph:
         with named_in(path):
             self.recipe = with_step(self.recipe) if ways.step else self.recipe
             self._parts = prepare(self.recipe, path.parent, ways.progress)
+            self._joints = joint_sources(self._parts, path.parent)
         self._timings = {"read": time.perf_counter() - begin}
         self._session: Session | None = None
 
@@ -148,6 +152,8 @@ class _Morph:
         sources = self._parts.sources
         targets = [place for source in sources for place in source.file.targets(out)]
         targets += [out / s.writing.name_for(s.file) for s in sources if s.writing is not None]
+        targets += [place for joints in self._joints for place in joints.targets(out)]
+        read = [*read, *(joints.file.path for joints in self._joints)]
         sourced = [path for source in sources for path in source.file.files_read]
         places = Places([self._path, *read, *sourced], out, targets, report)
         places.check()
@@ -168,13 +174,22 @@ class _Morph:
         self._ways.progress(0.95, "deforming")
         result = self._session.deform(pose, progress=self._deforming)
         timings = {**self._timings, "deform": time.perf_counter() - begin}
-        _certify(result, self._parts.sources, (timings, places.report, self._ways.strict))
+        told = told_of_files(result, self._parts.sources, self._joints)
+        _certify(result, told, (timings, places.report, self._ways.strict))
         self._ways.progress(0.97, "writing")
         scenes = before_and_after(result) if self._ways.pictures else ()
         pictures = [
             (scene, places.out / name) for scene, name in zip(scenes, ("before.png", "after.png"))
         ]
-        writer = Writer(result, self._parts.sources, places, timings, pictures, self._ways.progress)
+        writer = Writer(
+            result,
+            self._parts.sources,
+            places,
+            timings,
+            pictures,
+            self._ways.progress,
+            self._joints,
+        )
         return writer.write(files)
 
     def _deforming(self, fraction: float, task: str) -> bool:
@@ -194,10 +209,10 @@ def _keep_going(_fraction: float, _task: str) -> bool:
 
 
 def _certify(
-    result: Result, sources: list[Source], ways: tuple[dict[str, float], Path | None, bool]
+    result: Result, beside: FilesTold, ways: tuple[dict[str, float], Path | None, bool]
 ) -> None:
     timings, report, strict = ways
-    found = make_report(result, None, timings, decks=told_of_decks(result, sources))
+    found = make_report(result, None, timings, beside=beside)
     if found["certificate"]["passed"] and not (strict and found["warnings"]):
         return
     _fail(found, report)
@@ -222,6 +237,7 @@ class Writer:
     timings: dict[str, float]
     pictures: list[tuple[Scene, Path]]
     progress: Progress = _keep_going
+    joint_files: Sequence[JointSource] = ()
 
     def write(self, files: FileSet) -> dict[str, Any]:
         """Returns the report."""
@@ -253,11 +269,13 @@ class Writer:
         parts: dict[str, WrittenPart] = {}
         for source in self.sources:
             parts |= self._written_parts(files, source)
+        for joints in self.joint_files:
+            joints.write_into(files, joints.targets(self.places.out)[0], self.result.positions)
         if self.pictures:
             draw(self.pictures, files)
         taken = {**self.timings, "write": time.perf_counter() - begin}
-        decks = told_of_decks(self.result, self.sources)
-        report = make_report(self.result, parts, taken, decks=decks)
+        beside = told_of_files(self.result, self.sources, self.joint_files)
+        report = make_report(self.result, parts, taken, beside=beside)
         if self.places.report is not None:
             _put_report(files, self.places.report, report)
         return report, parts
@@ -300,10 +318,13 @@ class Writer:
         return WrittenShapes(name, bodies, *sizes)
 
 
-def told_of_decks(result: Result, sources: list[Source]) -> list[dict[str, Any]]:
-    """What the report tells of every deck."""
+def told_of_files(
+    result: Result, sources: Sequence[Source], joint_files: Sequence[JointSource]
+) -> FilesTold:
+    """What the report tells of every deck, and of every file of welds and bolts."""
     told = (source.file.told(source.positions(result.positions)) for source in sources)
-    return [one for one in told if one is not None]
+    joints = [one.told(result.positions) for one in joint_files]
+    return FilesTold([one for one in told if one is not None], joints)
 
 
 def _remove_empty(folders: list[Path]) -> None:

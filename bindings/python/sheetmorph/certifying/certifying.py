@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import itertools
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from ..errors import FileError
 from ..files import FileSet
 from ..files.deck_file import DeckFile
 from ..finding.deck import part_material, part_thickness
+from ..joint_files.following import JointSource, joint_sources
 from ..kernel import load_kernel
 from ..recipe import filled, named_in, prepare, read_json
 from ..recipe.model import Model, RegionEntry, model_of
@@ -69,9 +70,10 @@ def certify(
     recipe = read_json(path)
     with named_in(path):
         parts = prepare(recipe, path.parent)
+        beside = joint_sources(parts, path.parent)
     whole = parts.resolved.recipe
     model = model_of(whole if parts.found is None else filled(whole, parts.found))
-    certifier = Certifier(parts, model, criteria, path)
+    certifier = Certifier(parts, model, criteria, Inputs(path, beside))
     places = {name: at for s in parts.sources for name, at in _places_in(s, folder).items()}
     written = certifier.written(places)
     sized = {name for name, motion in model.pose.items() if motion.size is not None}
@@ -82,16 +84,24 @@ def certify(
     return certificate
 
 
+@dataclass(frozen=True)
+class Inputs:
+    """What a run reads besides parts: its recipe, and files of welds and bolts."""
+
+    recipe: Path
+    joint_files: Sequence[JointSource] = ()
+
+
 class Certifier:
     """Certifies runs of one recipe: what they start from is measured once.
 
-    model: with a vertex list for every region; recipe: its file.
+    model: with a vertex list for every region.
     """
 
-    def __init__(self, parts: Parts, model: Model, criteria: Criteria, recipe: Path):
+    def __init__(self, parts: Parts, model: Model, criteria: Criteria, inputs: Inputs):
         self._core = load_kernel()
         self._sources, self._criteria = parts.sources, criteria
-        self._sheets = _sheets(parts)
+        self._sheets, self._joint_files = _sheets(parts), inputs.joint_files
         regions = [region for region in model.of_kind("feature") if region.part in self._sheets]
         self._features = [self._rest_feature(region) for region in regions]
         self._sized = {region.name for region in regions if region.size is not None}
@@ -101,7 +111,8 @@ class Certifier:
             if contact.a.part in self._sheets and contact.b.part in self._sheets
         ]
         read = [path for source in self._sources for path in source.file.files_read]
-        self._inputs = _digests([recipe, *read])
+        beside = [one.file.path for one in inputs.joint_files]
+        self._inputs = _digests([inputs.recipe, *read, *beside])
 
     def written(self, places: Mapping[str, np.ndarray]) -> dict[str, Written]:
         """The parts beside their places (n, 3) as the files hold them, by name."""
@@ -112,6 +123,7 @@ class Certifier:
     ) -> dict[str, Any]:
         """The certificate of the files in a folder; sized: features that a pose gives a size."""
         core, criteria = self._core, self._criteria
+        beside = [*(source.file for source in self._sources), *self._joint_files]
         entry = {
             "sheetmorph_certificate": 1,
             "criteria": {"name": criteria.name, "elements": criteria.elements},
@@ -123,11 +135,16 @@ class Certifier:
             "parts": [part_entry(core, part, criteria) for part in written.values()],
             "penetrations": _penetrations(written),
             "decks": [told for source in self._sources for told in _told_again(source, folder)],
+            "joint_files": self._told_of_joints(folder, written),
             "inputs": self._inputs,
-            "outputs": _digests([f for s in self._sources for f in s.file.targets(folder)]),
+            "outputs": _digests([f for s in beside for f in s.targets(folder)]),
         }
         failures = _failures(entry, criteria)
         return {**entry, "passed": not failures, "failures": failures}
+
+    def _told_of_joints(self, folder: Path, written: dict[str, Written]) -> list[dict[str, Any]]:
+        places = {name: part.places for name, part in written.items()}
+        return [one.told_of(one.targets(folder)[0], places) for one in self._joint_files]
 
     def _rest_feature(self, region: RegionEntry) -> RestFeature:
         sheet = self._sheets[region.part]
@@ -261,4 +278,5 @@ def _failures(entry: dict[str, Any], criteria: Criteria) -> list[str]:
     for one in entry["contacts"]:
         if criteria.gap_change is not None and one["worst_change"] > criteria.gap_change:
             found.append(f"the gap of {one['name']} changed by {one['worst_change']:.3g} mm")
-    return found + [text for deck in entry["decks"] for text in deck["failures"]]
+    beside = [*entry["decks"], *entry["joint_files"]]
+    return found + [text for file in beside for text in file["failures"]]

@@ -30,6 +30,10 @@ _PART_HEADS = (
 _QUALITY_HEADS = (
     *("part", "measure", "worst before", "after", "failing before", "after", "largest change"),
 )
+_JOINT_HEADS = (
+    *("joint", "kind", "parts", "line", "gap before, mm", "after", "came apart by", "allowed"),
+)
+_MOST_JOINTS = 40
 _STYLE = """
 body { font: 14px/1.45 sans-serif; margin: 1.5em auto; max-width: 1320px; color: #222; }
 h1 { font-size: 1.4em; } h2 { font-size: 1.1em; margin-top: 1.6em; }
@@ -113,6 +117,7 @@ def _tables(entry: dict[str, Any]) -> str:
         _table("Parts", _PART_HEADS, parts),
         _table("Penetrations", ["part", "into", "vertices", "depth, mm"], inside),
         *(_deck(deck) for deck in entry["decks"]),
+        *(_joints(joints) for joints in entry["joint_files"]),
         _table("Quality", _QUALITY_HEADS, quality),
         _table("Files", ["file", "SHA-256"], files),
     ]
@@ -138,6 +143,17 @@ def _deck(deck: dict[str, Any]) -> str:
     return _table(f"Deck {deck['file']}", ["what", ""], rows) + _table(
         f"Stale in {deck['file']}", heads, stale
     )
+
+
+def _joints(file: dict[str, Any]) -> str:
+    """The joints of a file of welds and bolts, the worst ones first."""
+    worst = sorted(file["joints"], key=lambda j: -j["change"] / max(j["limit"], 1e-30))
+    rows = [[j["joint"], j["kind"], ", ".join(j["parts"]), j["line"], j["gap_before"],
+             j["gap_after"], j["change"], j["limit"]] for j in worst[:_MOST_JOINTS]]  # fmt: skip
+    left = f", {len(file['left'])} without a sheet" if file["left"] else ""
+    title = f"{file['format']} {file['file']}: {len(worst)} joints{left}"
+    title += f", the worst {_MOST_JOINTS}" if len(worst) > _MOST_JOINTS else ""
+    return _table(title, _JOINT_HEADS, rows)
 
 
 def _histograms(entry: dict[str, Any]) -> str:

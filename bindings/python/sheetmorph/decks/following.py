@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 # Of the nodes that hold a group, so many nearest ones carry each of its nodes.
@@ -109,3 +111,9 @@ def on_triangle(
     foot, target = barycentric @ motion.rest[corners], barycentric @ motion.moved[corners]
     turn = _rotations(motion.turns(corners).sum(axis=0)[None])[0]
     return target + turn @ (point - foot)
+
+
+def turn_at(places: Sequence[tuple[Motion, int]]) -> np.ndarray:
+    """(3, 3) the rotation of sheets at some of their triangles, in the middle."""
+    turns = [motion.turns(motion.triangles[triangle]).sum(axis=0) for motion, triangle in places]
+    return _rotations(np.sum(turns, axis=0)[None])[0]

@@ -56,6 +56,7 @@ def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> 
     """
     model, faults = _model(recipe)
     parts = read_parts(model.parts, base, progress)
+    parts.joint_files = model.joint_files
     model = model.with_parts(parts.entries)
     faults += meaning_faults(model, Known.of(model, recipe, parts.unread))
     faults += [*parts.faults, *mesh_faults(model, parts.meshes)]

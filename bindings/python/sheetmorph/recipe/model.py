@@ -142,6 +142,18 @@ class PropagationEntry:
 
 
 @dataclass(frozen=True)
+class JointFileEntry:
+    """A file of welds and bolts; reach and limit: mm, None for the usual; is_refused: whether a
+    broken joint is an error."""
+
+    where: str
+    file: str
+    reach: float | None = None
+    limit: float | None = None
+    is_refused: bool = True
+
+
+@dataclass(frozen=True)
 class Model:
     """A whole recipe; pose by the name of handle, feature or point, poses by
     their names; found: what a search put in; told: by place of a region what its selector came to.
@@ -160,6 +172,7 @@ class Model:
     propagation: PropagationEntry = PropagationEntry()
     pose: dict[str, Motion] = field(default_factory=dict)
     poses: dict[str, dict[str, Motion]] = field(default_factory=dict)
+    joint_files: list[JointFileEntry] = field(default_factory=list)
     found: dict[str, Any] | None = None
     told: dict[str, dict[str, Any]] = field(default_factory=dict)
 
@@ -219,7 +232,14 @@ def model_of(recipe: dict[str, Any]) -> Model:
             name: motions_of(pose, f"poses.{name}")
             for name, pose in recipe.get("poses", {}).items()
         },
+        joint_files=[_joint_file(*entry) for entry in _entries(recipe, "joint_files")],
     )
+
+
+def _joint_file(where: str, _number: int, entry: dict[str, Any]) -> JointFileEntry:
+    is_refused = entry.get("broken", "refuse") == "refuse"
+    reach, limit = (number_of(entry.get(key)) for key in ("reach", "limit"))
+    return JointFileEntry(where, entry.get("file", ""), reach, limit, is_refused)
 
 
 def _propagation(**entry: Any) -> PropagationEntry:

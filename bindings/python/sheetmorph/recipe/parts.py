@@ -16,7 +16,7 @@ from ..files.prepared_file import PreparedFile
 from ..part_mesh import PartMesh
 from ..progress import Progress
 from .found import Found, Resolved
-from .model import PartEntry
+from .model import JointFileEntry, PartEntry
 from .placement import Placement
 from .splitting import SplitError, part_of, split_triangles
 
@@ -47,13 +47,17 @@ class Source:
 
 @dataclass
 class Parts:
-    """Everything the entries of `parts` stand for; split files are several entries here."""
+    """Everything the entries of `parts` stand for; split files are several entries here.
+
+    joint_files: what stands for files of welds and bolts that go with them.
+    """
 
     entries: list[PartEntry] = field(default_factory=list)
     meshes: dict[str, PartMesh] = field(default_factory=dict)
     sources: list[Source] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
+    joint_files: list[JointFileEntry] = field(default_factory=list)
     found: Found | None = None
     resolved: Resolved | None = None
 

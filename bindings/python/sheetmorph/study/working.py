@@ -6,21 +6,22 @@ from __future__ import annotations
 import shutil
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
-from ..certifying import Certifier
+from ..certifying import Certifier, Inputs
 from ..errors import FileError, KernelError, RecipeError
 from ..files.deck_file import DeckFile
+from ..joint_files.following import JointSource, joint_sources
 from ..places import Places
 from ..recipe import prepare
 from ..recipe.parts import Parts, Source
 from ..report import make_report, part_report
-from ..running import Writer, told_of_decks
+from ..running import Writer, told_of_files
 from ..session import Result, Session
 from .certifying import certificate, failures_of, judged
 from .figures import Figures
@@ -80,13 +81,15 @@ class _Base:
     session: Session
     parts: Parts
     measures: Measures
+    joint_files: list[JointSource]
     plan: Plan
 
     @cached_property
     def certifier(self) -> Certifier:
         """Measures what variants start from, once."""
         study = self.plan.study
-        return Certifier(self.parts, self.session.model, study.certify, study.recipe)
+        inputs = Inputs(study.recipe, self.joint_files)
+        return Certifier(self.parts, self.session.model, study.certify, inputs)
 
 
 class Workshop:
@@ -130,7 +133,7 @@ class Workshop:
             return "; ".join(map(str, error.faults))
         except RuntimeError as error:  # the solver gave up
             return " ".join(str(error).split())
-        report = report_of(result, base.parts) if exact else _live_report(result)
+        report = report_of(result, base.parts, base.joint_files) if exact else _live_report(result)
         figures = Figures(result, report)
         measures = base.measures.taken(Scene(result.positions, values, figures.figure))
         criteria = judged(self.plan.study.criteria, {**values, **measures}, figures.figure)
@@ -191,7 +194,8 @@ class Workshop:
         Returns the report and the certificate.
         """
         sources, wanted = base.parts.sources, self.plan.study.write
-        writer = Writer(result, sources, Places([], folder, [], None), {}, [])
+        places, joints = Places([], folder, [], None), base.joint_files
+        writer = Writer(result, sources, places, {}, [], joint_files=joints)
         report, parts = writer.write_parts()
         written = base.certifier.written({name: part.positions for name, part in parts.items()})
         sized = [name for name, motion in variant.pose.items() if "size" in motion]
@@ -200,6 +204,9 @@ class Workshop:
             is_deck = isinstance(source.file, DeckFile)
             if "parts" not in wanted and not ("decks" in wanted and is_deck):
                 _remove(source, folder)
+        for place in (p for one in joints for p in one.targets(folder)):
+            if "parts" not in wanted and "decks" not in wanted:
+                place.unlink(missing_ok=True)
         return report, proof
 
     def _write_rest(self, folder: Path, proof: dict[str, Any], result: Result) -> None:
@@ -225,12 +232,15 @@ class Workshop:
         parts = plan.parts if shared else prepare(variant.recipe, plan.folder)
         with self._watch.kernel_works():
             session = Session(variant.recipe, parts.meshes, found=parts.found)
-        return _Base(session, parts, Measures(plan.study, session.model, parts.meshes), plan)
+        measures = Measures(plan.study, session.model, parts.meshes)
+        return _Base(session, parts, measures, joint_sources(parts, plan.folder), plan)
 
 
-def report_of(result: Result, parts: Parts) -> dict[str, Any]:
+def report_of(
+    result: Result, parts: Parts, joint_files: Sequence[JointSource] = ()
+) -> dict[str, Any]:
     """The report of an exact answer that is not written."""
-    return make_report(result, decks=told_of_decks(result, parts.sources))
+    return make_report(result, beside=told_of_files(result, parts.sources, joint_files))
 
 
 def _live_report(result: Result) -> dict[str, Any]:

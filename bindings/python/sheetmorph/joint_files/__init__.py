@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files of welds and bolts beside the parts: points that go with the sheets they join."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from ..errors import FileError
+from .csv_points import read_csv, read_vip
+from .points import JointFile
+from .xml_points import read_xml
+
+__all__ = ["JointFile", "is_joint_file", "read_joint_file", "suffixes"]
+
+_READERS: dict[str, Callable[[Path, bytes], JointFile]] = {
+    ".xml": read_xml,
+    ".xmcf": read_xml,
+    ".mcf": read_xml,
+    ".vip": read_vip,
+    ".csv": read_csv,
+}
+
+
+def suffixes() -> list[str]:
+    """The file name endings that read_joint_file() takes."""
+    return sorted(_READERS)
+
+
+def is_joint_file(path: str | Path) -> bool:
+    """Whether a file's name is that of a file of joints."""
+    return Path(path).suffix.lower() in _READERS
+
+
+def read_joint_file(path: str | Path) -> JointFile:
+    """The joints of a file. Raises FileError."""
+    place = Path(path)
+    if not is_joint_file(place):
+        todo = f"name one of {', '.join(suffixes())}"
+        raise FileError(place, "it is no file of welds and bolts", todo)
+    try:
+        data = place.read_bytes()
+    except OSError as error:
+        reason = error.strerror or str(error)
+        todo = "check the path and its rights"
+        raise FileError(place, f"cannot be read ({reason})", todo) from None
+    return _READERS[place.suffix.lower()](place, data)

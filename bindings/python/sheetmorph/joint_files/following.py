@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Points of welds and bolts on their way: with the sheets that they join, and whether they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..decks.following import Motion, on_triangle, turn_at
+from ..errors import Fault, FileError, RecipeError
+from ..files import FileSet
+from ..recipe.model import JointFileEntry
+from ..recipe.parts import Parts
+from . import read_joint_file
+from .points import Joint, JointFile
+from .sheets import Foot, Piece, Sheets
+
+# A point is on a sheet that is not farther than this, mm, or the middle length of its edges.
+_REACH = 10.0
+# A joint is broken by half its gap, by half the thickness of its thinnest sheet, or by this part
+# of the middle length of the edges of its sheets, whichever is most.
+_HALF, _OF_EDGE = 0.5, 0.1
+_SHOWN = 20
+_MOST_SHEETS = 8
+
+
+@dataclass(frozen=True)
+class Placed:
+    """Points (n, 3) mm and directions (d, 3) of a file; by point where each of its sheets carries
+    it, and the feet on them before and after, (k, 3)."""
+
+    points: np.ndarray
+    directions: np.ndarray
+    images: list[np.ndarray]
+    feet: list[tuple[np.ndarray, np.ndarray]]
+
+
+class JointSource:
+    """A file of joints of a recipe, held by the sheets at rest."""
+
+    def __init__(self, file: JointFile, settings: JointFileEntry, sheets: Sheets):
+        self.file, self.settings, self._sheets = file, settings, sheets
+        self._points, self._directions = file.points, file.directions
+        self._feet: list[list[Foot]] = [[] for _ in self._points]
+        self._limits = np.zeros(len(self._points))
+        self._unknown: set[str] = set()
+        self.left: list[Joint] = [joint for joint in file.joints if not self._attach(joint)]
+
+    def _attach(self, joint: Joint) -> bool:
+        """Find the sheets of a joint; whether all its points have one."""
+        pieces = [self._sheets.named(names) for names in joint.parts if names]
+        self._unknown |= {
+            names[0] for names, found in zip(joint.parts, pieces) if names and not found
+        }
+        if not joint.parts:
+            pieces = [[piece] for piece in self._sheets.all()]
+        for row in joint.points:
+            near = [self._nearest(found, row) for found in pieces if found]
+            chosen = sorted(filter(None, near), key=lambda pair: pair[0].distance)[:_MOST_SHEETS]
+            self._feet[row] = [foot for foot, _ in chosen]
+            self._limits[row] = _limit(chosen) if chosen else 0.0
+        return all(self._feet[row] for row in joint.points)
+
+    def _nearest(self, pieces: list[Piece], row: int) -> tuple[Foot, Piece] | None:
+        """The nearest place of some sheets, if it is near enough."""
+        found = None
+        for piece in pieces:
+            foot = piece.foot(self._points[row])
+            reach = self.settings.reach
+            within = max(_REACH, piece.edge) if reach is None else reach
+            if foot is not None and foot.distance <= within:
+                if found is None or foot.distance < found[0].distance:
+                    found = foot, piece
+        return found
+
+    def targets(self, folder: Path) -> list[Path]:
+        """The file that a run writes."""
+        return [folder / self.file.path.name]
+
+    def write_into(self, files: FileSet, path: Path, of_parts: Mapping[str, np.ndarray]) -> None:
+        """Write the file with the parts at their positions, named when `files` commits."""
+        placed = self._placed(self._motions(of_parts))
+        temporary = files.temporary_for(path)
+        with files.named(temporary), temporary.open("wb") as out:
+            self.file.save(placed.points, placed.directions, out)
+
+    def told(self, of_parts: Mapping[str, np.ndarray]) -> dict[str, Any]:
+        """For the report: what moved, what stays, which joints came apart."""
+        placed = self._placed(self._motions(of_parts))
+        return self._told(placed, placed.points)
+
+    def told_of(self, path: Path, of_parts: Mapping[str, np.ndarray]) -> dict[str, Any]:
+        """The same of a file that was written, with the parts at their (n, 3) positions as they
+        were written. Raises FileError if it is not there or has other joints."""
+        again = read_joint_file(path)
+        names = [joint.name for joint in self.file.joints]
+        if [j.name for j in again.joints] != names or len(again.points) != len(self._points):
+            what = f"it has other joints than {self.file.path.name}"
+            raise FileError(path, what, "name the folder that a run of this recipe wrote")
+        return self._told(self._placed(self._motions(of_parts)), again.points)
+
+    def _motions(self, of_parts: Mapping[str, np.ndarray]) -> list[Motion]:
+        return self._sheets.motions(of_parts, [foot for some in self._feet for foot in some])
+
+    def _placed(self, motions: list[Motion]) -> Placed:
+        points, directions = self._points.copy(), self._directions.copy()
+        images: list[np.ndarray] = []
+        places: list[tuple[np.ndarray, np.ndarray]] = []
+        for row, feet in enumerate(self._feet):
+            places.append(_places(motions, feet))
+            images.append(np.array([_image(motions, foot, points[row]) for foot in feet]))
+            if len(feet) and (images[row] != points[row]).any():
+                points[row] = images[row].mean(axis=0)
+        for joint in self.file.joints:
+            feet = [foot for row in joint.points for foot in self._feet[row]]
+            if not joint.directions or not feet:
+                continue
+            if all(_stays(motions, foot) for foot in feet):
+                continue
+            turn = turn_at([(motions[foot.source], foot.triangle) for foot in feet])
+            directions[joint.directions] = directions[joint.directions] @ turn.T
+        return Placed(points, directions, images, places)
+
+    def _told(self, placed: Placed, points: np.ndarray) -> dict[str, Any]:
+        entries = [self._entry(joint, placed, points) for joint in self.file.joints]
+        broken = [entry for entry in entries if entry["change"] > entry["limit"]]
+        texts = [self._broken_text(entry) for entry in broken[:_SHOWN]]
+        if len(broken) > _SHOWN:
+            texts.append(f"{self.file.path.name}: {len(broken) - _SHOWN} more joints came apart")
+        notes = [f"{self.file.path.name}: {note}" for note in self.file.notes]
+        if self._unknown:
+            shown = ", ".join(f'"{name}"' for name in sorted(self._unknown)[:_SHOWN])
+            notes.append(f"{self.file.path.name}: no part of this recipe is called {shown}")
+        if self.left:
+            names = ", ".join(joint.name or "?" for joint in self.left[:_SHOWN])
+            more = " and more" if len(self.left) > _SHOWN else ""
+            what = "joints stay where they are, no sheet is within reach"
+            notes.append(f"{self.file.path.name}: {len(self.left)} {what}: {names}{more}")
+        refused = self.settings.is_refused
+        return {
+            "file": self.file.path.name,
+            "format": self.file.form,
+            "points": len(points),
+            "moved": int((points != self._points).any(axis=1).sum()),
+            "left": [joint.name for joint in self.left],
+            "joints": entries,
+            "broken": [entry["joint"] for entry in broken],
+            "failures": texts if refused else [],
+            "notes": notes if refused else [*notes, *texts],
+        }
+
+    def _entry(self, joint: Joint, placed: Placed, points: np.ndarray) -> dict[str, Any]:
+        """A joint: the gap of its sheets before and after, and by how much it came apart."""
+        change, limit = 0.0, 0.0
+        gaps = [0.0, 0.0]
+        for row in joint.points:
+            limit = max(limit, float(self._limits[row]))
+            if self.settings.limit is not None:
+                limit = self.settings.limit
+            if not self._feet[row]:
+                continue
+            before, after = placed.feet[row]
+            change = max(change, _widest(placed.images[row], points[row]))
+            gaps[0] = max(gaps[0], _widest(before, self._points[row]))
+            gaps[1] = max(gaps[1], _widest(after, points[row]))
+        return {
+            "joint": joint.name,
+            "kind": joint.kind,
+            "line": joint.line + 1,
+            "parts": [names[0] for names in joint.parts if names],
+            "gap_before": gaps[0],
+            "gap_after": gaps[1],
+            "change": change,
+            "limit": limit,
+        }
+
+    def _broken_text(self, entry: Mapping[str, Any]) -> str:
+        shown = " ".join(filter(None, (entry["kind"], entry["joint"]))) or "a joint"
+        return (
+            f"{self.file.path.name}, line {entry['line']}: {shown} came apart by "
+            f"{entry['change']:.3g} mm, more than {entry['limit']:.3g} mm"
+        )
+
+
+def _limit(chosen: Sequence[tuple[Foot, Piece]]) -> float:
+    gap = sum(sorted(foot.distance for foot, _ in chosen)[-2:])
+    known = [piece.thickness for _, piece in chosen if piece.thickness > 0.0]
+    edge = min(piece.edge for _, piece in chosen)
+    return max(_HALF * gap, _HALF * min(known, default=0.0), _OF_EDGE * edge, 1e-9)
+
+
+def _stays(motions: list[Motion], foot: Foot) -> bool:
+    motion = motions[foot.source]
+    return motion.stays(motion.triangles[foot.triangle])
+
+
+def _image(motions: list[Motion], foot: Foot, point: np.ndarray) -> np.ndarray:
+    if _stays(motions, foot):
+        return point
+    return on_triangle(motions[foot.source], foot.triangle, foot.barycentric, point)
+
+
+def _places(motions: list[Motion], feet: Sequence[Foot]) -> tuple[np.ndarray, np.ndarray]:
+    """(k, 3) where feet are, before and after."""
+    found: tuple[list[np.ndarray], list[np.ndarray]] = ([], [])
+    for foot in feet:
+        motion = motions[foot.source]
+        corners = motion.triangles[foot.triangle]
+        for some, points in zip(found, (motion.rest, motion.moved)):
+            some.append(foot.barycentric @ points[corners])
+    return np.array(found[0]), np.array(found[1])
+
+
+def _widest(places: np.ndarray, point: np.ndarray) -> float:
+    """The largest distance among some places and a point."""
+    whole = np.concatenate([places, point[None]])
+    return float(np.linalg.norm(whole[:, None] - whole, axis=2).max())
+
+
+def joint_sources(parts: Parts, base: str | Path) -> list[JointSource]:
+    """The files of welds and bolts that a recipe names, relative to `base`. Raises RecipeError."""
+    if not parts.joint_files:
+        return []
+    thickness = {e.name: e.sheet.thickness for e in parts.entries if e.sheet.thickness > 0.0}
+    sheets = Sheets(parts.sources, thickness)
+    found: list[JointSource] = []
+    faults: list[Fault] = []
+    names = [source.file.output_name for source in parts.sources]
+    for entry in parts.joint_files:
+        name = Path(entry.file).name
+        if name in names:
+            what = f'the file name "{name}" is used already'
+            faults.append(Fault(f"{entry.where}.file", what, "rename one of the files"))
+            continue
+        names.append(name)
+        try:
+            found.append(JointSource(read_joint_file(Path(base) / entry.file), entry, sheets))
+        except FileError as error:
+            faults.append(error.fault(f"{entry.where}.file"))
+    if faults:
+        raise RecipeError(faults)
+    return found

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The sheets of a recipe as files of joints name them: parts, numbers of properties, groups."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..decks.following import Motion
+from ..files.deck_file import DeckFile
+from ..finding.deck import part_thickness
+from ..kernel import load_kernel
+from ..recipe.parts import Source
+
+
+@dataclass(frozen=True)
+class Foot:
+    """The place of a sheet that is nearest to a point: source: its number; triangle: of the mesh of
+    the source; where on it; distance: mm; thickness: of the sheet there, 0 if it is not known."""
+
+    source: int
+    triangle: int
+    barycentric: np.ndarray
+    distance: float
+    thickness: float
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Some triangles (k,) of a source: its number, a tree of them, the thickness of the sheet, and
+    the middle length of its edges, mm."""
+
+    source: int
+    triangles: np.ndarray
+    tree: Any
+    thickness: float
+    edge: float
+
+    def foot(self, point: np.ndarray) -> Foot | None:
+        """The nearest place to a point."""
+        hit = self.tree.nearest_point(point)
+        if hit is None:
+            return None
+        triangle = int(self.triangles[hit.triangle])
+        where = np.asarray(hit.barycentric)
+        return Foot(self.source, triangle, where, float(hit.distance), self.thickness)
+
+
+class Sheets:
+    """The sheets of all part files at rest, as they stand in the assembly."""
+
+    def __init__(self, sources: Sequence[Source], thickness: Mapping[str, float]):
+        self.sources = list(sources)
+        self.rest = [s.placement.placed(s.file.mesh.points) for s in self.sources]
+        self._thickness = {**part_thickness(self.sources), **thickness}
+        self._pieces: dict[tuple[str, ...], list[Piece]] = {}
+
+    def named(self, names: tuple[str, ...]) -> list[Piece]:
+        """The sheets that one of these names stands for, the first that stands for any."""
+        if names not in self._pieces:
+            found: list[Piece] = []
+            for name in names:
+                found = found or self._of_part(name) or self._of_number(name)
+                found = found or self._of_group(name)
+            self._pieces[names] = found
+        return self._pieces[names]
+
+    def all(self) -> list[Piece]:
+        """Every part."""
+        if () not in self._pieces:
+            names = [name for source in self.sources for name in source.members]
+            self._pieces[()] = [piece for name in names for piece in self._of_part(name)]
+        return self._pieces[()]
+
+    def _of_part(self, wanted: str) -> list[Piece]:
+        return [
+            self._piece(k, self._own(source, vertices), self._thickness.get(name, 0.0))
+            for k, source in enumerate(self.sources)
+            for name, vertices in source.members.items()
+            if wanted in (name, name.rsplit("/", 1)[-1])
+        ]
+
+    def _of_number(self, wanted: str) -> list[Piece]:
+        """By the number of a property, a PID."""
+        if not wanted.isdecimal():
+            return []
+        number, found = int(wanted[:18]), []
+        for k, source in enumerate(self.sources):
+            if isinstance(source.file, DeckFile):
+                rows = np.flatnonzero(source.file.properties == number)
+                thickness = source.file.deck.raw.thickness.get(number, 0.0)
+                found += [self._piece(k, rows, thickness)] if len(rows) else []
+        return found
+
+    def _of_group(self, wanted: str) -> list[Piece]:
+        found = []
+        for k, source in enumerate(self.sources):
+            labels = source.file.mesh.labels
+            groups = labels.groups if labels is not None else {}
+            for name, rows in groups.items():
+                if wanted in (name, name.split(" ", 1)[-1]):
+                    found.append(self._piece(k, np.asarray(rows), 0.0))
+        return found
+
+    @staticmethod
+    def _own(source: Source, vertices: np.ndarray) -> np.ndarray:
+        inside = np.zeros(len(source.file.mesh.points), dtype=bool)
+        inside[vertices] = True
+        return np.flatnonzero(inside[source.file.mesh.triangles].all(axis=1))
+
+    def _piece(self, number: int, rows: np.ndarray, thickness: float) -> Piece:
+        points = self.rest[number]
+        triangles = np.ascontiguousarray(self.sources[number].file.mesh.triangles[rows], np.int32)
+        corners = points[triangles]
+        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+        edge = float(np.median(edges)) if edges.size else 0.0
+        tree = load_kernel().PickingTree(points, triangles)
+        return Piece(number, rows, tree, thickness, edge)
+
+    def motions(self, of_parts: Mapping[str, np.ndarray], feet: Sequence[Foot]) -> list[Motion]:
+        """How each source moves at some feet, its parts at (n, 3) positions."""
+        found = []
+        for k, source in enumerate(self.sources):
+            own = source.positions(dict(of_parts))
+            triangles = source.file.mesh.triangles
+            asked = [triangles[foot.triangle] for foot in feet if foot.source == k]
+            rows = np.unique(asked).astype(np.int64)
+            moved = source.placement.placed(own)
+            still = (own == source.file.mesh.points).all(axis=1)
+            moved[still] = self.rest[k][still]
+            found.append(Motion(self.rest[k], moved, triangles, rows))
+        return found
