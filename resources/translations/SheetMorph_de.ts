@@ -1305,6 +1305,10 @@
    <translation>Nichts ist gewählt; wähle eine Abhilfe oder brich ab.</translation>
   </message>
   <message>
+   <source>Weld within how much? Type a length, for example 0.01 mm.</source>
+   <translation>Verschweißen innerhalb welcher Länge? Gib eine an, zum Beispiel 0.01 mm.</translation>
+  </message>
+  <message>
    <source>Choose a cure first.</source>
    <translation>Wähle zuerst eine Abhilfe.</translation>
   </message>

@@ -1305,6 +1305,10 @@
    <translation>何も選ばれていません。対処を選ぶか、キャンセルしてください。</translation>
   </message>
   <message>
+   <source>Weld within how much? Type a length, for example 0.01 mm.</source>
+   <translation>どの距離以内を結合しますか。長さを入力してください。例: 0.01 mm</translation>
+  </message>
+  <message>
    <source>Choose a cure first.</source>
    <translation>先に対処を選んでください。</translation>
   </message>

@@ -202,7 +202,11 @@ def test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled():
     assert child("scale").isChecked() and child("weld").isChecked()
     found = child("findings").text()
     assert "unit seems to be m" in found and "nearly the place" in found, found
-    assert 1e-5 < child("tolerance").property("rawValue") < 1e-3
+    assert child("tolerance").text() == "0.0002 mm", child("tolerance").text()
+    yield from enter(child("tolerance"), "soon")
+    yield from press("Preview")
+    assert "Weld within how much?" in child("message").text()
+    yield from enter(child("tolerance"), "0.0002 mm")
     assert "2 mm thick" in found and child("edge").text().endswith("mm"), found
     picture("prepare-metres")
     yield from press("OK")

@@ -3,7 +3,7 @@
 
 import pytest
 
-from freecad.sheetmorph.tools.words import counted
+from freecad.sheetmorph.tools.words import counted, exact_length
 
 
 @pytest.mark.parametrize(
@@ -26,3 +26,10 @@ from freecad.sheetmorph.tools.words import counted
 )
 def test_lists_of_numbers_become_their_count(said, read):
     assert counted(said) == (said if read is None else read)
+
+
+@pytest.mark.parametrize(
+    ("length", "read"), [(0.0002, "0.0002 mm"), (3e-9, "0.000000003 mm"), (12.0, "12 mm")]
+)
+def test_a_length_to_be_used_is_read_in_mm_however_small(length: float, read: str):
+    assert exact_length(length) == read

@@ -2,13 +2,15 @@
 """The pose that a document has while a panel is open: seen everywhere, kept only by OK.
 
 It stands in an open undo step, the way back from it in a snapshot: FreeCAD commits what is open as
-soon as somebody else opens a step, and undoes all of it at once.
+soon as somebody else opens a step, and undoes all of it at once. After an undo of a part of it, it
+is parked in two steps of the document: what is left, and what a redo brings back.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD
@@ -30,7 +32,7 @@ class Pending:
     def _begin(self) -> None:
         self._steps = [self._read()]
         self._interrupted: Any = None
-        self._forward: Any = None
+        self._parked: _Parked | None = None
 
     @property
     def is_open(self) -> bool:
@@ -39,10 +41,15 @@ class Pending:
 
     def change(self) -> None:
         """Make sure that what changes next can be taken back; call it before every change."""
-        if not self._is_open:
-            transactions.begin(self._document, self._title)
-            self._is_open = True
-            self._forward = None
+        if self._parked is not None:
+            self._gather()
+        elif not self._is_open:
+            self._open()
+
+    def gather(self) -> None:
+        """Make one open step of what is parked, before it is kept."""
+        if self._parked is not None and self._parked.place > 0:
+            self._gather()
 
     def remember_made(self, name: str, make: Callable) -> None:
         """An object was made on the way; `make()` makes it anew when an undo has taken it."""
@@ -60,12 +67,15 @@ class Pending:
 
     def keep(self) -> None:
         """Make what is pending one undo step; the next one begins from here."""
+        self.gather()
         self._close(transactions.keep)
         self._made = {}
         self._begin()
 
     def take_back(self) -> None:
         """Give the document the pose of the beginning; what others did meanwhile stays."""
+        if self._parked is not None:
+            self._unpark()
         if self._is_open and self._lost_something:
             self._write(self._steps[0])
             self._close(transactions.keep)
@@ -75,7 +85,8 @@ class Pending:
     @contextmanager
     def aside(self) -> Iterator[None]:
         """In this context a step of its own may be done; what is pending comes back after it."""
-        wanted = self._read() if self._is_open else None
+        is_pending = self._is_open or (self._parked is not None and self._parked.place > 0)
+        wanted = self._read() if is_pending else None
         self.take_back()
         yield
         if wanted is not None:
@@ -84,6 +95,10 @@ class Pending:
     def abandon(self) -> None:
         """The document is gone: nothing may stay open."""
         self._close(transactions.take_back)
+
+    def _open(self) -> None:
+        transactions.begin(self._document, self._title)
+        self._is_open = True
 
     def _close(self, way) -> None:
         if self._is_open:
@@ -95,7 +110,8 @@ class Pending:
 
     def on_deletion(self) -> None:
         """Something that is not ours was deleted within our step."""
-        self._lost_something = self._lost_something or self._is_open
+        is_pending = self._is_open or self._parked is not None
+        self._lost_something = self._lost_something or is_pending
 
     def on_close(self, is_abort: bool) -> bool:
         """A step is closed; returns whether it was ours and somebody else did it.
@@ -115,18 +131,20 @@ class Pending:
 
     @property
     def was_undone(self) -> bool:
-        """Whether an undo has just taken what was pending."""
-        return self._interrupted is not None
+        """Whether an undo has just taken what was pending, or a part of it."""
+        parked = self._parked
+        is_mine = parked is not None and parked.place > 0
+        return self._interrupted is not None or (is_mine and parked.is_undone(self._document))
 
     def go_back(self) -> None:
-        """After that undo: the pose of the step before the last one."""
+        """After that undo: the pose of the step before the last one; a redo goes on from it."""
+        if self._parked is not None:
+            self._park(self._parked.place - 1)
+            return
         last, self._interrupted = self._interrupted, None
-        if last == self._steps[-1] and len(self._steps) > 1:
-            self._steps.pop()
-        if len(self._steps) > 1:
-            self._take(self._steps[-1])
-        else:
-            self._forward = last
+        if last != self._steps[-1]:
+            self._steps.append(last)
+        self._park(len(self._steps) - 2)
 
     def go_on(self) -> None:
         """After an interruption: the pose there was."""
@@ -137,15 +155,60 @@ class Pending:
 
     @property
     def can_go_forward(self) -> bool:
-        """Whether a redo of the program is one of what was pending."""
-        return self._forward is not None
+        """Whether the redo that was just done is one of what was pending."""
+        return self._parked is not None and self._parked.is_redone(self._document)
 
     def go_forward(self) -> None:
         """After that redo: what it brought back is pending again, not a step of its own."""
-        wanted = self._forward
+        parked = self._parked
         self._document.undo()
+        if parked.place > 0:
+            self._document.undo()
+        if parked.place + 2 < len(self._steps):
+            self._park(parked.place + 1)
+        else:
+            self._parked = None
+            self._take(self._steps[-1])
+
+    # -- parked: what an undo has left is a step of the document, a redo away from what it took
+
+    def _park(self, place: int) -> None:
+        """From the pose of the beginning: show a step, let a redo of the program lead to the next.
+
+        A document keeps a number of steps only: there are never more than two of these.
+        """
+        self._parked = None
+        if place < 0:
+            return
+        if place > 0:
+            self._one_step(self._steps[place])
+        if place > 0 or len(self._steps) > 2 or not self._document.RedoCount:
+            self._one_step(self._steps[place + 1])
+            self._document.undo()
+        self._parked = _Parked(place, self._document.UndoCount, self._document.RedoCount)
+
+    def _one_step(self, wanted: Any) -> None:
         self._take(wanted)
-        self.settle()
+        self._close(transactions.keep)
+
+    def _unpark(self) -> None:
+        """Give the document the pose of the beginning; no redo leads away from it."""
+        parked, self._parked = self._parked, None
+        self._steps = self._steps[: parked.place + 1]
+        if not parked.is_untouched(self._document):
+            self._lost_something = True  # a step of somebody else is on top of ours
+            self._open()
+            return
+        if parked.place > 0:
+            self._document.undo()
+        transactions.forget_redos(self._document)
+
+    def _gather(self) -> None:
+        wanted = self._read()
+        self._unpark()
+        if not self._is_open:
+            self._open()
+        self._take(wanted)
 
     def _take(self, wanted: Any) -> None:
         self.change()
@@ -153,3 +216,24 @@ class Pending:
             if name in wanted.motions and self._document.getObject(name) is None:
                 make()
         self._write(wanted)
+
+
+@dataclass(frozen=True)
+class _Parked:
+    """Which step is shown, and how many steps the document could undo and redo then."""
+
+    place: int
+    undos: int
+    redos: int
+
+    def is_untouched(self, document) -> bool:
+        """Whether nobody has done anything since."""
+        return (document.UndoCount, document.RedoCount) == (self.undos, self.redos)
+
+    def is_undone(self, document) -> bool:
+        """Whether an undo has taken our step."""
+        return (document.UndoCount, document.RedoCount) == (self.undos - 1, self.redos + 1)
+
+    def is_redone(self, document) -> bool:
+        """Whether a redo has brought our step back."""
+        return (document.UndoCount, document.RedoCount) == (self.undos + 1, self.redos - 1)

@@ -50,3 +50,11 @@ def trial(document, title: str) -> Iterator[None]:
         yield
     finally:
         take_back()
+
+
+def forget_redos(document) -> None:
+    """Leave nothing to be redone: FreeCAD forgets it with the first change of a new step."""
+    if document.RedoCount:
+        begin(document, "")
+        document.addObject("App::FeaturePython", "Nothing")
+        take_back()

@@ -85,6 +85,7 @@ class MovePanel(Panel):
         say(self.form.axis_message, fault, True)
         if fault:
             return False
+        self._pending.gather()
         self._handles.unmake_unmoved()
         lines = self._handles.lines()
         if lines:

@@ -56,6 +56,7 @@ class PosePanel(Panel):
     def keep(self) -> bool:
         """OK: one undo step of what is seen, one macro line."""
         line = self._line()
+        self._pending.gather()
         if self._pending.is_open and line:
             with actions.waiting():
                 self._document.recompute()

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.bridge import seen
+from freecad.sheetmorph.bridge import seen, units
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.base import Panel, say
@@ -16,7 +16,7 @@ from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene.highlight import PartLight
 from freecad.sheetmorph.scene.looking import look_at
 from freecad.sheetmorph.scene.mesh_preview import MeshPreview
-from freecad.sheetmorph.tools import cures
+from freecad.sheetmorph.tools import cures, words
 
 
 def open_panel(part):
@@ -64,6 +64,8 @@ class PreparePanel(Panel):
 
     def keep(self) -> bool:
         """OK: cures the part."""
+        if self._has_fault():
+            return False
         lines = self._lines()
         if not lines:
             text = translate("panels", "Nothing is chosen; choose a cure, or cancel.")
@@ -115,7 +117,7 @@ class PreparePanel(Panel):
                 found = cures.with_unit_of(api.diagnose_original(self._part, scale), found)
         name_of_part = html.escape(self._part.Label)
         form.findings.setText(f"<b>{name_of_part}</b><br>{cures.as_text(found)}")
-        form.tolerance.setProperty("rawValue", cures.tolerance_of(found))
+        form.tolerance.setText(words.exact_length(cures.tolerance_of(found)))
         suggested = (found["suggested_edge"] or 1.0) / found["unit"]["scale"]
         form.edge.setProperty("rawValue", suggested)
         self._refresh()
@@ -125,12 +127,21 @@ class PreparePanel(Panel):
     def _wish(self) -> cures.Wish:
         form = self.form
         return cures.Wish(
-            form.tolerance.property("rawValue") if form.weld.isChecked() else None,
+            units.number_in(form.tolerance.text(), "mm") if form.weld.isChecked() else None,
             form.edge.property("rawValue") if form.remesh.isChecked() else None,
             ("polygon", "circle")[form.rims.currentIndex()],
             1000.0 if form.scale.isChecked() else 1.0,
             form.thin.isChecked(),
         )
+
+    def _has_fault(self) -> bool:
+        """Whether the tolerance says nothing; that is told."""
+        form = self.form
+        given = units.number_in(form.tolerance.text(), "mm")
+        text = translate("panels", "Weld within how much? Type a length, for example 0.01 mm.")
+        is_wrong = form.weld.isChecked() and (given is None or given < 0.0)
+        say(form.message, text if is_wrong else "", is_wrong)
+        return is_wrong
 
     def _lines(self) -> list[str]:
         """The API calls that do what is asked for."""
@@ -148,6 +159,8 @@ class PreparePanel(Panel):
     def _show_preview(self) -> None:
         """Computes the new mesh and draws it in place of the part."""
         self._end_preview()
+        if self._has_fault():
+            return
         wish = self._wish()
         if not wish.changes_mesh():
             say(self.form.message, translate("panels", "Choose a cure first."), True)
@@ -182,11 +195,11 @@ class PreparePanel(Panel):
     def _prepare_widgets(self) -> None:
         form = self.form
         say(form.message, "")
-        for field in (form.tolerance, form.edge):
-            field.setProperty("unit", "mm")
+        form.edge.setProperty("unit", "mm")
         form.scale.clicked.connect(self._tell)
         for box in (form.weld, form.remesh):
             box.toggled.connect(self._refresh)
+        form.tolerance.textEdited.connect(self._refresh)
         form.preview.clicked.connect(self._show_preview)
 
     def _refresh(self, *_) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
+
 LEAST_LENGTH = 0.0005  # mm: what is smaller is rounding, or nobody's concern
 LEAST_SHARE = 0.0005
 
@@ -34,6 +36,11 @@ def plain(value: float, digits: int = 3) -> str:
 def length(value: float, digits: int = 3) -> str:
     """A length, mm."""
     return f"{plain(value, digits) if abs(value) >= LEAST_LENGTH else '0'} mm"
+
+
+def exact_length(value: float) -> str:
+    """A length that is to be used as it stands, however small, mm."""
+    return f"{np.format_float_positional(value, trim='-')} mm"
 
 
 def percent(share: float) -> str:
