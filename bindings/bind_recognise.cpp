@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/recognise/contacts/contacts.h"
 #include "sheetmorph/recognise/features/features.h"
 #include "arrays.h"
 #include "layers.h"
+#include "progress.h"
 
-#include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
@@ -14,6 +15,23 @@ namespace sheetmorph
 
 namespace
 {
+
+std::vector<std::vector<Feature>> features_of_all(const std::vector<const TriangleMesh*>& meshes,
+                                                  const FeatureTolerances& tolerances,
+                                                  const Progress& progress)
+{
+    const std::string task = "looking for features";
+    std::vector<std::vector<Feature>> found(meshes.size());
+    std::vector<Task> searches;
+    for (std::size_t k = 0; k < meshes.size(); ++k)
+        searches.push_back({task, [&, k](const Progress& own)
+                            {
+                                own.report(0.0, task);
+                                found[k] = find_features(*meshes[k], tolerances);
+                            }});
+    run_tasks(searches, progress);
+    return found;
+}
 
 py::list to_lists(const std::vector<VertexIds>& loops)
 {
@@ -77,6 +95,10 @@ void bind_found_features(py::module_& module)
         .def_property_readonly(
             "vertices", [](const Feature& f) { return to_numpy(f.vertices); }, "(k,) int32")
         .def_property_readonly("washer", lists(&Feature::washer), "rings around, each (k,) int32");
+}
+
+void bind_feature_search(py::module_& module)
+{
     module.def(
         "find_features",
         [](const TriangleMesh& mesh, const FeatureTolerances& tolerances)
@@ -86,6 +108,17 @@ void bind_found_features(py::module_& module)
         },
         py::arg("mesh"), py::arg("tolerances") = FeatureTolerances(),
         "The holes, surfaces, flanges, beads of a mesh as a list of Feature, holes first.");
+    module.def(
+        "find_features",
+        [](const std::vector<const TriangleMesh*>& meshes, const FeatureTolerances& tolerances,
+           const py::object& progress)
+        {
+            const Progress told = progress_from(progress);
+            const py::gil_scoped_release released;
+            return features_of_all(meshes, tolerances, told);
+        },
+        py::arg("meshes"), py::arg("tolerances"), py::arg("progress") = py::none(),
+        "The same of every mesh, on all cores. progress(fraction, task) returns whether to go on.");
 }
 
 void bind_contacts(py::module_& module)
@@ -121,17 +154,17 @@ void bind_contact_search(py::module_& module)
         "find_contacts",
         [](const std::vector<ContactPart>& parts,
            const std::vector<std::array<int, 4>>& connections, const ContactTolerances& tolerances,
-           const Progress::Callback& progress)
+           const py::object& progress)
         {
             std::vector<Connection> elements;
             for (const auto& [part_a, vertex_a, part_b, vertex_b] : connections)
                 elements.push_back({part_a, vertex_a, part_b, vertex_b});
-            const Progress reported = progress ? Progress(progress) : Progress();
+            const Progress reported = progress_from(progress);
             const py::gil_scoped_release released;
             return find_contacts(parts, elements, tolerances, reported);
         },
         py::arg("parts"), py::arg("connections") = std::vector<std::array<int, 4>>(),
-        py::arg("tolerances") = ContactTolerances(), py::arg("progress") = Progress::Callback(),
+        py::arg("tolerances") = ContactTolerances(), py::arg("progress") = py::none(),
         "The contacts between parts as a list of FoundContact; a connection is (part a, vertex a, "
         "part b, vertex b).");
     module.def(
@@ -151,6 +184,7 @@ void bind_recognise(py::module_& module)
 {
     bind_tolerances(module);
     bind_found_features(module);
+    bind_feature_search(module);
     bind_contacts(module);
     bind_contact_search(module);
 }

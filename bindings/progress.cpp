@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "progress.h"
 
+#include <thread>
+
 namespace py = pybind11;
 
 namespace sheetmorph
@@ -10,9 +12,12 @@ Progress progress_from(const py::object& callback)
 {
     if (callback.is_none())
         return {};
+    const std::thread::id caller = std::this_thread::get_id();
     return Progress(
-        [&callback](double fraction, const std::string& task)
+        [&callback, caller](double fraction, const std::string& task)
         {
+            if (std::this_thread::get_id() != caller)
+                return true;
             const py::gil_scoped_acquire gil;
             const py::object answer = callback(fraction, task);
             return answer.is_none() || PyObject_IsTrue(answer.ptr()) != 0;

@@ -9,7 +9,9 @@ namespace sheetmorph
 {
 
 //! A Python callable (fraction, task) -> anything; returning False cancels; None: no progress. The
-//! work is done without the GIL, so it is taken for each report. The callable must outlive it.
+//! work is done without the GIL, so it is taken for each report, and only in the thread that made
+//! it: Python that runs in another one may collect garbage there, widgets among it, which belong to
+//! the window's. The callable must outlive it.
 Progress progress_from(const pybind11::object& callback);
 
 }  // namespace sheetmorph

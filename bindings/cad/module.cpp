@@ -5,8 +5,8 @@
 #include "sheetmorph/cad/writing/cad_writer.h"
 #include "sheetmorph/cad/writing/kept_model.h"
 #include "arrays.h"
+#include "progress.h"
 
-#include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
@@ -177,18 +177,6 @@ CadMeshing meshing_from(const py::dict& sizes)
         size = value.cast<double>();
     }
     return meshing;
-}
-
-Progress progress_from(const py::object& callback)
-{
-    if (callback.is_none())
-        return Progress();
-    return Progress(
-        [&callback](double fraction, const std::string& task)
-        {
-            const py::gil_scoped_acquire acquired;
-            return callback(fraction, task).cast<bool>();
-        });
 }
 
 void bind_readers(py::module_& module)

@@ -38,6 +38,7 @@ def survive(name: str, acts):
             yield from press_if_there("OK")
         if Gui.Control.activeDialog():
             yield from press_if_there("Cancel", "Close")
+            yield from time_to_close()
         yield 60
         # A redo after the end brings back what was moved in the panel, as it should.
         motions_before = {} if act is undo_and_redo else before
@@ -56,6 +57,14 @@ def used_again(used) -> None:
         used()
     except (AssertionError, AttributeError):
         return
+
+
+def time_to_close():
+    """A busy machine takes its time for a click; a panel that stays is told by what is left."""
+    for _ in range(100):
+        if not Gui.Control.activeDialog():
+            return
+        yield 50
 
 
 def press_if_there(*texts: str):

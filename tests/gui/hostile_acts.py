@@ -3,6 +3,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from desk import until
 from PySide import QtCore, QtGui
 from scenes import contacts, part, regions
 
@@ -124,6 +125,7 @@ def tall_view(_subject):
     yield 150
     window.setGeometry(before)
     window.showMaximized()
+    yield from until(lambda: window.geometry() == before, "the window to be as it was")
     yield 150
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a panel may have left behind: nodes, widgets, a dead selection, open steps."""
 
+import gc
+
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import report_view
@@ -90,6 +92,8 @@ def left(traces, before) -> list[str]:
     if App.getActiveTransaction() is not None:
         faults.append(f"an open transaction: {App.getActiveTransaction()}")
         App.closeActiveTransaction(True)
+    if not gc.isenabled():
+        faults.append("garbage is not collected any more")
     if App.ActiveDocument is None:
         return faults
     for obj, motion in motions().items():

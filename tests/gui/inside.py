@@ -41,6 +41,8 @@ class Runner:
             self._results.close()
             os._exit(1 if self._failed else 0)
         self._name, function = self._tests.pop(0)
+        with open(os.path.join(WORK, "running"), "w", encoding="utf-8") as running:
+            running.write(f"{self._name}\n")
         self._start = self._last = time.monotonic()
         self._spent = 0.0
         self._steps = function()

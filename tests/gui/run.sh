@@ -53,8 +53,11 @@ start_freecad() {
     local status=$?
     touch "$1/results"
     # A FreeCAD that died, hung or was killed leaves no closing line.
-    grep -q '^END$' "$1/results" ||
-        echo "FAIL $2: FreeCAD ended with status $status before its tests did" >>"$1/results"
+    grep -q '^END$' "$1/results" || {
+        echo "FAIL $2: FreeCAD ended with status $status in $(cat "$1/running" 2>/dev/null)"
+        echo "What FreeCAD said last:"
+        tail -40 "$1/freecad.out" | sed 's/^/    /'
+    } >>"$1/results"
 }
 
 # A test that fails is tried once more in a fresh FreeCAD: the mouse is real, and so is the load of
@@ -76,7 +79,8 @@ run_tests() {
                 sed 's/^/    /' >>"$lane/told"
         fi
     done < <(sed -n 's/^FAIL \(test_[^ ]*\).*/\1/p' "$lane/first")
-    grep -E '^(PASS|SKIP|NOTE)|^FAIL [^t]|^FAIL the tests' "$lane/first" >>"$lane/told"
+    grep -E '^(PASS|SKIP|NOTE)' "$lane/first" >>"$lane/told"
+    sed -nE '/^FAIL ([^t]|the tests)/,$p' "$lane/first" >>"$lane/told"
 }
 
 # Runs tests $3... with add-on $2 on a screen of their own; $1 is the name of the lane.

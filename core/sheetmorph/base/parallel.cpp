@@ -84,7 +84,7 @@ void run_tasks(const std::vector<Task>& tasks, const Progress& progress)
         try
         {
             progress.report(static_cast<double>(done) / static_cast<double>(count),
-                            "preparing " + tasks[latest].name);
+                            tasks[latest].name);
         }
         catch (...)
         {

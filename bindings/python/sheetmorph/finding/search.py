@@ -3,11 +3,9 @@
 
 from __future__ import annotations
 
-import os
 import time
 from collections import Counter
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -58,18 +56,9 @@ def find(
 def _features(
     core: Any, meshes: list[Any], options: FindOptions, progress: Progress | None
 ) -> list[Any]:
-    """The kernel's features of every part; several at a time, the kernel lets go of Python."""
-    tolerances = options.feature_tolerances(core)
-    features = []
-    with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        searches = [pool.submit(core.find_features, mesh, tolerances) for mesh in meshes]
-        for number, search in enumerate(searches):
-            share = 0.5 * number / len(meshes)
-            if progress is not None and progress(share, "looking for features") is False:
-                pool.shutdown(cancel_futures=True)
-                raise RuntimeError("cancelled by the user")
-            features.append(search.result())
-    return features
+    """The kernel's features of every part."""
+    first = None if progress is None else lambda share, task: progress(0.5 * share, task)
+    return core.find_features(meshes, options.feature_tolerances(core), first)
 
 
 def _contacts(core: Any, shapes: list[Any], options: FindOptions, more: tuple) -> tuple:

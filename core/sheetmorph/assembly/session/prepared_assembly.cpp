@@ -188,7 +188,7 @@ private:
     {
         prepared_.timings.push_back({name, 0.0});
         Timing& timing = prepared_.timings.back();
-        tasks_.push_back({name, [work, &timing](const Progress& progress)
+        tasks_.push_back({"preparing " + name, [work, &timing](const Progress& progress)
                           {
                               const auto start = std::chrono::steady_clock::now();
                               work(progress);

@@ -4,6 +4,7 @@
 from concurrent import futures
 
 from freecad.sheetmorph import actions
+from freecad.sheetmorph.interaction.garbage import collecting
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools.latest import Latest
 
@@ -12,7 +13,8 @@ class FrameWorker(QtCore.QObject):
     """Answers questions one at a time; of those asked meanwhile only the last is answered.
 
     ``compute(question)`` runs in the thread; the listener's ``on_answer(answer)`` or
-    ``on_fault(text)`` runs in the thread of the window, before the next question begins.
+    ``on_fault(text)`` runs in the thread of the window, before the next question begins. Whoever
+    makes one calls ``stop``: until then garbage is collected in the thread of the window alone.
     """
 
     _computed = QtCore.Signal(object, str)
@@ -22,6 +24,8 @@ class FrameWorker(QtCore.QObject):
         self._compute, self._listener = compute, listener
         self._latest = Latest()
         self._thread = futures.ThreadPoolExecutor(max_workers=1)
+        self._is_running = True
+        collecting().hold()
         self._computed.connect(self._deliver, QtCore.Qt.QueuedConnection)
 
     @property
@@ -47,6 +51,9 @@ class FrameWorker(QtCore.QObject):
         """Returns when the thread has ended; nothing is delivered any more."""
         self.hush()
         self._thread.shutdown(wait=True)
+        if self._is_running:
+            collecting().release()
+        self._is_running = False
 
     def _begin(self, question) -> None:
         if question is not None:

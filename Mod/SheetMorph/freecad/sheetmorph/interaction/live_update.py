@@ -29,7 +29,6 @@ class LiveUpdate(QtCore.QObject):
         self._assembly = assembly
         self._updating = updating
         self._live = live_session.live(assembly)
-        self._worker = FrameWorker(self._compute, self)
         self._frame = self._valuer = None
         self._warned = ""
         self.scene = LiveScene(assembly, self._live, session.view)
@@ -37,6 +36,7 @@ class LiveUpdate(QtCore.QObject):
         self.legend = None
         self.kernel_ms = self.draw_ms = 0.0
         self.count = 0
+        self._worker = FrameWorker(self._compute, self)  # last: it has to be stopped
 
     def ask(self, moved=(), exact: bool = False) -> None:
         """Asks for the present motions; ``moved``: the handles that are being changed.

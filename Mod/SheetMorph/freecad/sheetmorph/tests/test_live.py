@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Dragging: positions for the screen without touching the document."""
 
+import gc
+import threading
 import unittest
 
 import numpy as np
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import live_session, solving
+from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.tests import support
 
 
@@ -114,6 +117,37 @@ class TestLive(support.DocumentTest):
         self.assertNotIn("\n", str(raised.exception))
         with self.assertRaisesRegex(solving.MorphError, "no complete morph"):
             live_session.live(self.part.Source)
+
+
+class Widget:
+    """One of a cycle, as panels leave them; tells in which thread it is destroyed."""
+
+    def __init__(self, destroyed: list):
+        self._me, self._destroyed = self, destroyed
+
+    def __del__(self):
+        self._destroyed.append(threading.current_thread())
+
+
+class TestFrameWorker(unittest.TestCase):
+    def test_what_a_panel_left_is_never_destroyed_in_another_thread(self):
+        destroyed: list = []
+        worker = FrameWorker(lambda _question: [[] for _ in range(200_000)], None)
+        for _ in range(50):
+            Widget(destroyed)
+        worker.ask("a question that makes much garbage")
+        worker.stop()
+        gc.collect()
+        self.assertEqual(destroyed, 50 * [threading.main_thread()])
+
+    def test_garbage_is_collected_again_when_the_last_thread_has_ended(self):
+        workers = [FrameWorker(lambda question: question, None) for _ in range(2)]
+        self.assertFalse(gc.isenabled())
+        workers[0].stop()
+        workers[0].stop()
+        self.assertFalse(gc.isenabled())
+        workers[1].stop()
+        self.assertTrue(gc.isenabled())
 
 
 if __name__ == "__main__":
