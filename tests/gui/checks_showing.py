@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is shown while a handle is dragged: ghost, features, colours with their scale, gaps."""
 
+import contextlib
+import sys
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
@@ -8,6 +11,7 @@ from checks_dragging import drag_up, grab_up_arrow
 from checks_moving import lifted, open_panel
 from desk import child, choose_below, colour_at, enter, picture, press, tick, until, view, xdotool
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.scene import drawing
 from pivy import coin
 from PySide import QtGui
 from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, part, regions, stored
@@ -15,6 +19,7 @@ from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, par
 __all__ = [
     "test_the_original_stays_as_a_ghost_while_the_part_moves",
     "test_creases_stay_crisp_while_dragging_and_at_rest",
+    "test_without_the_compiled_view_everything_is_drawn_through_pivy",
     "test_features_say_how_far_they_move",
     "test_displacement_has_colours_with_a_scale",
     "test_quality_and_gaps_have_colours_too",
@@ -107,6 +112,42 @@ def test_creases_stay_crisp_while_dragging_and_at_rest():
     picture("creases")
     yield from xdotool("mouseup", 1)
     yield from press("Cancel")
+
+
+@contextlib.contextmanager
+def without_compiled_view():
+    """As if the module `_coin` had been left out of the build, or were for another Coin."""
+    had = sys.modules.get("sheetmorph._coin")
+    sys.modules["sheetmorph._coin"] = None
+    drawing.chosen.cache_clear()
+    try:
+        yield
+    finally:
+        del sys.modules["sheetmorph._coin"]
+        if had is not None:
+            sys.modules["sheetmorph._coin"] = had
+        drawing.chosen.cache_clear()
+
+
+def test_without_the_compiled_view_everything_is_drawn_through_pivy():
+    with without_compiled_view():
+        yield from new_morph()
+        rest = stored()
+        yield from open_panel()
+        start = yield from grab_up_arrow()
+        yield from drag_up(start, 8)
+        yield from until(lambda: largest(drawn() - rest) > 3, "the drag")
+        yield from xdotool("mouseup", 1)
+        assert drawing.drawer() is drawing.ThroughPivy
+        assert corner_faults().max() < 30.0
+        yield from tick(child("original"))
+        yield from choose_below(child("colours"), 1)
+        yield from until(child("scale").isVisible, "the scale")
+        assert len(np.unique(vertex_colours(), axis=0)) > 9
+        picture("through_pivy")
+        seen = drawn()
+        yield from press("OK")
+    assert largest(stored() - seen) < 1e-3
 
 
 def test_features_say_how_far_they_move():

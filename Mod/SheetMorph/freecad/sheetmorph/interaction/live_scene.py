@@ -4,7 +4,7 @@
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.interaction import control_meshes
-from freecad.sheetmorph.scene import preview
+from freecad.sheetmorph.scene import drawing, preview
 from freecad.sheetmorph.scene.feature_marks import FeatureMarks
 from freecad.sheetmorph.scene.ghost import Ghost
 from freecad.sheetmorph.scene.wireframe import Wireframe
@@ -105,11 +105,11 @@ class LiveScene:
 
     def _at_rest(self) -> list:
         """The view of every part, who draws it, and its mesh at rest."""
-        module, found = preview.module(), []
+        drawer, found = drawing.drawer(), []
         for part in model.parts(self._assembly):
             rest = self._live.parts[part.Name]
             points = rest.frame.to_local(rest.points)
-            found.append((part.ViewObject, module, points, rest.triangles))
+            found.append((part.ViewObject, drawer, points, rest.triangles))
         return found
 
     def _sides(self) -> list:

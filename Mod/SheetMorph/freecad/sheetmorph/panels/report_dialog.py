@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.qt import QtGui, QtWidgets
+from freecad.sheetmorph.scene import drawing
 
 
 def show() -> None:
@@ -13,7 +14,7 @@ def show() -> None:
     dialog.setObjectName("SheetMorphReport")
     dialog.setWindowTitle("Check Installation")
     dialog.resize(720, 420)
-    text = QtWidgets.QPlainTextEdit(kernel.report(), dialog)
+    text = QtWidgets.QPlainTextEdit(f"{kernel.report()}\n{drawing.report()}", dialog)
     text.setReadOnly(True)
     text.setLineWrapMode(QtWidgets.QPlainTextEdit.WidgetWidth)
     text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont))

@@ -11,11 +11,11 @@ from freecad.sheetmorph.scene.surface import Surface
 class Ghost:
     """In the view of a part, at its placement, until ``remove`` is called."""
 
-    def __init__(self, view_object, module, points, triangles):
-        """``module``: sheetmorph._coin; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
+    def __init__(self, view_object, drawer, points, triangles):
+        """``drawer``: see `drawing`; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
         self._surface = Surface(coin.SoCoordinate3())
         self._surface.paint(colours.GHOST, 0.45)
-        self._surface.fill(module, points, triangles)
+        self._surface.fill(drawer, points, triangles)
         self._hanging = Hanging(view_object.RootNode, self._surface.node)
 
     def remove(self) -> None:

@@ -17,8 +17,12 @@ def transform(view_object):
 
 def positions(view_object) -> np.ndarray:
     """The positions that are shown: (n, 3) local mm, in single precision."""
-    values = coordinates(view_object).point.getValues()
-    return np.array([value.getValue() for value in values], dtype=float).reshape(-1, 3)
+    return rows(coordinates(view_object).point)
+
+
+def rows(field) -> np.ndarray:
+    """What a field of several vectors or colours holds, (n, 3)."""
+    return np.array([value.getValue() for value in field.getValues()], dtype=float).reshape(-1, 3)
 
 
 def unpickable():
@@ -37,13 +41,14 @@ def unlit(colour, line_width: float = 1.0, point_size: float = 1.0) -> tuple:
     return unpickable(), flat, base, draw
 
 
-def set_index(node, rows: np.ndarray) -> None:
-    """Writes rows (m, k) of vertices into a shape with coordIndex, each closed by -1."""
-    flat = np.full((len(rows), rows.shape[1] + 1), -1, np.int32)
-    flat[:, :-1] = rows
-    node.coordIndex.setNum(flat.size)
+def set_index(node, faces: np.ndarray, field: str = "coordIndex") -> None:
+    """Writes rows (m, k) of indices into a field of a shape, each closed by -1."""
+    flat = np.full((len(faces), faces.shape[1] + 1), -1, np.int32)
+    flat[:, :-1] = faces
+    indices = getattr(node, field)
+    indices.setNum(flat.size)
     if flat.size:
-        node.coordIndex.setValues(0, flat.size, flat.ravel().tolist())
+        indices.setValues(0, flat.size, flat.ravel().tolist())
 
 
 def _first(root, wanted):

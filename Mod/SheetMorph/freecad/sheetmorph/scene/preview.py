@@ -5,12 +5,9 @@ It hangs under the root of the part's view provider and uses its coordinates nod
 part and all containers around it, and the coloured regions follow.
 """
 
-import importlib
-
 import numpy as np
 from pivy import coin
 
-from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.scene import nodes
 from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.surface import Surface
@@ -19,13 +16,13 @@ from freecad.sheetmorph.scene.surface import Surface
 class Preview:
     """Draws one part at other positions until ``remove`` is called."""
 
-    def __init__(self, view_object, module, points: np.ndarray, triangles: np.ndarray):
-        """``module``: sheetmorph._coin; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
+    def __init__(self, view_object, drawer, points: np.ndarray, triangles: np.ndarray):
+        """``drawer``: see `drawing`; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
         self._view_object = view_object
         self._surface = Surface(nodes.coordinates(view_object))
         self._switch = view_object.SwitchNode
         self._mode = self._switch.whichChild.getValue()
-        self._surface.fill(module, points, triangles)
+        self._surface.fill(drawer, points, triangles)
         self.plain()
         # Not the Visibility property: hiding the mesh is no change of the document.
         self._switch.whichChild = coin.SO_SWITCH_NONE
@@ -52,12 +49,3 @@ class Preview:
             self._view_object.update()
         except (ReferenceError, RuntimeError):
             return
-
-
-def module():
-    """The compiled module sheetmorph._coin; raises RuntimeError with what to do."""
-    kernel.load()
-    try:
-        return importlib.import_module("sheetmorph._coin")
-    except ImportError as error:
-        raise RuntimeError(f"The live view cannot be loaded ({error}). {kernel.REPAIR}") from error

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A shaded mesh in Coin nodes that the kernel fills without Python in between."""
+"""A shaded mesh in Coin nodes that follows positions, in one colour or in those of values."""
 
 import math
 
@@ -26,12 +26,12 @@ class Surface:
         self._mesh = self._colours = None
         self.node = self._separator()
 
-    def fill(self, module, points: np.ndarray, triangles: np.ndarray) -> None:
-        """``module``: sheetmorph._coin; ``points`` (n, 3) mm, ``triangles`` (m, 3)."""
-        addresses = tuple(int(n.this) for n in (self._coordinates, self._normals, self._faces))
-        self._mesh = module.MeshNodes(addresses, points, triangles, CREASE)
+    def fill(self, drawer, points: np.ndarray, triangles: np.ndarray) -> None:
+        """``drawer``: see `drawing`; ``points`` (n, 3) mm, ``triangles`` (m, 3)."""
+        drawn = self._coordinates, self._normals, self._faces
+        self._mesh = drawer.mesh_nodes(drawn, points, triangles, CREASE)
         ramp = colour_scale.ramp(SHADES)
-        self._colours = module.ValueColours(int(self._material.this), ramp, colour_scale.MISSING)
+        self._colours = drawer.value_colours(self._material, ramp, colour_scale.MISSING)
 
     def show(self, points: np.ndarray, frame) -> None:
         """Moves it to other positions (n, 3), mm, global, with normals of their own."""
