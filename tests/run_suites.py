@@ -136,6 +136,14 @@ class Suites:
         """A study as an array job, on Slurm's daemons started for it."""
         return self._pytest("batch", ["tests/batch"], self.staged)
 
+    def decks(self) -> Count:
+        """Every public deck bent by 5 % of its size, through the whole way of a run."""
+        return self._pytest("decks", ["tests/decks/test_bent_decks.py"], self.staged)
+
+    def fuzz(self) -> Count:
+        """Every reader of decks and of files of welds on mutated files, 10 minutes each."""
+        return self._pytest("fuzz", ["tests/decks/test_fuzzed_files.py"], self.staged)
+
     def style(self) -> Count:
         """Formatting, names and habits of both languages; one test a checker."""
         cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
@@ -347,7 +355,7 @@ def run_one(suites: Suites, name: str) -> Count:
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy", "scale", "pictures", "sanitize", "slurm"]
+    names = [*default, "tidy", "scale", "pictures", "sanitize", "slurm", "decks", "fuzz"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

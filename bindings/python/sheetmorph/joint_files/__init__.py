@@ -11,7 +11,7 @@ from .csv_points import read_csv, read_vip
 from .points import JointFile
 from .xml_points import read_xml
 
-__all__ = ["JointFile", "is_joint_file", "read_joint_file", "suffixes"]
+__all__ = ["JointFile", "is_joint_file", "read_joint_bytes", "read_joint_file", "suffixes"]
 
 _READERS: dict[str, Callable[[Path, bytes], JointFile]] = {
     ".xml": read_xml,
@@ -44,4 +44,9 @@ def read_joint_file(path: str | Path) -> JointFile:
         reason = error.strerror or str(error)
         todo = "check the path and its rights"
         raise FileError(place, f"cannot be read ({reason})", todo) from None
-    return _READERS[place.suffix.lower()](place, data)
+    return read_joint_bytes(place, data)
+
+
+def read_joint_bytes(path: Path, data: bytes) -> JointFile:
+    """The same from the bytes of a file. Raises FileError."""
+    return _READERS[path.suffix.lower()](path, data)

@@ -130,12 +130,12 @@ def _columns(file: JointFile, head: _Line) -> tuple[list[int], dict]:
     units = set()
     for k, field in enumerate(head.fields):
         shown = _shown(file.data, field).lower()
-        plain, unit = re.fullmatch(r"([^\[(]*)(?:[\[(]([^\])]*)[\])].*)?", shown).groups()
-        name = re.sub(r"[^a-z0-9]", "", plain or "")
+        plain, unit = _name_and_unit(shown)
+        name = re.sub(r"[^a-z0-9]", "", plain)
         axis = _AXIS.fullmatch(name)
         if axis:
             axes.setdefault(next(filter(None, axis.groups())), k)
-            units.add((unit or "").strip())
+            units.add(unit)
         elif _PART.fullmatch(name):
             others["parts"].append(k)
         elif name in _IDS:
@@ -150,6 +150,12 @@ def _columns(file: JointFile, head: _Line) -> tuple[list[int], dict]:
         raise file.error(head.number, what, "give x, y and z in mm")
     file.unit = _UNITS[units.pop()]
     return [axes[axis] for axis in "xyz"], others
+
+
+def _name_and_unit(shown: str) -> tuple[str, str]:
+    """ "x" and "mm" of "x [mm]"."""
+    found = re.search(r"[\[(]([^\])]*)[\])]", shown)
+    return (shown[: found.start()], found.group(1).strip()) if found else (shown, "")
 
 
 def _shown(data: bytes, field: tuple[int, int]) -> str:

@@ -53,6 +53,11 @@ class _Reader:
         except expat.ExpatError as error:
             what = f"not XML: {expat.ErrorString(error.code)}"
             raise self._file.error(error.lineno - 1, what) from None
+        except (LookupError, ValueError) as error:
+            if isinstance(error, FileError):
+                raise
+            what, todo = f"its encoding cannot be read ({error})", "save it as UTF-8"
+            raise self._file.error(0, what, todo) from None
         if self._untold:
             told = f"{self._untold} directions of lines and faces stay as they are"
             self._file.notes.append(told)
