@@ -1269,6 +1269,10 @@
    <translation>Berechnet in {0:.1f} ms, gezeichnet in {1:.1f} ms</translation>
   </message>
   <message>
+   <source>{0} contacts open too far, see Propagation; the first:</source>
+   <translation>{0} Kontakte öffnen sich zu weit, siehe Ausbreitung; der erste:</translation>
+  </message>
+  <message>
    <source>Will not follow, no contact leads there: {0}</source>
    <translation>Folgt nicht, kein Kontakt führt dorthin: {0}</translation>
   </message>

@@ -1269,6 +1269,10 @@
    <translation>計算 {0:.1f} ms、描画 {1:.1f} ms</translation>
   </message>
   <message>
+   <source>{0} contacts open too far, see Propagation; the first:</source>
+   <translation>{0} 個の接触が開きすぎています。「伝播」を参照。最初の接触:</translation>
+  </message>
+  <message>
    <source>Will not follow, no contact leads there: {0}</source>
    <translation>接触でつながらないため追従しません: {0}</translation>
   </message>

@@ -19,6 +19,7 @@ from scenes import assembly, contacts, drawn, labelled, largest, new_assembly, p
 __all__ = [
     "test_a_click_on_a_row_highlights_parts_and_contact",
     "test_type_mode_and_propagation_are_changed_in_the_panel",
+    "test_a_contact_that_opens_too_far_is_told_in_the_tree_and_while_moving",
     "test_control_meshes_move_with_the_handle",
     "test_every_part_of_the_welded_frame_follows_live",
     "test_another_part_becomes_the_primary",
@@ -116,6 +117,25 @@ def test_type_mode_and_propagation_are_changed_in_the_panel():
         App.ActiveDocument.undo()
     assert (contact.Type, contact.Active) == ("control mesh", True)
     assert (bracket.Mode, assembly().Propagation) == ("automatic", "local")
+
+
+def test_a_contact_that_opens_too_far_is_told_in_the_tree_and_while_moving():
+    yield from new_assembly(is_joined=True)
+    (contact,) = contacts()
+    api.set_motion(regions("handle")[0], (0, 0, 2000))
+    App.ActiveDocument.recompute()
+    assert "make it tied or rigid" in contact.Warning, contact.GapChange
+    yield from press_tool("Propagation…")
+    row = rows()[contact.Label]
+    assert row.toolTip(0) == contact.Warning and not row.icon(2).isNull()
+    assert contact.Warning in child("hint").text()
+    picture("propagation-opened")
+    yield from press("Close")
+    Gui.Selection.addSelection(regions("handle")[0])
+    yield from press_tool("Move Handle…")
+    yield from until(lambda: contact.Warning in child("staying").text(), "the warning")
+    picture("move-opened")
+    yield from press("Cancel")
 
 
 def test_control_meshes_move_with_the_handle():

@@ -5,6 +5,7 @@ The compiled kernel ``sheetmorph._core`` is loaded by the first Session, so file
 read and checked without it.
 """
 
+from .cautions import open_contacts
 from .doctor import diagnose
 from .errors import Fault, FileError, KernelError, RecipeError
 from .files import PartFile, read_part
@@ -73,6 +74,7 @@ __all__ = [
     "intersection",
     "minus",
     "open",
+    "open_contacts",
     "piece_at",
     "read_part",
     "resolve",

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 
 NO_FIDELITY = (0.0, 0.0)
@@ -21,6 +22,8 @@ class Findings:
     unreached: tuple[str, ...] = ()  # names of parts that nothing moves
     fidelity: dict[str, tuple[float, float]] = field(default_factory=dict)
     """By object name of a contact: change of the gap and deviation, mm."""
+    warnings: dict[str, str] = field(default_factory=dict)
+    """By object name of a contact that opens or closes too far: the sentence that says so."""
 
 
 def findings_of(session, result, contacts: dict[str, str]) -> Findings:
@@ -31,7 +34,9 @@ def findings_of(session, result, contacts: dict[str, str]) -> Findings:
     fidelity = {
         contacts[found.name]: (found.gap_change, found.deviation) for found in result.contacts
     }
-    return Findings(tuple(session.order), tuple(session.unreached), fidelity)
+    opened = kernel.load().open_contacts(result)
+    warnings = {contacts[name]: text for name, text in opened.items()}
+    return Findings(tuple(session.order), tuple(session.unreached), fidelity, warnings)
 
 
 def steps_of(session, parts: dict[str, str], contacts: dict[str, str]) -> list[Step]:
@@ -57,6 +62,7 @@ def show(assembly, outcome) -> None:
         gap, deviation = found.fidelity.get(contact.Name, NO_FIDELITY)
         set_length(contact, "GapChange", gap)
         set_length(contact, "Deviation", deviation)
+        set_where_new(contact, "Warning", found.warnings.get(contact.Name, ""))
 
 
 def set_where_new(obj, name: str, value) -> None:

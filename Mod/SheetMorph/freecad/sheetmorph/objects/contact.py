@@ -21,6 +21,7 @@ DEVIATION_DOC = (
     "How far the follower's side is, at most, from where a stiff motion of the other side would "
     "put it; what bends shows here"
 )
+WARNING_DOC = "Why the contact opens or closes too far, and what to do; empty if it does not"
 
 
 class ContactProxy(ObjectProxy):
@@ -36,6 +37,7 @@ class ContactProxy(ObjectProxy):
         Property("FloatList", "VerticesB", "Contact", "Vertices of the second side", mode=HIDDEN),
         Property("Distance", "GapChange", "Result", GAP_DOC, None, READ_ONLY, is_output=True),
         Property("Distance", "Deviation", "Result", DEVIATION_DOC, None, READ_ONLY, is_output=True),
+        Property("String", "Warning", "Result", WARNING_DOC, None, READ_ONLY, is_output=True),
     )
 
     def onDocumentRestored(self, obj) -> None:

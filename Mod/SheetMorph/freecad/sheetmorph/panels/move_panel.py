@@ -9,7 +9,7 @@ from freecad.sheetmorph.api.poses import motion_of, restore, snapshot
 from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import progress
+from freecad.sheetmorph.panels import progress, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, legend, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
@@ -246,6 +246,7 @@ class MovePanel(Panel):
         elif is_steel:
             text = translate("panels", "Steel, final. {0}").format(text)
         say(self.form.status, text)
+        self._tell_who_stays()
         self._shown.tell()
 
     def _hush(self) -> None:
@@ -278,10 +279,16 @@ class MovePanel(Panel):
         self._fill()
 
     def _tell_who_stays(self) -> None:
-        """Says which parts will not follow, because no contact leads to them."""
-        names = ", ".join(self._handles.assembly.Unreached)
+        """Says which parts will not follow, as no contact leads there, and what opens too far."""
+        assembly = self._handles.assembly
+        names, opened = ", ".join(assembly.Unreached), propagation_tree.opened(assembly)
         text = translate("panels", "Will not follow, no contact leads there: {0}")
-        say(self.form.staying, text.format(names) if names else "")
+        texts = [text.format(names)] if names else []
+        if len(opened) > 1:
+            text = translate("panels", "{0} contacts open too far, see Propagation; the first:")
+            texts.append(text.format(len(opened)))
+        texts += [contact.Warning for contact in opened[:1]]
+        say(self.form.staying, "\n".join(texts))
 
     def _fill(self) -> None:
         """Shows the motion of the handle."""

@@ -120,9 +120,10 @@ class PropagationPanel(Panel):
                 if self.form.message.text()
                 else translate("panels", "Mark a fixed region and a handle first.")
             )
+        hints = [contact.Warning for contact in propagation_tree.opened(self._assembly)[:1]]
         if any(step.level < 0 for step in self._steps):
-            return propagation_tree.HINT
-        return ""
+            hints.append(propagation_tree.HINT)
+        return "\n".join(hints)
 
     def _choose(self) -> None:
         """Shows what belongs to the row that is chosen."""

@@ -80,6 +80,20 @@ def _add_contact(above, contact, origin: str) -> None:
     row.setText(2, _millimetres(contact.GapChange.Value) if contact.Active else "")
     row.setToolTip(0, f"{contact.Label}, {origin}: {_parts_of(contact)}")
     row.setToolTip(2, "How much the gap between both sides has changed, at most")
+    if contact.Active and contact.Warning:
+        row.setIcon(2, warning_icon())
+        for column in range(3):
+            row.setToolTip(column, contact.Warning)
+
+
+def opened(assembly) -> list:
+    """The contacts that open or close too far."""
+    return [contact for contact in model.contacts(assembly) if contact.Active and contact.Warning]
+
+
+def warning_icon():
+    """The sign beside what is likely not wanted."""
+    return QtWidgets.QApplication.style().standardIcon(QtWidgets.QStyle.SP_MessageBoxWarning)
 
 
 def _add_group(tree, title: str, objects, hint: str) -> None:

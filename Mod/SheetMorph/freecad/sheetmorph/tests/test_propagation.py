@@ -30,6 +30,23 @@ class ChainTest(support.DocumentTest):
         return support.largest(self.positions(part) - api.rest_mesh(part)[0])
 
 
+class TestWarnings(ChainTest):
+    def test_a_contact_that_opens_too_far_says_so_until_it_does_not(self):
+        api.set_motion(self.handle, (0, 0, 5))
+        self.assembly.Document.recompute()
+        self.assertEqual(self.first.Warning + self.last.Warning, "")
+        api.set_motion(self.handle, (0, 0, 400))
+        self.assembly.Document.recompute()
+        self.assertTrue(self.first.Warning or self.last.Warning, "a control mesh opens")
+        opened = self.first if self.first.Warning else self.last
+        self.assertIn("make it tied or rigid", opened.Warning)
+        self.assertIn(opened.Label, opened.Warning)
+        for contact in (self.first, self.last):
+            api.set_contact_type(contact, "rigid")
+        self.assembly.Document.recompute()
+        self.assertEqual(self.first.Warning + self.last.Warning, "")
+
+
 class TestOrder(ChainTest):
     def test_every_part_follows_and_the_rows_say_along_what(self):
         for part in (self.part, self.second, self.third):
