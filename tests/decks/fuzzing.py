@@ -82,7 +82,7 @@ def mutated(data: bytes, dice: random.Random) -> bytes:
     return data
 
 
-def try_case(name: str, data: bytes) -> None:
+def check_case(name: str, data: bytes) -> None:
     """Read, write, move and read again; what is wrong must be a FileError."""
     try:
         if Path(name).suffix in (".bdf", ".k", ".inp", ".rad", ".msh"):
@@ -129,7 +129,7 @@ def fuzz(reader: str, seconds: float, folder: Path) -> tuple[int, list[Path]]:
         name, data = dice.choice(given)
         case = mutated(data, dice)
         count += 1
-        why = guarded(lambda: try_case(name, case))
+        why = guarded(lambda: check_case(name, case))
         if why:
             path = folder / f"{reader}-{len(failed)}{Path(name).suffix}"
             path.write_bytes(case)

@@ -11,7 +11,7 @@ import pytest
 
 sys.path.append(str(Path(__file__).parents[1] / "decks"))
 
-from fuzzing import CORPUS, READERS, mutated, seeds, try_case  # noqa: E402
+from fuzzing import CORPUS, READERS, mutated, seeds, check_case  # noqa: E402
 
 KEPT = sorted(CORPUS.glob("*"))
 
@@ -22,7 +22,7 @@ def test_there_is_a_corpus():
 
 @pytest.mark.parametrize("path", KEPT, ids=lambda path: path.name)
 def test_what_once_was_trouble_is_read_or_refused(path: Path):
-    try_case(path.name, path.read_bytes())
+    check_case(path.name, path.read_bytes())
 
 
 @pytest.mark.parametrize("reader", sorted(READERS))
@@ -31,4 +31,4 @@ def test_mutated_files_are_read_or_refused(reader: str):
     given = seeds(reader)
     for _ in range(60):
         name, data = dice.choice(given)
-        try_case(name, mutated(data, dice))
+        check_case(name, mutated(data, dice))
