@@ -144,6 +144,10 @@ class Suites:
         """Every reader of decks and of files of welds on mutated files, 10 minutes each."""
         return self._pytest("fuzz", ["tests/decks/test_fuzzed_files.py"], self.staged)
 
+    def shapes(self) -> Count:
+        """CAD parts bent and written as CAD again; its log has the table. Minutes."""
+        return self._pytest("shapes", ["-s", "tests/shapes"], self.staged)
+
     def style(self) -> Count:
         """Formatting, names and habits of both languages; one test a checker."""
         cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
@@ -355,7 +359,7 @@ def run_one(suites: Suites, name: str) -> Count:
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy", "scale", "pictures", "sanitize", "slurm", "decks", "fuzz"]
+    names = [*default, "tidy", "scale", "pictures", "sanitize", "slurm", "decks", "fuzz", "shapes"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

@@ -135,7 +135,8 @@ void FaceSpline::fit(const SplineTargets& targets, double tolerance)
 // So many places that a surface cannot swing between them, however short its spans are.
 void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>& places) const
 {
-    constexpr double along = 30.0, at_end = 1000.0, to_a_span = 3.0;
+    constexpr double along = 60.0, at_end = 1000.0, to_a_span = 3.0, spacing_share = 0.15;
+    constexpr double closest = 0.01;  // of the distance between places
     constexpr int least = 3, most = 40;
     const std::size_t pieces = track.parameters.size() - 1;
     for (std::size_t i = 0; i < pieces; ++i)
@@ -153,13 +154,22 @@ void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>
             }
         const int cuts = std::clamp(static_cast<int>(to_a_span * spans) + 1, least, most);
         const double length = (track.target(low) - track.target(high)).norm();
-        for (int cut = 0; cut < cuts + (i + 1 == pieces ? 1 : 0); ++cut)
+        const auto add = [&](double cut, bool is_end)
         {
             const double t = low + cut * (high - low) / cuts;
-            const bool is_end = (i == 0 && cut == 0) || cut == cuts;
             places.push_back({track.uv(t), track.target(t),
                               is_end || track.is_point ? at_end : along, track.tolerance,
-                              0.5 * length});
+                              spacing_share * length});
+        };
+        for (int cut = 0; cut < cuts + (i + 1 == pieces ? 1 : 0); ++cut)
+            add(cut, (i == 0 && cut == 0) || cut == cuts);
+        // Near a corner spans may be as short as the edge beyond it wants them.
+        for (double near = 0.5; near > closest; near *= 0.5)
+        {
+            if (i == 0)
+                add(near, false);
+            if (i + 1 == pieces)
+                add(cuts - near, false);
         }
     }
 }
