@@ -150,6 +150,23 @@ Deformed deform(const DeformationSession& session, const Pose& pose, bool exact,
     return session.deform(pose, exact ? Exactness::exact : Exactness::live, progress);
 }
 
+// By direction, by part.
+std::vector<std::vector<py::array_t<double>>> rates(const DeformationSession& session,
+                                                    const Pose& pose,
+                                                    const std::vector<PoseRate>& directions)
+{
+    std::vector<std::vector<Points>> found;
+    {
+        const py::gil_scoped_release without_gil;
+        found = session.rates(pose, directions);
+    }
+    std::vector<std::vector<py::array_t<double>>> arrays(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        for (Points& part : found[k])
+            arrays[k].push_back(to_numpy(std::move(part)));
+    return arrays;
+}
+
 // The array of a frame holds it, so that its memory is not used again before.
 std::shared_ptr<Deformed> frame(LiveDrag& drag, const Pose& pose)
 {
@@ -218,6 +235,19 @@ void bind_union(py::class_<DeformationSession>& session)
              "Whether a fixed region holds a part, its own or through rigid contacts.");
 }
 
+// Poses, and how their answers change with them.
+void bind_answers(py::class_<DeformationSession>& session)
+{
+    session
+        .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
+             py::arg("progress") = py::none(),
+             "Every part in one pose, always from rest. progress(fraction, task): return False to "
+             "cancel (raises Cancelled).")
+        .def("rates", &rates, py::arg("pose"), py::arg("directions"),
+             "How the exact positions change along PoseRates: by direction and part (n, 3) "
+             "float64. Raises NoDerivative where the answer is not differentiated.");
+}
+
 }  // namespace
 
 void bind_session(py::module_& module)
@@ -228,15 +258,12 @@ void bind_session(py::module_& module)
                                          "the pre-processing phase; deform() only substitutes.");
     bind_order(bound);
     bind_union(bound);
+    bind_answers(bound);
     bound
         .def(py::init(&session_from), py::arg("assembly"), py::arg("progress") = py::none(),
              py::arg("previous") = nullptr,
              "progress(fraction, task): return False to cancel (raises Cancelled). previous: a "
              "session of an earlier state; what did not change is taken over.")
-        .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
-             py::arg("progress") = py::none(),
-             "Every part in one pose, always from rest. progress(fraction, task): return False to "
-             "cancel (raises Cancelled).")
         .def("sheet", &DeformationSession::sheet, py::arg("part"),
              py::return_value_policy::reference_internal,
              "TriangleMesh of what is deformed of a part: its own, or the middle of a thin solid.")

@@ -15,6 +15,8 @@ from .errors import Fault, RecipeError
 from .part_mesh import PartMesh
 from .recipe.model import ContactEntry, Model, Motion, PartEntry, RegionEntry, Rotation
 
+Numbers = dict[tuple[str, str], np.ndarray]
+
 _NO_TURN = (0.0, 0.0, 0.0)
 _UPWARDS = (0.0, 0.0, 1.0)
 
@@ -124,36 +126,56 @@ class Translator:
 
     def pose(self, motions: Mapping[str, Motion]) -> Any:
         """The kernel's Pose; what the motions leave out keeps the recipe's own values."""
-        pose = self._core.Pose()
+        return self._told(self._core.Pose(), self.numbers(motions))
+
+    def pose_rate(self, numbers: Numbers) -> Any:
+        """The kernel's PoseRate; numbers: how those of the pose change."""
+        return self._told(self._core.PoseRate(), numbers)
+
+    def numbers(self, motions: Mapping[str, Motion]) -> Numbers:
+        """What a pose tells the kernel, by (kind, name): of a handle translation, rotation log and
+        pivot (9,), of a point its place and rotation log (6,), of a feature its rotation log (3,)
+        or its size (1,); mm, radians."""
+        found: Numbers = {}
         for entry in self._model.regions:
             motion = motions.get(entry.name, Motion(entry.where))
             if entry.kind == "handle":
-                self._move_handle(pose, entry, motion)
+                found |= self._of_handle(entry, motion)
             elif entry.kind == "feature":
-                self._tell_feature(pose, entry, motion)
+                if entry.rotation is not None:
+                    log = self._log(motion.rotation or entry.rotation)
+                    found["turn", entry.name] = np.asarray(log, float)
+                if motion.size is not None:
+                    found["size", entry.name] = np.array([motion.size], float)
             elif entry.kind == "point":
                 target = motion.target or entry.target
                 place = self._places[entry.name] if target is None else np.array(target)
                 log = self._log(motion.rotation or entry.rotation)
-                pose.place_point(entry.name, place, log)
-        return pose
+                found["point", entry.name] = np.concatenate([place, log])
+        return found
 
-    def _tell_feature(self, pose: Any, entry: RegionEntry, motion: Motion) -> None:
-        if entry.rotation is not None:
-            pose.turn_feature(entry.name, self._log(motion.rotation or entry.rotation))
-        if motion.size is not None:
-            pose.size_feature(entry.name, motion.size)
-
-    def _move_handle(self, pose: Any, entry: RegionEntry, motion: Motion) -> None:
+    def _of_handle(self, entry: RegionEntry, motion: Motion) -> Numbers:
         place = self._places[entry.name]
         pivot = motion.pivot or entry.pivot or tuple(place)
-        rigid = self._core.RigidMotion(
-            motion.translation or _NO_TURN, self._log(motion.rotation), pivot
-        )
-        if entry.is_point:
-            pose.place_point(entry.name, rigid.apply(place[None, :])[0], rigid.rotation_log)
-        else:
-            pose.move_handle(entry.name, rigid)
+        told = motion.translation or _NO_TURN, self._log(motion.rotation), pivot
+        if not entry.is_point:
+            return {("handle", entry.name): np.concatenate(told)}
+        rigid = self._core.RigidMotion(*told)
+        moved = rigid.apply(place[None, :])[0]
+        return {("point", entry.name): np.concatenate([moved, rigid.rotation_log])}
+
+    def _told(self, pose: Any, numbers: Numbers) -> Any:
+        for (kind, name), values in numbers.items():
+            if kind == "handle":
+                rigid = self._core.RigidMotion(values[:3], values[3:6], values[6:])
+                pose.move_handle(name, rigid)
+            elif kind == "point":
+                pose.place_point(name, values[:3], values[3:])
+            elif kind == "turn":
+                pose.turn_feature(name, values)
+            else:
+                pose.size_feature(name, float(values[0]))
+        return pose
 
     def _log(self, rotation: Rotation | None) -> Any:
         if rotation is None:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/progress.h"
+#include "sheetmorph/base/rates.h"
 #include "sheetmorph/surface/targets.h"
 
 #include <map>
@@ -17,6 +18,15 @@ struct Pose
     std::map<std::string, Vector3> feature_logs;  //!< of prescribed features (2.6); none left out
     std::map<std::string, PointTarget> points;    //!< every point needs one
     std::map<std::string, double> sizes;          //!< mm, of resizable features
+};
+
+//! How a pose changes along one direction; what is left out does not. Spins are worked out.
+struct PoseRate
+{
+    std::map<std::string, MotionRate> handles;
+    std::map<std::string, Vector3> feature_logs;  //!< radians
+    std::map<std::string, PointTarget> points;    //!< mm, radians
+    std::map<std::string, double> sizes;          //!< mm
 };
 
 //! How a drag prepares its frames.

@@ -29,10 +29,6 @@ Matrix3 rotation_of_covariance(const Matrix3& covariance)
     return svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
 }
 
-// How strongly a known rotation holds against points that spread little across it: as if every
-// point had offsets of about a thirtieth of the set's extent.
-constexpr double stiffness_of_known_rotation = 1e-3;
-
 }  // namespace
 
 Matrix3 RigidMotion::rotation() const

@@ -28,6 +28,10 @@ struct RigidMotion
 RigidMotion best_rigid_motion(const Points& from, const Points& to,
                               const Eigen::VectorXd& weights = {});
 
+//! How strongly a known rotation holds against points that spread little across it: as if every
+//! point had offsets of about a thirtieth of the set's extent.
+constexpr double stiffness_of_known_rotation = 1e-3;
+
 //! The same where a rotation is already known approximately: what the points tell weakly or not at
 //! all (a straight row, a narrow strip, a single point) stays as `rotation_log` says.
 //! Exactly the motion for points that move rigidly by that rotation. Its log is near the given one.

@@ -108,6 +108,15 @@ std::vector<int> ring_of(const PartGeometry& part, int vertex)
     return others;
 }
 
+// Weights with the sum 1; equal ones where there are none.
+Eigen::VectorXd shares(const Eigen::VectorXd& weights, Eigen::Index count)
+{
+    const bool is_weighted = weights.size() == count && weights.sum() > 0.0;
+    const Eigen::VectorXd share =
+        is_weighted ? weights : Eigen::VectorXd(Eigen::VectorXd::Ones(count));
+    return share / share.sum();
+}
+
 }  // namespace
 
 LocalRotationMeter::LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices)
@@ -237,9 +246,7 @@ Matrix3 LocalRotationMeter::ring_rotation(const Ring& ring, const Points& deform
     along(ring.ends,
           [&](std::size_t k, double count, bool is_first)
           {
-              const Vector3 edge = ring.rows.empty()
-                                       ? arm(rest_, ring.vertex, ring.others[k])
-                                       : arm(rest_, ring.rows.front(), ring.rows[k + 1]);
+              const Vector3 edge = rest_arm(ring, k);
               const Vector3 now = arm(deformed, ring.vertex, ring.others[k]);
               const Vector3 left = count * (now - reference * edge);
               unexplained += left * edge.transpose();
@@ -255,6 +262,56 @@ Matrix3 LocalRotationMeter::ring_rotation(const Ring& ring, const Points& deform
     return polar_rotation(reference + unexplained * ring.inverse_moments);
 }
 
+Vector3 LocalRotationMeter::rest_arm(const Ring& ring, std::size_t k) const
+{
+    return ring.rows.empty() ? arm(rest_, ring.vertex, ring.others[k])
+                             : arm(rest_, ring.rows.front(), ring.rows[k + 1]);
+}
+
+Points LocalRotationMeter::spins(const Points& deformed, const LocalRotations& measured,
+                                 const Points& rates, const Points& reference_spins) const
+{
+    Points found = reference_spins;
+    for (std::size_t k = 0; k < rings_.size(); ++k)
+        if (!rings_[k].inverse_moments.isZero(0.0))
+            found.row(static_cast<Eigen::Index>(k)) =
+                ring_spin(rings_[k], deformed, measured.matrices[k], rates).transpose();
+    return found;
+}
+
+// The map of a ring is (sum of its edges' images + that of its normal) times what its moments are
+// at rest; the reference it is told about drops out.
+Vector3 LocalRotationMeter::ring_spin(const Ring& ring, const Points& deformed,
+                                      const Matrix3& rotation, const Points& rates) const
+{
+    Matrix3 images = Matrix3::Zero(), change = Matrix3::Zero();
+    Vector3 area = Vector3::Zero(), before = area, area_rate = area, rate_before = area;
+    along(ring.ends,
+          [&](std::size_t k, double count, bool is_first)
+          {
+              const Vector3 edge = rest_arm(ring, k);
+              const Vector3 now = arm(deformed, ring.vertex, ring.others[k]);
+              const Vector3 rate = arm(rates, ring.vertex, ring.others[k]);
+              images += count * now * edge.transpose();
+              change += count * rate * edge.transpose();
+              if (!is_first)
+              {
+                  area += before.cross(now);
+                  area_rate += rate_before.cross(now) + before.cross(rate);
+              }
+              before = now;
+              rate_before = rate;
+          });
+    if (ring.normal_weight > 0.0 && area.norm() > 0.0)
+    {
+        const Vector3 normal = area.normalized();
+        const Vector3 tilting = (area_rate - normal * normal.dot(area_rate)) / area.norm();
+        images += ring.normal_weight * normal * ring.normal.transpose();
+        change += ring.normal_weight * tilting * ring.normal.transpose();
+    }
+    return spin_of_polar(rotation, images * ring.inverse_moments, change * ring.inverse_moments);
+}
+
 RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,
                         const Eigen::VectorXd& weights)
 {
@@ -265,10 +322,7 @@ RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalR
         throw InvalidInput(
             "the motion of a region needs as many positions, rotations and weights "
             "as it has vertices, and at least one");
-    Eigen::VectorXd share = Eigen::VectorXd::Ones(count);
-    if (weights.size() == count && weights.sum() > 0.0)
-        share = weights;
-    share /= share.sum();
+    const Eigen::VectorXd share = shares(weights, count);
     const Vector3 log = (share.transpose() * turned.logs).transpose();
     Vector3 tilt = Vector3::Zero();
     for (Eigen::Index k = 0; k < count; ++k)
@@ -279,6 +333,17 @@ RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalR
     motion.pivot = (share.transpose() * rest).transpose();
     motion.translation = (share.transpose() * (deformed - rest)).transpose();
     return motion;
+}
+
+MotionRate mean_motion_rate(const RigidMotion& mean, const Points& rates, const Points& log_rates,
+                            const Eigen::VectorXd& weights)
+{
+    const Eigen::VectorXd share = shares(weights, rates.rows());
+    MotionRate rate;
+    rate.shift = (share.transpose() * rates).transpose();
+    rate.log = (share.transpose() * log_rates).transpose();
+    rate.spin = spin_of_log(mean.rotation_log, rate.log);
+    return rate;
 }
 
 }  // namespace sheetmorph

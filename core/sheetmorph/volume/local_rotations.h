@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/base/rates.h"
 #include "sheetmorph/mesh/search/part_geometry.h"
 
 #include <vector>
@@ -36,6 +36,12 @@ public:
     //! The same without logs, which cost a third of it.
     std::vector<Matrix3> matrices(const Points& deformed, const Points& references) const;
 
+    //! (k, 3) spins of the measured rotations where the mesh moves.
+    //! \param rates            (n, 3) how the positions change
+    //! \param reference_spins  (k, 3) of the references' rotations
+    Points spins(const Points& deformed, const LocalRotations& measured, const Points& rates,
+                 const Points& reference_spins) const;
+
     //! The vertices whose positions are measured.
     VertexIds reads() const;
 
@@ -54,6 +60,9 @@ private:
     static Ring rest_ring(const Points& rest, int vertex, std::vector<int> sides);
     void keep_rest(const Points& rest);
     Matrix3 ring_rotation(const Ring& ring, const Points& deformed, const Matrix3& reference) const;
+    Vector3 rest_arm(const Ring& ring, std::size_t k) const;
+    Vector3 ring_spin(const Ring& ring, const Points& deformed, const Matrix3& rotation,
+                      const Points& rates) const;
 
     int vertex_count_;
     std::vector<Ring> rings_;
@@ -68,5 +77,10 @@ private:
 //! \param weights         k, >= 0, such as vertex areas; empty for equal ones
 RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,
                         const Eigen::VectorXd& weights = {});
+
+//! How it changes.
+//! \param rates, log_rates  (k, 3) of the positions and of the logs
+MotionRate mean_motion_rate(const RigidMotion& mean, const Points& rates, const Points& log_rates,
+                            const Eigen::VectorXd& weights = {});
 
 }  // namespace sheetmorph

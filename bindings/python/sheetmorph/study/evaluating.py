@@ -13,8 +13,10 @@ import numpy as np
 from ..errors import Fault, RecipeError
 from ..report import make_report
 from ..session import Result
+from ..translation import Numbers
 from .figures import Figures
-from .measures import Numbers, Scene
+from .measures import Numbers as Measured
+from .measures import Scene
 from .plan import Plan
 from .sampling import Values
 from .working import Workshop
@@ -27,17 +29,26 @@ _STEP = 5e-3
 Given = Mapping[str, float] | Sequence[float]
 
 
+class _NewPreprocessing(Exception):
+    """A parameter does not only change the pose."""
+
+
 class Evaluator:
     """Measures of a study's recipe at any values of its parameters, each by an exact answer.
 
     names, columns: of parameters and measures; bounds: (k, 2) of the parameters. Pre-processing is
-    done once for all values that share it. Raises RecipeError, FileError, KernelError.
+    done once for all values that share it. Slopes of positions come from the solves themselves,
+    differentiated with the factors that are there; differenced: the parameters of the last slopes
+    for which they came from differences of exact answers, with why. Raises RecipeError, FileError,
+    KernelError.
     """
 
     def __init__(self, study: str | Path):
         self._plan = Plan(study)
         self._shop = Workshop(self._plan)
         self._last: tuple[Values, Result] | None = None
+        self._has_figures = any("worst" in told for told in self._plan.study.measure.values())
+        self.differenced: dict[str, str] = {}
         self.names: list[str] = self._plan.study.names
         self.columns: list[str] = self._plan.columns
         self.bounds = np.array([_bounds(entry) for entry in self._plan.study.parameters])
@@ -53,7 +64,8 @@ class Evaluator:
     def gradient(self, values: Given) -> np.ndarray:
         """Slopes (m, k) of the measures over the parameters."""
         told = self._values(values)
-        return self._slopes(told, lambda at: _array(self._measured(at)))
+        rates = {} if self._has_figures else self._rates(told)
+        return np.stack([self._measure_slope(told, name, rates) for name in self.names], axis=-1)
 
     def positions(self, values: Given) -> dict[str, np.ndarray]:
         """Positions (n, 3) by part, mm."""
@@ -62,36 +74,87 @@ class Evaluator:
     def position_gradients(self, values: Given) -> dict[str, np.ndarray]:
         """Slopes (n, 3, k) of the positions over the parameters, by part."""
         told = self._values(values)
-        parts = list(self.positions(told))
-        ends = np.cumsum([len(self._plan.parts.meshes[name].points) for name in parts])
-
-        def all_positions(at: Values) -> np.ndarray:
-            return np.concatenate([self.positions(at)[name] for name in parts])
-
-        slopes = self._slopes(told, all_positions)
-        return dict(zip(parts, np.split(slopes, ends[:-1])))
+        rates = self._rates(told)
+        found = [rates.get(name) or self._position_slope(told, name) for name in self.names]
+        return {part: np.stack([rate[part] for rate in found], axis=-1) for part in found[0]}
 
     def failures(self, values: Given) -> str:
         """Why a variant would not pass; empty if it would."""
         return self._shop.verdict(self._values(values), True)
 
-    def _slopes(self, values: Values, function: Callable[[Values], np.ndarray]) -> np.ndarray:
-        """Differences of exact answers on both sides of the values, one parameter after another."""
-        return np.stack([self._slope(values, k, function) for k in range(len(self.names))], axis=-1)
+    def _rates(self, values: Values) -> dict[str, dict[str, np.ndarray]]:
+        """Slopes (n, 3) of the positions by parameter and part, by differentiating the solves; of
+        the parameters for which they can be. `differenced` tells why of the others."""
+        self.differenced = {}
+        variant = self._plan.variant(values)
+        session = self._shop.session(variant)
+        directions = {}
+        for name in self.names:
+            try:
+                directions[name] = self._direction(values, name, variant.key)
+            except _NewPreprocessing:
+                self.differenced[name] = "it needs another pre-processing phase"
+        moving = {
+            name: numbers
+            for name, numbers in directions.items()
+            if any(rate.any() for rate in numbers.values())
+        }
+        still = {part: np.zeros_like(mesh.points) for part, mesh in session.meshes.items()}
+        try:
+            rates = session.position_rates(variant.pose, list(moving.values())) if moving else []
+        except session.core.NoDerivative as error:
+            self.differenced |= dict.fromkeys(moving, str(error))
+            return {name: still for name in directions if name not in moving}
+        return {name: still for name in directions} | dict(zip(moving, rates))
 
-    def _slope(
-        self, values: Values, k: int, function: Callable[[Values], np.ndarray]
+    def _direction(self, values: Values, name: str, key: str) -> Numbers:
+        """How the numbers of the pose, closed forms of a parameter, change with it."""
+
+        def numbers(at: Values) -> dict[Any, np.ndarray]:
+            variant = self._plan.variant(at)
+            if variant.key != key:
+                raise _NewPreprocessing
+            return self._shop.session(variant).pose_numbers(variant.pose)
+
+        found = self._stencil(name, lambda step: numbers({**values, name: values[name] + step}))
+        return {entry: np.asarray(rate) for entry, rate in found.items()}
+
+    def _position_slope(self, values: Values, name: str) -> dict[str, np.ndarray]:
+        """Differences of exact answers on both sides."""
+        return self._stencil(
+            name, lambda step: self.positions({**values, name: values[name] + step})
+        )
+
+    def _measure_slope(
+        self, values: Values, name: str, rates: Mapping[str, dict[str, np.ndarray]]
     ) -> np.ndarray:
-        name, (low, high) = self.names[k], self.bounds[k]
-        step = _STEP * ((high - low) or max(1.0, abs(low)))
-        total: Any = 0.0
-        for places, weight in _STENCIL:
-            beyond = function({**values, name: values[name] + places * step})
-            before = function({**values, name: values[name] - places * step})
-            total = total + weight * (beyond - before)
-        return total / step
+        """Along the positions' own slopes where they are known, else of exact answers."""
+        here = self._result(values).positions if name in rates else {}
 
-    def _measured(self, values: Values) -> Numbers:
+        def measured(step: float) -> dict[str, np.ndarray]:
+            at = {**values, name: values[name] + step}
+            if name not in rates:
+                return {"": _array(self._measured(at))}
+            moved = {part: here[part] + step * rate for part, rate in rates[name].items()}
+            taken = self._shop.measures(values).taken(Scene(moved, at, _no_figure))
+            return {"": _array(taken)}
+
+        return self._stencil(name, measured)[""]
+
+    def _stencil(
+        self, name: str, function: Callable[[float], Mapping[Any, np.ndarray]]
+    ) -> dict[Any, np.ndarray]:
+        """The slope of what depends on a step of a parameter."""
+        low, high = self.bounds[self.names.index(name)]
+        step = _STEP * ((high - low) or max(1.0, abs(low)))
+        total: dict[Any, Any] = {}
+        for places, weight in _STENCIL:
+            beyond, before = function(places * step), function(-places * step)
+            for key, value in beyond.items():
+                total[key] = total.get(key, 0.0) + weight * (value - before[key])
+        return {key: value / step for key, value in total.items()}
+
+    def _measured(self, values: Values) -> Measured:
         result = self._result(values)
 
         @cache
@@ -119,6 +182,10 @@ class Evaluator:
             what = f"no value is given for {', '.join(missing)}"
             raise RecipeError([Fault("values", what, "give one for every parameter")])
         return {name: _finite(name, values[name]) for name in self.names}
+
+
+def _no_figure(_name: str, _part: str) -> None:
+    """Only asked for where the study measures none."""
 
 
 def _array(measures: Mapping[str, float | None]) -> np.ndarray:

@@ -141,6 +141,10 @@ class Workshop:
             criteria = [entry for entry in criteria if entry["value"] is not None]
         return "; ".join([*report["certificate"]["failures"], *failures_of(criteria)])
 
+    def session(self, variant: Variant) -> Session:
+        """The pre-processed recipe of a variant. Raises RecipeError."""
+        return self._base(variant).session
+
     def measures(self, values: Values) -> Measures:
         """What is measured of these values. Raises RecipeError."""
         return self._base(self.plan.variant(values)).measures

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/control_box.h"
+#include "sheetmorph/assembly/links/link_rates.h"
 #include "sheetmorph/assembly/links/motion_link.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/geometry/normals.h"
@@ -111,6 +112,18 @@ public:
     LinkedTargets transfer(const Deformation& source) const override
     {
         return link_.transfer(state_of(source));
+    }
+
+    LinkedRates transfer_rate(const Deformation& source, const DeformationRate& rate) const override
+    {
+        const TurnedRates turned = turned_rates(meter_, source_.vertices, {source, rate});
+        SourceRate change;
+        change.positions = rows_of(rate.positions, source_.vertices);
+        change.spins = turned.spins;
+        const SourceState state = state_of(source);
+        change.mean =
+            mean_motion_rate(state.mean, change.positions, turned.logs, source_.samples.areas);
+        return link_.transfer_rate(state, change);
     }
 
     VertexIds reads() const override { return meter_.reads(); }

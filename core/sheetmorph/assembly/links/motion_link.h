@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/search/part_geometry.h"
+#include "sheetmorph/surface/rates/target_rates.h"
 #include "sheetmorph/surface/surface_deformer.h"
 #include "sheetmorph/volume/oriented_box.h"
 #include "sheetmorph/volume/volume_link.h"
@@ -28,6 +29,11 @@ public:
     //! \param source  the source part in one pose
     //! \returns       the targets' positions and rotations, rows in the order they were given
     virtual LinkedTargets transfer(const Deformation& source) const = 0;
+
+    //! How that changes, where the source part does.
+    //! \throws NoDerivative where sheets are turned by about a whole turn
+    virtual LinkedRates transfer_rate(const Deformation& source,
+                                      const DeformationRate& rate) const = 0;
 
     //! The vertices of the source part whose positions and logs transfer() reads, ascending.
     virtual VertexIds reads() const = 0;

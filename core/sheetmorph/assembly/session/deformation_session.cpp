@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/session/live_drag.h"
 #include "sheetmorph/assembly/session/wave.h"
+#include "sheetmorph/assembly/session/wave_rates.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/bodies/bodies.h"
@@ -50,6 +51,12 @@ Deformed DeformationSession::deform(const Pose& pose, Exactness exactness,
 {
     const Pose told = told_pose(*data_, pose);
     return Wave(*data_, told, exactness, progress).run();
+}
+
+std::vector<std::vector<Points>> DeformationSession::rates(
+    const Pose& pose, const std::vector<PoseRate>& directions) const
+{
+    return wave_rates(*data_, told_pose(*data_, pose), directions);
 }
 
 std::unique_ptr<LiveDrag> DeformationSession::begin_drag(const std::vector<std::string>& handles,

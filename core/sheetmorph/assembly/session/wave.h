@@ -34,6 +34,10 @@ public:
     //! a part, in buffers that the poses share.
     void begin_reading(std::vector<Deformation>& read);
     SurfaceTargets targets_of(int part) const;
+
+    //! What links have made of the parts so far.
+    const std::vector<LinkedTargets>& links() const { return links_; }
+
     bool read(int part, const Response& response);
 
 private:

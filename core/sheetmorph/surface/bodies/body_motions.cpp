@@ -25,47 +25,11 @@ RigidMotion about(const Vector3& centre, const RigidMotion& motion)
     return moved;
 }
 
-//! The propagated vertices that lie on one body.
-struct Carriers
-{
-    int body = 0;
-    Points rest;
-    Points targets;
-    Points logs;
-    std::vector<Matrix3> rotations;
-};
-
 Matrix3 rotation_at(const PropagatedTarget& target, std::size_t k)
 {
     return target.rotations.empty()
                ? rotation_from_log(target.rotation_logs.row(static_cast<Eigen::Index>(k)))
                : target.rotations[k];
-}
-
-Carriers carriers_of(const PlacementInput& part, int body, const SurfaceTargets& targets)
-{
-    const std::vector<KnownRegion>& regions = part.constraints.propagated;
-    std::vector<std::pair<std::size_t, std::size_t>> found;
-    for (std::size_t region = 0; region < regions.size(); ++region)
-    {
-        const VertexIds& vertices = regions[region].vertices;
-        for (std::size_t k = 0; k < vertices.size(); ++k)
-            if (part.roles.role[at(vertices[k])] == Role::body
-                && part.roles.owner[at(vertices[k])] == body)
-                found.emplace_back(region, k);
-    }
-    const auto count = static_cast<Eigen::Index>(found.size());
-    Carriers carriers{body, Points(count, 3), Points(count, 3), Points(count, 3), {}};
-    for (Eigen::Index row = 0; row < count; ++row)
-    {
-        const auto [region, k] = found[static_cast<std::size_t>(row)];
-        const auto source = static_cast<Eigen::Index>(k);
-        carriers.rest.row(row) = part.rest.points().row(regions[region].vertices[k]);
-        carriers.targets.row(row) = targets.propagated[region].positions.row(source);
-        carriers.logs.row(row) = targets.propagated[region].rotation_logs.row(source);
-        carriers.rotations.push_back(rotation_at(targets.propagated[region], k));
-    }
-    return carriers;
 }
 
 // The motion with a given rotation that takes the carriers' centroid to that of their targets.
@@ -161,6 +125,34 @@ RigidMotion carried_body(const PlacementInput& part, const SurfaceTargets& targe
 }
 
 }  // namespace
+
+Carriers carriers_of(const PlacementInput& part, int body, const SurfaceTargets& targets)
+{
+    const std::vector<KnownRegion>& regions = part.constraints.propagated;
+    Carriers carriers;
+    carriers.body = body;
+    auto& found = carriers.places;
+    for (std::size_t region = 0; region < regions.size(); ++region)
+    {
+        const VertexIds& vertices = regions[region].vertices;
+        for (std::size_t k = 0; k < vertices.size(); ++k)
+            if (part.roles.role[at(vertices[k])] == Role::body
+                && part.roles.owner[at(vertices[k])] == body)
+                found.emplace_back(region, k);
+    }
+    const auto count = static_cast<Eigen::Index>(found.size());
+    carriers.rest = carriers.targets = carriers.logs = Points(count, 3);
+    for (Eigen::Index row = 0; row < count; ++row)
+    {
+        const auto [region, k] = found[static_cast<std::size_t>(row)];
+        const auto source = static_cast<Eigen::Index>(k);
+        carriers.rest.row(row) = part.rest.points().row(regions[region].vertices[k]);
+        carriers.targets.row(row) = targets.propagated[region].positions.row(source);
+        carriers.logs.row(row) = targets.propagated[region].rotation_logs.row(source);
+        carriers.rotations.push_back(rotation_at(targets.propagated[region], k));
+    }
+    return carriers;
+}
 
 RigidMotion motion_of(const Body& body, const BodyState& state, const Vector3& reference)
 {

@@ -5,6 +5,8 @@
 #include "sheetmorph/surface/rotation/rotation_field.h"
 #include "sheetmorph/surface/targets.h"
 
+#include <utility>
+
 namespace sheetmorph
 {
 
@@ -39,6 +41,19 @@ struct BodyState
     Matrix3 rotation = Matrix3::Identity();
     Vector3 centre = Vector3::Zero();  //!< of the body, mm
 };
+
+//! The propagated vertices that lie on one body.
+struct Carriers
+{
+    int body = 0;
+    std::vector<std::pair<std::size_t, std::size_t>> places;  //!< (region, place in it)
+    Points rest;
+    Points targets;
+    Points logs;
+    std::vector<Matrix3> rotations;
+};
+
+Carriers carriers_of(const PlacementInput& part, int body, const SurfaceTargets& targets);
 
 //! The same as a motion about the body's centre; the log is the branch nearest to `reference`.
 RigidMotion motion_of(const Body& body, const BodyState& state, const Vector3& reference);

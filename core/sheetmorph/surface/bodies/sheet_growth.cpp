@@ -118,9 +118,35 @@ Points SheetGrowth::field(const SizeChanges& sizes) const
                     *sizes[k] * shapes_[k]->growth.row(row) + shapes_[k]->rounding.row(row);
         }
     }
+    return spread(std::move(moves));
+}
+
+Points SheetGrowth::field_rate(const SizeChanges& sizes, const std::vector<double>& rates) const
+{
+    Points moves = Points::Zero(mesh_.vertex_count(), 3);
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+    {
+        const VertexIds& vertices = constraints_.features[k].vertices;
+        for (std::size_t i = 0; i < vertices.size() && sizes[k]; ++i)
+            if (roles_.role[at(vertices[i])] == Role::body)
+                moves.row(vertices[i]) =
+                    rates[k] * shapes_[k]->growth.row(static_cast<Eigen::Index>(i));
+    }
+    return spread(std::move(moves));
+}
+
+// From rims to the sheet between them.
+Points SheetGrowth::spread(Points moves) const
+{
     if (factor_)
         moves -= unknowns_.basis() * factor_->solve(unknowns_.sums(*stiffness_ * moves));
     return moves;
+}
+
+bool SheetGrowth::moves(int vertex) const
+{
+    return at(vertex) < unknowns_.of_vertex.size()
+           && unknowns_.of_vertex[at(vertex)] != Unknowns::known;
 }
 
 void SheetGrowth::lay(const SizeChanges& sizes, Deformation& deformation) const
@@ -128,7 +154,7 @@ void SheetGrowth::lay(const SizeChanges& sizes, Deformation& deformation) const
     const Points growth = field(sizes);
     for (int vertex = 0; vertex < static_cast<int>(unknowns_.of_vertex.size()); ++vertex)
     {
-        if (unknowns_.of_vertex[at(vertex)] == Unknowns::known)
+        if (!moves(vertex))
             continue;
         const Matrix3 turn = rotation_from_log(deformation.rotation_logs.row(vertex));
         deformation.positions.row(vertex) += (turn * growth.row(vertex).transpose()).transpose();

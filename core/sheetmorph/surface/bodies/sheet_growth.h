@@ -24,11 +24,19 @@ public:
     //! (n, 3) mm: what a size adds to the rest shape.
     Points field(const SizeChanges& sizes) const;
 
+    //! (n, 3) how the field changes where sizes do. \param rates  mm, by form feature; 0 where none
+    //! is set
+    Points field_rate(const SizeChanges& sizes, const std::vector<double>& rates) const;
+
+    //! Whether the size of a feature moves a vertex that is no feature's.
+    bool moves(int vertex) const;
+
     //! Adds the sizes to a pose solved without them; vertices of no triangle are not placed anew.
     void lay(const SizeChanges& sizes, Deformation& deformation) const;
 
 private:
     void find_unknowns(const std::vector<char>& is_held);
+    Points spread(Points moves) const;
 
     const TriangleMesh& mesh_;
     const SurfaceConstraints& constraints_;

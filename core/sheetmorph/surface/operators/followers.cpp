@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/followers.h"
 
+#include "sheetmorph/base/rates.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/search/picking.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace sheetmorph
@@ -67,6 +69,25 @@ void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotat
         };
         positions.row(vertex) = anchor.sum(carried).transpose();
         rotation_logs.row(vertex) = anchor.on(rotation_logs).transpose();
+    }
+}
+
+void Followers::place_rates(const TriangleMesh& rest, const Points& rotation_logs,
+                            Points& velocities, Points& log_rates) const
+{
+    for (const auto& [vertex, anchor] : followers_)
+    {
+        const Vector3 own = rest.points().row(vertex).transpose();
+        const auto carried = [&](int corner)
+        {
+            const Vector3 arm = own - rest.points().row(corner).transpose();
+            const Vector3 log = rotation_logs.row(corner).transpose();
+            const Vector3 spin = spin_of_log(log, log_rates.row(corner).transpose());
+            return Vector3(velocities.row(corner).transpose()
+                           + spin.cross(rotation_from_log(log) * arm));
+        };
+        velocities.row(vertex) = anchor.sum(carried).transpose();
+        log_rates.row(vertex) = anchor.on(log_rates).transpose();
     }
 }
 

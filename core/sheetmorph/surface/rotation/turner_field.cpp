@@ -40,21 +40,24 @@ std::vector<double> farthest_turns(const FeatureResponses& responses, const Poin
     return farthest;
 }
 
-void hold_far_turned(const FeatureResponses& responses, const std::vector<double>& farthest,
+bool hold_far_turned(const FeatureResponses& responses, const std::vector<double>& farthest,
                      const Joints& start, ReducedEnergy& energy)
 {
+    bool is_held = false;
     for (std::size_t k = 0; k < farthest.size(); ++k)
     {
         const Turner& turner = responses.turners()[k];
         const double amount = turner.turns && turner.body >= 0 ? hold(2.0 * farthest[k]) : 0.0;
         if (amount == 0.0)
             continue;
+        is_held = true;
         const int column = responses.columns()[k].turn;
         const Matrix3 stiffness = amount * energy.stiffness.block<3, 3>(column, column);
         const Matrix3 wanted = start.states()[k].rotation - Matrix3::Identity();
         energy.stiffness.block<3, 3>(column, column) += stiffness;
         energy.slope.middleRows<3>(column) -= stiffness * wanted.transpose();
     }
+    return is_held;
 }
 
 void blend_logs(const FeatureResponses& responses, const std::vector<BodyState>& states,

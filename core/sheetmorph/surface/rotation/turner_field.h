@@ -15,7 +15,8 @@ std::vector<double> farthest_turns(const FeatureResponses& responses, const Poin
 //! them: there the energy of a flat sheet, which sees cosines, has no minimum of its own.
 //! \param farthest  farthest_turns()
 //! \param start     turners with the rotation of the field
-void hold_far_turned(const FeatureResponses& responses, const std::vector<double>& farthest,
+//! \returns         whether any is held
+bool hold_far_turned(const FeatureResponses& responses, const std::vector<double>& farthest,
                      const Joints& start, ReducedEnergy& energy);
 
 //! What the sheet turns like at every vertex, as far as logs can tell.

@@ -3,13 +3,11 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/log_near.h"
-#include "sheetmorph/base/parallel.h"
-#include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/constraint_checks.h"
 #include "sheetmorph/surface/operators/point_rows.h"
 #include "sheetmorph/surface/rotation/turner_field.h"
 #include "sheetmorph/surface/solve/placement.h"
+#include "sheetmorph/surface/solve/pose_steps.h"
 #include "sheetmorph/surface/solve/reachable_size.h"
 #include "sheetmorph/surface/solve/reduced_minimum.h"
 
@@ -24,9 +22,6 @@ namespace
 
 // Clean meshes settle after one or two; a few needles in the mesh need more.
 constexpr int most_refinements = 8;
-
-// Vertices whose turning is worth a range of its own.
-constexpr Eigen::Index least_turned = 1000;
 
 void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& displacements,
                         const Eigen::MatrixXd& wanted, Exactness level)
@@ -45,57 +40,6 @@ void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& disp
                              "lie on; move a target or remove a point");
 }
 
-//! The rotation field of one pose.
-struct Field
-{
-    Points logs;   // (n, 3)
-    Points tilts;  // (n, 3)
-    Convergence convergence = {};
-};
-
-Field field_of(const PreparedSurface& part, const GivenRotations& given)
-{
-    SpreadRotations found = part.field->spread(given.logs);
-    Field field{std::move(found.logs), Points::Zero(part.rest.vertex_count(), 3),
-                found.convergence};
-    if (given.is_tilted)
-    {
-        found = part.field->spread(given.tilts);
-        field.tilts = std::move(found.logs);
-        field.convergence.join(found.convergence);
-    }
-    return field;
-}
-
-// Rows of the turners' weights: what of the sheet's turn at a vertex is theirs.
-using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-// (R - I) D p_hat: how the rest rows turn; R is the field, and of what turners own of it the
-// rotation in `turns`, or none of it where `turns` is empty.
-Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
-                            const std::vector<BodyState>& turns)
-{
-    const Weights weights =
-        part.responses ? Weights(part.responses->weights()) : Weights(part.rest.vertex_count(), 0);
-    std::vector<Matrix3> turn(at(part.rest.vertex_count()));
-    const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
-    {
-        for (Eigen::Index i = begin; i < end; ++i)
-        {
-            Matrix3& change = turn[at(i)];
-            change = tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
-            double left = 1.0;
-            for (Weights::InnerIterator entry(weights, i); entry; ++entry)
-                left -= entry.value();
-            change *= left;
-            for (Weights::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
-                change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
-        }
-    };
-    parallel_ranges(part.rest.vertex_count(), least_turned, turn_vertices);
-    return turned_rows(part.operators, turn);
-}
-
 //! One pose on its way to its solution.
 struct Solving
 {
@@ -112,18 +56,13 @@ struct Solving
 // Lets the energy turn what it may turn; the sheet's displacements, known already in a live frame.
 std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solving& pose)
 {
-    const BodyMotions unmoved = unmoved_turners(part.responses->turners(), pose.bodies);
-    ConstrainedMinimiser::Targets& asked = pose.asked;
-    asked.rows = turned_rows(part, pose.field, {});
-    asked.offset = known_displacements(part.placement(), pose.targets, unmoved);
-    const ConstrainedMinimiser::Solution base =
-        part.minimiser.minimum(asked, std::min(pose.refinements(), 1));
-    ReducedEnergy energy = part.responses->energy(asked, base);
-    const PlacementInput placement = part.placement();
-    Joints joints(placement, pose.targets, part.responses->turners(), pose.bodies);
-    hold_far_turned(*part.responses, farthest_turns(*part.responses, pose.field.logs), joints,
-                    energy);
-    pose.convergence.join(minimise(joints, {placement, *part.responses, energy}));
+    const BodyMotions start = pose.bodies;
+    const Field field = pose.field;
+    const int refinements = std::min(pose.refinements(), 1);
+    const Turned turned =
+        turned_features(part, {pose.targets, start, field, refinements}, pose.asked);
+    const Joints& joints = turned.joints;
+    pose.convergence.join(turned.convergence);
     for (std::size_t k = 0; k < joints.states().size(); ++k)
     {
         const int body = part.responses->turners()[k].body;
@@ -132,15 +71,14 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
                 motion_of(part.roles.bodies[at(body)], joints.states()[k],
                           pose.bodies.motions[at(body)].rotation_log);
     }
-    const Field field = pose.field;
     blend_logs(*part.responses, joints.states(), pose.field.logs);
     if (pose.exactness == Exactness::live)
     {
-        const Eigen::MatrixXd rho = entries_of(joints, placement, *part.responses);
+        const Eigen::MatrixXd rho = entries_of(joints, part.placement(), *part.responses);
         if (const auto change = part.responses->displacements(rho))
-            return base.u + *change;
+            return turned.base.u + *change;
     }
-    asked.rows = turned_rows(part, field, joints.states());
+    pose.asked.rows = turned_rows(part, field, joints.states());
     return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/solve/reduced_expansion.h"
 
+#include "sheetmorph/base/rates.h"
+
 #include <Eigen/Geometry>
 #include <array>
 
@@ -29,13 +31,6 @@ struct Change
     Vector3 centre = Vector3::Zero();
 };
 
-Matrix3 crossing(const Vector3& axis)
-{
-    Matrix3 matrix;
-    matrix << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
-    return matrix;
-}
-
 std::vector<Mover> movers_of(const std::vector<JointLevel>& levels)
 {
     std::vector<Mover> movers;
@@ -50,7 +45,8 @@ Change first_change(const Mover& mover, const BodyState& state)
 {
     if (!mover.is_turn)
         return {Matrix3::Zero(), mover.axis};
-    return {crossing(mover.axis) * state.rotation, mover.axis.cross(state.centre - mover.point)};
+    return {cross_matrix(mover.axis) * state.rotation,
+            mover.axis.cross(state.centre - mover.point)};
 }
 
 // A turn acts on what the factors inside it change; of one factor, on the mean of both orders.
@@ -60,12 +56,12 @@ Change second_change(const Mover& outer, const Mover& inner, const BodyState& st
     if (!outer.is_turn)
         return change;
     const Change first = first_change(inner, state);
-    change.rotation = crossing(outer.axis) * first.rotation;
+    change.rotation = cross_matrix(outer.axis) * first.rotation;
     change.centre = outer.axis.cross(first.centre);
     if (outer.level == inner.level)
     {
         const Change other = first_change(outer, state);
-        change.rotation = 0.5 * (change.rotation + crossing(inner.axis) * other.rotation);
+        change.rotation = 0.5 * (change.rotation + cross_matrix(inner.axis) * other.rotation);
         change.centre = 0.5 * (change.centre + inner.axis.cross(other.centre));
     }
     return change;
@@ -210,6 +206,30 @@ Expansion expand(const Joints& joints, const Measure& measure)
     }
     add_curvature(at.hessian, joints, measure.responses, forces);
     return at;
+}
+
+std::vector<StateRate> state_rates(const Joints& joints, const Eigen::VectorXd& steps)
+{
+    std::vector<StateRate> found(joints.states().size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        for (const Mover& mover : movers_of(joints.levels(k)))
+        {
+            const double step = steps(mover.freedom);
+            if (mover.is_turn)
+                found[k].spin += step * mover.axis;
+            found[k].centre += step * first_change(mover, joints.states()[k]).centre;
+        }
+    return found;
+}
+
+Eigen::VectorXd gradient_of(const Joints& joints, const FeatureResponses& responses,
+                            const Eigen::MatrixXd& forces)
+{
+    const Jacobians change = jacobians(joints, responses);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(joints.freedoms());
+    for (std::size_t x = 0; x < 3; ++x)
+        gradient += 2.0 * (change[x].transpose() * forces.col(static_cast<Eigen::Index>(x)));
+    return gradient;
 }
 
 }  // namespace sheetmorph

@@ -76,21 +76,6 @@ Eigen::VectorXd eigen_step(const Eigen::MatrixXd& scaled, const Eigen::VectorXd&
     return eigen.eigenvectors() * inverse.cwiseProduct(along);
 }
 
-// The Newton step; where the energy is not convex, with the least of some shifts that make it so.
-Eigen::VectorXd newton_step(const Expansion& at)
-{
-    const Eigen::VectorXd scale = scales(at);
-    const Eigen::MatrixXd scaled = scale.asDiagonal() * at.hessian * scale.asDiagonal();
-    const Eigen::VectorXd right = -(scale.asDiagonal() * at.gradient);
-    std::optional<DenseCholesky> factor = factored(scaled, 0.0);
-    if (!factor && !factored(scaled, barely_convex))
-        for (double shift = first_shift; !factor && shift < 100.0; shift *= 4.0)
-            factor = factored(scaled, shift);
-    if (!factor)
-        return scale.asDiagonal() * eigen_step(scaled, right);
-    return scale.asDiagonal() * factor->solve(right);
-}
-
 // No freedom turns or shifts by more than a quarter of a radian of its own scale at once.
 double shortened(const Eigen::VectorXd& step, const Joints& joints)
 {
@@ -106,6 +91,20 @@ double shortened(const Eigen::VectorXd& step, const Joints& joints)
 }
 
 }  // namespace
+
+Eigen::VectorXd newton_step(const Expansion& at)
+{
+    const Eigen::VectorXd scale = scales(at);
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * at.hessian * scale.asDiagonal();
+    const Eigen::VectorXd right = -(scale.asDiagonal() * at.gradient);
+    std::optional<DenseCholesky> factor = factored(scaled, 0.0);
+    if (!factor && !factored(scaled, barely_convex))
+        for (double shift = first_shift; !factor && shift < 100.0; shift *= 4.0)
+            factor = factored(scaled, shift);
+    if (!factor)
+        return scale.asDiagonal() * eigen_step(scaled, right);
+    return scale.asDiagonal() * factor->solve(right);
+}
 
 Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
                            const FeatureResponses& responses)

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/session/prepared_assembly.h"
+
+namespace sheetmorph
+{
+
+//! DeformationSession::rates(): from part to part, as the pose itself goes.
+//! \param pose  told_pose()
+std::vector<std::vector<Points>> wave_rates(const PreparedAssembly& prepared, const Pose& pose,
+                                            const std::vector<PoseRate>& directions);
+
+}  // namespace sheetmorph

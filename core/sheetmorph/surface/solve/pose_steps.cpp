@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/solve/pose_steps.h"
+
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/surface/rotation/turner_field.h"
+#include "sheetmorph/surface/solve/placement.h"
+#include "sheetmorph/surface/solve/reduced_minimum.h"
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Vertices whose turning is worth a range of its own.
+constexpr Eigen::Index least_turned = 1000;
+
+// Rows of the turners' weights: what of the sheet's turn at a vertex is theirs.
+using WeightRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+}  // namespace
+
+Field field_of(const PreparedSurface& part, const GivenRotations& given)
+{
+    SpreadRotations found = part.field->spread(given.logs);
+    Field field{std::move(found.logs), Points::Zero(part.rest.vertex_count(), 3),
+                found.convergence};
+    if (given.is_tilted)
+    {
+        found = part.field->spread(given.tilts);
+        field.tilts = std::move(found.logs);
+        field.convergence.join(found.convergence);
+    }
+    return field;
+}
+
+Eigen::VectorXd shares_of_field(const PreparedSurface& part)
+{
+    const Eigen::Index count = part.rest.vertex_count();
+    if (!part.responses)
+        return Eigen::VectorXd::Ones(count);
+    const SparseMatrix& weights = part.responses->weights();
+    return Eigen::VectorXd::Ones(count) - weights * Eigen::VectorXd::Ones(weights.cols());
+}
+
+Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
+                            const std::vector<BodyState>& turns)
+{
+    const WeightRows weights = part.responses ? WeightRows(part.responses->weights())
+                                              : WeightRows(part.rest.vertex_count(), 0);
+    std::vector<Matrix3> turn(at(part.rest.vertex_count()));
+    const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (Eigen::Index i = begin; i < end; ++i)
+        {
+            Matrix3& change = turn[at(i)];
+            change = tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
+            double left = 1.0;
+            for (WeightRows::InnerIterator entry(weights, i); entry; ++entry)
+                left -= entry.value();
+            change *= left;
+            for (WeightRows::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
+                change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
+        }
+    };
+    parallel_ranges(part.rest.vertex_count(), least_turned, turn_vertices);
+    return turned_rows(part.operators, turn);
+}
+
+Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
+                       ConstrainedMinimiser::Targets& asked)
+{
+    const PlacementInput placement = part.placement();
+    const FeatureResponses& responses = *part.responses;
+    asked.rows = turned_rows(part, pose.field, {});
+    asked.offset = known_displacements(placement, pose.targets,
+                                       unmoved_turners(responses.turners(), pose.bodies));
+    ConstrainedMinimiser::Solution base = part.minimiser.minimum(asked, pose.refinements);
+    ReducedEnergy energy = responses.energy(asked, base);
+    Turned found{std::move(base),
+                 std::move(energy),
+                 false,
+                 Joints(placement, pose.targets, responses.turners(), pose.bodies),
+                 {}};
+    const std::vector<double> farthest = farthest_turns(responses, pose.field.logs);
+    found.is_held = hold_far_turned(responses, farthest, found.joints, found.energy);
+    found.convergence = minimise(found.joints, {placement, responses, found.energy});
+    return found;
+}
+
+}  // namespace sheetmorph

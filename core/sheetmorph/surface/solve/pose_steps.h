@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/solve/prepared_surface.h"
+
+namespace sheetmorph
+{
+
+//! The rotation field of one pose.
+struct Field
+{
+    Points logs;   //!< (n, 3)
+    Points tilts;  //!< (n, 3)
+    Convergence convergence = {};
+};
+
+Field field_of(const PreparedSurface& part, const GivenRotations& given);
+
+//! By vertex: the share of its turn that is the field's, not that of turners.
+Eigen::VectorXd shares_of_field(const PreparedSurface& part);
+
+//! (R - I) D p_hat: how the rest rows turn; R is the field, and of what turners own of it the
+//! rotation in `turns`, or none of it where `turns` is empty.
+Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
+                            const std::vector<BodyState>& turns);
+
+//! What decides how the energy turns features in one pose; outlives the answer.
+struct ToTurn
+{
+    const SurfaceTargets& targets;
+    const BodyMotions& bodies;  //!< known ones, the others turned as the field has them
+    const Field& field;
+    int refinements = 1;  //!< of the base
+};
+
+//! What the energy turns, at its minimum.
+struct Turned
+{
+    ConstrainedMinimiser::Solution base;  //!< with every turner unmoved
+    ReducedEnergy energy;
+    bool is_held = false;  //!< a feature is held at the field's rotation (hold_far_turned())
+    Joints joints;
+    Convergence convergence;
+};
+
+//! Lets the energy turn what it may turn.
+//! \param asked  gets what was asked for the base; its constraints are there already
+Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
+                       ConstrainedMinimiser::Targets& asked);
+
+}  // namespace sheetmorph
