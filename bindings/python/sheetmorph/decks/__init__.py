@@ -16,6 +16,7 @@ from .dyna import SUFFIXES as DYNA
 from .dyna import read_dyna
 from .gmsh import SUFFIXES as GMSH
 from .gmsh import read_gmsh
+from .heap import give_back_large_arrays
 from .nastran import SUFFIXES as NASTRAN
 from .nastran import read_nastran
 from .radioss import SUFFIXES as RADIOSS
@@ -51,6 +52,7 @@ def read_deck(path: Path, opener: Opener | None = None) -> Deck:
 
     Raises FileError.
     """
+    give_back_large_arrays()
     try:
         deck = _READERS[path.suffix.lower()](path, opener or read_bytes)
     except RecursionError:

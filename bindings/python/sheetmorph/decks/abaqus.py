@@ -250,18 +250,18 @@ class _Reader:
         """Lines and whole numbers (id, nodes) of elements."""
         text = lines.text
         if 0 < count <= 15:
-            found = []
+            found = np.empty((len(rows), count + 1), dtype=np.int32)
             for part in chunks(len(rows)):
                 begins, ends = comma_places(text, rows[part], count + 1)
                 if (begins[:, -1] > text.ends[rows[part]]).any():
                     return self._loose(lines, rows, count)
-                columns = []
                 for k in range(count + 1):
                     values, sound = integers(text, begins[:, k], ends[:, k])
                     self._require(lines, rows[part], sound)
-                    columns.append(small(values))
-                found.append(np.stack(columns, axis=1))
-            return [(rows, np.concatenate(found))]
+                    if found.dtype == np.int32 and small(values).dtype != np.int32:
+                        found = found.astype(np.int64)
+                    found[part, k] = values
+            return [(rows, found)]
         return self._loose(lines, rows, count)
 
     def _require(self, lines: AbaqusLines, rows: np.ndarray, sound: np.ndarray) -> None:

@@ -68,12 +68,14 @@ def _codes(text: DeckText, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
 def comma_nodes(raw: Raw, file: int, rows: np.ndarray, room: int) -> Block:
     """Nodes: an id and three coordinates between commas; coordinates left out are 0."""
     text = raw.texts[file]
-    found = []
     leads: dict[tuple[int, int], int] = {}
-    for part in chunks(len(rows)):
-        found.append(_comma_nodes(raw, file, rows[part], (part.start, leads)))
-    ids, values, begins, widths = (np.concatenate(some) for some in zip(*found))
-    begins = begins.astype(text.begins.dtype)
+    count = len(rows)
+    ids, values = np.empty(count, dtype=np.int64), np.empty((count, 3))
+    begins = np.empty((count, 3), dtype=text.begins.dtype)
+    widths = np.empty((count, 3), dtype=np.uint8)
+    for part in chunks(count):
+        found = _comma_nodes(raw, file, rows[part], (part.start, leads))
+        ids[part], values[part], begins[part], widths[part] = found
     lines = rows.astype(np.int32)
     return Block(file, lines, ids, values, begins, widths, room, FREE, None, leads)
 

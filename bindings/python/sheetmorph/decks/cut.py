@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -60,14 +61,16 @@ class Cut:
 
     def table(self, column: int, width: int, count: int) -> np.ndarray:
         """(n, count) whole numbers in columns one after another, blank ones 0."""
-        some = [self.integers(column + k * width, width, 0) for k in range(count)]
-        return small(np.stack(some, axis=1))
+        some = (self.integers(column + k * width, width, 0) for k in range(count))
+        return side_by_side(some, (len(self.rows), count))
 
     def nodes(self, id_width: int, width: int) -> Block:
         """Nodes: an id and three coordinates one behind the other."""
         text = self.raw.texts[self.file]
         ids = self.integers(0, id_width)
-        values = np.stack([self.reals(id_width + k * width, width) for k in range(3)], axis=1)
+        values = np.empty((len(ids), 3))
+        for k in range(3):
+            values[:, k] = self.reals(id_width + k * width, width)
         columns = id_width + width * np.arange(3)
         starts, stops = text.begins[self.rows], self.stops[self.rows]
         begins = starts[:, None] + columns
@@ -90,4 +93,18 @@ class Cut:
 
 def small(values: np.ndarray) -> np.ndarray:
     """The same whole numbers in half the memory, where they fit."""
-    return values.astype(np.int32) if np.abs(values).max(initial=0) < 2**31 else values
+    return values.astype(np.int32) if _fit(values) else values
+
+
+def _fit(values: np.ndarray) -> bool:
+    return not values.size or bool(-(2**31) < values.min() and values.max() < 2**31)
+
+
+def side_by_side(columns: Iterable[np.ndarray], shape: tuple[int, int]) -> np.ndarray:
+    """Columns of whole numbers as one array of a shape, small() if they fit."""
+    whole = np.empty(shape, dtype=np.int32)
+    for k, column in enumerate(columns):
+        if whole.dtype == np.int32 and not _fit(column):
+            whole = whole.astype(np.int64)
+        whole[:, k] = column
+    return whole

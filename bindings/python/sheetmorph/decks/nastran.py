@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .cut import side_by_side, small
 from .deck import Deck
 from .frames import Frame
 from .includes import Included
@@ -223,12 +224,11 @@ class _Reader:
         name, count = kind
         ids = self._integers(file, lines, rows, (8, 8))
         properties = self._integers(file, lines, rows, (16, 8), 0)
-        nodes = np.stack(
-            [self._integers(file, lines, rows, (24 + 8 * k, 8)) for k in range(count)], axis=1
-        )
+        some = (self._integers(file, lines, rows, (24 + 8 * k, 8)) for k in range(count))
+        nodes = side_by_side(some, (len(rows), count))
         properties = np.where(properties == 0, ids, properties)
-        small = [_small(part) for part in (ids, properties, nodes)]
-        return Elements(name, "shell", *small, file, (rows + lines.first).astype(np.int32))
+        numbers = small(ids), small(properties), nodes
+        return Elements(name, "shell", *numbers, file, (rows + lines.first).astype(np.int32))
 
     def _rest(self, file: int, lines: Lines, taken: np.ndarray) -> None:
         """All other cards, one by one."""
@@ -330,10 +330,6 @@ class _Reader:
             what = f"coordinate system {number} is defined twice, differently"
             raise self.raw.error((file, card.line), what, "remove one of the cards")
         self._frames[number] = frame
-
-
-def _small(values: np.ndarray) -> np.ndarray:
-    return values.astype(np.int32) if np.abs(values).max(initial=0) < 2**31 else values
 
 
 def _with_systems(block: Block, systems: np.ndarray) -> Block:
