@@ -236,11 +236,13 @@ class _Reader:
         number = self._elsets.setdefault(group, len(self._elsets) + 1)
         for heads, table in self._tables(source, rows, count):
             parts = np.full(len(heads), number, np.int32)
+            nodes = small(table[:, 1:])
+            np.maximum(nodes, 0, out=nodes)
             self._owner().elements.append(len(self.raw.elements))
             self.raw.elements.append(
                 Elements(
                     name or "*ELEMENT", kind, small(table[:, 0]), parts,
-                    small(np.maximum(table[:, 1:], 0)), source.file, heads.astype(np.int32),
+                    nodes, source.file, heads.astype(np.int32),
                 )
             )  # fmt: skip
 

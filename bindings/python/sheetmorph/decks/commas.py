@@ -126,7 +126,12 @@ def words(text: DeckText, begin: int, end: int) -> tuple[np.ndarray, np.ndarray]
         change = np.flatnonzero(blank != np.concatenate([[before], blank[:-1]])) + at
         edges.append(change.astype(kind))
         before = bool(blank[-1])
-    found = np.concatenate(edges) if edges else np.empty(0, dtype=np.int64)
     if not before:
-        found = np.append(found, kind.type(end))
+        edges.append(np.array([end], dtype=kind))
+    found = np.empty(sum(map(len, edges)), dtype=kind)
+    place = len(found)
+    while edges:  # from behind, so that what is done with goes
+        last = edges.pop()
+        place -= len(last)
+        found[place : place + len(last)] = last
     return found[::2], found[1::2]

@@ -92,8 +92,8 @@ class Cut:
 
 
 def small(values: np.ndarray) -> np.ndarray:
-    """The same whole numbers in half the memory, where they fit."""
-    return values.astype(np.int32) if _fit(values) else values
+    """A copy of whole numbers, in half the memory where they fit."""
+    return values.astype(np.int32 if _fit(values) else values.dtype)
 
 
 def _fit(values: np.ndarray) -> bool:

@@ -220,10 +220,12 @@ class _Text:
         """Elements: an id and nodes a row."""
         name, count = _TYPES[kind]
         if len(table):
+            nodes = small(table[:, 1 : count + 1])
+            np.maximum(nodes, 0, out=nodes)
             self.raw.elements.append(
                 Elements(
                     f"type {kind}", name, small(table[:, 0]), small(tags),
-                    small(np.maximum(table[:, 1 : count + 1], 0)), 0, lines.astype(np.int32),
+                    nodes, 0, lines.astype(np.int32, copy=False),
                 )
             )  # fmt: skip
 
@@ -244,8 +246,8 @@ class _Text:
             total += self._some_elements(found)
         if total != count:
             raise self._cut()
-        for kind, pieces in found.items():
-            table, tags, lines = (np.concatenate(some) for some in zip(*pieces))
+        for kind in list(found):
+            table, tags, lines = (np.concatenate(some) for some in zip(*found.pop(kind)))
             self._put(kind, table, tags, lines)
 
     def _some_elements(self, found: dict[int, list[tuple[np.ndarray, ...]]]) -> int:
