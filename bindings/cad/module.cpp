@@ -237,6 +237,7 @@ py::dict as_dict(const CadMeasures& measures)
     found["vertex_tolerance"] = measures.vertex_tolerance;
     found["volume_before"] = measures.volume_before;
     found["volume_after"] = measures.volume_after;
+    found["points"] = to_numpy(Points(measures.points));
     found["far_faces"] = measures.far_faces;
     py::list cylinders;
     for (const KeptCylinder& one : measures.cylinders)

@@ -135,6 +135,14 @@ def test_a_washer_is_divided_from_its_face_and_stays_plane(folder: Path):
     assert np.max(np.min(off, axis=0)) < 1e-9
 
 
+def test_a_thin_solid_is_as_thick_in_the_file_as_in_the_mesh(folder: Path):
+    report = run(lifted(folder, "plate.brep", write="step", thin="auto"), folder / "out")
+    jsonschema.validate(report, report_schema())
+    thickness = only_body(report)["thickness"]
+    assert thickness["thickness"] == pytest.approx(2.0)
+    assert abs(thickness["largest_change"] - thickness["in_mesh"]) < 0.02
+
+
 def test_a_rim_alone_is_no_washer(folder: Path):
     with_washer(folder, 5.1)
     body = only_body(run(folder / "recipe.json", folder / "out"))

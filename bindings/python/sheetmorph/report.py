@@ -8,6 +8,7 @@ import math
 import platform
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
+from functools import partial
 from importlib import resources
 from typing import Any
 
@@ -23,7 +24,7 @@ from .results import FeatureResult
 from .shape_report import WrittenShapes, kink_notes, shape_failures, shape_report
 from .strain import worst_fold, worst_strain
 from .stretch import steel_report, stretch_report
-from .thin import crossings, thin_failures, thin_report
+from .thin import crossings, thickness_in_file, thin_failures, thin_report
 from .cautions import warnings_of
 
 
@@ -202,7 +203,9 @@ def part_report(result: Answer, name: str, written: WrittenPart | None = None) -
     writing = next(part.write for part in result.session.model.parts if part.name == name)
     if writing is not None:
         shapes = None if written is None else written.shapes
-        report["shape"] = shape_report(writing, crossings(result, name), shapes)
+        report["shape"] = shape_report(
+            writing, crossings(result, name), shapes, partial(thickness_in_file, result, name)
+        )
     if written is not None:
         report["file"] = {
             "name": written.file,

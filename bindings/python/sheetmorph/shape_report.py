@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -16,6 +16,8 @@ from .thin import crossing_counts
 
 # Beyond it a kink is told, degrees; how far the radius of a kept cylinder may be off, mm.
 KINK, RADIUS = 0.1, 1e-9
+# Of its thickness: how much further a shape may be from one thickness than its mesh.
+THINNER = 0.01
 
 
 @dataclass(frozen=True)
@@ -35,14 +37,22 @@ class WrittenShapes:
         return replace(self, bodies=own) if is_split else self
 
 
+# What tells the thickness on points of a part's mesh, None if it is not thin.
+Thickness = Callable[[np.ndarray], dict[str, Any] | None]
+
+
 def shape_report(
-    writing: CadWriting, crossings: tuple[int, int], shapes: WrittenShapes | None
+    writing: CadWriting,
+    crossings: tuple[int, int],
+    shapes: WrittenShapes | None,
+    thickness: Thickness,
 ) -> dict[str, Any]:
     """The part's entry "shape" in the report.
 
     crossings: pairs of triangles of its mesh that meet, at rest and deformed; shapes: None before
-    they are written.
+    they are written; thickness: of the part.
     """
+    read = [] if shapes is None else shapes.bodies
     return {
         "format": writing.format,
         "tolerance": writing.tolerance,
@@ -51,7 +61,10 @@ def shape_report(
         "file": None if shapes is None else shapes.file,
         "bytes": None if shapes is None else shapes.bytes_written,
         "bytes_before": None if shapes is None else shapes.bytes_read,
-        "bodies": [] if shapes is None else [_body(body) for body in shapes.bodies],
+        "bodies": [
+            {**_body(body), "thickness": thickness(body["points"]) if len(read) == 1 else None}
+            for body in read
+        ],
     }
 
 
@@ -124,6 +137,13 @@ def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]
         yield f"it is no valid shape{named}; mesh the part finer, or turn it less"
     if body["was_closed"] and not body["is_closed"]:
         yield "it is not closed any more; mesh the part finer, or turn it less"
+    thin = body.get("thickness")
+    if thin and thin["largest_change"] - thin["in_mesh"] > THINNER * thin["thickness"]:
+        yield (
+            f"its skins are {thin['least']:.4g} to {thin['most']:.4g} mm apart, more than a "
+            f"hundredth of {thin['thickness']:.4g} mm further from one thickness than its mesh; "
+            "give a smaller write_tolerance, or mesh the part finer"
+        )
     changed = [one for one in body["cylinders"] if not one["error"] <= RADIUS]
     if changed:
         worst = max(changed, key=lambda one: one["error"])
@@ -141,7 +161,7 @@ def _body(body: dict[str, Any]) -> dict[str, Any]:
     ]  # fmt: skip
     places = {key: _worst(body[key]) for key in ("distance", "gap", "kink")}
     fitted = list(body["fitted_faces"])
-    rest = {key: value for key, value in body.items() if key != "fitted_faces"}
+    rest = {key: value for key, value in body.items() if key not in ("fitted_faces", "points")}
     return {**rest, **places, "fitted": len(fitted), "fitted_faces": fitted, "cylinders": cylinders}
 
 

@@ -40,6 +40,30 @@ def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
     }
 
 
+def thickness_in_file(result: Answer, part: str, points: np.ndarray) -> dict[str, Any] | None:
+    """The thickness of a part on (n, 3) points that a file has in place of its vertices, mm.
+
+    largest_change: from the sheet at rest; in_mesh: the same of the deformed mesh. None if the part
+    is not thin.
+    """
+    solid, own = result.session.thin_solid(part), result.session.meshes[part]
+    if solid is None or len(points) != len(own.points):
+        return None
+    core = result.session.core
+    mesh = core.TriangleMesh(own.points, own.triangles)
+    written, wanted = (
+        core.thickness_change(mesh, solid, np.array(there))
+        for there in (points, result.positions[part])
+    )
+    return {
+        "thickness": solid.thickness,
+        "least": written.least,
+        "most": written.most,
+        "largest_change": max(written.worst, written.worst_at_walls),
+        "in_mesh": max(wanted.worst, wanted.worst_at_walls),
+    }
+
+
 def crossings(result: Answer, part: str) -> tuple[int, int]:
     """Pairs of triangles of a part that meet though no corner joins them: at rest, and in the pose
     (CGAL)."""

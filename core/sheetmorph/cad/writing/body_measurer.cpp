@@ -158,14 +158,14 @@ CadMeasures BodyMeasurer::measures(const Points& result, double tolerance) const
             ++found.kept;
         else
             found.fitted_faces.push_back(static_cast<int>(f));
-    const Points read = measure_distances(found, result, tolerance);
+    found.points = measure_distances(found, result, tolerance);
     measure_kinks(found);
     measure_cylinders(found);
     check_shape(found);
     if (found.was_closed)
     {
         found.volume_before = volume_of(mesh_.rest, mesh_.triangles);
-        found.volume_after = volume_of(read, mesh_.triangles);
+        found.volume_after = volume_of(found.points, mesh_.triangles);
     }
     return found;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/types.h"
 #include "sheetmorph/cad/carry/worst_at.h"
 
 #include <string>
@@ -38,6 +39,7 @@ struct CadMeasures
     std::vector<KeptCylinder> cylinders;
     double volume_before = 0.0;  //!< of a closed body's mesh, mm^3
     double volume_after = 0.0;   //!< the same triangles, on the faces as read again
+    Points points;               //!< (n, 3) of the mesh, on the faces as read again
     std::vector<int> far_faces;  //!< beyond the tolerance of the surface
 };
 
