@@ -15,6 +15,8 @@ import sheetmorph
 from plates import Plate, plate, write_plate
 from sheetmorph import FileError, PartMesh, diagnose, read_part
 from sheetmorph.finding import find_in_files
+from sheetmorph.kernel import load_kernel
+from sheetmorph.prepared_mesh import Wanted, prepared_mesh
 
 
 def recipe_of(made: Plate, part: dict[str, Any], lift: list[float]) -> dict[str, Any]:
@@ -114,3 +116,40 @@ def test_a_diagnosis_of_a_mesh_has_the_part_without_a_file():
     made = plate()
     told = diagnose(PartMesh(made.points, made.triangles))
     assert "file" not in told["part"]
+
+
+@pytest.mark.parametrize(
+    ("name", "way"),
+    [
+        ("part.sldprt", "export STEP"),
+        ("part.fcstd", "open it in FreeCAD"),
+        ("part.3mf", "convert it to PLY or STL"),
+        ("part.unv", "meshio convert"),
+        ("parts.zip", "unpack it first"),
+        ("part.dxf", "make a solid or a sheet of it"),
+        ("part.3mf.gz", "convert it to PLY or STL"),
+    ],
+)
+def test_a_format_that_is_not_read_is_refused_with_a_way_to_convert_it(
+    name: str, way: str, tmp_path: Path
+):
+    (tmp_path / name).write_bytes(b"anything")
+    with pytest.raises(FileError, match="unknown format") as refused:
+        read_part(tmp_path / name)
+    assert way in str(refused.value)
+
+
+def test_a_bend_of_narrow_facets_is_meshed_anew_in_proportion_to_the_file():
+    """Doubled, too, as in the file whose cure never came to an end."""
+    strips, length = 60, 30.0
+    angles = np.linspace(0.0, np.pi, strips + 1)
+    ring = 0.5 * np.column_stack([np.cos(angles), 0.0 * angles, np.sin(angles)])
+    points = np.vstack([ring, ring + (0.0, length, 0.0)])
+    first = np.arange(strips)
+    one = np.column_stack([first, first + 1, first + strips + 1])
+    other = np.column_stack([first + 1, first + strips + 2, first + strips + 1])
+    triangles = np.vstack([one, other, one[:50]])
+    mesh = PartMesh(points, triangles)
+    made, _ = prepared_mesh(load_kernel(), mesh, Wanted(weld=1e-4, edge=5.0))
+    assert made.preparation["remesh"]["least_edge"] > 0.0
+    assert len(made.triangles) < 20 * len(triangles)
