@@ -148,6 +148,10 @@ class Suites:
         """CAD parts bent and written as CAD again; its log has the table. Minutes."""
         return self._pytest("shapes", ["-s", "tests/shapes"], self.staged)
 
+    def real(self) -> Count:
+        """`init` and `run` on all public files, and one recipe in words at three edge lengths."""
+        return self._pytest("real", ["tests/real"], self.staged)
+
     def style(self) -> Count:
         """Formatting, names and habits of both languages; one test a checker."""
         cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
@@ -359,7 +363,8 @@ def run_one(suites: Suites, name: str) -> Count:
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy", "scale", "pictures", "sanitize", "slurm", "decks", "fuzz", "shapes"]
+    names = [*default, "tidy", "scale", "pictures", "real", "sanitize", "slurm"]
+    names += ["decks", "fuzz", "shapes"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))
