@@ -25,6 +25,7 @@ LINES_OF_A_FAILURE = 400
 # How the runners name a test that failed: ctest, pytest, unittest, the GUI tests.
 FAILURE = re.compile(r"^\s*\d+ - .*\((Failed|SEGFAULT|Timeout)|^(FAILED|ERROR|FAIL)[ :]")
 SECOND_TRY = re.compile(r"^SECOND TRY (\S+)")
+FORMATTED_BY = {"clang-format": "14", "black": "23"}  # of Debian 12; others break lines otherwise
 LONGEST_SUITE = 3600  # seconds, then it hangs
 LONGEST_SANITIZED = 4 * 3600
 # What of the package's tests goes through the whole kernel: its files, CAD, picking, live frames.
@@ -156,12 +157,18 @@ class Suites:
         """Formatting, names and habits of both languages; one test a checker."""
         cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
         python = sources((".py",), ("bindings", "Mod", "resources", "tests"))
-        checks = [
-            ["clang-format", "--dry-run", "-Werror", *cpp],
-            [PYTHON, "-m", "black", "--check", "--line-length", "100", *python],
-            [PYTHON, "-m", "flake8", *python],
-        ]
-        return self._checked(checks)
+        checkers = {
+            "clang-format": ["clang-format", "--dry-run", "-Werror", *cpp],
+            "black": [PYTHON, "-m", "black", "--check", "--line-length", "100", *python],
+        }
+        checks, skipped = [[PYTHON, "-m", "flake8", *python]], Count()
+        for name, check in checkers.items():
+            if formats_as_here(name):
+                checks.append(check)
+            else:
+                print(f"skipped: this {name} formats otherwise than {FORMATTED_BY[name]}.x")
+                skipped += Count(skipped=1)
+        return self._checked(checks) + skipped
 
     def tidy(self) -> Count:
         """clang-tidy over the kernel and the bindings: minutes, so not among the default suites."""
@@ -268,6 +275,16 @@ def python_with_sanitizers() -> dict[str, str]:
         "LD_PRELOAD": " ".join(libraries),
         "PYTHONMALLOC": "malloc",
     }
+
+
+def formats_as_here(name: str) -> bool:
+    """Whether a formatter is of the version whose way the sources have; True if it is missing."""
+    try:
+        said = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
+    except OSError:
+        return True  # the check itself says so
+    version = re.search(r"(\d+)\.\d", said)
+    return version is None or version.group(1) == FORMATTED_BY[name]
 
 
 def sources(endings: tuple[str, ...], folders: tuple[str, ...]) -> list[str]:

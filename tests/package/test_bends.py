@@ -42,7 +42,8 @@ def test_a_bend_of_an_open_sheet_is_found(radius: float, degrees: float):
 @pytest.mark.parametrize("degrees", [30.0, -90.0, 135.0])
 @pytest.mark.parametrize("radius", [4.0, 9.0])
 def test_both_skins_of_a_thin_solid_are_one_bend(radius: float, degrees: float):
-    points, triangles = folded_solid(runs((radius, degrees)), 60.0, 5.0, 1.5)
+    # At 5 mm the last bits decide whether a flat takes the first facet of the arc of 30 degrees.
+    points, triangles = folded_solid(runs((radius, degrees)), 60.0, 3.0, 1.5)
     assert _core.diagnose(_core.TriangleMesh(points, triangles), 1e-6).open_edges == 0
     (bend,) = bends_of(points, triangles)
     inner = radius - 1.5 if degrees > 0 else radius  # the sheet is thick towards its left

@@ -180,8 +180,8 @@ def test_the_generator_makes_the_files_of_the_repository(example, regenerated):
         points, triangles = read_mesh(path)
         kept_points, kept_triangles = read_mesh(kept)
         assert np.array_equal(triangles, kept_triangles), path.name
-        # The last bits of a cosine depend on the processor.
-        assert np.abs(points - kept_points).max() < 1e-9, path.name
+        # The last bits of a cosine depend on the processor; Debian 13 has a point 3e-8 mm off.
+        assert np.abs(points - kept_points).max() < 1e-7, path.name
 
 
 @pytest.fixture(scope="module", params=ALL)

@@ -42,8 +42,13 @@ def least_mass(study: Path = STUDY) -> tuple[dict[str, float], dict[str, float]]
     problem.setInequalityConstraint(openturns.PythonFunction(count, 3, kept))
     solver = openturns.Cobyla(problem)
     solver.setStartingPoint([0.5, 0.3, 0.9])
-    solver.setMaximumEvaluationNumber(EVALUATIONS)
-    solver.setIgnoreFailure(True)  # the number of evaluations is what ends it
+    # The number of evaluations is what ends it.
+    if hasattr(solver, "setMaximumCallsNumber"):  # as OpenTURNS 1.24 calls it
+        solver.setMaximumCallsNumber(EVALUATIONS)
+        solver.setCheckStatus(False)
+    else:
+        solver.setMaximumEvaluationNumber(EVALUATIONS)
+        solver.setIgnoreFailure(True)
     solver.setRhoBeg(0.2)
     solver.run()
     best = told(solver.getResult().getOptimalPoint())

@@ -9,8 +9,10 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <StepData_StepModel.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TopoDS_Compound.hxx>
+#include <map>
 
 namespace sheetmorph
 {
@@ -42,6 +44,16 @@ private:
     std::string before_;
 };
 
+// How long a unit is that OpenCASCADE names so.
+double millimetres_in(const std::string& unit)
+{
+    static const std::map<std::string, double> known = {
+        {"INCH", 25.4}, {"MM", 1.0},   {"M", 1000.0},     {"CM", 10.0},    {"KM", 1e6},
+        {"FT", 304.8},  {"UM", 0.001}, {"MI", 1609344.0}, {"MIL", 0.0254},
+    };
+    return known.at(unit);
+}
+
 bool write_step(const CadDocument& document, const CadSource& source, const std::string& path)
 {
     STEPCAFControl_Controller::Init();  // makes the parameters known, which a new writer reads
@@ -54,6 +66,8 @@ bool write_step(const CadDocument& document, const CadSource& source, const std:
     writer.SetNameMode(true);
     writer.SetMaterialMode(true);
     writer.SetPropsMode(false);
+    // Since 7.8 the setting names the unit in the file, and the lengths are converted to this one.
+    writer.ChangeWriter().Model()->SetWriteLengthUnit(millimetres_in(source.unit));
     return writer.Transfer(document.handle(), STEPControl_AsIs)
            && writer.Write(path.c_str()) == IFSelect_RetDone;
 }
