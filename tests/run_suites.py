@@ -138,8 +138,12 @@ class Suites:
         return self._pytest("batch", ["tests/batch"], self.staged)
 
     def decks(self) -> Count:
-        """Every public deck bent by 5 % of its size, through the whole way of a run."""
-        return self._pytest("decks", ["tests/decks/test_bent_decks.py"], self.staged)
+        """Every public deck bent by 5 % of its size, and the joints of sets 01 and 02."""
+        return self._pytest(
+            "decks",
+            ["tests/decks/test_bent_decks.py", "tests/decks/test_real_joints.py"],
+            self.staged,
+        )
 
     def fuzz(self) -> Count:
         """Every reader of decks and of files of welds on mutated files, 10 minutes each."""
