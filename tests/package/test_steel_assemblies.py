@@ -284,6 +284,7 @@ def test_what_does_not_settle_is_told_and_not_written(tmp_path, capsys):
     lines += ["f {} {} {}".format(*(row + 1)) for row in plate.triangles]
     (tmp_path / "base.obj").write_text("\n".join(lines) + "\n")
     crushed = single(plate, pose={"tip": {"translation": [-150, 0, 0]}})
+    crushed["parts"][0]["thickness"] = 0.01
     (tmp_path / "recipe.json").write_text(json.dumps(crushed))
     report = tmp_path / "report.json"
     arguments = ["run", str(tmp_path / "recipe.json"), "-o", str(tmp_path / "out")]
@@ -291,3 +292,19 @@ def test_what_does_not_settle_is_told_and_not_written(tmp_path, capsys):
     assert "have not settled" in capsys.readouterr().err
     assert not (tmp_path / "out" / "base.obj").exists()
     assert json.loads(report.read_text())["parts"][0]["unsettled"]
+
+
+def test_a_start_that_has_not_settled_does_not_refuse_a_sheet_that_has():
+    plate = Plate()
+    recipe = single(plate, pose={"tip": {"translation": [-150, 0, 0]}})
+    linear, steel = (
+        sheetmorph.Session(
+            {**recipe, "energy": energy},
+            {"base": sheetmorph.PartMesh(plate.points, plate.triangles)},
+        ).deform()
+        for energy in ("neumann", "steel")
+    )
+    assert "base" in linear.unsettled
+    assert not steel.unsettled
+    held = plate.between(LENGTH, LENGTH)
+    assert np.abs(steel.positions["base"][held] - plate.points[held] - [-150, 0, 0]).max() < 1e-9

@@ -51,6 +51,13 @@ struct Solving
     Convergence convergence = {};
 
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
+
+    // A start that has not settled is no fault of the steel sheet that settles from it.
+    void join_linear(const PreparedSurface& part, const Convergence& found)
+    {
+        if (!part.steel || exactness != Exactness::exact)
+            convergence.join(found);
+    }
 };
 
 // Lets the energy turn what it may turn; the sheet's displacements, known already in a live frame.
@@ -62,7 +69,7 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
     const Turned turned =
         turned_features(part, {pose.targets, start, field, refinements}, pose.asked);
     const Joints& joints = turned.joints;
-    pose.convergence.join(turned.convergence);
+    pose.join_linear(part, turned.convergence);
     for (std::size_t k = 0; k < joints.states().size(); ++k)
     {
         const int body = part.responses->turners()[k].body;
@@ -93,7 +100,7 @@ Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
         pose.asked.rows = turned_rows(part, pose.field, {});
     pose.asked.offset = known_displacements(part.placement(), pose.targets, pose.bodies);
     ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
-    pose.convergence.join(found.convergence);
+    pose.join_linear(part, found.convergence);
     if (part.refinement && pose.exactness == Exactness::exact)
         pose.convergence.join(part.refinement->refine(pose.asked, found.u));
     return std::move(found.u);
