@@ -134,7 +134,7 @@ class Suites:
             process.terminate()
 
     def slurm(self) -> Count:
-        """A study as an array job, on Slurm's daemons started for it."""
+        """Studies that are killed at random moments; one as an array job of Slurm's own daemons."""
         return self._pytest("batch", ["tests/batch"], self.staged)
 
     def decks(self) -> Count:
