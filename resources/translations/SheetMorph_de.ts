@@ -1816,6 +1816,26 @@
    <translation>Wie oft Steuernetze unterteilt werden: mehr folgt feineren Biegungen und dauert länger (3 passt für die meisten Bleche)</translation>
   </message>
   <message>
+   <source>Loose pieces</source>
+   <translation>Lose Stücke</translation>
+  </message>
+  <message>
+   <source>stay at rest, with a warning</source>
+   <translation>bleiben in Ruhe, mit einer Warnung</translation>
+  </message>
+  <message>
+   <source>go along with what is nearest</source>
+   <translation>gehen mit dem Nächsten mit</translation>
+  </message>
+  <message>
+   <source>are an error</source>
+   <translation>sind ein Fehler</translation>
+  </message>
+  <message>
+   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
+   <translation>Was aus Stücken eines Teils wird, die nichts hält, während andere sich bewegen</translation>
+  </message>
+  <message>
    <source>Smoothness</source>
    <translation>Glattheit</translation>
   </message>

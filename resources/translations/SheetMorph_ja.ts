@@ -1816,6 +1816,26 @@
    <translation>制御メッシュの細分の回数。多いほど細かい曲がりに追従し、時間がかかります(ほとんどの板では3が適切)</translation>
   </message>
   <message>
+   <source>Loose pieces</source>
+   <translation>離れた部分</translation>
+  </message>
+  <message>
+   <source>stay at rest, with a warning</source>
+   <translation>静止したまま (警告)</translation>
+  </message>
+  <message>
+   <source>go along with what is nearest</source>
+   <translation>最も近い部分に従う</translation>
+  </message>
+  <message>
+   <source>are an error</source>
+   <translation>エラーにする</translation>
+  </message>
+  <message>
+   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
+   <translation>他の部分が動くとき、何にも保持されない部分をどうするか</translation>
+  </message>
+  <message>
    <source>Smoothness</source>
    <translation>滑らかさ</translation>
   </message>

@@ -109,13 +109,16 @@ def test_type_mode_and_propagation_are_changed_in_the_panel():
     assert bracket.Mode.startswith("1")
     yield from choose_below(child("kind"), 1)
     assert assembly().Propagation == "single" and assembly().Unreached == []
+    yield from choose_below(child("unheld"), 1)
+    assert assembly().Unheld == "along"
     picture("propagation-single")
     yield from press("Close")
-    names = ["Propagation", "Mode", "Use Contact", "Use Contact", "Contact Type"]
+    names = ["Loose Pieces", "Propagation", "Mode", "Use Contact", "Use Contact", "Contact Type"]
     assert App.ActiveDocument.UndoNames == names
     for _ in names:
         App.ActiveDocument.undo()
     assert (contact.Type, contact.Active) == ("control mesh", True)
+    assert assembly().Unheld == "rest"
     assert (bracket.Mode, assembly().Propagation) == ("automatic", "local")
 
 

@@ -8,6 +8,7 @@ from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.assembly import UNHELD
 from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.panels import contact_types, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, say
@@ -77,6 +78,10 @@ class PropagationPanel(Panel):
             smoothness=repr(round(form.smoothness.value(), 6)),
         )
 
+    def _change_unheld(self, index: int) -> None:
+        way = repr(UNHELD[index])
+        self._change("Loose Pieces", "set_unheld", name(self._assembly), way)
+
     def _change_mode(self, mode: int) -> None:
         self._change("Mode", "set_mode", name(self._chosen), repr(mode))
 
@@ -97,6 +102,7 @@ class PropagationPanel(Panel):
         self._is_filling = True
         form = self.form
         form.kind.setCurrentIndex(KINDS.index(self._assembly.Propagation))
+        form.unheld.setCurrentIndex(UNHELD.index(self._assembly.Unheld))
         form.levels.setValue(self._assembly.Levels)
         form.smoothness.setValue(self._assembly.Smoothness)
         try:
@@ -220,6 +226,7 @@ class PropagationPanel(Panel):
         form.kind.currentIndexChanged.connect(self._change_propagation)
         form.levels.valueChanged.connect(self._change_propagation)
         form.smoothness.valueChanged.connect(self._change_propagation)
+        form.unheld.activated.connect(self._change_unheld)
         form.tree.itemSelectionChanged.connect(self._choose)
         form.mode.activated.connect(self._change_mode)
         form.primary.clicked.connect(self._make_primary)
