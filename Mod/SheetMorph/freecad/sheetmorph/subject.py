@@ -28,6 +28,11 @@ def shapes() -> list:
     return [o for o in selected() if o.isDerivedFrom("Part::Feature") and o.Shape.Faces]
 
 
+def links() -> list:
+    """Selected links (App::Link), which are refused in words."""
+    return [o for o in selected() if o.TypeId.startswith("App::Link")]
+
+
 def assemblies() -> list:
     """The morphs of the active document; FreeCAD asks for them all the time."""
     if App.ActiveDocument is None:

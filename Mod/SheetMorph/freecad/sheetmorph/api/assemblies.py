@@ -6,7 +6,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from freecad.sheetmorph.bridge import conversion
-from freecad.sheetmorph.api.checks import direction, require_assembly, require_part_of, vector
+from freecad.sheetmorph.api.checks import (
+    direction,
+    refuse_link,
+    require_assembly,
+    require_part_of,
+    vector,
+)
 from freecad.sheetmorph.objects import (
     assembly_of,
     contacts,
@@ -68,6 +74,7 @@ def add_part(assembly, source, label: str | None = None):
 
 def check_source(assembly, source) -> None:
     """Raise ValueError if `source` cannot become a part of `assembly`."""
+    refuse_link(source)
     label = getattr(source, "Label", repr(source))
     if not (hasattr(source, "isDerivedFrom") and source.isDerivedFrom("Mesh::Feature")):
         todo = "add it with add_shape" if hasattr(source, "Shape") else "choose a mesh"

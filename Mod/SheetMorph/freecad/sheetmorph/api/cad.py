@@ -11,7 +11,7 @@ import numpy as np
 
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import kernel
-from freecad.sheetmorph.api.checks import require_assembly
+from freecad.sheetmorph.api.checks import refuse_link, require_assembly
 from freecad.sheetmorph.api.files import add_mesh
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.bridge.shapes import keep_shape
@@ -52,6 +52,7 @@ def add_shape(assembly, source, label: str | None = None, mesh: dict | None = No
 
 def check_shape(assembly, source) -> None:
     """Raise ValueError if the shape of `source` cannot become parts of `assembly`."""
+    refuse_link(source)
     label = getattr(source, "Label", repr(source))
     if not (hasattr(source, "isDerivedFrom") and source.isDerivedFrom("Part::Feature")):
         raise ValueError(f"'{label}' has no shape; add it with add_part if it is a mesh.")

@@ -12,6 +12,18 @@ from freecad.sheetmorph.objects import assembly_of, deformation_of, kind, model
 from freecad.sheetmorph.objects.region import FORM_FEATURE
 
 
+def refuse_link(source) -> None:
+    """Raise ValueError for a link (App::Link): what it shows is another object's."""
+    if str(getattr(source, "TypeId", "")).startswith("App::Link"):
+        linked = source.getLinkedObject(True)
+        if linked in (None, source):
+            raise ValueError(f"'{source.Label}' is a link to nothing; choose a mesh or a shape.")
+        raise ValueError(
+            f"'{source.Label}' is a link; a morph deforms objects themselves: choose "
+            f"'{linked.Label}', which it links to, or a copy of that where the link is."
+        )
+
+
 def require_kind(obj, wanted: str, word: str) -> None:
     """Raise ValueError unless `obj` is an object of ours of the wanted kind."""
     if kind(obj) != wanted:

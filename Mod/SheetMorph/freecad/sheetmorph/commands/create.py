@@ -49,7 +49,8 @@ def meshed(edge: float) -> dict[str, str]:
 
 def source_lines(owner: str, edge: float) -> list[str]:
     """The API calls that add the selected meshes and shapes to a morph."""
-    lines = [added("add_part", owner, name(mesh)) for mesh in subject.meshes()]
+    chosen = subject.meshes() + subject.links()
+    lines = [added("add_part", owner, name(mesh)) for mesh in chosen]
     return lines + [call("add_shape", owner, name(s), **meshed(edge)) for s in subject.shapes()]
 
 
@@ -118,7 +119,7 @@ class AddPart(Command):
 
     def possible(self) -> bool:
         """With a morph and a mesh or a shape selected."""
-        is_any = bool(subject.meshes() or subject.shapes())
+        is_any = bool(subject.meshes() or subject.shapes() or subject.links())
         return is_any and subject.assembly() is not None
 
     def execute(self) -> None:

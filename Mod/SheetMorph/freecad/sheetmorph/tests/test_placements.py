@@ -59,6 +59,17 @@ class TestPlacements(support.DocumentTest):
         _, part, handle = self.add_morph(source)
         self.check_lifted(part, handle)
 
+    def test_a_link_is_refused_in_words(self):
+        source = self.add_source("Door")
+        link = self.document.addObject("App::Link", "Link")
+        link.Label = "Door right"
+        link.LinkedObject = source
+        assembly = api.create_assembly(self.document)
+        for add in (api.add_part, api.add_shape):
+            with self.assertRaisesRegex(ValueError, "'Door right' is a link.* choose 'Door',"):
+                add(assembly, link)
+        self.assertEqual(api.add_part(assembly, source).Source, source)
+
     def test_the_morph_in_another_moved_container(self):
         source = self.add_source()
         self.inside_container(source)
