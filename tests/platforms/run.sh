@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Makes another Debian in a folder below build/platforms and does there what a new user would type:
-# the README's two commands. Called by `./sheetmorph test platforms [13|testing]...`, as root.
+# the README's two commands. Called by `./sheetmorph test platforms [12|13|testing]...`, as root.
 # Usage: tests/platforms/run.sh BUILD [SYSTEM...]
 # What it needs of this machine: debootstrap, and the mirror that its apt knows.
 set -euo pipefail
@@ -15,6 +15,7 @@ mounted=()
 finish() {
     local place
     for place in "${mounted[@]}"; do umount -l "$place" || true; done
+    mounted=()
 }
 trap finish EXIT
 trap 'exit 130' INT TERM
@@ -34,10 +35,10 @@ suite_of() {
     esac
 }
 
-# A bare system with a user who may become root, made once; what a run installs stays.
-make_system() {
-    local system="$1" folder="$build/$1" mirror suite script
-    [ ! -e "$folder/.made" ] || return 0
+# A bare system with a user who may become root, made once and kept as an archive.
+make_bare() {
+    local system="$1" folder="$build/$1-bare" mirror suite script
+    [ ! -e "$folder.tar" ] || return 0
     read -r suite script < <(suite_of "$system")
     mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Component: main' | head -n 1)
     [ -n "$mirror" ] || fail "apt of this machine names no mirror to take a Debian from"
@@ -48,8 +49,28 @@ make_system() {
         fail "debootstrap failed: $(tail -n 3 "$folder.log") (all of it: $folder.log)"
     # The lists of testing may be older than they say they are good for.
     echo 'Acquire::Check-Valid-Until "false";' >"$folder/etc/apt/apt.conf.d/90dates"
+    echo force-unsafe-io >"$folder/etc/dpkg/dpkg.cfg.d/fast" # thrown away after all
     chroot "$folder" useradd --create-home --shell /bin/bash designer
     echo 'designer ALL=(ALL) NOPASSWD: ALL' >"$folder/etc/sudoers.d/designer"
+    rm -rf "$folder"/var/cache/apt/archives/*.deb
+    tar -C "$folder" -cf "$folder.tar.new" .
+    mv "$folder.tar.new" "$folder.tar"
+    rm -rf "$folder"
+}
+
+# A bare system in a folder of its own.
+unpack_bare() {
+    make_bare "$1"
+    rm -rf --one-file-system "$2"
+    mkdir -p "$2"
+    tar -C "$2" -xf "$build/$1-bare.tar"
+}
+
+# The system that is built in; what a run installs there stays for the next one.
+make_system() {
+    local folder="$build/$1"
+    [ ! -e "$folder/.made" ] || return 0
+    unpack_bare "$1" "$folder"
     touch "$folder/.made"
 }
 
@@ -112,6 +133,5 @@ for system in "$@"; do
     cp -r "$folder/home/designer/sheetmorph/build/run/output" "$folder-pictures" 2>/dev/null || true
     try "$folder" test ./sheetmorph test || failed=1
     finish
-    mounted=()
 done
 exit "$failed"
