@@ -8,6 +8,7 @@ import FreeCAD
 import Mesh
 import numpy as np
 import Part
+import TechDraw
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects.errors import MorphError
@@ -49,6 +50,13 @@ class TestDeformedShapes(test_cad.CadTest):
         mesh = Mesh.Mesh(shape.tessellate(0.05))
         self.assertTrue(mesh.isSolid())
         self.assertFalse(mesh.hasSelfIntersections())
+
+    def test_a_drawing_shows_the_hole_as_a_circle(self):
+        shape = api.deformed_shape(self.bent_plate()).Shape
+        (axis,) = [f.Surface.Axis for f in shape.Faces if isinstance(f.Surface, Part.Cylinder)]
+        drawn = [edge for group in TechDraw.projectEx(shape, axis) for edge in group.Edges]
+        circles = [edge.Curve.Radius for edge in drawn if isinstance(edge.Curve, Part.Circle)]
+        self.assertTrue(any(abs(radius - 5.0) < 1e-9 for radius in circles), circles)
 
     def test_it_is_brought_up_to_date_and_undone(self):
         part = self.bent_plate()
