@@ -18,6 +18,7 @@ _APART = 0.05  # of the size: places of a list are at least that far from each o
 _NEAR = 0.25  # of the size: what is farther than that names no place
 _STRAIGHT = 1e3  # of the size: bends wider than that are none
 _YOUNG = 210e3  # N/mm^2, steel
+_GENTLE = 500.0  # thicknesses: in wider bends the skin is strained by less than 0.1 %
 _TOLD = 5e-4  # a stretch below that is not worth a sentence
 
 
@@ -77,7 +78,17 @@ def stretch_words(entry: dict[str, Any]) -> Iterator[str]:
             f'"{name}" is bent as a sheet of {steel["thickness"]:.3g} mm, a hundredth of its '
             'size: give its "thickness"'
         )
-    if stretch is None or stretch["largest"] < _TOLD:
+    if stretch is None:
+        return
+    bend = stretch["bend"]
+    if bend is not None and bend["over_thickness"] < _GENTLE:
+        place = ", ".join(f"{x:.4g}" for x in bend["place"])
+        yield (
+            f'"{name}" is bent most to a radius of {bend["radius"]:.3g} mm, '
+            f'{bend["over_thickness"]:.3g} times its thickness, at ({place}); let go, it springs '
+            f'back with {stretch["springs_back"]:.3g} mJ'
+        )
+    if stretch["largest"] < _TOLD:
         return
     worst = stretch["worst"][0]
     near = f", near {worst['near']}" if worst["near"] else ""
