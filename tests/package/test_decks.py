@@ -13,6 +13,7 @@ from deck_samples import ABAQUS, CALCULIX, DYNA, GMSH, NASTRAN, RADIOSS, deck_sa
 from sheetmorph import FileError
 from sheetmorph.cli import main
 from sheetmorph.decks import Deck, read_deck, sheet_of
+from sheetmorph.decks.dyna import assumed_options
 from sheetmorph.decks.numbers import format_real, parse_integers, parse_real, parse_reals
 
 SAMPLES = deck_samples()
@@ -138,6 +139,24 @@ def test_a_long_deck_says_so_in_its_first_line():
     text = b"*KEYWORD long=y\n*NODE\n" + b"%20d%20s%20s%20s\n" % (7, b"1.5", b"2", b"3")
     text += b"*NODE -\n" + b"%8d%16s%16s%16s\n" % (8, b"1.5", b"2", b"3")
     assert read(text, "a.k").points.tolist() == [[1.5, 2, 3], [1.5, 2, 3]]
+
+
+def test_a_long_deck_that_does_not_say_so_is_told_on_the_command_line(tmp_path: Path):
+    text = b"*KEYWORD\n*NODE\n" + b"%20d%20s%20s%20s\n" % (7, b"1.5", b"2", b"3") + b"*END\n"
+    (tmp_path / "a.k").write_bytes(text)
+    with assumed_options("long=y"):
+        assert read(text, "a.k").points.tolist() == [[1.5, 2, 3]]
+    command = ["copy", str(tmp_path / "a.k"), "-o", str(tmp_path / "out")]
+    assert main(command) == 2
+    assert main([*command, "--keyword", "long=y"]) == 0
+    assert (tmp_path / "out" / "a.k").read_bytes() == text
+
+
+def test_what_a_solver_shifts_at_its_start_is_told():
+    deck = read(b"*KEYWORD\n*PERTURBATION_NODE\n         1\n*END\n", "a.k")
+    assert [place.card for place in deck.raw.stale] == ["*PERTURBATION_NODE"]
+    ties = b"*NODE\n1, 0, 0, 0\n*TIE, NAME=A\nS, M\n*TIE, NAME=B, ADJUST=NO\nS, M\n"
+    assert [place.line for place in read(ties, "a.inp").raw.stale] == [2]
 
 
 def test_an_instance_is_shifted_before_it_is_turned():

@@ -41,7 +41,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     numbers = [number for number in stopping_signals() if number != signal.SIGINT]
     previous = {number: signal.signal(number, _interrupt) for number in numbers}
     try:
-        _say(_COMMANDS[wanted.command](wanted, files))
+        with _deck_options(wanted):
+            _say(_COMMANDS[wanted.command](wanted, files))
         return DONE
     except KeyboardInterrupt:
         _complain(f"interrupted; {_state(files)}")
@@ -53,6 +54,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     finally:
         for number, handler in previous.items():
             signal.signal(number, handler)
+
+
+def _deck_options(wanted: argparse.Namespace) -> contextlib.AbstractContextManager[None]:
+    """What decks are read with, if a command line says it."""
+    if not getattr(wanted, "keyword", None):
+        return contextlib.nullcontext()
+    from .decks.dyna import assumed_options
+
+    return assumed_options(wanted.keyword)
 
 
 def _input_of(wanted: argparse.Namespace) -> str:

@@ -26,6 +26,9 @@ def add_certify_arguments(commands: Any, run: argparse.ArgumentParser) -> None:
     command.add_argument("--criteria", metavar="FILE", help=text)
     command.add_argument("--json", metavar="FILE", help="where to write the certificate")
     command.add_argument("--page", metavar="FILE", help="where to write it as a page (HTML)")
+    for one in (run, command, *(commands.choices[name] for name in ("copy", "check"))):
+        text = "LS-DYNA decks as if their *KEYWORD said so"
+        one.add_argument("--keyword", choices=("long=y", "i10=y"), help=text)
 
 
 def run_certify(wanted: argparse.Namespace, _files: FileSet) -> list[str]:

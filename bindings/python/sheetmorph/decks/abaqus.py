@@ -31,6 +31,7 @@ _STALE = {
     "NORMAL": "normals by components are kept as they are",
     "TRANSFORM": "local directions by coordinates are kept as they are",
     "INITIAL CONDITIONS": "an initial state of the shape before",
+    "TIE": "the solver may shift tied nodes onto the other surface when it starts (ADJUST)",
     "IMPERFECTION": "an imperfection of the shape before",
     "MASS FLOW": "",
     "ROTARY INERTIA": "its inertia is kept as it is",
@@ -122,7 +123,8 @@ class _Reader:
             self._material(lines, keyword)
         else:
             add_joint(self._sets, lines, keyword)
-        if _STALE.get(name):
+        is_left = name == "TIE" and keyword.options.get("ADJUST", "").upper() == "NO"
+        if _STALE.get(name) and not is_left:
             self.raw.stale.append(Place(f"*{name}", 0, lines.file, keyword.line, _STALE[name]))
 
     def _material(self, lines: AbaqusLines, keyword: Keyword) -> None:

@@ -4,6 +4,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -60,6 +63,20 @@ class _Widths:
 _STANDARD, _TEN, _LONG = _Widths(8, 10, 16), _Widths(10, 10, 16), _Widths(20, 20, 20)
 
 
+# As if it stood behind the *KEYWORD of every deck: a solver may get it on its command line instead.
+_assumed: ContextVar[str] = ContextVar("assumed", default="")
+
+
+@contextmanager
+def assumed_options(options: str) -> Iterator[None]:
+    """Decks are read as if their *KEYWORD had these options, "long=y" or "i10=y"."""
+    token = _assumed.set(options)
+    try:
+        yield
+    finally:
+        _assumed.reset(token)
+
+
 class _Reader:
     """The state while a deck is read."""
 
@@ -68,6 +85,7 @@ class _Reader:
         self._path = path
         self._included = Included(raw, path, opener)
         self._widths = _STANDARD
+        self._take_options(_assumed.get())
         self._parameters: dict[str, float] = {}
         self._joints = Joints(raw)
         self._parts: dict[int, int] = {}
@@ -125,7 +143,9 @@ class _Reader:
         self.raw.stale += stale_of(cards, section)
 
     def _keyword(self, section: Section) -> None:
-        options = section.rest.lower()
+        self._take_options(section.rest.lower())
+
+    def _take_options(self, options: str) -> None:
         if re.search(r"long\s*=\s*(y|s|k)", options):
             kind = re.search(r"long\s*=\s*(\w)", options).group(1)
             self._widths = _STANDARD if kind == "s" else _LONG

@@ -26,6 +26,7 @@ _REASONS = {
     "ELEMENT_BEAM_ORIENTATION": "its orientation is kept as it is",
     "ELEMENT_BEAM_OFFSET": "its offsets are kept as they are",
     "ELEMENT_SOLID_ORTHO": "its material axes are kept as they are",
+    "PERTURBATION_NODE": "it shifts nodes of the shape before when the solver starts",
     "RIGIDWALL": "a rigid wall stays where it is",
     "INCLUDE_STAMPED": "what is mapped from forming belongs to the shape before",
     "DYNAIN": "results of the shape before",
