@@ -51,7 +51,7 @@ void parallel_pair(const std::function<void()>& one, const std::function<void()>
 //! One independent piece of a long work.
 struct Task
 {
-    std::string name;  //!< what is being done, as the user is told
+    std::string name;                           //!< what is being done, as the user is told
     std::function<void(const Progress&)> work;  //!< reports to be cancelled
 };
 
