@@ -13,16 +13,9 @@ import sheetmorph
 from sheetmorph.errors import RecipeError
 from sheetmorph.report import report_schema
 
-LENGTH, WIDTH, ALONG, ACROSS = 100.0, 25.0, 24, 6
+from strips import LENGTH, WIDTH, flat_strip
 
-
-def strip() -> tuple[np.ndarray, np.ndarray]:
-    """A flat strip: (n, 3) mm, (m, 3)."""
-    x, y = np.meshgrid(np.linspace(0, LENGTH, ALONG + 1), np.linspace(0, WIDTH, ACROSS + 1))
-    points = np.column_stack([x.T.ravel(), y.T.ravel(), np.zeros(x.size)])
-    a = (np.arange(ALONG)[:, None] * (ACROSS + 1) + np.arange(ACROSS)).ravel()
-    b, c, d = a + ACROSS + 1, a + ACROSS + 2, a + 1
-    return points, np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+ALONG, ACROSS = 24, 6
 
 
 def recipe(**more) -> dict:
@@ -42,12 +35,12 @@ def recipe(**more) -> dict:
 
 
 def session(**more) -> sheetmorph.Session:
-    points, triangles = strip()
+    points, triangles = flat_strip(ALONG, ACROSS)
     return sheetmorph.Session(recipe(**more), {"strip": sheetmorph.PartMesh(points, triangles)})
 
 
 def test_a_strip_of_steel_rolls_up_without_stretch():
-    points, _ = strip()
+    points, _ = flat_strip(ALONG, ACROSS)
     result = session().deform()
     angle = points[:, 0] / LENGTH * np.pi / 2.0
     radius = LENGTH * 2.0 / np.pi
@@ -106,7 +99,7 @@ def test_what_no_sheet_can_be_is_refused(key, value):
 
 
 def test_a_run_writes_the_strip_and_its_report(tmp_path):
-    points, triangles = strip()
+    points, triangles = flat_strip(ALONG, ACROSS)
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
     lines += ["f {} {} {}".format(*(row + 1)) for row in triangles]
     (tmp_path / "strip.obj").write_text("\n".join(lines) + "\n")

@@ -13,20 +13,13 @@ import pytest
 import sheetmorph
 from sheetmorph.recipe import prepare, with_ids
 
+from strips import LENGTH, flat_strip
+
 sys.path.insert(0, str(Path(__file__).parents[1] / "real"))
 SHARED = Path(os.environ.get("SHEETMORPH_SHARED", Path(__file__).parents[2].parent / "shared"))
 DATA = SHARED / "data"
 ROLLS = DATA / "08-isometric-roll-reference"
-LENGTH, WIDTH, ALONG, ACROSS = 100.0, 25.0, 80, 20
-
-
-def strip() -> tuple[np.ndarray, np.ndarray]:
-    """A flat strip of 1,701 vertices: (n, 3) mm, (m, 3)."""
-    x, y = np.meshgrid(np.linspace(0, LENGTH, ALONG + 1), np.linspace(0, WIDTH, ACROSS + 1))
-    points = np.column_stack([x.T.ravel(), y.T.ravel(), np.zeros(x.size)])
-    a = (np.arange(ALONG)[:, None] * (ACROSS + 1) + np.arange(ACROSS)).ravel()
-    b, c, d = a + ACROSS + 1, a + ACROSS + 2, a + 1
-    return points, np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+ALONG, ACROSS = 80, 20
 
 
 def edge_strains(rest: np.ndarray, now: np.ndarray, triangles: np.ndarray) -> np.ndarray:
@@ -58,7 +51,7 @@ def rolled(degrees: float) -> dict:
     ids=["lift 30", "twist 180", "bend 90", "bend 180"],
 )
 def test_strips_stretch_no_more_than_their_pose_demands(pose: dict, mean: float, largest: float):
-    points, triangles = strip()
+    points, triangles = flat_strip(ALONG, ACROSS)
     recipe = {
         "sheetmorph": 1,
         "parts": [{"name": "strip", "file": "strip.obj", "thickness": 1.0}],
