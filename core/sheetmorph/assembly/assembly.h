@@ -97,7 +97,7 @@ struct Assembly
     std::vector<FeatureGroup> groups;
     std::vector<FeaturePair> pairs;
     std::optional<SymmetryPlane> symmetry;
-    bool is_refined = false;  //!< exact answers are refined for large rotations (local-global)
+    bool is_refined = false;  //!< exact answers are refined for large rotations
     Propagation propagation;
     Unheld unheld = Unheld::rest;
 };

@@ -86,7 +86,7 @@ struct SurfaceConstraints
     std::vector<std::vector<int>> groups;  //!< form features that move as one rigid body
     std::vector<FeatureLink> links;
     Energy energy = Energy::neumann;
-    bool is_refined = false;  //!< exact answers are refined for large rotations (refinement.h)
+    bool is_refined = false;  //!< exact answers are of a thick shell (steel_answer.h)
     Laplacian laplacian = Laplacian::cotangent;
     double thickness = 0.0;  //!< mm, read for `steel`; 0: a hundredth of the size
     double poisson = 0.3;    //!< Poisson's ratio, read for `steel`

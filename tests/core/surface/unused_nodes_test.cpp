@@ -59,7 +59,7 @@ TEST_P(UnusedNodes, ChangeNoShapeWhereverTheyStand)
             const Points expected = deformer.deform(one.targets, exactness).positions;
             const Points found = same.deform(with.targets, exactness).positions;
             EXPECT_TRUE(found.allFinite());
-            // A refined shape is told to what its last round may change, 1e-7 a round.
+            // A refined shape is told to what its last round may change.
             const bool is_told_to_rounding =
                 exactness == Exactness::exact && !one.constraints.is_refined;
             EXPECT_LT(worst_difference(one, expected, other, found),

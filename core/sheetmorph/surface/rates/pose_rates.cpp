@@ -24,9 +24,9 @@ constexpr int most_refinements = 8;
 
 void require_plain(const PreparedSurface& part)
 {
-    if (part.steel)
+    if (part.constraints.energy == Energy::steel)
         throw NoDerivative("answers of the energy 'steel' are not differentiated");
-    if (part.refinement)
+    if (part.constraints.is_refined)
         throw NoDerivative("answers that are refined for large rotations are not differentiated");
 }
 

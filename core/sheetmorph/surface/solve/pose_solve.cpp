@@ -101,8 +101,6 @@ Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
     pose.asked.offset = known_displacements(part.placement(), pose.targets, pose.bodies);
     ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
     pose.join_linear(part, found.convergence);
-    if (part.refinement && pose.exactness == Exactness::exact)
-        pose.convergence.join(part.refinement->refine(pose.asked, found.u));
     return std::move(found.u);
 }
 

@@ -138,13 +138,6 @@ std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& i
     return std::make_unique<FeatureResponses>(input, minimiser, std::move(turners));
 }
 
-std::unique_ptr<Refinement> refinement_of(const RotationFieldInput& input, const Unknowns& unknowns)
-{
-    return input.constraints.is_refined && input.constraints.energy != Energy::steel
-               ? std::make_unique<Refinement>(input, position_problem(input, unknowns))
-               : nullptr;
-}
-
 }  // namespace
 
 PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
@@ -169,9 +162,8 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
       minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, reuse.earlier,
                                    progress)),
       responses(reported_responses({rest, constraints, roles, operators}, minimiser, progress)),
-      refinement(refinement_of({rest, constraints, roles, operators}, unknowns)),
-      steel(constraints.energy == Energy::steel ? std::make_unique<SteelAnswer>(rest, constraints)
-                                                : nullptr),
+      steel(constraints.has_previews() ? std::make_unique<SteelAnswer>(rest, constraints)
+                                       : nullptr),
       growth({rest, constraints, roles, operators}, shapes),
       followers(rest, roles)
 {

@@ -6,7 +6,6 @@
 #include "sheetmorph/surface/operators/followers.h"
 #include "sheetmorph/surface/operators/unknowns.h"
 #include "sheetmorph/surface/solve/feature_responses.h"
-#include "sheetmorph/surface/solve/refinement.h"
 #include "sheetmorph/surface/steel/steel_answer.h"
 
 namespace sheetmorph
@@ -35,8 +34,7 @@ struct PreparedSurface
     std::unique_ptr<RotationField> field;
     ConstrainedMinimiser minimiser;
     std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
-    std::unique_ptr<Refinement> refinement;       //!< none unless it is asked for
-    std::unique_ptr<SteelAnswer> steel;           //!< none but for `steel`
+    std::unique_ptr<SteelAnswer> steel;           //!< none but for `steel` and refined parts
     SheetGrowth growth;
     Followers followers;
 

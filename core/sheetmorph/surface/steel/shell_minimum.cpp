@@ -117,7 +117,7 @@ public:
 
     Convergence run(int most_rounds, const Progress& progress)
     {
-        Convergence found{"the shape of the steel sheet", false, 0, 0.0};
+        Convergence found{"the shape of the sheet", false, 0, 0.0};
         stresses_ = shell_.no_stresses();
         energies_ = {merit()};
         for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
@@ -185,7 +185,7 @@ private:
             found = problem.solve(shift);
         if (!found)
             throw SolverError(
-                "the steel sheet has no unique shape under these constraints; hold it by a fixed "
+                "the sheet has no unique shape under these constraints; hold it by a fixed "
                 "region, or choose another energy");
         Eigen::VectorXd change = shortened(*found);
         const double slope = tangent.gradient.dot(change);

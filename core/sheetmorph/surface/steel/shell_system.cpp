@@ -425,7 +425,16 @@ ShellSystem::Tangent ShellSystem::tangent(double bending, const Stresses* stress
                     parts[k].gradient(static_cast<Eigen::Index>(c));
         }
     }
+    brace_joints();
     return found;
+}
+
+// Freedoms that no triangle feels, as a body of one vertex has: they need a pivot and stay.
+void ShellSystem::brace_joints()
+{
+    const double brace = 1e-10 * matrix_->diagonal().mean();
+    for (int k = movers_.open; k < unknowns(); ++k)
+        matrix_->coeffRef(k, k) += brace;
 }
 
 double ShellSystem::shift_of(const Eigen::VectorXd& change) const

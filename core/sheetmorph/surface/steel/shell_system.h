@@ -83,6 +83,7 @@ private:
         Eigen::VectorXd gradient;
     };
 
+    void brace_joints();
     void find_columns();
     void find_pattern();
     Things things() const;

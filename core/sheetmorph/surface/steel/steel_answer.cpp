@@ -4,6 +4,7 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/surface/steel/shell_minimum.h"
 
 #include <Eigen/Geometry>
@@ -15,6 +16,23 @@ namespace
 {
 
 constexpr double default_thickness = 0.01;  // of the size
+constexpr double refined_thickness = 0.05;  // of the size
+
+// Nodes of no triangle must not change how thick a sheet is.
+double size_of_triangles(const TriangleMesh& mesh)
+{
+    VertexIds corners(mesh.triangles().data(), mesh.triangles().data() + mesh.triangles().size());
+    make_set(corners);
+    const Points used = mesh.points()(corners, Eigen::indexing::all);
+    return corners.empty() ? 0.0 : (used.colwise().maxCoeff() - used.colwise().minCoeff()).norm();
+}
+
+// A linear answer is refined by a shell so thick that only large rotations change it.
+double thickness_of(const TriangleMesh& rest, const SurfaceConstraints& constraints)
+{
+    return constraints.energy == Energy::steel ? sheet_thickness(constraints.thickness, rest)
+                                               : refined_thickness * size_of_triangles(rest);
+}
 
 // Columns: two sides of a triangle and a unit normal times its size.
 Matrix3 frame(const Points& points, const std::array<int, 3>& corners)
@@ -32,13 +50,13 @@ Matrix3 frame(const Points& points, const std::array<int, 3>& corners)
 
 double sheet_thickness(double given, const TriangleMesh& mesh)
 {
-    return given > 0.0 ? given : default_thickness * mesh.size();
+    return given > 0.0 ? given : default_thickness * size_of_triangles(mesh);
 }
 
 SteelAnswer::SteelAnswer(const TriangleMesh& rest, const SurfaceConstraints& constraints)
     : mesh_(rest),
-      size_(rest.size()),
-      thickness_(sheet_thickness(constraints.thickness, rest)),
+      size_(size_of_triangles(rest)),
+      thickness_(thickness_of(rest, constraints)),
       poisson_(constraints.poisson)
 {
 }

@@ -11,7 +11,8 @@ namespace sheetmorph
 double sheet_thickness(double given, const TriangleMesh& mesh);
 
 //! A part as a sheet of steel: a geometrically nonlinear thin shell that hardly stretches
-//! (mathematics.md, section 9), from the linear answer on.
+//! (mathematics.md, section 9), from the linear answer on. Refined parts of the other energies are
+//! the same shell, a third of their size thick.
 class SteelAnswer
 {
 public:

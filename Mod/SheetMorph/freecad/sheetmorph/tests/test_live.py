@@ -77,8 +77,7 @@ class TestLive(support.DocumentTest):
         self.assertTrue(self._frame_lifted_by(10.0).is_preview)
         exact = self.live.answer(self.live.ask([self.handle.Name], exact=True))
         self.assertFalse(exact.is_preview)
-        # This strip's rotations still creep when the rounds end: that is told with the part's name.
-        self.assertRegex(exact.unsettled, "^'Strip': refined rotations have not settled after 400")
+        self.assertEqual(exact.unsettled, "")
         self.assertEqual(self.live.learning_failure, "")
 
     def _frame_lifted_by(self, height: float):

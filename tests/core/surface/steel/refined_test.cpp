@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Refinement for large rotations.
+// Parts that are refined for large rotations.
+#include "sheetmorph/surface/steel/steel_answer.h"
 #include "surface/all_cases.h"
 #include "surface/free_strip.h"
 
@@ -35,7 +36,7 @@ double stretch(const Case& one, const Points& shape)
     return std::sqrt(sum / static_cast<double>(3 * triangles.rows()));
 }
 
-TEST(Refinement, ATwistedStripIsStretchedFarLess)
+TEST(Refined, ATwistedStripIsStretchedFarLess)
 {
     const Case plain = twisted(false);
     const Case refined = twisted(true);
@@ -43,7 +44,7 @@ TEST(Refinement, ATwistedStripIsStretchedFarLess)
     EXPECT_LT(stretch(refined, solve(refined).positions), 0.6 * before);
 }
 
-TEST(Refinement, FeaturesStayExactAndHandlesAreMet)
+TEST(Refined, FeaturesStayExactAndHandlesAreMet)
 {
     const Case one = twisted(true);
     const Deformation shape = solve(one);
@@ -58,7 +59,7 @@ TEST(Refinement, FeaturesStayExactAndHandlesAreMet)
                   one.targets.handles[0].apply(Vector3(one.mesh.points().row(vertex))));
 }
 
-TEST(Refinement, LeavesRestAndRigidMotionsAlone)
+TEST(Refined, LeavesRestAndRigidMotionsAlone)
 {
     for (Case one : with_free_features(all_with_every_energy()))
     {
@@ -78,13 +79,54 @@ TEST(Refinement, LeavesRestAndRigidMotionsAlone)
     }
 }
 
-TEST(Refinement, ConvergesToTheSameShapeFromPosesNearby)
+TEST(Refined, ConvergesToTheSameShapeFromPosesNearby)
 {
     Case one = twisted(true);
     const SurfaceDeformer deformer(one.mesh, one.constraints);
-    const Points shape = deformer.deform(one.targets).positions;
+    const Deformation found = deformer.deform(one.targets);
+    EXPECT_TRUE(found.convergence.is_converged);
     one.targets.handles[0].rotation_log *= 1.0001;
-    EXPECT_LT((deformer.deform(one.targets).positions - shape).cwiseAbs().maxCoeff(), 0.1);
+    EXPECT_LT((deformer.deform(one.targets).positions - found.positions).cwiseAbs().maxCoeff(),
+              0.1);
+}
+
+TEST(Refined, AnswersOfAllEnergiesAreOne)
+{
+    Case one = twisted(true);
+    const Points shape = solve(one).positions;
+    for (const Energy energy : {Energy::paper, Energy::natural})
+    {
+        one.constraints.energy = energy;
+        EXPECT_LT((solve(one).positions - shape).cwiseAbs().maxCoeff(), 1e-4 * one.mesh.size());
+    }
+}
+
+TEST(Refined, AFreeFeatureOfOneVertexOrOfALineIsSolved)
+{
+    for (const std::size_t count : {1U, 2U})
+    {
+        Case one = strip_with_holes(true);
+        one.constraints.is_refined = true;
+        one.constraints.features[0].vertices.resize(count);
+        const Deformation found = solve(one);
+        EXPECT_TRUE(found.convergence.is_converged) << count;
+        EXPECT_TRUE(found.positions.allFinite()) << count;
+    }
+}
+
+TEST(Refined, NodesOfNoTriangleDoNotChangeHowThickASheetIs)
+{
+    const Case one = twisted(true);
+    Points points(one.mesh.vertex_count() + 1, 3);
+    points << one.mesh.points(), 1e4, 1e4, 1e4;
+    const TriangleMesh with(points, one.mesh.triangles());
+    EXPECT_EQ(sheet_thickness(0.0, with), sheet_thickness(0.0, one.mesh));
+    const SurfaceDeformer deformer(with, one.constraints);
+    EXPECT_LT((deformer.deform(one.targets).positions.topRows(one.mesh.vertex_count())
+               - solve(one).positions)
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-6 * one.mesh.size());
 }
 
 }  // namespace
