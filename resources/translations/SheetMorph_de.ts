@@ -96,6 +96,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_Certify</name>
+  <message>
+   <source>Certificate…</source>
+   <translation>Zertifikat…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
+   <translation>Schreibt alle verformten Teile in einen Ordner, liest sie wieder, misst und beurteilt sie</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_CheckInstallation</name>
   <message>
    <source>Check Installation</source>
@@ -206,6 +217,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_Flatten</name>
+  <message>
+   <source>Flatten</source>
+   <translation type="unfinished"></translation>
+  </message>
+  <message>
+   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
+   <translation type="unfinished"></translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_GroupFeatures</name>
   <message>
    <source>Group Form Features</source>
@@ -234,8 +256,8 @@
    <translation>Teil importieren…</translation>
   </message>
   <message>
-   <source>Imports a mesh as a part, with its exact positions, or every solid of a CAD file, meshed</source>
-   <translation>Importiert ein Netz als Teil, mit seinen genauen Koordinaten, oder jeden Körper einer CAD-Datei, vernetzt</translation>
+   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
+   <translation>Importiert ein Netz als Teil, mit seinen genauen Koordinaten, jedes Property eines Decks, oder jeden Körper einer CAD-Datei, vernetzt</translation>
   </message>
  </context>
  <context>
@@ -1086,6 +1108,14 @@
    <translation>Kontaktspalte</translation>
   </message>
   <message>
+   <source>Stretch</source>
+   <translation type="unfinished"></translation>
+  </message>
+  <message>
+   <source>Elements by quality: bars as it is, grey lines as it was at rest, red where the limit is</source>
+   <translation>Elemente nach Qualität: Balken wie sie ist, graue Linien wie in Ruhe, rot die Grenze</translation>
+  </message>
+  <message>
    <source>Reset</source>
    <translation>Zurücksetzen</translation>
   </message>
@@ -1151,6 +1181,30 @@
   <message>
    <source>Follower</source>
    <translation>Mitläufer</translation>
+  </message>
+  <message>
+   <source>Open Page</source>
+   <translation>Seite öffnen</translation>
+  </message>
+  <message>
+   <source>Parts: {0}, form features: {1}, contacts: {2}, joints: {3}</source>
+   <translation>Teile: {0}, Formelemente: {1}, Kontakte: {2}, Verbindungen: {3}</translation>
+  </message>
+  <message>
+   <source>Certificate</source>
+   <translation>Zertifikat</translation>
+  </message>
+  <message>
+   <source>Certified</source>
+   <translation>Zertifiziert</translation>
+  </message>
+  <message>
+   <source>Not certified</source>
+   <translation>Nicht zertifiziert</translation>
+  </message>
+  <message>
+   <source>and {0} more</source>
+   <translation>und {0} weitere</translation>
   </message>
   <message>
    <source>The parts are farther apart than that: give a larger gap distance, or pick by hand.</source>
@@ -1269,20 +1323,28 @@
    <translation>Berechnet in {0:.1f} ms, gezeichnet in {1:.1f} ms</translation>
   </message>
   <message>
-   <source>{0} contacts open too far, see Propagation; the first:</source>
-   <translation>{0} Kontakte öffnen sich zu weit, siehe Ausbreitung; der erste:</translation>
-  </message>
-  <message>
    <source>Will not follow, no contact leads there: {0}</source>
    <translation>Folgt nicht, kein Kontakt führt dorthin: {0}</translation>
+  </message>
+  <message>
+   <source>Linear preview: steel follows when you rest. {0}</source>
+   <translation type="unfinished"></translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
    <translation>Noch ist nichts bewegt.</translation>
   </message>
   <message>
+   <source>{0} contacts open too far, see Propagation; the first:</source>
+   <translation>{0} Kontakte öffnen sich zu weit, siehe Ausbreitung; der erste:</translation>
+  </message>
+  <message>
    <source>Preview: refined on release. {0}</source>
    <translation>Vorschau: wird beim Loslassen verfeinert. {0}</translation>
+  </message>
+  <message>
+   <source>Steel, final. {0}</source>
+   <translation type="unfinished"></translation>
   </message>
   <message>
    <source>At rest</source>
@@ -1305,12 +1367,12 @@
    <translation>und {0} weitere Teile</translation>
   </message>
   <message>
-   <source>Nothing is chosen; choose a cure, or cancel.</source>
-   <translation>Nichts ist gewählt; wähle eine Abhilfe oder brich ab.</translation>
-  </message>
-  <message>
    <source>Weld within how much? Type a length, for example 0.01 mm.</source>
    <translation>Verschweißen innerhalb welcher Länge? Gib eine an, zum Beispiel 0.01 mm.</translation>
+  </message>
+  <message>
+   <source>Nothing is chosen; choose a cure, or cancel.</source>
+   <translation>Nichts ist gewählt; wähle eine Abhilfe oder brich ab.</translation>
   </message>
   <message>
    <source>Choose a cure first.</source>
@@ -1327,6 +1389,42 @@
   <message>
    <source>level {0}</source>
    <translation>Stufe {0}</translation>
+  </message>
+  <message>
+   <source>Elements: aspect</source>
+   <translation>Elemente: Seitenverhältnis</translation>
+  </message>
+  <message>
+   <source>Elements: warpage</source>
+   <translation>Elemente: Verwindung</translation>
+  </message>
+  <message>
+   <source>Elements: skew</source>
+   <translation>Elemente: Schiefe</translation>
+  </message>
+  <message>
+   <source>Elements: taper</source>
+   <translation>Elemente: Verjüngung</translation>
+  </message>
+  <message>
+   <source>Elements: Jacobian</source>
+   <translation>Elemente: Jacobi</translation>
+  </message>
+  <message>
+   <source>Elements: smallest angle</source>
+   <translation>Elemente: kleinster Winkel</translation>
+  </message>
+  <message>
+   <source>Elements: largest angle</source>
+   <translation>Elemente: größter Winkel</translation>
+  </message>
+  <message>
+   <source>Elements: shortest edge</source>
+   <translation>Elemente: kürzeste Kante</translation>
+  </message>
+  <message>
+   <source>; {0} of {1} elements beyond {2:g}</source>
+   <translation>; {0} von {1} Elementen jenseits {2:g}</translation>
   </message>
   <message>
    <source>'{0}' is no thin solid: {1}.</source>
@@ -1816,8 +1914,20 @@
    <translation>Wie oft Steuernetze unterteilt werden: mehr folgt feineren Biegungen und dauert länger (3 passt für die meisten Bleche)</translation>
   </message>
   <message>
+   <source>Smoothness</source>
+   <translation>Glattheit</translation>
+  </message>
+  <message>
+   <source>How smooth control meshes stay: small follows the source closely, large evens out its details</source>
+   <translation>Wie glatt Steuernetze bleiben: klein folgt der Vorlage genau, groß gleicht ihre Einzelheiten aus</translation>
+  </message>
+  <message>
    <source>Loose pieces</source>
    <translation>Lose Stücke</translation>
+  </message>
+  <message>
+   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
+   <translation>Was aus Stücken eines Teils wird, die nichts hält, während andere sich bewegen</translation>
   </message>
   <message>
    <source>stay at rest, with a warning</source>
@@ -1830,18 +1940,6 @@
   <message>
    <source>are an error</source>
    <translation>sind ein Fehler</translation>
-  </message>
-  <message>
-   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
-   <translation>Was aus Stücken eines Teils wird, die nichts hält, während andere sich bewegen</translation>
-  </message>
-  <message>
-   <source>Smoothness</source>
-   <translation>Glattheit</translation>
-  </message>
-  <message>
-   <source>How smooth control meshes stay: small follows the source closely, large evens out its details</source>
-   <translation>Wie glatt Steuernetze bleiben: klein folgt der Vorlage genau, groß gleicht ihre Einzelheiten aus</translation>
   </message>
   <message>
    <source>A click shows parts and contacts in the 3D view</source>
@@ -1957,6 +2055,14 @@
   <message>
    <source>Nothing picked</source>
    <translation>Nichts gewählt</translation>
+  </message>
+  <message>
+   <source>or type a selector: {"face_at": [x, y, z]}</source>
+   <translation type="unfinished"></translation>
+  </message>
+  <message>
+   <source>What is picked, in the words of a recipe and the coordinates of the part's file; type another selector and press Enter</source>
+   <translation type="unfinished"></translation>
   </message>
   <message>
    <source>Each hole is a feature of its own</source>

@@ -96,6 +96,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_Certify</name>
+  <message>
+   <source>Certificate…</source>
+   <translation>証明書…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
+   <translation>変形したすべてのパーツをフォルダーに書き出し、読み直して測定・判定します</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_CheckInstallation</name>
   <message>
    <source>Check Installation</source>
@@ -206,6 +217,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_Flatten</name>
+  <message>
+   <source>Flatten</source>
+   <translation type="unfinished"></translation>
+  </message>
+  <message>
+   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
+   <translation type="unfinished"></translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_GroupFeatures</name>
   <message>
    <source>Group Form Features</source>
@@ -234,8 +256,8 @@
    <translation>部品を読み込む…</translation>
   </message>
   <message>
-   <source>Imports a mesh as a part, with its exact positions, or every solid of a CAD file, meshed</source>
-   <translation>メッシュを正確な座標のまま部品として、またはCADファイルの各ソリッドをメッシュにして読み込みます</translation>
+   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
+   <translation>メッシュを正確な座標のままパーツとして、デッキの各プロパティ、または CAD ファイルの各ソリッドをメッシュ化して読み込みます</translation>
   </message>
  </context>
  <context>
@@ -1086,6 +1108,14 @@
    <translation>接触の隙間</translation>
   </message>
   <message>
+   <source>Stretch</source>
+   <translation type="unfinished"></translation>
+  </message>
+  <message>
+   <source>Elements by quality: bars as it is, grey lines as it was at rest, red where the limit is</source>
+   <translation>品質ごとの要素数：棒は現在、灰色の線は静止時、赤は限界</translation>
+  </message>
+  <message>
    <source>Reset</source>
    <translation>元に戻す</translation>
   </message>
@@ -1151,6 +1181,30 @@
   <message>
    <source>Follower</source>
    <translation>追従領域</translation>
+  </message>
+  <message>
+   <source>Open Page</source>
+   <translation>ページを開く</translation>
+  </message>
+  <message>
+   <source>Parts: {0}, form features: {1}, contacts: {2}, joints: {3}</source>
+   <translation>パーツ: {0}、フォームフィーチャ: {1}、接触: {2}、結合: {3}</translation>
+  </message>
+  <message>
+   <source>Certificate</source>
+   <translation>証明書</translation>
+  </message>
+  <message>
+   <source>Certified</source>
+   <translation>合格</translation>
+  </message>
+  <message>
+   <source>Not certified</source>
+   <translation>不合格</translation>
+  </message>
+  <message>
+   <source>and {0} more</source>
+   <translation>ほか {0} 件</translation>
   </message>
   <message>
    <source>The parts are farther apart than that: give a larger gap distance, or pick by hand.</source>
@@ -1269,20 +1323,28 @@
    <translation>計算 {0:.1f} ms、描画 {1:.1f} ms</translation>
   </message>
   <message>
-   <source>{0} contacts open too far, see Propagation; the first:</source>
-   <translation>{0} 個の接触が開きすぎています。「伝播」を参照。最初の接触:</translation>
-  </message>
-  <message>
    <source>Will not follow, no contact leads there: {0}</source>
    <translation>接触でつながらないため追従しません: {0}</translation>
+  </message>
+  <message>
+   <source>Linear preview: steel follows when you rest. {0}</source>
+   <translation type="unfinished"></translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
    <translation>まだ何も動いていません。</translation>
   </message>
   <message>
+   <source>{0} contacts open too far, see Propagation; the first:</source>
+   <translation>{0} 個の接触が開きすぎています。「伝播」を参照。最初の接触:</translation>
+  </message>
+  <message>
    <source>Preview: refined on release. {0}</source>
    <translation>プレビュー: 離すと精密な形状になります。{0}</translation>
+  </message>
+  <message>
+   <source>Steel, final. {0}</source>
+   <translation type="unfinished"></translation>
   </message>
   <message>
    <source>At rest</source>
@@ -1305,12 +1367,12 @@
    <translation>ほか {0} 部品</translation>
   </message>
   <message>
-   <source>Nothing is chosen; choose a cure, or cancel.</source>
-   <translation>何も選ばれていません。対処を選ぶか、キャンセルしてください。</translation>
-  </message>
-  <message>
    <source>Weld within how much? Type a length, for example 0.01 mm.</source>
    <translation>どの距離以内を結合しますか。長さを入力してください。例: 0.01 mm</translation>
+  </message>
+  <message>
+   <source>Nothing is chosen; choose a cure, or cancel.</source>
+   <translation>何も選ばれていません。対処を選ぶか、キャンセルしてください。</translation>
   </message>
   <message>
    <source>Choose a cure first.</source>
@@ -1327,6 +1389,42 @@
   <message>
    <source>level {0}</source>
    <translation>段 {0}</translation>
+  </message>
+  <message>
+   <source>Elements: aspect</source>
+   <translation>要素: アスペクト比</translation>
+  </message>
+  <message>
+   <source>Elements: warpage</source>
+   <translation>要素: そり</translation>
+  </message>
+  <message>
+   <source>Elements: skew</source>
+   <translation>要素: スキュー</translation>
+  </message>
+  <message>
+   <source>Elements: taper</source>
+   <translation>要素: テーパー</translation>
+  </message>
+  <message>
+   <source>Elements: Jacobian</source>
+   <translation>要素: ヤコビアン</translation>
+  </message>
+  <message>
+   <source>Elements: smallest angle</source>
+   <translation>要素: 最小角度</translation>
+  </message>
+  <message>
+   <source>Elements: largest angle</source>
+   <translation>要素: 最大角度</translation>
+  </message>
+  <message>
+   <source>Elements: shortest edge</source>
+   <translation>要素: 最短辺</translation>
+  </message>
+  <message>
+   <source>; {0} of {1} elements beyond {2:g}</source>
+   <translation>；{1} 要素中 {0} が {2:g} を超過</translation>
   </message>
   <message>
    <source>'{0}' is no thin solid: {1}.</source>
@@ -1816,8 +1914,20 @@
    <translation>制御メッシュの細分の回数。多いほど細かい曲がりに追従し、時間がかかります(ほとんどの板では3が適切)</translation>
   </message>
   <message>
+   <source>Smoothness</source>
+   <translation>滑らかさ</translation>
+  </message>
+  <message>
+   <source>How smooth control meshes stay: small follows the source closely, large evens out its details</source>
+   <translation>制御メッシュの滑らかさ。小さいと元に忠実に従い、大きいと細部をならします</translation>
+  </message>
+  <message>
    <source>Loose pieces</source>
    <translation>離れた部分</translation>
+  </message>
+  <message>
+   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
+   <translation>他の部分が動くとき、何にも保持されない部分をどうするか</translation>
   </message>
   <message>
    <source>stay at rest, with a warning</source>
@@ -1830,18 +1940,6 @@
   <message>
    <source>are an error</source>
    <translation>エラーにする</translation>
-  </message>
-  <message>
-   <source>What becomes of pieces of a part that nothing holds, while others of it move</source>
-   <translation>他の部分が動くとき、何にも保持されない部分をどうするか</translation>
-  </message>
-  <message>
-   <source>Smoothness</source>
-   <translation>滑らかさ</translation>
-  </message>
-  <message>
-   <source>How smooth control meshes stay: small follows the source closely, large evens out its details</source>
-   <translation>制御メッシュの滑らかさ。小さいと元に忠実に従い、大きいと細部をならします</translation>
   </message>
   <message>
    <source>A click shows parts and contacts in the 3D view</source>
@@ -1957,6 +2055,14 @@
   <message>
    <source>Nothing picked</source>
    <translation>何も選択されていません</translation>
+  </message>
+  <message>
+   <source>or type a selector: {"face_at": [x, y, z]}</source>
+   <translation type="unfinished"></translation>
+  </message>
+  <message>
+   <source>What is picked, in the words of a recipe and the coordinates of the part's file; type another selector and press Enter</source>
+   <translation type="unfinished"></translation>
   </message>
   <message>
    <source>Each hole is a feature of its own</source>

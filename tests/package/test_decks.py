@@ -13,6 +13,7 @@ from deck_samples import ABAQUS, CALCULIX, DYNA, GMSH, NASTRAN, RADIOSS, deck_sa
 from sheetmorph import FileError
 from sheetmorph.cli import main
 from sheetmorph.decks import Deck, read_deck, sheet_of
+from sheetmorph.decks.contents import shells_of
 from sheetmorph.decks.dyna import assumed_options
 from sheetmorph.decks.numbers import format_real, parse_integers, parse_real, parse_reals
 
@@ -276,3 +277,34 @@ def test_the_material_of_shells(data: bytes, name: str, told: str):
     if told != "steel":
         sound = np.sqrt(70e9 / (2700.0 * (1.0 - 0.33**2)))
         assert found.density == 2.7e-9 and found.sound == pytest.approx(sound, rel=1e-6)
+
+
+NAMED = {
+    '$HMNAME PROP         1"a skin"\n$HMNAME COMP         1"another"\n': "a skin",
+    "$ Femap Property 1 : a skin\n": "a skin",
+    "$ANSA_NAME_COMMENT;1;PSHELL;a skin;;NO;\n": "a skin",
+    "$ no name\n": "",
+}
+
+
+@pytest.mark.parametrize("comment", NAMED)
+def test_properties_have_the_names_that_pre_processors_write(comment: str):
+    found = read(NASTRAN.replace(b"BEGIN BULK\n", b"BEGIN BULK\n" + comment.encode()), "a.bdf")
+    assert found.raw.names.get(1, "") == NAMED[comment]
+
+
+def test_the_shells_of_a_deck_are_listed_by_property():
+    found = {
+        name: shells_of(deck, sheet, np.arange(len(sheet.triangles)))
+        for name in ("deck.k", "deck.inp", "deck_0000.rad", "two.msh")
+        for deck in [read(SAMPLES[name], name)]
+        for sheet in [sheet_of(deck)]
+    }
+    titles = {name: [one.title for one in shells] for name, shells in found.items()}
+    assert titles == {
+        "deck.k": ["a part · PID 7 · 1.2 mm"],
+        "deck.inp": ["skin · PID 1 · 1.25 mm"],
+        "deck_0000.rad": ["a part · PID 5 · 1.3 mm", "PID 6"],
+        "two.msh": ["PID 1", "PID 2"],
+    }
+    assert [one.elements for one in found["deck.k"]] == [2]

@@ -3,10 +3,12 @@
 
 import numpy as np
 import pytest
-from freecad.sheetmorph.tools import colour_scale
+from freecad.sheetmorph.tools import colour_scale, wires
+from freecad.sheetmorph.tools.element_quality import MEASURES, ElementQuality
 from freecad.sheetmorph.tools.live_values import Displacement, Gaps, Quality, Side
 from freecad.sheetmorph.tools.live_values import legend_of, turn_of
 from sheetmorph import _core
+from sheetmorph.certifying import quality
 
 SQUARE = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], float)
 HALVES = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
@@ -61,3 +63,40 @@ def test_a_legend_ends_at_a_round_number(value, end):
 def test_a_turn_is_told_in_degrees(degrees):
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     assert turn_of(np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])) == pytest.approx(degrees)
+
+
+def elements(name: str, limits: dict, places: np.ndarray) -> ElementQuality:
+    def measured(points, faces):
+        return quality.measured(quality.MEASURES[name], points, faces)
+
+    faces = np.array([[0, 1, 2, 3], [0, 1, 2, -1]])
+    valuer = ElementQuality(name, measured, limits, {"a": (SQUARE, faces)})
+    valuer({"a": places})
+    return valuer
+
+
+def test_elements_are_measured_as_quads_and_counted():
+    valuer = elements("aspect", {"max": 3.0}, SQUARE)
+    assert legend_of(valuer, valuer({"a": SQUARE})).span == (1.0, 2.0)
+    values = valuer({"a": SQUARE * (5.0, 1.0, 1.0)})["a"]
+    assert values == pytest.approx([np.sqrt(26.0)] * 3 + [5.0])
+    histogram = valuer.histogram
+    assert (histogram.count, histogram.failing, histogram.rest.sum()) == (2, 2, 2)
+    assert histogram.place_of_limit() == pytest.approx((3.0 - 1.0) / (histogram.span[1] - 1.0))
+    assert max(bar[2] for bar in histogram.bars(240.0, 60.0)) == pytest.approx(60.0)
+
+
+def test_a_low_value_is_the_worst_of_angles():
+    valuer = elements("min_angle", {}, SQUARE)
+    found = legend_of(valuer, valuer({"a": SQUARE}))
+    assert found.extreme == pytest.approx(45.0) and found.span == (0.0, 90.0)
+    assert found.histogram.place_of_limit() is None
+
+
+def test_all_measures_of_the_certificate_have_colours():
+    assert list(MEASURES) == list(quality.MEASURES)
+
+
+def test_edges_of_quads_leave_their_diagonals_out():
+    faces = np.array([[0, 1, 2, 3], [1, 4, 2, -1]])
+    assert wires.of_faces(faces).tolist() == [[0, 1], [0, 3], [1, 2], [1, 4], [2, 3], [2, 4]]

@@ -3,12 +3,14 @@
 
 ASSEMBLY = "SheetMorph::Assembly"
 CONTACT = "SheetMorph::Contact"
+DECK = "SheetMorph::Deck"
 DEFORMATION = "SheetMorph::Deformation"
 PART = "SheetMorph::Part"
 POSE = "SheetMorph::Pose"
 REGION = "SheetMorph::Region"
 RELATION = "SheetMorph::Relation"
-ALL = (ASSEMBLY, CONTACT, DEFORMATION, PART, POSE, REGION, RELATION)
+SHELLS = "SheetMorph::Shells"
+ALL = (ASSEMBLY, CONTACT, DECK, DEFORMATION, PART, POSE, REGION, RELATION, SHELLS)
 
 
 def kind(obj) -> str:

@@ -236,6 +236,7 @@ class _Reader:
         kind, count = element_type(name)
         group = keyword.options.get("ELSET", "").upper()
         number = self._elsets.setdefault(group, len(self._elsets) + 1)
+        self.raw.names[number] = keyword.options.get("ELSET", "")
         for heads, table in self._tables(source, rows, count):
             parts = np.full(len(heads), number, np.int32)
             nodes = small(table[:, 1:])

@@ -230,10 +230,12 @@ class _Reader:
     def _properties(self, cards: DynaCards, section: Section) -> None:
         rows = section.rows.tolist()
         if section.name == "PART":
-            for line in rows[1::2]:
+            for title, line in zip(rows[::2], rows[1::2]):
                 fields = cards.fields(line, cards.width)
-                self._parts[parse_integer(fields[0]) or 0] = parse_integer(fields[1]) or 0
-                self.raw.materials.of_property[parse_integer(fields[0]) or 0] = fields[2].strip()
+                number = parse_integer(fields[0]) or 0
+                self._parts[number] = parse_integer(fields[1]) or 0
+                self.raw.names[number] = cards.text.line(title).strip()
+                self.raw.materials.of_property[number] = fields[2].strip()
             return
         rows = rows[1:] if section.name.endswith("TITLE") else rows
         for one, two in zip(rows[::2], rows[1::2]):

@@ -35,6 +35,8 @@ def read_gmsh(path: Path, opener: Opener) -> Deck:
     Included(raw, path, opener).first(path)
     reader = _Binary(raw) if _is_binary(raw) else _Text(raw)
     reader.read()
+    for mark in raw.texts[0].matches(rb'^[ \t]*2[ \t]+(\d+)[ \t]+"([^"\r\n]*)"'):
+        raw.names[int(mark.group(1)[:18])] = mark.group(2).decode("latin-1")
     return Deck(raw)
 
 

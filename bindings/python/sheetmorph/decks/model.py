@@ -87,8 +87,8 @@ class Raw:
 
     mark: before exponents; wins: "last" where the last definition of a node counts, "same" where
     several must be equal; locked: nodes that are not to be moved, with the reason; thickness: of
-    shells by property; materials: of these; placing: cards that change where nodes are once they
-    are read.
+    shells by property; names: of properties, as people know them; materials: of these; placing:
+    cards that change where nodes are once they are read.
     """
 
     form: str
@@ -102,6 +102,7 @@ class Raw:
     notes: list[str] = field(default_factory=list)
     locked: dict[int, str] = field(default_factory=dict)
     thickness: dict[int, float] = field(default_factory=dict)
+    names: dict[int, str] = field(default_factory=dict)
     materials: Materials = field(default_factory=Materials)
     sets: list[NamedSet] = field(default_factory=list)
 
@@ -147,11 +148,11 @@ def table_of(raw: Raw) -> Table:
         again = False
     if again:
         keep, row = _without_doubles(raw, (ids, values, systems, places), order)
-        ids, values, systems, places = ids[keep], values[keep], systems[keep], places[keep]
+        ids, values, systems, places = (ids[keep], values[keep], systems[keep], places[keep])
     order = np.lexsort((places[:, 1], places[:, 0])) if len(raw.blocks) > 1 else np.arange(0)
     if (np.diff(order) != 1).any():
         # In the order of the file, whatever way each of them is written.
-        ids, values, systems, places = ids[order], values[order], systems[order], places[order]
+        ids, values, systems, places = (ids[order], values[order], systems[order], places[order])
         back = np.empty(len(order) + 1, dtype=np.int32)
         back[order], back[-1] = np.arange(len(order)), -1
         row = back[row]

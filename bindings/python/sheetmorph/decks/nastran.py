@@ -17,7 +17,7 @@ from .model import FIXED, Block, Elements, Opener, Raw
 from .nastran_cards import Card, Lines, cards, sorted_lines
 from .nastran_elements import ELEMENTS, add_weld_points, elements_of
 from .nastran_points import Points
-from .nastran_sets import card_sets, control_sets
+from .nastran_sets import card_sets, comment_names, control_sets
 from .nastran_stale import STALE, stale_of
 from .numbers import parse_integer, parse_integers, parse_real, parse_reals
 from .placing import NASTRAN as PLACING
@@ -77,6 +77,7 @@ class _Reader:
 
     def _file(self, file: int) -> None:
         text = self.raw.texts[file]
+        self.raw.names |= comment_names(text)
         self._included.enter(file)
         at = 0
         for mark in text.matches(rb"^[ \t]*(BEGIN\b|ENDDATA\b|INCLUDE\b)[^\r\n]*"):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sets of a Nastran deck: SET of the case control, SET1 and SET3 of the bulk data."""
+"""What a Nastran deck calls things: SET of the case control, SET1 and SET3 of the bulk data, and
+the names of properties that pre-processors write into comments."""
 
 from __future__ import annotations
 
@@ -14,6 +15,24 @@ _SET = re.compile(r"^\s*SET\s+(\d+)\s*=\s*(.*)$", re.IGNORECASE)
 _LARGEST = 100_000_000
 # Of SET3: what its ids are of; other kinds are no region of a mesh.
 _KINDS = {"GRID": "nodes", "POINT": "nodes", "ELEM": "elements", "ELEMENT": "elements"}
+
+
+# HyperMesh, Femap, ANSA; components of HyperMesh are what its properties are called otherwise.
+_NAMES = (
+    rb'^\$HMNAME\s+COMP\s+(\d+)\s*"([^"\r\n]*)"',
+    rb"^\$ANSA_NAME_COMMENT;(\d+);PSHELL;([^;\r\n]*);",
+    rb"^\$ Femap Property (\d+) : ([^\r\n]*)",
+    rb'^\$HMNAME\s+PROP\s+(\d+)\s*"([^"\r\n]*)"',
+)
+
+
+def comment_names(text: DeckText) -> dict[int, str]:
+    """The names of properties in comments."""
+    return {
+        int(mark.group(1)[:18]): mark.group(2).decode("latin-1").strip()
+        for pattern in _NAMES
+        for mark in text.matches(pattern)
+    }
 
 
 def control_sets(text: DeckText, end: int) -> Iterator[NamedSet]:

@@ -137,6 +137,7 @@ class _Reader:
             self._groups[number] = self._numbers(file, rows[1:])
         elif name == "PART" and len(rows) > 1:
             self._part_property[number] = self._numbers(file, rows[1:2])[0]
+            self.raw.names[number] = self.raw.texts[file].line(int(rows[0])).strip()
         elif name == "PROP" and words[1:2] in (["SHELL"], ["TYPE1"]) and len(rows) > 3:
             fields = self._fields(file, int(rows[3]), (10, 10, 20))
             self._thickness[number] = parse_real(fields[2]) or 0.0

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
+from ..decks.contents import Shells, shells_of
 from ..decks.joints import Joint, joints_of
 from ..decks.passengers import Carried, Passengers, rules_of
 from ..decks.placing import require_places
@@ -124,6 +125,17 @@ class DeckFile(PartFile):
     def corner_faces(self) -> np.ndarray:
         """(m, 4) rows of ``mesh`` at the corners of the shells, -1 in the last one of triangles."""
         return self.sheet.faces
+
+    def faces_among(self, vertices: np.ndarray) -> np.ndarray:
+        """(e, 4) the same of the shells among vertices (k,), as rows of those."""
+        row = np.full(len(self.mesh.points) + 1, -1, dtype=np.int32)  # the last one stands for -1
+        row[vertices] = np.arange(len(vertices))
+        faces = row[self.sheet.faces]
+        return faces[(faces[:, :3] >= 0).all(axis=1)]
+
+    def shells_of(self, rows: np.ndarray) -> list[Shells]:
+        """The properties of some of the triangles (k,)."""
+        return shells_of(self.deck, self.sheet, rows)
 
     def told(self, positions: np.ndarray) -> dict[str, Any]:
         """What hangs on the sheet, how its joints hold, and what the motion leaves wrong."""

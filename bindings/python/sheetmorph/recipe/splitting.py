@@ -12,6 +12,9 @@ from ..files import PartFile
 from ..part_mesh import PartMesh
 
 
+_MOST = 500
+
+
 class SplitError(ValueError):
     """A file that cannot be split as the recipe says; ``todo`` says what to do."""
 
@@ -40,6 +43,19 @@ def split_triangles(file: PartFile, way: str) -> dict[str, np.ndarray]:
     found = {name: np.flatnonzero(labels == label) for label, name in numbers.items()}
     _check_apart(mesh, found)
     return found
+
+
+def usual_split(file: PartFile) -> str:
+    """How a deck is best split: by properties if none shares a node with another, else by
+    components; "" if it is one part, or scattered into more than so many pieces."""
+    for way in ("property", "components"):
+        try:
+            count = len(split_triangles(file, way))
+        except SplitError:
+            continue
+        if 1 < count <= _MOST:
+            return way
+    return ""
 
 
 def _component_labels(count: int, triangles: np.ndarray) -> np.ndarray:

@@ -19,6 +19,7 @@ from freecad.sheetmorph.api.assemblies import (
     set_symmetry,
     set_unheld,
 )
+from freecad.sheetmorph.api.certificates import certify
 from freecad.sheetmorph.api.cad import add_shape, exact_features, import_cad
 from freecad.sheetmorph.api.contacts import (
     add_contact,
@@ -28,6 +29,7 @@ from freecad.sheetmorph.api.contacts import (
     set_contact_vertices,
     touching_vertices,
 )
+from freecad.sheetmorph.api.decks import import_deck
 from freecad.sheetmorph.api.features import (
     coaxial,
     group,
@@ -127,6 +129,7 @@ __all__ = [
     "add_through_holes",
     "apply_pose",
     "blend_poses",
+    "certify",
     "coaxial",
     "compare_poses",
     "contact_vertices",
@@ -151,6 +154,7 @@ __all__ = [
     "hole_rim",
     "hole_rims",
     "import_cad",
+    "import_deck",
     "import_part",
     "import_recipe",
     "invert",

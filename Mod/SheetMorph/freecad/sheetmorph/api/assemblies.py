@@ -190,6 +190,7 @@ def leave_part(part) -> None:
     """Delete the regions and contacts of a part, show its source, let another be the primary."""
     assembly, source = assembly_of(part), part.Original or part.Source
     prepared = part.Source if part.Original is not None else None
+    others: list = []
     if assembly is not None:
         for member in regions(assembly, part) + contacts(assembly, part):
             remove_dependents(member)
@@ -197,7 +198,11 @@ def leave_part(part) -> None:
         others = [other for other in parts(assembly) if other != part]
         if assembly.Primary == part:
             assembly.Primary = others[0] if others else None
+    for shells in part.Shells:
+        part.Document.removeObject(shells.Name)
     if source is not None and all(kind(u) != model.PART or u == part for u in source.InList):
         source.Visibility = True
     if prepared is not None:
         part.Document.removeObject(prepared.Name)
+    if part.Deck is not None and not any(other.Deck == part.Deck for other in others):
+        part.Document.removeObject(part.Deck.Name)

@@ -12,7 +12,7 @@ import numpy as np
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.checks import refuse_link, require_assembly
-from freecad.sheetmorph.api.files import add_mesh
+from freecad.sheetmorph.api.meshes import add_mesh
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.bridge.shapes import keep_shape
 

@@ -7,15 +7,10 @@ import os
 from pathlib import Path
 
 
-from freecad.sheetmorph.bridge import conversion, kernel, solving, written
-from freecad.sheetmorph.api.assemblies import (
-    add_part,
-    create_assembly,
-    set_energy,
-    set_operator,
-    set_primary,
-)
+from freecad.sheetmorph.bridge import kernel, solving, written
+from freecad.sheetmorph.api.assemblies import create_assembly, set_energy, set_operator, set_primary
 from freecad.sheetmorph.api.checks import require_assembly
+from freecad.sheetmorph.api.decks import import_deck
 from freecad.sheetmorph.api.loading import (
     add_contacts,
     add_regions,
@@ -27,11 +22,11 @@ from freecad.sheetmorph.api.loading import (
     with_names,
     with_sentences,
 )
+from freecad.sheetmorph.api.meshes import add_mesh
 from freecad.sheetmorph.api.poses import add_named_poses, named_poses
 from freecad.sheetmorph.api.propagations import set_mode
 from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.api.thin import set_sheet, set_thin
-from freecad.sheetmorph.bridge.rest import write_rest_data
 
 
 def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, mesh=None):
@@ -39,12 +34,17 @@ def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, 
 
     Formats: what `sheetmorph.read_part` reads (OBJ, OFF, PLY, STL, Nastran, VTK, ...). The file
     is kept in the document, so that `write_parts` can write it again with other coordinates.
-    A CAD file is one part, meshed as `mesh` says; see `import_cad`.
+    A CAD file is one part, meshed as `mesh` says; see `import_cad`. So is a deck; `import_deck`
+    makes a part of every property.
     Raises ValueError or OSError if the file cannot be read.
     """
     require_assembly(assembly)
     path = Path(path)
     package = kernel.load()
+    if mesh is None and is_deck(path):
+        (part,) = import_deck(assembly, path, "")
+        part.Label = label or path.stem
+        return part
     read = package.read_part(path, mesh).mesh
     if len(read.triangles) == 0:
         raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
@@ -55,23 +55,10 @@ def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, 
     return part
 
 
-def add_mesh(assembly, mesh, label: str, features: list[dict] = ()):
-    """Add a mesh of the package, a sheetmorph.PartMesh, as a part that keeps its doubles.
-
-    `features`: what is known exactly about it, see `exact_features`.
-    """
-    origin = conversion.near_origin(mesh.points)
-    source = assembly.Document.addObject("Mesh::Feature", "Rest")
-    source.Label = f"{label} at rest"
-    source.Mesh = conversion.MeshWriter(mesh.triangles).mesh(
-        mesh.points - origin, conversion.shift(origin)
-    )
-    part = add_part(assembly, source, label)
-    with conversion.temporary_folder() as folder:
-        stored = os.path.join(folder, "rest.npz")
-        write_rest_data(stored, mesh, origin, features)
-        part.RestData = stored
-    return part
+def is_deck(path: str | os.PathLike) -> bool:
+    """Whether a file is one that `import_deck` reads, by its name."""
+    package = kernel.load()
+    return package.decks.is_deck(package.files.unpacked_name(path))
 
 
 def write_parts(assembly, folder: str | os.PathLike) -> list[Path]:
@@ -140,10 +127,16 @@ def import_recipe(document, path: str | os.PathLike):
 def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
     """Add what one entry of a recipe's parts stands for; return parts by name in the recipe.
 
-    The parts of a split file, and those that are welded, remeshed or placed, become parts of
-    their own, that know nothing of the file: only so can each be exchanged, removed and written.
+    The parts of a split file other than a deck, and those that are welded, remeshed or placed,
+    become parts of their own, that know nothing of the file: only so can each be exchanged,
+    removed and written.
     """
-    if entry.get("split"):
+    is_as_read = not entry.get("placement") and all(
+        mesh.preparation is None for mesh in meshes.values()
+    )
+    if is_deck(file) and is_as_read:
+        added = add_deck_entry(assembly, entry, file)
+    elif entry.get("split"):
         stem = kernel.load().files.unpacked_name(file).stem
         names = [name for name in meshes if name.startswith(f"{stem}/")]
         added = {name: add_mesh(assembly, without_ids(meshes[name]), name) for name in names}
@@ -159,6 +152,18 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
         set_thin(part, thin["thickness"] if isinstance(thin, dict) else thin)
         set_sheet(part, entry.get("thickness") or 0.0, entry.get("poisson", 0.3))
     return added
+
+
+def add_deck_entry(assembly, entry: dict, file: Path) -> dict:
+    """Add the deck of an entry; return its parts by name in the recipe."""
+    split = {True: "components"}.get(entry.get("split"), entry.get("split") or "")
+    settings = {key: entry[key] for key in ("passengers", "joints") if key in entry}
+    parts = import_deck(assembly, file, split, settings=settings)
+    if not split:
+        parts[0].Label = entry["name"]
+        return {entry["name"]: parts[0]}
+    stem = kernel.load().files.unpacked_name(file).stem
+    return {f"{stem}/{part.DeckPart}": part for part in parts}
 
 
 def without_ids(mesh):

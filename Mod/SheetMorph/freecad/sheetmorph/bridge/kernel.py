@@ -67,6 +67,24 @@ def selecting_module() -> ModuleType:
     return importlib.import_module("sheetmorph.selecting")
 
 
+def splitting() -> ModuleType:
+    """Return the module of the package that splits files into parts."""
+    load()
+    return importlib.import_module("sheetmorph.recipe.splitting")
+
+
+def certifying() -> ModuleType:
+    """Return the module of the package that certifies what was written."""
+    load()
+    return importlib.import_module("sheetmorph.certifying")
+
+
+def element_measures() -> ModuleType:
+    """Return the module of the package that measures shell elements."""
+    load()
+    return importlib.import_module("sheetmorph.certifying.quality")
+
+
 def flat() -> ModuleType:
     """Return the module of the package that lays sheets flat."""
     load()

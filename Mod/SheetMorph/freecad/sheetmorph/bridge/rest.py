@@ -17,6 +17,10 @@ from freecad.sheetmorph.bridge.conversion import Frame
 from freecad.sheetmorph.objects.errors import MorphError
 
 
+_KNOWN = ("labels", "rows", "faces")
+"""What a mesh that was edited has no longer."""
+
+
 @dataclass(frozen=True, eq=False)
 class RestPart:
     """One part at rest."""
@@ -27,6 +31,8 @@ class RestPart:
     ids: np.ndarray | None  # (n,) vertex ids of the file; None: the indices
     frame: Frame
     is_from_file: bool = False  # in double and, vertex by vertex, as in the file it came from
+    rows: np.ndarray | None = None  # (n,) where the vertices are in the mesh of a deck
+    faces: np.ndarray | None = None  # (e, 4) corners of elements, -1 in the last one of triangles
 
     def file_ids(self) -> np.ndarray:
         """Return the ids (n,) of the vertices in the part's file."""
@@ -61,7 +67,8 @@ def read_rest(part) -> RestPart:
         points = kept.frame.to_global(kept.points)
         points.setflags(write=False)
         is_from_file = kept.is_exact and is_original
-        return RestPart(part.Label, points, kept.triangles, kept.ids, kept.frame, is_from_file)
+        known = (kept.triangles, kept.ids, kept.frame, is_from_file, kept.rows, kept.faces)
+        return RestPart(part.Label, points, *known)
 
     key = (part.Label, version_of(part.RestData), kept.frame.key, is_original)
     return snapshot_of(source).derived(f"rest of {part.Name}", key, rest)
@@ -78,6 +85,8 @@ class Kept:
     features: list[dict]  # what is known exactly; none for most parts
     is_exact: bool  # in double; else what the mesh object has, in single precision
     labels: object = None  # a sheetmorph.labels.Labels: what the file calls parts of it
+    rows: np.ndarray | None = None  # as of RestPart
+    faces: np.ndarray | None = None
 
 
 def read_kept(part) -> Kept:
@@ -98,7 +107,7 @@ def read_mesh_of(source, path: str) -> Kept:
     key = version_of(path)
     stored = snapshot.derived("rest data", key, lambda: rest_data_of(snapshot, path))
     frame = conversion.frame_of(source, stored["origin"])
-    known = (stored["ids"], frame, stored["features"], stored["is_exact"], stored["labels"])
+    known = (stored["ids"], frame, *(stored[key] for key in ("features", "is_exact", *_KNOWN)))
     return Kept(stored["points"], snapshot.triangles, *known)
 
 
@@ -116,7 +125,7 @@ def rest_data_of(snapshot: Snapshot, path: str) -> dict:
     is_exact = stored is not None and is_same_mesh(stored, snapshot.points, snapshot.triangles)
     if not is_exact:
         stored = {"points": snapshot.points.astype(float), "ids": None, "features": []}
-        stored["labels"] = None
+        stored |= dict.fromkeys(_KNOWN)
         stored["origin"] = np.zeros(3)
     stored["points"].setflags(write=False)
     return {**stored, "is_exact": is_exact}
@@ -130,21 +139,24 @@ def read_rest_data(path: str) -> dict | None:
         stored = {name: data[name] for name in ("points", "triangles", "ids", "origin")}
         features = json.loads(str(data["features"])) if "features" in data else []
         labels = kernel.labels_module().Labels.of_arrays(data) if kernel.is_available() else None
+        of_deck = {name: data[name] if name in data else None for name in ("rows", "faces")}
     if len(stored["ids"]) == 0:
         stored["ids"] = None
-    return {**stored, "features": features, "labels": labels}
+    return {**stored, "features": features, "labels": labels, **of_deck}
 
 
-def write_rest_data(path: str, mesh, origin: np.ndarray, features: list[dict] = ()) -> None:
+def write_rest_data(
+    path: str, mesh, origin: np.ndarray, features: list[dict] = (), **of_deck: np.ndarray
+) -> None:
     """Write the doubles of an imported part: `mesh` is a sheetmorph.PartMesh, `origin` (3,).
 
-    `features`: those of a CAD part, whose vertices are indices.
+    `features`: those of a CAD part, whose vertices are indices; `of_deck`: rows and faces.
     """
     ids = np.zeros(0, np.int64) if mesh.ids is None else mesh.ids
     known = json.dumps(list(features))
     arrays = {"points": mesh.points, "triangles": mesh.triangles, "ids": ids, "origin": origin}
     labels = {} if mesh.labels is None else mesh.labels.arrays()
-    np.savez(path, features=np.array(known), **arrays, **labels)
+    np.savez(path, features=np.array(known), **arrays, **labels, **of_deck)
 
 
 def is_same_mesh(stored: dict, local: np.ndarray, triangles: np.ndarray) -> bool:

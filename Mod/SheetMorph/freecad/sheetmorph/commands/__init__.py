@@ -48,6 +48,7 @@ _TOOLBARS = {
     ),
     QT_TRANSLATE_NOOP("Workbench", "SheetMorph Exchange"): (
         exchange.ExportParts,
+        exchange.Certify,
         exchange.ExportRecipe,
         exchange.ImportRecipe,
     ),

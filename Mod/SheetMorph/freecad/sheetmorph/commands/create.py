@@ -10,11 +10,13 @@ from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
-DECKS = "*.nas *.bdf *.dat *.fem *.blk *.k *.key *.dyn *.inp *.rad *.msh"
-MESHES = f"*.obj *.off *.ply *.stl *.vtk *.vtu {DECKS}"
+DECKS = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch", ".k", ".key", ".dyn", ".inp")
+DECKS += (".rad", ".msh")
+MESHES = "*.obj *.off *.ply *.stl *.vtk *.vtu"
 CAD = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 FILTER = (
-    f"Meshes, decks and CAD ({MESHES} {' '.join('*' + ending for ending in CAD)});;All files (*)"
+    f"Meshes, decks and CAD ({MESHES} {' '.join('*' + ending for ending in DECKS + CAD)});;"
+    "All files (*)"
 )
 
 NEW = call("create_assembly", "App.ActiveDocument")
@@ -55,15 +57,18 @@ def source_lines(owner: str, edge: float) -> list[str]:
 
 
 def import_lines(owner: str, files: list[str], edge: float) -> list[str]:
-    """The API calls that import files into a morph; of a CAD file every solid is a part."""
-    return [
-        (
-            call("import_cad", owner, repr(file), **meshed(edge))
-            if file.lower().endswith(CAD)
-            else added("import_part", owner, repr(file))
-        )
-        for file in files
-    ]
+    """The API calls that import files into a morph; of a CAD file every solid is a part, of a deck
+    every property."""
+    return [import_line(owner, file, edge) for file in files]
+
+
+def import_line(owner: str, file: str, edge: float) -> str:
+    """The API call that imports one file."""
+    if file.lower().endswith(CAD):
+        return call("import_cad", owner, repr(file), **meshed(edge))
+    if file.lower().removesuffix(".gz").endswith(DECKS):
+        return call("import_deck", owner, repr(file))
+    return added("import_part", owner, repr(file))
 
 
 def look_at_new(before: set) -> None:
@@ -139,7 +144,8 @@ class ImportPart(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_ImportPart", "Import Part…")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_ImportPart",
-        "Imports a mesh as a part, with its exact positions, or every solid of a CAD file, meshed",
+        "Imports a mesh as a part, with its exact positions, every property of a deck, or every "
+        "solid of a CAD file, meshed",
     )
 
     def possible(self) -> bool:

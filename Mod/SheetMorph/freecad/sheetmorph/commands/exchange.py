@@ -13,6 +13,7 @@ from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 RECIPES = "Recipes (*.json)"
+CRITERIA = ["standard", "crash", "static"]
 
 
 def open_recipe(path: str, document_name: str = "") -> bool:
@@ -61,6 +62,39 @@ class ExportParts(Command):
             with actions.waiting():
                 actions.record(call("write_parts", name(owner), repr(folder)))
             App.Console.PrintMessage(f"SheetMorph: parts written to {folder}\n")
+
+
+class Certify(Command):
+    """Writes the deformed parts and certifies what was written."""
+
+    name = "SheetMorph_Certify"
+    text = QT_TRANSLATE_NOOP("SheetMorph_Certify", "Certificate…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_Certify",
+        "Writes all deformed parts into a folder, reads them again, measures and judges them",
+    )
+    alters = False
+
+    def possible(self) -> bool:
+        """With a morph."""
+        return subject.assembly() is not None
+
+    def execute(self) -> None:
+        """Asks for criteria and a folder, writes, and shows what holds."""
+        from freecad.sheetmorph.panels import certificate_dialog
+
+        owner, window = subject.assembly(), Gui.getMainWindow()
+        criteria, is_chosen = QtWidgets.QInputDialog.getItem(
+            window, "Certificate", "Criteria", CRITERIA, 0, False
+        )
+        if not is_chosen:
+            return
+        folder = QtWidgets.QFileDialog.getExistingDirectory(window, "Certificate")
+        if folder:
+            with actions.waiting():
+                line = call("certify", name(owner), repr(folder), repr(criteria))
+                actions.record(f"certificate = {line}")
+            certificate_dialog.show(folder)
 
 
 class ExportRecipe(Command):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is drawn while a morph moves: the parts, and on demand what tells more about the motion."""
 
+import numpy as np
+
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.interaction import control_meshes
@@ -8,9 +10,10 @@ from freecad.sheetmorph.scene import drawing, preview
 from freecad.sheetmorph.scene.feature_marks import FeatureMarks
 from freecad.sheetmorph.scene.ghost import Ghost
 from freecad.sheetmorph.scene.wireframe import Wireframe
-from freecad.sheetmorph.tools import live_values
+from freecad.sheetmorph.tools import element_quality, live_values
 
-NONE, DISPLACEMENT, QUALITY, GAPS, STRETCH = range(5)
+NONE, DISPLACEMENT, QUALITY, GAPS, STRETCH, ELEMENTS = range(6)
+"""What colours say; from ELEMENTS on the measures of element_quality.MEASURES, one by one."""
 
 
 class LiveScene:
@@ -71,6 +74,8 @@ class LiveScene:
         if kind == STRETCH:
             meshes = {name: (rest.points, rest.triangles) for name, rest in parts.items()}
             return live_values.Stretch(kernel.stretches(), meshes)
+        if kind >= ELEMENTS:
+            return self._elements(list(element_quality.MEASURES)[kind - ELEMENTS])
         return None
 
     def remove(self) -> None:
@@ -82,6 +87,21 @@ class LiveScene:
         for shown in self._previews.values():
             shown.remove()
         self._previews = {}
+
+    def _elements(self, measure: str):
+        """Those of the parts that decks tell the elements of; triangles of the others."""
+        module, found = kernel.element_measures(), {}
+        for name, rest in self._live.parts.items():
+            no_corner = np.full((len(rest.triangles), 1), -1)
+            is_known = rest.faces is not None
+            faces = rest.faces if is_known else np.hstack([rest.triangles, no_corner])
+            found[name] = rest.points, faces
+        limits = kernel.certifying().read_criteria(None).elements.get(measure, {})
+
+        def measured(positions, faces):
+            return module.measured(module.MEASURES[measure], positions, faces)
+
+        return element_quality.ElementQuality(measure, measured, limits, found)
 
     def _exchanged(self, drawing, kind, is_on: bool):
         if drawing is not None:

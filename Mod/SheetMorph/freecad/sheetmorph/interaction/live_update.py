@@ -100,7 +100,8 @@ class LiveUpdate(QtCore.QObject):
             return translate("panels", "There is nothing to show: no contact is in use.")
         part = self._assembly.Document.getObject(self.legend.part).Label
         extreme = words.plain(self.legend.extreme)
-        return f"{self._valuer.worst} {extreme} {self._valuer.unit} on {part}"
+        value = f"{extreme} {self._valuer.unit}".strip()
+        return f"{self._valuer.worst} {value} on {part}"
 
     @property
     def is_preview(self) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DEFORMATION, PART, POSE, REGION
+from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DECK, DEFORMATION, PART, POSE, REGION
 from freecad.sheetmorph.kinds import RELATION, kind
 
 
@@ -56,6 +56,11 @@ def relations(assembly, feature=None) -> list:
 def poses(assembly) -> list:
     """Return the poses of an assembly in the order of its group."""
     return [obj for obj in assembly.Group if kind(obj) == POSE]
+
+
+def decks(assembly) -> list:
+    """Return the decks of an assembly in the order of its group."""
+    return [obj for obj in assembly.Group if kind(obj) == DECK]
 
 
 def deformation_of(assembly):

@@ -52,6 +52,9 @@ class PartProxy(ObjectProxy):
         Property("String", "Preparation", "Part", "What was done to the mesh", "", HIDDEN),
         Property("FileIncluded", "FileData", "Part", "The file as it was read", mode=HIDDEN),
         Property("FileIncluded", "ShapeData", "Part", "The CAD shape that was meshed", mode=HIDDEN),
+        Property("LinkHidden", "Deck", "Part", "The deck that it is in", mode=READ_ONLY),
+        Property("String", "DeckPart", "Part", "What the deck calls it", "", HIDDEN),
+        Property("LinkListHidden", "Shells", "Part", "Its properties", mode=HIDDEN),
         Property("LinkHidden", "DeformedShape", "Part", "Its shape, deformed", mode=READ_ONLY),
     )
 

@@ -51,7 +51,8 @@ class MovePanel(Panel):
         self._fields = MotionFields(self.form)
         view_legend = session.show(ViewLegend(session.view))
         view_legend.show_roles(legend(""))
-        self._shown = ShowFields(self.form, view_legend)
+        has_elements = bool(model.decks(assembly))
+        self._shown = ShowFields(self.form, view_legend, has_elements)
         self._faults = FaultBar(self.form, session, assembly)
         self._faults.mended.connect(self._follow_later)
         form = self.form

@@ -2,14 +2,39 @@
 """What is shown while handles are moved, as the Move Handle panel lets the user choose it."""
 
 from freecad.sheetmorph import preferences
+from freecad.sheetmorph.panels.histogram import histogram_picture
 from freecad.sheetmorph.panels.scale import gradient
+from freecad.sheetmorph.qt import translate
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
+
+
+ELEMENTS = (
+    QT_TRANSLATE_NOOP("panels", "Elements: aspect"),
+    QT_TRANSLATE_NOOP("panels", "Elements: warpage"),
+    QT_TRANSLATE_NOOP("panels", "Elements: skew"),
+    QT_TRANSLATE_NOOP("panels", "Elements: taper"),
+    QT_TRANSLATE_NOOP("panels", "Elements: Jacobian"),
+    QT_TRANSLATE_NOOP("panels", "Elements: smallest angle"),
+    QT_TRANSLATE_NOOP("panels", "Elements: largest angle"),
+    QT_TRANSLATE_NOOP("panels", "Elements: shortest edge"),
+)
+"""As element_quality.MEASURES has them."""
+
+
+def beyond(histogram) -> str:
+    """How many elements are beyond the limit, as the end of a sentence; empty without one."""
+    if histogram is None or histogram.limit is None:
+        return ""
+    text = translate("panels", "; {0} of {1} elements beyond {2:g}")
+    return text.format(histogram.failing, histogram.count, histogram.limit)
 
 
 class ShowFields:
     """Connects the widgets with a LiveUpdate ; choices are remembered."""
 
-    def __init__(self, form, view_legend):
-        """``view_legend``: the scene.legend.ViewLegend of the 3D view."""
+    def __init__(self, form, view_legend, has_elements: bool = False):
+        """``view_legend``: the scene.legend.ViewLegend of the 3D view; ``has_elements``: whether a
+        part is of a deck, so that its elements can be measured."""
         self._form, self._live, self._view_legend = form, None, view_legend
         self._boxes = {
             "ShowOriginal": form.original,
@@ -19,7 +44,11 @@ class ShowFields:
         for entry, box in self._boxes.items():
             box.setChecked(preferences.get(entry))
             box.toggled.connect(lambda is_on, of=entry: self._toggle(of, is_on))
+        if has_elements:
+            form.colours.addItems([translate("panels", title) for title in ELEMENTS])
         form.colours.setCurrentIndex(preferences.get("ShowColours"))
+        if form.colours.currentIndex() < 0:  # what it says is for decks
+            form.colours.setCurrentIndex(0)
         form.colours.currentIndexChanged.connect(self._colour)
         form.scale.setPixmap(gradient())
         self.tell()
@@ -38,11 +67,16 @@ class ShowFields:
         legend = self._live and self._live.legend
         self._form.scale.setVisible(legend is not None)
         self._form.scale_text.setVisible(legend is not None)
+        histogram = legend and legend.histogram
+        self._form.histogram.setVisible(histogram is not None)
         if legend is not None:
             low, high = legend.span
             ends = f"{low:g} to {high:g}"
-            self._form.scale_text.setText(f"{ends}; {self._live.worst}")
-            self._view_legend.show_values(gradient(), f"{ends}\n{self._live.worst}")
+            self._form.scale_text.setText(f"{ends}; {self._live.worst}{beyond(histogram)}")
+            bars = None if histogram is None else histogram_picture(histogram)
+            self._view_legend.show_values(gradient(), f"{ends}\n{self._live.worst}", bars)
+            if bars is not None:
+                self._form.histogram.setPixmap(bars)
         else:
             self._view_legend.show_values()
 

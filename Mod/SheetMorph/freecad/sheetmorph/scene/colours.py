@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The colours of the roles, the same in the 3D view and the legend."""
 
+import colorsys
 from collections.abc import Mapping
 
 from freecad.sheetmorph import preferences
@@ -42,6 +43,12 @@ WIRES = (0.36, 0.20, 0.58)
 GHOST = (0.95, 0.96, 1.0)
 MARKS = (1.0, 0.97, 0.82)
 EDGES = (0.25, 0.32, 0.40)
+
+
+def of_number(number: int) -> Colour:
+    """A colour for one of many, far from those of its neighbours."""
+    hue = (0.11 + 0.618034 * number) % 1.0
+    return colorsys.hls_to_rgb(hue, 0.62, 0.55)
 
 
 def css(colour: Colour) -> str:

@@ -16,10 +16,12 @@ class ViewLegend:
 
     def __init__(self, view):
         self._frame = laid_over(view, QtWidgets.QFrame, "SheetMorphLegend", LOOK)
-        self._roles, self._scale, self._values = (QtWidgets.QLabel(self._frame) for _ in range(3))
+        labels = [QtWidgets.QLabel(self._frame) for _ in range(4)]
+        self._roles, self._bars, self._scale, self._values = labels
         column = QtWidgets.QVBoxLayout(self._frame)
         column.setContentsMargins(8, 5, 8, 6)
-        for label in (self._roles, self._scale, self._values):
+        column.setSpacing(3)
+        for label in labels:
             column.addWidget(label)
         self._frame.move(CORNER, CORNER)
         self.show_values()
@@ -29,8 +31,11 @@ class ViewLegend:
         self._roles.setText(text)
         self._fit()
 
-    def show_values(self, pixmap=None, text: str = "") -> None:
-        """Shows a scale and what it says; None shows none."""
+    def show_values(self, pixmap=None, text: str = "", bars=None) -> None:
+        """Shows a scale, what it says, and bars over it; None shows none."""
+        if bars is not None:
+            self._bars.setPixmap(bars)
+        self._bars.setVisible(bars is not None)
         if pixmap is not None:
             self._scale.setPixmap(pixmap)
         self._scale.setVisible(pixmap is not None)

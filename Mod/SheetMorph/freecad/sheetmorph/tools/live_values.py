@@ -34,6 +34,7 @@ class Quality:
     """The smallest corner of the triangles at every vertex, degrees: 60 is best."""
 
     unit, worst = "°", "sharpest corner"
+    is_low_bad = True
 
     def __init__(self, core, triangles: dict[str, np.ndarray]):
         """``core``: sheetmorph._core; ``triangles`` (m, 3) by part."""
@@ -45,6 +46,11 @@ class Quality:
             name: self._core.vertex_quality(positions[name], triangles)
             for name, triangles in self._triangles.items()
         }
+
+    @staticmethod
+    def span(_extreme: float) -> tuple[float, float]:
+        """The ends of its colours."""
+        return 0.0, PERFECT
 
 
 class Stretch:
@@ -131,25 +137,32 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Legend:
-    """The values at the two ends of the colours, the worst value and the part it is on."""
+    """The values at the two ends of the colours, the worst value and the part it is on;
+    histogram: an element_quality.Histogram where elements are measured."""
 
     span: tuple[float, float]
     extreme: float
     part: str
+    histogram: object = None
 
 
 def legend_of(valuer, values: Positions) -> Legend:
     """The legend for what one of the above answered; the part is empty if there is no value."""
-    is_quality = isinstance(valuer, Quality)
+    is_low_bad = getattr(valuer, "is_low_bad", False)
     known = {name: found[np.isfinite(found)] for name, found in values.items()}
     known = {name: found for name, found in known.items() if len(found)}
     if not known:
         return Legend((0.0, 1.0), 0.0, "")
-    pick = (np.min, min) if is_quality else (np.max, max)
+    pick = (np.min, min) if is_low_bad else (np.max, max)
     extremes = {name: float(pick[0](found)) for name, found in known.items()}
     part = pick[1](extremes, key=lambda name: extremes[name])
-    high = PERFECT if is_quality else colour_scale.round_up(extremes[part])
-    return Legend((0.0, high), extremes[part], part)
+    span = valuer.span if hasattr(valuer, "span") else _from_zero
+    histogram = getattr(valuer, "histogram", None)
+    return Legend(span(extremes[part]), extremes[part], part, histogram)
+
+
+def _from_zero(extreme: float) -> tuple[float, float]:
+    return 0.0, colour_scale.round_up(extreme)
 
 
 def turn_of(rotation: np.ndarray) -> float:

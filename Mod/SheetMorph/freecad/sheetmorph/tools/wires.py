@@ -6,6 +6,15 @@ from __future__ import annotations
 import numpy as np
 
 
+def of_faces(faces: np.ndarray) -> np.ndarray:
+    """The edges (k, 2), each once, of faces (e, 4) with -1 in the last corner of triangles."""
+    corners = np.asarray(faces, dtype=np.int64).reshape(-1, 4)
+    last = np.where(corners[:, 3] >= 0, corners[:, 3], corners[:, 0])
+    ring = np.concatenate([corners[:, :3], last[:, None]], axis=1)
+    ends = np.sort(np.stack([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 2), axis=1)
+    return np.unique(ends[ends[:, 0] != ends[:, 1]], axis=0)
+
+
 def of_all(meshes) -> np.ndarray:
     """The wires (e, 2) of meshes (vertices, triangles), numbered through all of them."""
     found, first = [np.zeros((0, 2), np.int64)], 0

@@ -4,16 +4,18 @@
 
 def attach(obj) -> None:
     """Gives one of our objects its view provider; the objects call it through ``doors``."""
-    from freecad.sheetmorph.views import assembly, contact, part, pose, region, relation
+    from freecad.sheetmorph.views import assembly, contact, deck, part, pose, region, relation
 
     providers = {
         "SheetMorph::Assembly": assembly.AssemblyView,
         "SheetMorph::Contact": contact.ContactView,
+        "SheetMorph::Deck": deck.DeckView,
         "SheetMorph::Deformation": assembly.DeformationView,
         "SheetMorph::Part": part.PartView,
         "SheetMorph::Pose": pose.PoseView,
         "SheetMorph::Region": region.RegionView,
         "SheetMorph::Relation": relation.RelationView,
+        "SheetMorph::Shells": deck.ShellsView,
     }
     provider = providers.get(getattr(obj.Proxy, "Type", ""))
     view = obj.ViewObject

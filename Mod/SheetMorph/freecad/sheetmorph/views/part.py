@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a morphed part looks: its source beneath it in the tree, sheet-metal colour, smooth bends."""
 
+from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.element_lines import ElementLines
 from freecad.sheetmorph.views import menus
 from freecad.sheetmorph.views.base import OwnerView
 
@@ -18,6 +21,34 @@ class PartView(OwnerView):
         view_object.CreaseAngle = 30.0
         view_object.Lighting = "Two side"
 
+    def attach(self, view_object) -> None:
+        """The edges of elements follow when all objects are there."""
+        super().attach(view_object)
+        self._lines = None
+
+    def updateData(self, _obj, name: str) -> None:
+        """Another mesh at rest has other elements, or none."""
+        if name == "RestData":
+            QtCore.QTimer.singleShot(0, self._draw)
+
+    def onChanged(self, view_object, name: str) -> None:
+        """What is hidden shows no elements."""
+        if name == "Visibility" and getattr(self, "_lines", None) is not None:
+            self._lines.show(view_object.Visibility)
+
+    def _draw(self) -> None:
+        try:
+            obj = self.object
+            if obj.Document.Restoring:
+                QtCore.QTimer.singleShot(20, self._draw)
+                return
+            faces = None if obj.Source is None else read_kept(obj).faces
+        except (ReferenceError, RuntimeError):
+            return  # deleted meanwhile
+        if self._lines is not None:
+            self._lines.remove()
+        self._lines = None if faces is None else ElementLines(self._view_object, faces)
+
     def getIcon(self) -> str:
         """The primary has an icon of its own."""
         owner = model.assembly_of(self.object)
@@ -26,9 +57,10 @@ class PartView(OwnerView):
         return super().getIcon()
 
     def claimChildren(self) -> list:
-        """The source mesh lies beneath the part, and what it was prepared from."""
+        """The source mesh lies beneath the part, what it was prepared from, its properties."""
         meshes = (getattr(self.object, name, None) for name in ("Source", "Original"))
-        return [mesh for mesh in meshes if mesh is not None]
+        shells = getattr(self.object, "Shells", None) or []
+        return [*(mesh for mesh in meshes if mesh is not None), *shells]
 
     def setupContextMenu(self, _view_object, menu) -> bool:
         """Primary and regions of this part."""

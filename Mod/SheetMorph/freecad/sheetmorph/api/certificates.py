@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is written, read again, measured and judged."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from freecad.sheetmorph.api.files import export_recipe, write_parts
+from freecad.sheetmorph.bridge import kernel
+from freecad.sheetmorph.bridge.conversion import temporary_folder
+
+
+def certify(assembly, folder: str | os.PathLike, criteria: str = "standard") -> dict:
+    """Write every part as `write_parts` does and certify what was written; return the certificate.
+
+    `criteria`: a set (standard, crash, static) or a JSON file. `certificate.json` and a page,
+    `certificate.html`, lie beside the parts; `passed` and `failures` tell whether all holds.
+    Raises MorphError, ValueError, OSError.
+    """
+    certifying, folder = kernel.certifying(), Path(folder)
+    limits = certifying.read_criteria(criteria)
+    with temporary_folder() as rest:
+        recipe = export_recipe(assembly, os.path.join(rest, "recipe.json"))
+        write_parts(assembly, folder)
+        targets = certifying.Targets(folder / "certificate.json", folder / "certificate.html")
+        try:
+            return certifying.certify(recipe, folder, limits, targets)
+        except certifying.NotCertified as error:
+            return error.certificate

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Decks: imported with their parts, and what they call them."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+
+from freecad.sheetmorph.api.checks import require_assembly
+from freecad.sheetmorph.api.meshes import add_mesh
+from freecad.sheetmorph.bridge import decks, kernel
+from freecad.sheetmorph.objects import assembly_of
+from freecad.sheetmorph.objects.deck import DeckProxy, ShellsProxy
+
+
+def import_deck(
+    assembly, path: str | os.PathLike, split: str | None = None, *, settings: dict | None = None
+) -> list:
+    """Read a deck into an assembly and return its parts, one for every property.
+
+    Where properties share nodes, one for every component; `split` ("property", "components" or ""
+    for one part) says otherwise. Beneath each part its properties with name, number, thickness.
+    The deck itself, with all that it includes, is kept in the document: `write_parts` writes it
+    again, everything that hangs on the sheet moved along. `settings`: `passengers` and `joints` of
+    a recipe's part. Raises ValueError or OSError if it cannot be read.
+    """
+    require_assembly(assembly)
+    file = kernel.load().read_part(Path(path))
+    if file.properties is None:
+        raise ValueError(f"{Path(path).name} is no deck; use import_part.")
+    splitting = kernel.splitting()
+    way = splitting.usual_split(file) if split is None else split
+    rows = splitting.split_triangles(file, way) if way else {"": np.arange(len(file.properties))}
+    deck = _add_deck(assembly, file, way, settings)
+    return [_add_part(deck, file, name, rows[name]) for name in rows]
+
+
+def _add_deck(assembly, file, split: str, settings: dict | None):
+    deck = assembly.Document.addObject("App::FeaturePython", "Deck")
+    DeckProxy(deck)
+    deck.Label = deck.FileName = file.output_name
+    deck.Format, deck.Nodes = file.deck.form, len(file.deck.ids)
+    deck.Elements = sum(len(block.ids) for block in file.deck.elements)
+    deck.Split, deck.Settings = split, json.dumps(settings or {})
+    decks.keep_file(deck, file)
+    assembly.addObject(deck)
+    return deck
+
+
+def _add_part(deck, file, name: str, rows: np.ndarray):
+    """Add the part of a deck that is made of some of its triangles (k,)."""
+    mesh, vertices = kernel.splitting().part_of(file.mesh, rows, name)
+    found = file.shells_of(rows)
+    whole = f"{Path(deck.FileName).stem} {name}".strip()
+    label = (found[0].name or f"PID {found[0].number}") if len(found) == 1 else whole
+    of_deck = {"rows": vertices, "faces": file.faces_among(vertices)}
+    label = _label(deck.Document, label, whole)
+    part = add_mesh(assembly_of(deck), mesh, label, of_deck=of_deck)
+    part.Deck, part.DeckPart = deck, name
+    part.Shells = [_add_shells(part, shells, whole) for shells in found]
+    return part
+
+
+def _add_shells(part, shells, where: str):
+    added = part.Document.addObject("App::FeaturePython", "Shells")
+    ShellsProxy(added)
+    added.Label = _label(part.Document, shells.title, where)
+    added.Number, added.Title, added.Material = shells.number, shells.name, shells.material
+    added.Thickness, added.Elements, added.Part = shells.thickness, shells.elements, part
+    return added
+
+
+def _label(document, wanted: str, where: str) -> str:
+    """Return a label that says where it is if there is one like it: FreeCAD would count its numbers
+    on, "PID 15" to "PID 016"."""
+    return f"{wanted} ({where})" if document.getObjectsByLabel(wanted) else wanted

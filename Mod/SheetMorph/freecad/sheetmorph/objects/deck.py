@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A deck that parts were imported from, and the shells of one of its properties in such a part."""
+
+from __future__ import annotations
+
+from freecad.sheetmorph.kinds import DECK, SHELLS
+from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
+from freecad.sheetmorph.objects.proxy import ObjectProxy
+
+JOINTS = ["refuse", "tell"]
+JOINTS_DOC = (
+    "What becomes of an export in which a joint of the deck comes apart: refuse, and nothing is "
+    "written; or tell, in the report"
+)
+
+
+class DeckProxy(ObjectProxy):
+    """Proxy of a deck: the file with all that it includes, written again by Export Parts."""
+
+    Type = DECK
+    PROPERTIES = (
+        Property("String", "FileName", "Deck", "The file", "", READ_ONLY),
+        Property("String", "Format", "Deck", "What it is written for", "", READ_ONLY),
+        Property("Integer", "Nodes", "Deck", "How many nodes it has", mode=READ_ONLY),
+        Property("Integer", "Elements", "Deck", "How many elements it has", mode=READ_ONLY),
+        Property("Enumeration", "BrokenJoints", "Deck", JOINTS_DOC, JOINTS),
+        Property(
+            "FileIncluded", "FileData", "Deck", "The file, packed if it includes", mode=HIDDEN
+        ),
+        Property("String", "Split", "Deck", "How it was split into parts", "", HIDDEN),
+        Property("String", "Settings", "Deck", "Passengers and joints, as JSON", "", HIDDEN),
+    )
+
+    def execute(self, _obj) -> None:
+        """Do nothing: a deck is only kept."""
+
+
+class ShellsProxy(ObjectProxy):
+    """Proxy of the shells of one property."""
+
+    Type = SHELLS
+    PROPERTIES = (
+        Property("Integer", "Number", "Shells", "The property, part or set (PID)", mode=READ_ONLY),
+        Property("String", "Title", "Shells", "What the deck calls it", "", READ_ONLY),
+        Property("Length", "Thickness", "Shells", "0: the deck does not tell", mode=READ_ONLY),
+        Property("String", "Material", "Shells", "As the deck names it", "", READ_ONLY),
+        Property("Integer", "Elements", "Shells", "How many there are", mode=READ_ONLY),
+        Property("LinkHidden", "Part", "Shells", "The part they are in", mode=HIDDEN),
+    )
+
+    def execute(self, _obj) -> None:
+        """Do nothing: they only tell."""

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether what was written holds, and the page that proves it."""
+
+import json
+from html import escape
+from pathlib import Path
+
+import FreeCADGui as Gui
+
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, translate
+
+PASSED, FAILED = "#0f8a5f", "#c4231f"
+SHOWN = 12
+
+
+def show(folder: str) -> None:
+    """Shows what the certificate in a folder says; Open Page shows all of it in the browser."""
+    certificate = json.loads((Path(folder) / "certificate.json").read_text("utf-8"))
+    dialog = QtWidgets.QDialog(Gui.getMainWindow())
+    dialog.setObjectName("SheetMorphCertificate")
+    dialog.setWindowTitle(translate("panels", "Certificate"))
+    dialog.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    text = QtWidgets.QLabel(summary(certificate, folder), dialog)
+    text.setObjectName("certificate")
+    text.setWordWrap(True)
+    text.setMinimumWidth(460)
+    text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close, dialog)
+    page = QtCore.QUrl.fromLocalFile(str(Path(folder) / "certificate.html"))
+    label = translate("panels", "Open Page")
+    opened = buttons.addButton(label, QtWidgets.QDialogButtonBox.ActionRole)
+    opened.clicked.connect(lambda: QtGui.QDesktopServices.openUrl(page))
+    buttons.rejected.connect(dialog.reject)
+    column = QtWidgets.QVBoxLayout(dialog)
+    column.addWidget(text)
+    column.addWidget(buttons)
+    dialog.show()
+
+
+def summary(certificate: dict, folder: str) -> str:
+    """What holds and what does not, as rich text."""
+    passed, failures = certificate["passed"], certificate["failures"]
+    word = translate("panels", "Certified") if passed else translate("panels", "Not certified")
+    colour, name = PASSED if passed else FAILED, certificate["criteria"]["name"]
+    counts = translate("panels", "Parts: {0}, form features: {1}, contacts: {2}, joints: {3}")
+    joints = sum(deck["joints"]["count"] for deck in certificate["decks"])
+    found = (len(certificate[key]) for key in ("parts", "features", "contacts"))
+    lines = [f"<b style='color:{colour}; font-size:large'>{word}</b> ({escape(name)})"]
+    lines.append(counts.format(*found, joints))
+    lines += [f"&bull; {escape(text)}" for text in failures[:SHOWN]]
+    if len(failures) > SHOWN:
+        lines.append(translate("panels", "and {0} more").format(len(failures) - SHOWN))
+    lines.append(f"<br>{escape(folder)}")
+    return "<br>".join(lines)

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The shells of a deck as its parts list shows them: a line for every property."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .deck import Deck
+from .shells import Sheet
+
+
+@dataclass(frozen=True)
+class Shells:
+    """The shells of one property: its number and name ("" if it has none), thickness in mm (0 if
+    the deck does not tell), material, and how many elements there are."""
+
+    number: int
+    name: str
+    thickness: float
+    material: str
+    elements: int
+
+    @property
+    def title(self) -> str:
+        """As a tree shows them."""
+        thickness = f"{self.thickness:.4g} mm" if self.thickness > 0.0 else ""
+        return " · ".join(filter(None, (self.name, f"PID {self.number}", thickness)))
+
+
+def shells_of(deck: Deck, sheet: Sheet, rows: np.ndarray) -> list[Shells]:
+    """The properties of some triangles (k,) of a sheet, the lowest number first."""
+    properties, elements = sheet.properties[rows], sheet.elements[rows]
+    raw = deck.raw
+    return [
+        Shells(
+            number,
+            raw.names.get(number, ""),
+            raw.thickness.get(number, 0.0),
+            raw.materials.of(number).name,
+            len(np.unique(elements[properties == number])),
+        )
+        for number in np.unique(properties).tolist()
+    ]
