@@ -304,7 +304,7 @@ def test_the_shells_of_a_deck_are_listed_by_property():
     assert titles == {
         "deck.k": ["a part · PID 7 · 1.2 mm"],
         "deck.inp": ["skin · PID 1 · 1.25 mm"],
-        "deck_0000.rad": ["a part · PID 5 · 1.3 mm", "PID 6"],
-        "two.msh": ["PID 1", "PID 2"],
+        "deck_0000.rad": ["a part · PID 5 · 1.3 mm", "PID 6 · no thickness"],
+        "two.msh": ["PID 1 · no thickness", "PID 2 · no thickness"],
     }
     assert [one.elements for one in found["deck.k"]] == [2]

@@ -25,7 +25,7 @@ class Shells:
     @property
     def title(self) -> str:
         """As a tree shows them."""
-        thickness = f"{self.thickness:.4g} mm" if self.thickness > 0.0 else ""
+        thickness = f"{self.thickness:.4g} mm" if self.thickness > 0.0 else "no thickness"
         return " · ".join(filter(None, (self.name, f"PID {self.number}", thickness)))
 
 
