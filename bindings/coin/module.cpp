@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mesh_nodes.h"
+#include "patch.h"
 #include "value_colours.h"
 
 namespace py = pybind11;
@@ -30,6 +31,26 @@ void bind_colours(py::module_& module)
              "ValueError for a wrong address, type or ramp.")
         .def("show", &ValueColours::show, py::arg("values"), py::arg("span"),
              "Colours (n,) values, NaN where there is none, in a span (low, high).");
+}
+
+void bind_patch(py::module_& module)
+{
+    module.def(
+        "show_patch",
+        [](const py::tuple& nodes, const Eigen::Ref<const Triangles>& triangles,
+           const Eigen::Ref<const Eigen::VectorXi>& vertices)
+        {
+            const sheetmorph::coin::PatchAddresses addresses{nodes[0].cast<std::uintptr_t>(),
+                                                             nodes[1].cast<std::uintptr_t>(),
+                                                             nodes[2].cast<std::uintptr_t>()};
+            return show_patch(addresses, sheetmorph::coin::patch_pieces(triangles, vertices));
+        },
+        py::arg("nodes"), py::arg("triangles"), py::arg("vertices"),
+        "Draws vertices (k,) of a mesh with triangles (m, 3): facets between them, the outline of\n"
+        "those, and the vertices that are left; whether there is anything. nodes: addresses\n"
+        "int(node.this) of SoIndexedFaceSet, SoIndexedLineSet, SoIndexedPointSet. ValueError for "
+        "a\n"
+        "wrong address or a negative index.");
 }
 
 }  // namespace
@@ -71,4 +92,5 @@ PYBIND11_MODULE(_coin, module)
             py::arg("points"), py::arg("rotation"), py::arg("base"),
             "The same of global positions: shown is (points - base) @ rotation, (3, 3) and (3,).");
     bind_colours(module);
+    bind_patch(module);
 }

@@ -7,13 +7,14 @@ MAY_IMPORT = {
     "paths": set(),
     "preferences": set(),
     "qt": set(),
+    "garbage": {"qt"},
     "generations": set(),
     "tools": set(),
     "objects": {"doors", "kinds", "tools"},
     "bridge": {"kinds", "objects", "reporting", "tools"},
     "scene": {"bridge", "generations", "preferences", "qt", "tools"},
     "editing": {"qt"},
-    "interaction": {"actions", "api", "bridge", "objects", "qt", "scene", "tools"},
+    "interaction": {"actions", "api", "bridge", "garbage", "objects", "qt", "scene", "tools"},
 }
 """By room, a folder or a file at the top of the workbench. The others only stand in no circle."""
 

@@ -54,20 +54,23 @@ class Steps:
 
     def step(self, title: str, action, is_done):
         """Does what a generator does and waits; a picture shows the progress, if there is any."""
-        self._still, begin = 0.0, time.monotonic()
+        self._still, begin, own = 0.0, time.monotonic(), time.process_time()
         self._last = begin
         yield from action
         is_pictured = False
         while not is_done():
             assert time.monotonic() - begin < LONGEST, (title, under_way())
             if not is_pictured and dialog() is not None and dialog().isVisible():
+                self._beat()
                 picture(f"enclosure-progress-{len(self.told)}")
+                self._last = time.monotonic()  # FreeCAD stood still for the picture
                 is_pictured = True
             yield 20
         self._beat()
-        taken = time.monotonic() - begin
+        taken, own = time.monotonic() - begin, time.process_time() - own
         progress = ", progress shown" if is_pictured else ""
-        self.told.append(f"{title} {taken:.1f} s (still for {self._still:.1f} s{progress})")
+        still = f"{own:.1f} s of processor, still for {self._still:.1f} s{progress}"
+        self.told.append(f"{title} {taken:.1f} s ({still})")
         note(f"the enclosure: {self.told[-1]}")
         picture(f"enclosure-{len(self.told)}")
 

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is found is proposed in a list, lights up under the mouse, and comes in as one undo step."""
 
+import time
+
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 from desk import activate, child, choose_below, enter, picture, press, press_tool, tick
 from desk import until, view, within_reach, xdotool
-from checks_propagation import cancel, dialog
-from freecad.sheetmorph import api, progress_dialog
+from checks_propagation import Canceller, dialog
+from freecad.sheetmorph import api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
@@ -14,6 +17,7 @@ from hostile_panels import is_shown
 from PySide import QtCore, QtGui
 from scenes import assembly, contacts, drawn, labelled, largest, look, new_assembly, part
 from scenes import regions
+from sheetmorph import finding
 
 __all__ = [
     "test_holes_found_become_form_features_in_one_step",
@@ -22,6 +26,7 @@ __all__ = [
     "test_contacts_found_light_up_and_become_contacts",
     "test_what_takes_long_is_cancelled_and_nothing_has_changed",
     "test_only_selected_parts_are_searched",
+    "test_the_window_goes_on_while_a_search_takes_long",
     "test_names_stand_in_full_and_a_double_click_zooms_to_the_place",
     "test_hundreds_of_vertices_are_not_printed_into_the_console",
     "test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle",
@@ -99,18 +104,39 @@ def test_what_takes_long_is_cancelled_and_nothing_has_changed():
         App.ActiveDocument.removeObject(region.Name)
     App.ActiveDocument.clearUndos()
     yield from press_tool("Find Features…")
-    patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
-    try:
-        QtCore.QTimer.singleShot(0, cancel)
+    with Canceller():
         yield from press("OK")
         yield from until(lambda: "Cancelled" in child("message").text(), "the panel to say so")
-    finally:
-        progress_dialog.PATIENCE = patience
     picture("find-cancelled")
     assert dialog() is None or not dialog().isVisible()
     assert regions("form feature") == [] and App.ActiveDocument.UndoNames == []
     yield from press_ok()
     assert len(regions("form feature")) == 2
+
+
+def test_the_window_goes_on_while_a_search_takes_long():
+    yield from new_assembly()
+    found, beats = finding.find, []
+
+    def slow(*arguments, **keywords):
+        time.sleep(3.0)
+        return found(*arguments, **keywords)
+
+    finding.find = slow
+    timer = QtCore.QTimer()
+    timer.timeout.connect(lambda: beats.append((time.monotonic(), bool(dialog()))))
+    timer.start(20)
+    try:
+        yield from press_tool("Find Features…")
+        yield from until(is_shown, "the proposals", 60.0)
+    finally:
+        timer.stop()
+        finding.find = found
+    shown = [moment for moment, is_shown in beats if is_shown]
+    assert len(shown) > 10, f"{len(shown)} beats while the progress was shown"
+    assert max(np.diff(shown)) < 1.5, max(np.diff(shown))
+    assert rows_shown() == 2 and dialog() is None
+    yield from press("Cancel")
 
 
 def test_only_selected_parts_are_searched():

@@ -7,14 +7,13 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Mesh
 import numpy as np
-from checks_finding import cancel
+from checks_propagation import Canceller
 from checks_tutorial import answer, menu
 from desk import WORK, activate, child, choose_below, enter, picture, press, press_tool, tick, until
 from desk import import_files, view
-from freecad.sheetmorph import api, progress_dialog
+from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import mesh_preview
-from PySide import QtCore
 from pivy import coin
 from scenes import assembly, labelled, look, new_assembly, part
 
@@ -180,13 +179,9 @@ def test_cancel_leaves_a_mesh_as_it_came():
 
 def test_a_preview_that_takes_long_is_cancelled():
     yield from coarse_plate()
-    patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
-    try:
-        QtCore.QTimer.singleShot(0, cancel)
+    with Canceller():
         yield from press("Preview")
         yield from until(lambda: "Cancelled" in child("message").text(), "the panel to say so")
-    finally:
-        progress_dialog.PATIENCE = patience
     assert not is_previewed()
     yield from press("Cancel")
 

@@ -196,10 +196,8 @@ def test_another_part_becomes_the_primary():
 def test_a_cancelled_set_up_opens_no_panel():
     yield from new_assembly(is_joined=True)
     api.set_energy(assembly(), "paper")  # so that there is something to set up
-    patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
-    QtCore.QTimer.singleShot(0, cancel)
-    opened = move_panel.open_panel(regions("handle")[0])
-    progress_dialog.PATIENCE = patience
+    with Canceller():
+        opened = move_panel.open_panel(regions("handle")[0])
     assert opened is None and not Gui.Control.activeDialog()
     yield from until(lambda: dialog() is None, "the dialog to close")
     assert App.ActiveDocument.UndoNames == []
@@ -212,10 +210,21 @@ def dialog():
     return Gui.getMainWindow().findChild(QtGui.QProgressDialog, "SheetMorphProgress")
 
 
-def cancel(tries: int = 2000) -> None:
-    """Presses Cancel in the progress dialog, as soon as there is one."""
-    shown = dialog()
-    if shown is not None:
-        shown.findChild(QtGui.QPushButton).click()
-    elif tries > 0:
-        QtCore.QTimer.singleShot(2, lambda: cancel(tries - 1))
+class Canceller:
+    """In its context the first progress dialog that appears has its Cancel pressed at once."""
+
+    def __enter__(self):
+        self._patience, progress_dialog.PATIENCE = progress_dialog.PATIENCE, -1.0
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._press)
+        self._timer.start(5)
+
+    def __exit__(self, *_):
+        self._timer.stop()
+        progress_dialog.PATIENCE = self._patience
+
+    def _press(self) -> None:
+        shown = dialog()
+        if shown is not None:
+            self._timer.stop()
+            shown.findChild(QtGui.QPushButton).click()

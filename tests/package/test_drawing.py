@@ -101,6 +101,39 @@ def test_values_have_the_same_colours():
         assert np.array_equal(*found), span
 
 
+def patch_nodes(drawer, triangles, vertices) -> tuple:
+    """What a drawer puts into the nodes of a patch, and whether it says that there is anything."""
+    drawn = coin.SoIndexedFaceSet(), coin.SoIndexedLineSet(), coin.SoIndexedPointSet()
+    is_any = drawer.show_patch(drawn, triangles, np.asarray(vertices, np.int32))
+    return (is_any, *(list(node.coordIndex.getValues()) for node in drawn))
+
+
+def test_a_patch_is_drawn_alike_whoever_draws_it():
+    points, triangles = channel()
+    random = np.random.default_rng(3)
+    chosen = [[], [0], range(len(points)), [5, 5, 4]]
+    chosen += [random.integers(0, len(points), count) for count in (3, 20, 60, 100, 300)]
+    for vertices in chosen:
+        found = [
+            patch_nodes(one, triangles, vertices) for one in (drawing.Direct(), drawing.ThroughPivy)
+        ]
+        assert found[0] == found[1], vertices
+    assert not patch_nodes(drawing.Direct(), triangles, [])[0]
+
+
+def test_a_patch_is_facets_their_outline_and_the_vertices_left():
+    strip = np.array([[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 5]], np.int32)
+    _, faces, lines, points = patch_nodes(drawing.Direct(), strip, [0, 1, 2, 5])
+    assert faces == [0, 1, 2, -1] and points == [5]
+    assert lines == [0, 1, -1, 0, 2, -1, 1, 2, -1]
+    assert patch_nodes(drawing.Direct(), strip, range(4))[2].count(-1) == 4  # not where two meet
+
+
+def test_a_patch_has_no_negative_vertex():
+    with pytest.raises(ValueError, match="negative"):
+        patch_nodes(drawing.Direct(), np.zeros((0, 3), np.int32), [-1])
+
+
 def test_the_compiled_module_is_used_where_it_fits():
     assert isinstance(drawing.drawer(), drawing.Direct)
     assert drawing.report() == "View: filled by the kernel."

@@ -30,6 +30,33 @@ def area(outline: np.ndarray) -> float:
     return abs(float(x @ np.roll(y, 1) - y @ np.roll(x, 1))) / 2
 
 
+def test_a_part_beside_a_figure_hides_nothing_and_builds_no_tree():
+    part, lid, beside = square(), square(5.0), square(5.0)
+    beside = PartMesh(_core, (beside._seen, beside.triangles), beside._seen + (40.0, 0.0, 0.0))
+    whole = figures.rectangle((0.0, 0.0), (200.0, 200.0))
+    assert len(part.inside(FROM_ABOVE, whole, [part, beside])) == 121
+    assert "_tree" not in vars(beside)
+    assert len(part.inside(FROM_ABOVE, whole, [part, beside, lid])) == 0
+
+
+def test_what_may_be_seen_around_a_figure_is_told_from_a_box():
+    rng = np.random.default_rng(2)
+    clip = np.array([[1.2, 0, 0, 0], [0, 1.6, 0, 0], [0, 0, -1.02, 2], [0, 0, -1.0, 40.0]])
+    camera = Camera(clip, 300.0, 200.0)
+    for _ in range(200):
+        points = rng.uniform(-30, 30, 3) + rng.uniform(-6, 6, (20, 3))
+        seen = np.column_stack([points, np.ones(20)]) @ clip.T
+        places = 0.5 * (1.0 + seen[:, :2] / seen[:, 3:]) * (300.0, 200.0)
+        corner = rng.uniform(0, 250, 2)
+        figure = figures.rectangle(tuple(corner), tuple(corner + 30.0))
+        inside = (places >= corner) & (places <= corner + 30.0) & (seen[:, 3:] > 0)
+        may = camera.may_show(points.min(axis=0), points.max(axis=0), figure)
+        assert may or not inside.all(axis=1).any()
+    assert not camera.may_show(
+        np.array([9.0, 9.0, 0.0]), np.full(3, 10.0), figures.circle((20, 20), 9)
+    )
+
+
 def test_a_swept_circle_covers_both_ends_and_what_is_between():
     figure = figures.swept((10.0, 20.0), (40.0, 60.0), 8.0)
     assert np.isclose(area(figure), 50 * 16 + np.pi * 64, rtol=0.01)

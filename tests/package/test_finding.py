@@ -108,6 +108,17 @@ def test_a_search_in_memory_can_be_cancelled():
         find([FindPart("cover", mesh)], FindOptions(), progress=lambda share, task: False)
 
 
+def test_what_is_kept_of_a_search_is_not_searched_again():
+    part = FindPart("cover", sheetmorph.read_part(MIRROR[0]).mesh)
+    first = find([part]).features
+    (features,) = part.kept.values()
+    features.pop()  # what is kept is what the next search answers
+    assert len(find([part]).features) == len(first) - 1
+    assert find([part], FindOptions(kinds=("round hole",))).features
+    assert len(find([part], FindOptions(rings=2)).features) == len(first)
+    assert list(part.kept) == [FindOptions(rings=2).feature_key()]
+
+
 DECK = """BEGIN BULK
 $ two strips of 4 shells, riveted by a CBUSH, a spring pair over a node of no shell, and RBE3
 {grids}

@@ -2,47 +2,80 @@
 """Shows how far long work is, and lets the user cancel it."""
 
 import time
+from concurrent import futures
 
 import FreeCADGui as Gui
 
+from freecad.sheetmorph.garbage import collecting
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
-PATIENCE = 1.0  # seconds until the dialog appears
-SHARE = 0.1  # of the time at most, to handle events: each look may draw a view of a million facets
+PATIENCE = 0.4  # seconds until the dialog appears
+LOOK = 0.03  # seconds between two looks at what is done in a thread
+SHARE = 0.25  # of the time at most, to handle events: each look may draw a view of a million facets
+LONGEST = 0.3  # seconds without a look
 
 
 class Progress:
-    """Called by the kernel with how far it is; the dialog appears only if it takes long."""
+    """Called with how far work is; the dialog appears only if it takes long."""
 
     def __init__(self, title: str):
         self._title = title
         self._begin = time.monotonic()
         self._dialog = None
         self._next = 0.0
+        self._told = 0.0, ""
         self.is_cancelled = False
 
     def __call__(self, fraction: float, task: str) -> bool:
         """``fraction`` 0..1 is done, ``task`` is next; False if the user has cancelled.
 
-        The kernel may call it from threads of its own; widgets belong to FreeCAD's.
+        A thread may call it; widgets belong to FreeCAD's.
         """
-        if QtCore.QThread.currentThread() != QtWidgets.QApplication.instance().thread():
-            return not self.is_cancelled
-        if self._dialog is None and time.monotonic() - self._begin > PATIENCE:
-            self._open()
-        if self._dialog is not None and time.monotonic() >= self._next:
-            self._tell(fraction, task)
+        self._told = fraction, task
+        if is_window_thread():
+            self._look()
         return not self.is_cancelled
 
-    def _tell(self, fraction: float, task: str) -> None:
-        """Shows how far it is, and sees whether Cancel was pressed."""
+    def wait_for(self, work):
+        """Returns or raises what ``work(progress)`` does, in a thread, while events are handled.
+
+        It must not touch what belongs to the thread of the window: documents, widgets, nodes.
+        """
+        if not is_window_thread():
+            return work(self)
+        collecting().hold()
+        try:
+            with futures.ThreadPoolExecutor(max_workers=1) as thread:
+                return self._result(thread.submit(work, self))
+        finally:
+            collecting().release()
+
+    def _result(self, found):
+        """What a future brings; whatever events do, the thread is not left alone."""
+        try:
+            while not found.done():
+                futures.wait([found], timeout=LOOK)
+                self._look()
+            self._look(at_last=True)  # Cancel counts if it was pressed in time
+        except BaseException:
+            self.is_cancelled = True
+            raise
+        return found.result()
+
+    def _look(self, at_last: bool = False) -> None:
+        """Shows how far it is, if it takes long, and sees whether Cancel was pressed."""
         begin = time.monotonic()
+        if self._dialog is None and begin - self._begin > PATIENCE:
+            self._open()
+        if self._dialog is None or (begin < self._next and not at_last):
+            return
+        fraction, task = self._told
         self._dialog.setLabelText(task)
         self._dialog.setValue(round(100 * fraction))
         QtWidgets.QApplication.processEvents()
         self.is_cancelled = self.is_cancelled or self._dialog.wasCanceled()
         now = time.monotonic()
-        self._next = now + min(1.0, (now - begin) / SHARE)
+        self._next = now + min(LONGEST, (now - begin) / SHARE)
 
     def close(self) -> None:
         """Takes the dialog away."""
@@ -62,3 +95,8 @@ class Progress:
         self._dialog.setMinimumDuration(0)
         self._dialog.setCursor(QtCore.Qt.ArrowCursor)
         self._dialog.show()
+
+
+def is_window_thread() -> bool:
+    """Whether this is the thread of FreeCAD's window."""
+    return QtCore.QThread.currentThread() == QtWidgets.QApplication.instance().thread()

@@ -9,9 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from typing import TypeVar
 
 Progress = Callable[[float, str], bool]
 """Called with the share that is done, 0..1, and what is next; returns whether to go on."""
+
+Found = TypeVar("Found")
 
 _WAITING: ContextVar[Progress | None] = ContextVar("waiting", default=None)
 
@@ -19,6 +22,16 @@ _WAITING: ContextVar[Progress | None] = ContextVar("waiting", default=None)
 def progress() -> Progress | None:
     """Return whom to tell, None for nobody."""
     return _WAITING.get()
+
+
+def waited_for(work: Callable[[Progress | None], Found]) -> Found:
+    """Return what `work(progress)` does, which touches no document and may take long.
+
+    A listener with a window has it done in a thread, and its method `wait_for` handles events.
+    """
+    listener = _WAITING.get()
+    wait_for = getattr(listener, "wait_for", None)
+    return work(listener) if wait_for is None else wait_for(work)
 
 
 @contextmanager

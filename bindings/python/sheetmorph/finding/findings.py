@@ -37,12 +37,15 @@ def find_schema() -> dict[str, Any]:
 @dataclass(frozen=True, eq=False)
 class FindPart:
     """A part to look at. thickness: of a sheet without one in its mesh, mm, 0 if not known; exact:
-    what its CAD surfaces say, as entries with vertices that are indices, angles in radians."""
+    what its CAD surfaces say, as entries with vertices that are indices, angles in radians; kept:
+    what the last search found on the mesh, by its tolerances: whoever keeps it saves another one.
+    """
 
     name: str
     mesh: PartMesh
     thickness: float = 0.0
     exact: list[dict[str, Any]] = field(default_factory=list)
+    kept: dict[tuple, Any] = field(default_factory=dict)
 
 
 @dataclass
@@ -61,11 +64,7 @@ def feature_entry(part: FindPart, found: Any) -> dict[str, Any]:
     """A feature of the kernel as a recipe's entry, still without name and part; what its kind has
     not is left out."""
     mesh = part.mesh
-    entry = {
-        "kind": found.kind,
-        "center": found.center.tolist(),
-        "axis": found.axis.tolist(),
-    }
+    entry = {"kind": found.kind, "center": found.center.tolist(), "axis": found.axis.tolist()}
     if found.kind in (*_WITH_RADIUS, *_CURVED):
         entry["radius"] = found.radius
     entry |= {key: getattr(found, key) for key in _LENGTHS.get(found.kind, ())}

@@ -32,6 +32,9 @@ LIMITS = {
     "smallest": (1, 1_000_000),
 }
 
+_OF_FEATURES = ("rings", "smallest_radius", "largest_radius", "roundness", "surface")
+_OF_FEATURES += ("crease_angle", "plane_angle", "smallest_area", "scatter")
+
 
 @dataclass(frozen=True)
 class FindOptions:
@@ -62,6 +65,10 @@ class FindOptions:
     facing_angle: float = 35.0
     smallest: int = 3
     one_per_pair: bool = False
+
+    def feature_key(self) -> tuple:
+        """All that decides which features the kernel finds on a mesh."""
+        return tuple(getattr(self, name) for name in _OF_FEATURES)
 
     def feature_tolerances(self, core: Any) -> Any:
         """The kernel's FeatureTolerances."""

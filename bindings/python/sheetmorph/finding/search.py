@@ -36,7 +36,7 @@ def find(
     core = load_kernel()
     begin = time.perf_counter()
     meshes = [core.TriangleMesh(part.mesh.points, part.mesh.triangles) for part in parts]
-    features = _features(core, meshes, options, progress)
+    features = _features(core, (parts, meshes), options, progress)
     middle = time.perf_counter()
     contacts, gap = [], 0.0
     if with_contacts and len(parts) > 1:
@@ -54,11 +54,18 @@ def find(
 
 
 def _features(
-    core: Any, meshes: list[Any], options: FindOptions, progress: Progress | None
+    core: Any, shapes: tuple, options: FindOptions, progress: Progress | None
 ) -> list[Any]:
-    """The kernel's features of every part."""
+    """The kernel's features of every part, searched where they are not kept; shapes: the parts
+    and their meshes."""
     first = None if progress is None else lambda share, task: progress(0.5 * share, task)
-    return core.find_features(meshes, options.feature_tolerances(core), first)
+    key = options.feature_key()
+    new = [(part, mesh) for part, mesh in zip(*shapes) if key not in part.kept]
+    found = core.find_features([mesh for _, mesh in new], options.feature_tolerances(core), first)
+    for (part, _), features in zip(new, found):
+        part.kept.clear()
+        part.kept[key] = features
+    return [part.kept[key] for part in shapes[0]]
 
 
 def _contacts(core: Any, shapes: list[Any], options: FindOptions, more: tuple) -> tuple:

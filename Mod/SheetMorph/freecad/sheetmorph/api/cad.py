@@ -29,7 +29,8 @@ def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> l
     package = kernel.load()
     if not package.files.is_cad(path):
         raise ValueError(f"{Path(path).name} is no CAD file; use import_part.")
-    return add_model(assembly, package.read_part(path, mesh, reporting.progress()).model)
+    read = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
+    return add_model(assembly, read.model)
 
 
 def add_shape(assembly, source, label: str | None = None, mesh: dict | None = None) -> list:

@@ -10,6 +10,8 @@ from typing import Any
 
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import kernel
+from freecad.sheetmorph.bridge.rest import read_rest
+from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.api.cad import known_features
 from freecad.sheetmorph.api.checks import require_assembly, require_part_of
 from freecad.sheetmorph.api.contacts import add_contact
@@ -177,10 +179,19 @@ def _find(parts: list, options: dict, *, contacts: bool):
     for what, todo in wanted.faults():
         raise ValueError(f"{what}; {todo}.")
     meshes = [
-        FindPart(part.Name, PartMesh(*rest_mesh(part)), exact=known_features(part))
+        FindPart(
+            part.Name, PartMesh(*rest_mesh(part)), exact=known_features(part), kept=kept_of(part)
+        )
         for part in parts
     ]
-    return find(meshes, wanted, progress=reporting.progress(), with_contacts=contacts)
+    return reporting.waited_for(
+        lambda told: find(meshes, wanted, progress=told, with_contacts=contacts)
+    )
+
+
+def kept_of(part) -> dict:
+    """What was found on the mesh that a part rests on, for the next search; empty at first."""
+    return snapshot_of(part.Source).derived("found features", read_rest(part).digest, dict)
 
 
 def _feature(part, entry: dict, marked: dict[str, set[int]]) -> FoundFeature:

@@ -72,8 +72,8 @@ def preparation(part, **cures):
     mesh = kernel.load().PartMesh(
         original.points, original.triangles, name=part.Label, labels=original.labels
     )
-    told = reporting.progress()
-    return prepared_module().prepared_mesh(kernel.core(), mesh, wanted, told)[0]
+    core, prepared_mesh = kernel.core(), prepared_module().prepared_mesh
+    return reporting.waited_for(lambda told: prepared_mesh(core, mesh, wanted, told))[0]
 
 
 def wanted_of(cures: dict):

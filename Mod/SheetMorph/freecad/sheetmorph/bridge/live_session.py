@@ -20,7 +20,6 @@ from freecad.sheetmorph.bridge.solving import (
     FAILURES,
     ControlMesh,
     Morph,
-    Progress,
     cache_of,
     one_sentence,
     read_morph,
@@ -63,7 +62,7 @@ class Frame:
 class LiveSession:
     """Answers poses of one assembly with the positions of its parts."""
 
-    def __init__(self, assembly, progress: Progress | None = None):
+    def __init__(self, assembly):
         """Build or find the session of `assembly`; raises MorphError, one sentence."""
         self._assembly = assembly
         self._shown: Frame | None = None
@@ -71,7 +70,7 @@ class LiveSession:
         try:
             self._morph: Morph = read_morph(assembly)
             held = self._morph.is_held()
-            self._session = self._cache.session(self._morph, progress) if held else None
+            self._session = self._cache.session(self._morph) if held else None
             self._live = self._session and kernel.load().LiveFrames(self._session)
         except FAILURES as error:
             raise MorphError(one_sentence(error)) from error
@@ -150,10 +149,10 @@ class LiveSession:
         return self._live.deform(question.pose, question.moved), question
 
 
-def live(assembly, progress: Progress | None = None) -> LiveSession:
+def live(assembly) -> LiveSession:
     """Return a session for dragging handles of `assembly`.
 
     To commit, set the handles' properties in a transaction and recompute: that solves exactly,
-    with the session built here. `progress(fraction, task)` may return False to cancel.
+    with the session built here.
     """
-    return LiveSession(assembly, progress)
+    return LiveSession(assembly)

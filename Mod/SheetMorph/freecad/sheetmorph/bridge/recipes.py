@@ -146,13 +146,13 @@ def propagation_of(assembly) -> dict:
 
 def used_contacts(assembly) -> list:
     """Return the contacts that are active and have both their parts."""
-    return [c for c in model.contacts(assembly) if c.Active and has_both_parts(c, assembly)]
+    parts = model.parts(assembly)
+    return [c for c in model.contacts(assembly) if c.Active and has_both_parts(c, parts)]
 
 
-def has_both_parts(contact, assembly) -> bool:
-    """Whether both parts of a contact are in the assembly: neither deleted nor dragged out."""
-    found = model.parts(assembly)
-    return contact.PartA in found and contact.PartB in found
+def has_both_parts(contact, parts: list) -> bool:
+    """Whether both sides of a contact are among the parts: neither deleted nor dragged out."""
+    return contact.PartA in parts and contact.PartB in parts
 
 
 def contact_entry(contact, names: dict[str, str], ids: dict[str, np.ndarray]) -> dict:

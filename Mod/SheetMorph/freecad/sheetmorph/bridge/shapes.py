@@ -23,7 +23,7 @@ def keep_shape(part, model, number: int) -> None:
     with conversion.temporary_folder() as folder:
         stored = os.path.join(folder, "shape.npz")
         mesh = np.frombuffer(model.kept_mesh(number), dtype=np.uint8)
-        np.savez_compressed(stored, brep=np.array(model.brep(number)), mesh=mesh)
+        np.savez(stored, brep=np.array(model.brep(number)), mesh=mesh)  # a document compresses
         part.ShapeData = stored
 
 
@@ -73,5 +73,5 @@ def placement_of(part) -> FreeCAD.Placement:
     """Where a shape in the part's file coordinates stands."""
     frame = read_kept(part).frame
     matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = frame.rotation, frame.base - frame.rotation @ frame.origin
+    matrix[:3, :3], matrix[:3, 3] = (frame.rotation, frame.base - frame.rotation @ frame.origin)
     return FreeCAD.Placement(FreeCAD.Matrix(*matrix.ravel().tolist()))

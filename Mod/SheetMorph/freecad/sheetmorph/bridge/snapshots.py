@@ -30,8 +30,10 @@ class Snapshot:
         """Return the triangles (k, 3) with a corner among `vertices`, in their order."""
         starts, triangles = self._around
         inside = vertices[(vertices >= 0) & (vertices < len(starts) - 1)]
-        found = [triangles[starts[vertex] : starts[vertex + 1]] for vertex in inside]
-        return self.triangles[np.unique(np.concatenate(found)) if found else []]
+        counts = starts[inside + 1] - starts[inside]
+        ends = np.cumsum(counts)
+        places = np.arange(counts.sum()) + np.repeat(starts[inside] - (ends - counts), counts)
+        return self.triangles[np.unique(triangles[places])]
 
     def derived(self, name: str, key: Any, make: Callable[[], Any]) -> Any:
         """Return what `make` makes of the mesh and of `key`; it is kept while both stay."""
@@ -45,7 +47,7 @@ class Snapshot:
         """Where the triangles of each vertex begin in a list of all, and that list."""
         corners = self.triangles.ravel()
         counts = np.bincount(corners, minlength=len(self.points))
-        return np.concatenate([[0], np.cumsum(counts)]), np.argsort(corners, kind="stable") // 3
+        return (np.concatenate([[0], np.cumsum(counts)]), np.argsort(corners, kind="stable") // 3)
 
 
 class Snapshots:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import hashlib
 from collections import OrderedDict
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -27,7 +26,6 @@ from freecad.sheetmorph.tools import words
 
 ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
-Progress = Callable[[float, str], bool]
 FAILURES = (ValueError, RuntimeError, OSError)
 """What the kernel, its package and the document raise for the person to read."""
 ORPHANED = "The morph of this part was deleted: undo that, or delete the part too."
@@ -90,7 +88,7 @@ class SessionCache:
         self._refused: OrderedDict[str, ValueError] = OrderedDict()
         self._writers: dict[str, tuple] = {}
 
-    def session(self, morph: Morph, progress: Progress | None = None):
+    def session(self, morph: Morph):
         """Return the sheetmorph.Session of `morph`, building it if it is not kept.
 
         What was wrong with a morph is kept too: a large one takes as long to fail as to succeed.
@@ -100,14 +98,14 @@ class SessionCache:
             raise self._refused[key].with_traceback(None)
         if key not in self._sessions:
             try:
-                self._keep(self._sessions, key, self._built(morph, progress))
+                self._keep(self._sessions, key, self._built(morph))
             except ValueError as error:
                 self._keep(self._refused, key, error)
                 raise
         self._sessions.move_to_end(key)
         return self._sessions[key]
 
-    def _built(self, morph: Morph, progress: Progress | None):
+    def _built(self, morph: Morph):
         package = kernel.load()
         meshes = {
             morph.names[name]: package.PartMesh(
@@ -117,14 +115,16 @@ class SessionCache:
         }
         recipe = {**morph.recipe, "pose": {}}
         previous = next(reversed(self._sessions.values()), None)
-        told = progress or reporting.progress()
-        return package.Session(recipe, meshes, told, previous=previous)
+        return reporting.waited_for(
+            lambda told: package.Session(recipe, meshes, told, previous=previous)
+        )
 
     def result(self, morph: Morph, exact: bool = True):
         """Return the sheetmorph.Result of `morph` in its pose, solving if it is not kept."""
         key = (morph.key, repr(morph.pose), exact)
         if key not in self._results:
-            found = self.session(morph).deform(morph.pose, exact=exact)
+            solve = self.session(morph).deform
+            found = reporting.waited_for(lambda told: solve(morph.pose, exact, told))
             self._keep(self._results, key, found)
         self._results.move_to_end(key)
         return self._results[key]
@@ -164,7 +164,8 @@ class SessionCache:
         """Return what a recompute tells beyond positions; nothing while nothing is held."""
         if not morph.is_held():
             return Findings()
-        return findings_of(self.session(morph), self.result(morph), morph.contacts)
+        session, result = self.session(morph), self.result(morph)
+        return reporting.waited_for(lambda _told: findings_of(session, result, morph.contacts))
 
     def steps(self, morph: Morph) -> list[Step]:
         """Return the parts in the order of propagation; nothing while nothing is held."""
@@ -185,9 +186,8 @@ class SessionCache:
         if not morph.is_held():
             return "At rest: mark a fixed region and a handle."
         lost = [r.Label for r in model.regions(assembly) if r.Part is None]
-        lost += [
-            c.Label for c in model.contacts(assembly) if not recipes.has_both_parts(c, assembly)
-        ]
+        parts = model.parts(assembly)
+        lost += [c.Label for c in model.contacts(assembly) if not recipes.has_both_parts(c, parts)]
         notes = [f"Without a part and ignored: {', '.join(lost)}."] if lost else []
         unreached = list(self.session(morph).unreached)
         if unreached:

@@ -4,7 +4,7 @@
 from concurrent import futures
 
 from freecad.sheetmorph import actions
-from freecad.sheetmorph.interaction.garbage import collecting
+from freecad.sheetmorph.garbage import collecting
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools.latest import Latest
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Builds what a live view needs, with progress and Cancel."""
 
-from freecad.sheetmorph import actions
+from contextlib import closing, suppress
+
+from freecad.sheetmorph import actions, reporting
 from freecad.sheetmorph.bridge import live_session
 from freecad.sheetmorph.progress_dialog import Progress
 
@@ -12,10 +14,6 @@ def prepare(assembly) -> bool:
     An error is left to whoever needs the result: it will be met again and told there.
     """
     progress = Progress("Preparing the morph")
-    try:
-        live_session.live(assembly, progress)
-    except actions.FAULTS:
-        return not progress.is_cancelled
-    finally:
-        progress.close()
-    return True
+    with suppress(*actions.FAULTS), closing(progress), reporting.told_to(progress):
+        live_session.live(assembly)
+    return not progress.is_cancelled

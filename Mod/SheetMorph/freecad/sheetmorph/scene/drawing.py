@@ -39,12 +39,18 @@ class Direct:
         """What colours a material by values, as `through_pivy.ValueColours`."""
         return self._module.ValueColours(int(material.this), ramp, missing)
 
+    def show_patch(self, drawn, triangles: np.ndarray, vertices: np.ndarray) -> bool:
+        """Draws a patch through three nodes, as `through_pivy.show_patch`."""
+        addresses = tuple(int(node.this) for node in drawn)
+        return self._module.show_patch(addresses, triangles, vertices)
+
 
 class ThroughPivy:
     """The same where the compiled module was not built or does not fit."""
 
     mesh_nodes = through_pivy.MeshNodes
     value_colours = through_pivy.ValueColours
+    show_patch = staticmethod(through_pivy.show_patch)
 
 
 @functools.cache

@@ -4,7 +4,7 @@
 import numpy as np
 from pivy import coin
 
-from freecad.sheetmorph.scene import nodes
+from freecad.sheetmorph.scene import drawing, nodes
 
 # Maps depth a little nearer, so that what lies in the surface is drawn before it.
 NEARER = 0.9997
@@ -52,47 +52,14 @@ class Patch:
 
         Triangles without any of the vertices may be left out.
         """
-        faces, lines, points = pieces(triangles, vertices)
-        nodes.set_index(self._faces, faces)
-        nodes.set_index(self._lines, lines)
-        self._points.coordIndex.setNum(len(points))
-        if len(points):
-            self._points.coordIndex.setValues(0, len(points), [int(p) for p in points])
-        some = len(faces) + len(lines) + len(points) > 0
+        drawn = self._faces, self._lines, self._points
+        some = drawing.drawer().show_patch(drawn, triangles, np.asarray(vertices, np.int32))
         self.node.whichChild = coin.SO_SWITCH_ALL if some else coin.SO_SWITCH_NONE
 
 
 def group():
     """An empty group to hang patches under."""
     return coin.SoGroup()
-
-
-def pieces(triangles: np.ndarray, vertices):
-    """How a set of vertices is drawn: (f, 3) facets, (e, 2) edges that outline them, (p,) the rest.
-
-    A facet is drawn if all its vertices are in the set, an edge if both are and at most one
-    facet at it is drawn: so a rim without facets is a line of its own.
-    """
-    ids = np.unique(np.asarray(vertices, dtype=np.int64))
-    chosen = np.zeros(1 + max(triangles.max(initial=-1), ids.max(initial=-1)), bool)
-    chosen[ids] = True
-    count = chosen[triangles].sum(axis=1) if len(triangles) else np.zeros(0, int)
-    faces = triangles[count == 3]
-    edges = _edges(triangles[count == 2], len(chosen))
-    both = chosen[edges // len(chosen)] & chosen[edges % len(chosen)]
-    drawn, uses = np.unique(_edges(faces, len(chosen)), return_counts=True)
-    keys = np.unique(np.concatenate([drawn[uses == 1], edges[both]]))
-    outline = np.stack([keys // len(chosen), keys % len(chosen)], axis=1)
-    chosen[outline.ravel()] = False
-    chosen[faces.ravel()] = False
-    return faces, outline, ids[chosen[ids]]
-
-
-def _edges(triangles: np.ndarray, count: int) -> np.ndarray:
-    """The edges (3m,) of triangles, each a number: smaller vertex * ``count`` + larger one."""
-    starts = triangles.astype(np.int64)
-    ends = starts[:, [1, 2, 0]]
-    return (np.minimum(starts, ends) * count + np.maximum(starts, ends)).ravel()
 
 
 def _appearance(colour, width):

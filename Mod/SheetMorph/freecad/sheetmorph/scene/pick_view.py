@@ -25,13 +25,13 @@ class PickView:
 
     def show_picked(self, vertices) -> None:
         """Colours the picked vertices."""
-        self._picked.show(self._mesh.triangles_at(vertices), vertices)
+        self._picked.show(self._mesh.triangles, vertices)
 
     def show_aimed(self, vertices) -> None:
         """Highlights what a click would take; the same array again costs nothing."""
         if vertices is not self._last:
             self._last = vertices
-            self._aimed.show(self._mesh.triangles_at(vertices), vertices)
+            self._aimed.show(self._mesh.triangles, vertices)
 
     def remove(self) -> None:
         """Takes both out of the view."""

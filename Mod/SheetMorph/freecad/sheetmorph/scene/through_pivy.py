@@ -46,6 +46,48 @@ class ValueColours:
         set_rows(self._material.diffuseColor, self._colours[rows])
 
 
+def show_patch(drawn, triangles: np.ndarray, vertices: np.ndarray) -> bool:
+    """Draws vertices (k,) of a mesh with ``triangles`` (m, 3); whether there is anything.
+
+    ``drawn``: nodes for facets between them, lines around those, and the vertices that are left.
+    """
+    faces, lines, points = patch_pieces(triangles, vertices)
+    nodes.set_index(drawn[0], faces)
+    nodes.set_index(drawn[1], lines)
+    drawn[2].coordIndex.setNum(len(points))
+    if len(points):
+        drawn[2].coordIndex.setValues(0, len(points), [int(p) for p in points])
+    return len(faces) + len(lines) + len(points) > 0
+
+
+def patch_pieces(triangles: np.ndarray, vertices):
+    """How a set of vertices is drawn: (f, 3) facets, (e, 2) edges that outline them, (p,) the rest.
+
+    A facet is drawn if all its vertices are in the set, an edge if both are and at most one
+    facet at it is drawn: so a rim without facets is a line of its own.
+    """
+    ids = np.unique(np.asarray(vertices, dtype=np.int64))
+    chosen = np.zeros(1 + max(triangles.max(initial=-1), ids.max(initial=-1)), bool)
+    chosen[ids] = True
+    count = chosen[triangles].sum(axis=1) if len(triangles) else np.zeros(0, int)
+    faces = triangles[count == 3]
+    edges = _edges(triangles[count == 2], len(chosen))
+    both = chosen[edges // len(chosen)] & chosen[edges % len(chosen)]
+    drawn, uses = np.unique(_edges(faces, len(chosen)), return_counts=True)
+    keys = np.unique(np.concatenate([drawn[uses == 1], edges[both]]))
+    outline = np.stack([keys // len(chosen), keys % len(chosen)], axis=1)
+    chosen[outline.ravel()] = False
+    chosen[faces.ravel()] = False
+    return faces, outline, ids[chosen[ids]]
+
+
+def _edges(triangles: np.ndarray, count: int) -> np.ndarray:
+    """The edges (3m,) of triangles, each a number: smaller vertex * ``count`` + larger one."""
+    starts = triangles.astype(np.int64)
+    ends = starts[:, [1, 2, 0]]
+    return (np.minimum(starts, ends) * count + np.maximum(starts, ends)).ravel()
+
+
 def set_rows(field, rows: np.ndarray) -> None:
     """Writes (n, 3) values into a field of Coin with several values."""
     field.setNum(len(rows))

@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 
-from freecad.sheetmorph import api
+from freecad.sheetmorph import api, reporting
 from freecad.sheetmorph.bridge import live_session, solving
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.tests import support
@@ -98,15 +98,16 @@ class TestLive(support.DocumentTest):
 
     def test_building_a_session_reports_progress_and_can_be_cancelled(self):
         api.add_fixed(self.assembly, self.part, [150])
-        with self.assertRaises(solving.MorphError):
-            live_session.live(self.assembly, progress=lambda fraction, task: False)
+        with self.assertRaises(solving.MorphError), reporting.told_to(lambda *_: False):
+            live_session.live(self.assembly)
         seen: list[float] = []
 
         def follow(fraction: float, _task: str) -> bool:
             seen.append(fraction)
             return True
 
-        live_session.live(self.assembly, follow)
+        with reporting.told_to(follow):
+            live_session.live(self.assembly)
         self.assertGreater(len(seen), 0)
         self.assertTrue(all(0.0 <= fraction <= 1.0 for fraction in seen))
 

@@ -23,6 +23,18 @@ class Listener:
         return len(self.told) <= self.patience
 
 
+class Waiting(Listener):
+    """Does the work in its own way, as a window does."""
+
+    def __init__(self):
+        super().__init__()
+        self.given = 0
+
+    def wait_for(self, work):
+        self.given += 1
+        return work(self)
+
+
 class TestReporting(support.DocumentTest):
     def assert_told(self, work) -> None:
         """Fail unless `work` tells its progress, and ends early when nobody wants to wait."""
@@ -71,6 +83,17 @@ class TestReporting(support.DocumentTest):
         self.assertNotEqual(model.failure_of(assembly), "")
         handle.touch()
         self.document.recompute()
+        self.assert_up_to_date(self.document)
+
+    def test_who_waits_with_a_window_is_given_what_takes_long(self):
+        assembly, _, handle = self.add_morph()
+        waiting = Waiting()
+        with reporting.told_to(waiting):
+            api.find_features(assembly)
+            self.assertEqual(waiting.given, 1)
+            api.set_motion(handle, (0, 0, 20))
+            self.document.recompute()
+        self.assertGreater(waiting.given, 2)  # building the session, and solving
         self.assert_up_to_date(self.document)
 
     def test_nobody_is_told_outside(self):

@@ -34,6 +34,16 @@ class Camera:
         near, far = (ends[:3] / ends[3]).T
         return near, far
 
+    def may_show(self, low: np.ndarray, high: np.ndarray, outline: np.ndarray) -> bool:
+        """Whether anything between two corners (3,) may be seen around a figure (k, 2) px."""
+        choice = np.array([[k & 1, k & 2, k & 4] for k in range(8)], bool)
+        corners = np.column_stack([np.where(choice, high, low), np.ones(8)]) @ self.to_clip.T
+        if (corners[:, 3] <= 0.0).any():
+            return True  # behind the eye, perhaps in part
+        places = 0.5 * (1.0 + corners[:, :2] / corners[:, 3:]) * (self.width, self.height)
+        below, above = (places.min(axis=0) - 1.0, places.max(axis=0) + 1.0)  # px of rounding
+        return bool((below <= outline.max(axis=0)).all() and (above >= outline.min(axis=0)).all())
+
 
 def circle(centre: Place, radius: float) -> np.ndarray:
     """The circle."""

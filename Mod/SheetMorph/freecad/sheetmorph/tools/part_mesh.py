@@ -87,7 +87,7 @@ class PartMesh:
 
     def prepare(self) -> None:
         """Finds beforehand what the first move of the mouse would wait for."""
-        self._near.triangles_at([])
+        self.groups(())
 
     def hit(self, ray: Ray):
         """The triangle and point (3,) the ray meets first, or None."""
@@ -127,7 +127,7 @@ class PartMesh:
         screen = self._core.Screen(camera.to_clip, camera.width, camera.height)
         found = self._core.vertices_inside(self._tree, screen, outline)
         if hiding is not None:
-            trees = [mesh._tree for mesh in hiding]
+            trees = [mesh._tree for mesh in hiding if camera.may_show(*mesh._box, outline)]
             found = self._core.visible_vertices(self._tree, found, screen, trees)
         return np.asarray(found)
 
@@ -182,10 +182,6 @@ class PartMesh:
     def shrunk(self, vertices, rings: int = 1) -> np.ndarray:
         """The vertices without so many outermost rings."""
         return np.asarray(self._near.shrunk(to_ids(vertices), int(rings)))
-
-    def triangles_at(self, vertices) -> np.ndarray:
-        """The triangles (k, 3) with a corner among the vertices."""
-        return self.triangles[np.asarray(self._near.triangles_at(to_ids(vertices)))]
 
     def groups(self, vertices) -> list[np.ndarray]:
         """The connected pieces of a set of vertices, in order of their first one."""

@@ -221,10 +221,6 @@ class RegionPicker:
         """The connected pieces of what is picked."""
         return self._mesh.groups(self._picked)
 
-    def triangles_at(self, vertices) -> np.ndarray:
-        """The triangles (k, 3) with a corner among the vertices."""
-        return self._mesh.triangles_at(vertices)
-
     def _is_hidden(self, ray: Ray, point: np.ndarray) -> bool:
         if self._options.through:
             return False
