@@ -10,6 +10,7 @@ import numpy as np
 from checks_dragging import drag_up, grab_up_arrow
 from checks_moving import lifted, open_panel
 from desk import child, choose_below, colour_at, enter, picture, press, tick, until, view, xdotool
+from freecad.sheetmorph.interaction import live_scene
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import drawing
 from pivy import coin
@@ -203,6 +204,13 @@ def test_quality_and_gaps_have_colours_too():
     assert largest(drawn() - stored()) == 0.0
 
 
+def marks_of_places() -> int:
+    """How many worst places are marked in the view."""
+    root = Gui.ActiveDocument.ActiveView.getSceneGraph()
+    marks = [n for n in found(coin.SoAnnotation, root) if n.getName() == live_scene.PLACES]
+    return sum(n.numPoints.getValue() for mark in marks for n in found(coin.SoPointSet, mark))
+
+
 def test_steel_is_a_preview_first_and_its_stretch_has_colours():
     yield from new_morph()
     model.assembly_of(regions("handle")[0]).Energy = "steel"
@@ -213,7 +221,12 @@ def test_steel_is_a_preview_first_and_its_stretch_has_colours():
     yield from until(lambda: "Steel, final" in child("status").text(), "the steel", 30.0)
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
+    assert ", near " in child("scale_text").text(), child("scale_text").text()
+    assert marks_of_places() > 0
     picture("stretch")
+    yield from choose_below(child("colours"), -4)
+    yield from until(lambda: not child("scale_text").isVisible(), "the colours gone")
+    assert marks_of_places() == 0
     yield from press("OK")
     assert largest(drawn() - stored()) == 0.0
 

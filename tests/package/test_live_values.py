@@ -5,10 +5,11 @@ import numpy as np
 import pytest
 from freecad.sheetmorph.tools import colour_scale, wires
 from freecad.sheetmorph.tools.element_quality import MEASURES, ElementQuality
-from freecad.sheetmorph.tools.live_values import Displacement, Gaps, Quality, Side
+from freecad.sheetmorph.tools.live_values import Displacement, Gaps, Quality, Region, Side, Stretch
 from freecad.sheetmorph.tools.live_values import legend_of, turn_of
 from sheetmorph import _core
 from sheetmorph.certifying import quality
+from sheetmorph.strain import PrincipalStretches
 
 SQUARE = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], float)
 HALVES = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
@@ -16,18 +17,38 @@ HALVES = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
 
 def test_displacement_is_the_way_from_rest():
     valuer = Displacement({"a": SQUARE, "b": SQUARE})
-    values = valuer({"a": SQUARE + (3.0, 0.0, 4.0), "b": SQUARE})
+    shown = {"a": SQUARE + (3.0, 0.0, 4.0), "b": SQUARE}
+    values = valuer(shown)
     assert values["a"] == pytest.approx(np.full(4, 5.0)) and not values["b"].any()
-    legend = legend_of(valuer, values)
+    legend = legend_of(valuer, shown, values)
     assert (legend.span, legend.extreme, legend.part) == ((0.0, 5.0), 5.0, "a")
 
 
 def test_quality_tells_the_sharpest_corner():
     valuer = Quality(_core, {"flat": HALVES, "thin": HALVES})
-    values = valuer({"flat": SQUARE, "thin": SQUARE * (1.0, 0.1, 1.0)})
-    legend = legend_of(valuer, values)
+    shown = {"flat": SQUARE, "thin": SQUARE * (1.0, 0.1, 1.0)}
+    legend = legend_of(valuer, shown, valuer(shown))
     assert legend.span == (0.0, 60.0) and legend.part == "thin"
     assert legend.extreme == pytest.approx(np.degrees(np.arctan(0.1)))
+
+
+def test_a_stretch_tells_its_worst_places_apart_from_each_other_and_what_is_near():
+    x = np.linspace(0.0, 40.0, 41)
+    rest = np.array([(a, b, 0.0) for a in x for b in (0.0, 1.0)])
+    a = 2 * np.arange(40)[:, None]
+    triangles = np.vstack([a + (0, 2, 3), a + (0, 3, 1)]).astype(np.int32)
+    now = rest.copy()
+    now[rest[:, 0] > 5.0, 0] += 0.5  # between 5 and 6: half as long again
+    now[rest[:, 0] > 30.0, 0] += 0.2
+    regions = [Region("flange", "strip", np.array([0, 1])), Region("far", "other", np.array([0]))]
+    valuer = Stretch(PrincipalStretches, {"strip": (rest, triangles)}, regions)
+    legend = legend_of(valuer, {"strip": now}, valuer({"strip": now}))
+    assert [place.value for place in legend.places] == pytest.approx([50.0, 20.0])
+    assert [place.near for place in legend.places] == ["flange", ""]
+    assert np.all(
+        np.abs([place.point[0] for place in legend.places] - np.array([5.5, 30.5])) <= 0.5
+    )
+    assert legend_of(valuer, {"strip": rest}, valuer({"strip": rest})).places == ()
 
 
 def gaps(above: np.ndarray) -> dict:
@@ -50,7 +71,7 @@ def test_a_gap_that_opens_or_closes_shows_where():
 
 def test_without_contacts_there_is_nothing_to_say():
     valuer = Gaps(_core, {"low": (SQUARE, HALVES)}, [])
-    legend = legend_of(valuer, valuer({"low": SQUARE}))
+    legend = legend_of(valuer, {"low": SQUARE}, valuer({"low": SQUARE}))
     assert (legend.part, legend.span) == ("", (0.0, 1.0))
 
 
@@ -77,7 +98,7 @@ def elements(name: str, limits: dict, places: np.ndarray) -> ElementQuality:
 
 def test_elements_are_measured_as_quads_and_counted():
     valuer = elements("aspect", {"max": 3.0}, SQUARE)
-    assert legend_of(valuer, valuer({"a": SQUARE})).span == (1.0, 2.0)
+    assert legend_of(valuer, {"a": SQUARE}, valuer({"a": SQUARE})).span == (1.0, 2.0)
     values = valuer({"a": SQUARE * (5.0, 1.0, 1.0)})["a"]
     assert values == pytest.approx([np.sqrt(26.0)] * 3 + [5.0])
     histogram = valuer.histogram
@@ -88,7 +109,7 @@ def test_elements_are_measured_as_quads_and_counted():
 
 def test_a_low_value_is_the_worst_of_angles():
     valuer = elements("min_angle", {}, SQUARE)
-    found = legend_of(valuer, valuer({"a": SQUARE}))
+    found = legend_of(valuer, {"a": SQUARE}, valuer({"a": SQUARE}))
     assert found.extreme == pytest.approx(45.0) and found.span == (0.0, 90.0)
     assert found.histogram.place_of_limit() is None
 

@@ -7,7 +7,7 @@ of its own may compute frames, one at a time.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -95,11 +95,11 @@ class LiveSession:
         """What the learning of the present drag failed with, empty if it has not."""
         return "" if self._session is None else self._live.failure
 
-    def answer(self, question: Question, goes_on: Callable[[], bool] | None = None) -> Frame:
+    def answer(self, question: Question, goes_on: Progress | None = None) -> Frame:
         """Return all parts in a pose; not exact is 1e-6 of the size. Raises MorphError.
 
-        `goes_on` is asked while an exact answer takes long: as soon as it says no, the frame is a
-        live one.
+        `goes_on(fraction, task)` is asked while an exact answer takes long: as soon as it says no,
+        the frame is a live one.
         """
         rests = self.parts
         if self._session is None:
@@ -139,11 +139,10 @@ class LiveSession:
         shown = self._shown or self.answer(self.ask())
         return shown_control_mesh(shown.result, self._morph, contact and contact.Name)
 
-    def _solve(self, question: Question, goes_on: Callable[[], bool] | None):
+    def _solve(self, question: Question, goes_on: Progress | None):
         if question.is_exact:
-            asked = None if goes_on is None else lambda _fraction, _task: goes_on()
             try:
-                return self._session.deform(question.pose, progress=asked), question
+                return self._session.deform(question.pose, progress=goes_on), question
             except kernel.core().Cancelled:
                 question = replace(question, is_exact=False)
         return self._live.deform(question.pose, question.moved), question

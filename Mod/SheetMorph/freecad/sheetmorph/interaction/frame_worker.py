@@ -13,11 +13,13 @@ class FrameWorker(QtCore.QObject):
     """Answers questions one at a time; of those asked meanwhile only the last is answered.
 
     ``compute(question)`` runs in the thread; the listener's ``on_answer(answer)`` or
-    ``on_fault(text)`` runs in the thread of the window, before the next question begins. Whoever
-    makes one calls ``stop``: until then garbage is collected in the thread of the window alone.
+    ``on_fault(text)`` runs in the thread of the window, before the next question begins, and
+    ``on_progress(task)`` for what ``compute`` hands to ``tell`` meanwhile. Whoever makes one calls
+    ``stop``: until then garbage is collected in the thread of the window alone.
     """
 
     _computed = QtCore.Signal(object, str)
+    _told = QtCore.Signal(str)
 
     def __init__(self, compute, listener):
         super().__init__()
@@ -26,7 +28,9 @@ class FrameWorker(QtCore.QObject):
         self._thread = futures.ThreadPoolExecutor(max_workers=1)
         self._is_running = True
         collecting().hold()
+        self._last_told = ""
         self._computed.connect(self._deliver, QtCore.Qt.QueuedConnection)
+        self._told.connect(self._pass_on, QtCore.Qt.QueuedConnection)
 
     @property
     def is_idle(self) -> bool:
@@ -41,6 +45,12 @@ class FrameWorker(QtCore.QObject):
     def ask(self, question) -> None:
         """Begins, or lets the question wait in place of another one."""
         self._begin(self._latest.ask(question))
+
+    def tell(self, task: str) -> None:
+        """In the thread: what is under way, once each."""
+        if task != self._last_told:
+            self._last_told = task
+            self._told.emit(task)
 
     def hush(self) -> None:
         """Nothing is delivered any more."""
@@ -65,6 +75,10 @@ class FrameWorker(QtCore.QObject):
         except actions.FAULTS as error:
             answer, fault = None, str(error) or type(error).__name__
         self._computed.emit(answer, fault)
+
+    def _pass_on(self, task: str) -> None:
+        if self._listener is not None:
+            self._listener.on_progress(task)
 
     def _deliver(self, answer, fault: str) -> None:
         if self._listener is None:

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is drawn while a morph moves: the parts, and on demand what tells more about the motion."""
 
+from functools import partial
+
 import numpy as np
 
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.interaction import control_meshes
-from freecad.sheetmorph.scene import drawing, preview
+from freecad.sheetmorph.scene import colours, drawing, preview
 from freecad.sheetmorph.scene.feature_marks import FeatureMarks
 from freecad.sheetmorph.scene.ghost import Ghost
+from freecad.sheetmorph.scene.place_marks import PlaceMarks
 from freecad.sheetmorph.scene.wireframe import Wireframe
-from freecad.sheetmorph.tools import element_quality, live_values
+from freecad.sheetmorph.tools import element_quality, live_values, words
 
+PLACES = "SheetMorphWorstPlaces"
 NONE, DISPLACEMENT, QUALITY, GAPS, STRETCH, ELEMENTS = range(6)
 """What colours say; from ELEMENTS on the measures of element_quality.MEASURES, one by one."""
 
@@ -23,11 +27,12 @@ class LiveScene:
         """``live``: a live_session.LiveSession."""
         self._assembly, self._live, self._view = assembly, live, view
         self._previews, self._ghosts = {}, []
-        self._wires = self._marks = None
+        self._wires = self._marks = self._places = None
         self._are_filled = True
 
-    def show(self, frame, values, span) -> None:
-        """Shows a live_session.Frame; ``values`` (n,) by part, or None, are colours in a span."""
+    def show(self, frame, values, legend) -> None:
+        """Shows a live_session.Frame; ``values`` (n,) by part, or None, are colours in the span of
+        a live_values.Legend, whose places are marked."""
         if not self._previews:
             self._begin()
         self._fill_regions(values is None)
@@ -36,7 +41,8 @@ class LiveScene:
             if values is None:
                 shown.plain()
             else:
-                shown.colour(values[name], span)
+                shown.colour(values[name], legend.span)
+        self._mark(() if values is None else legend.places)
         self.refresh(frame)
 
     def refresh(self, frame) -> None:
@@ -73,7 +79,7 @@ class LiveScene:
             return live_values.Gaps(kernel.core(), meshes, self._sides())
         if kind == STRETCH:
             meshes = {name: (rest.points, rest.triangles) for name, rest in parts.items()}
-            return live_values.Stretch(kernel.stretches(), meshes)
+            return live_values.Stretch(kernel.stretches(), meshes, self._regions())
         if kind >= ELEMENTS:
             return self._elements(list(element_quality.MEASURES)[kind - ELEMENTS])
         return None
@@ -83,6 +89,7 @@ class LiveScene:
         self.use_original(False)
         self.use_wires(False)
         self.use_marks(False)
+        self._mark(())
         self._fill_regions(True)
         for shown in self._previews.values():
             shown.remove()
@@ -102,6 +109,14 @@ class LiveScene:
             return module.measured(module.MEASURES[measure], positions, faces)
 
         return element_quality.ElementQuality(measure, measured, limits, found)
+
+    def _mark(self, places) -> None:
+        """Marks live_values.Places with what they say in percent."""
+        if bool(places) != (self._places is not None):
+            kind = partial(PlaceMarks, name=PLACES, colour=colours.MARKS)
+            self._places = self._exchanged(self._places, kind, bool(places))
+        if self._places is not None:
+            self._places.show([(place.point, f" {words.plain(place.value)} %") for place in places])
 
     def _exchanged(self, drawing, kind, is_on: bool):
         if drawing is not None:
@@ -131,6 +146,13 @@ class LiveScene:
             points = rest.frame.to_local(rest.points)
             found.append((part.ViewObject, drawer, points, rest.triangles))
         return found
+
+    def _regions(self) -> list:
+        return [
+            live_values.Region(region.Label, region.Part.Name, model.vertices(region))
+            for region in model.regions(self._assembly)
+            if region.Part is not None and region.Part.Name in self._live.parts
+        ]
 
     def _sides(self) -> list:
         parts, sides = self._live.parts, []

@@ -17,11 +17,13 @@ class LiveUpdate(QtCore.QObject):
     """Previews of all parts of a morph, and commits of its document; ``remove`` takes them away.
 
     Frames are computed in a thread; ``drawn`` is sent when one is in the view, ``failed`` with
-    words when it cannot be computed or the document not recomputed.
+    words when it cannot be computed or the document not recomputed, ``settling`` with what is under
+    way to an exact shape.
     """
 
     drawn = QtCore.Signal()
     failed = QtCore.Signal(str)
+    settling = QtCore.Signal(str)
 
     def __init__(self, assembly, updating, session):
         """``session``: the EditingSession; raises MorphError if the morph cannot be computed."""
@@ -80,7 +82,7 @@ class LiveUpdate(QtCore.QObject):
         """Draws a frame; the result objects follow an exact one, or at once if that is quick."""
         self._frame, values, self.legend, self.kernel_ms = answer
         start = time.perf_counter()
-        self.scene.show(self._frame, values, self.legend and self.legend.span)
+        self.scene.show(self._frame, values, self.legend)
         self.draw_ms = 1000.0 * (time.perf_counter() - start)
         self.count += 1
         self.drawn.emit()
@@ -101,7 +103,9 @@ class LiveUpdate(QtCore.QObject):
         part = self._assembly.Document.getObject(self.legend.part).Label
         extreme = words.plain(self.legend.extreme)
         value = f"{extreme} {self._valuer.unit}".strip()
-        return f"{self._valuer.worst} {value} on {part}"
+        text = f"{self._valuer.worst} {value} on {part}"
+        near = self.legend.places[0].near if self.legend.places else ""
+        return translate("panels", "{0}, near {1}").format(text, near) if near else text
 
     @property
     def is_preview(self) -> bool:
@@ -117,12 +121,23 @@ class LiveUpdate(QtCore.QObject):
         """Tells what went wrong."""
         self.failed.emit(text)
 
+    def on_progress(self, task: str) -> None:
+        """Tells how far an exact answer is."""
+        self.settling.emit(task)
+
+    def _goes_on(self, _fraction: float, task: str) -> bool:
+        """In the thread: whether an exact answer is still wanted."""
+        self._worker.tell(task)
+        return self._worker.is_free
+
     def _compute(self, question):
         """In the thread: a frame, the values of its colours, their legend, the milliseconds."""
         start, valuer = time.perf_counter(), self._valuer
-        frame = self._live.answer(question, lambda: self._worker.is_free)
+        frame = self._live.answer(question, self._goes_on)
         values = None if valuer is None else valuer(frame.positions)
-        legend = None if valuer is None else live_values.legend_of(valuer, values)
+        legend = None
+        if valuer is not None:
+            legend = live_values.legend_of(valuer, frame.positions, values)
         return frame, values, legend, 1000.0 * (time.perf_counter() - start)
 
     def _warn_of_learning(self) -> None:

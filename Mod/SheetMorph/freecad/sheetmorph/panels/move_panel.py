@@ -189,6 +189,7 @@ class MovePanel(Panel):
         live = LiveUpdate(self._handles.assembly, self._updating, self.session)
         live.drawn.connect(self._on_drawn)
         live.failed.connect(self._faults.say)
+        live.settling.connect(self._on_settling)
         self._shown.connect(live)
         return live
 
@@ -249,6 +250,11 @@ class MovePanel(Panel):
         say(self.form.status, text)
         self._tell_who_stays()
         self._shown.tell()
+
+    def _on_settling(self, task: str) -> None:
+        if self._live is not None and self._live.is_preview:
+            text = translate("panels", "Linear preview, the exact shape follows ({0})")
+            say(self.form.status, text.format(task))
 
     def _hush(self) -> None:
         self._stop_timers()

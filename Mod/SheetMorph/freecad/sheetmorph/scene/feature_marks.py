@@ -3,8 +3,8 @@
 
 from pivy import coin
 
-from freecad.sheetmorph.scene import colours, nodes
-from freecad.sheetmorph.scene.hanging import Hanging
+from freecad.sheetmorph.scene import colours
+from freecad.sheetmorph.scene.place_marks import PlaceMarks
 from freecad.sheetmorph.tools.live_values import turn_of
 
 NAME = "SheetMorphFeatureMarks"
@@ -15,15 +15,12 @@ class FeatureMarks:
     """Marks in a 3D view, over the parts, until ``remove`` is called."""
 
     def __init__(self, view):
+        self._ends = PlaceMarks(view, NAME, colours.MARKS)
         self._coordinates = coin.SoCoordinate3()
         self._lines = coin.SoLineSet()
-        self._ends = coin.SoPointSet()
-        self._texts = coin.SoSeparator()
-        self._root = coin.SoAnnotation()
-        self._root.setName(NAME)
-        for node in (*_look(), self._coordinates, self._lines, self._ends, self._texts):
-            self._root.addChild(node)
-        self._hanging = Hanging(view.getSceneGraph(), self._root)
+        self._ends.root.addChild(self._coordinates)
+        self._ends.root.addChild(self._lines)
+        self.remove = self._ends.remove
 
     def show(self, features) -> None:
         """Shows sheetmorph.FeatureResults."""
@@ -34,19 +31,7 @@ class FeatureMarks:
             self._coordinates.point.set1Value(k, *(float(c) for c in place))
         for k in range(len(features)):
             self._lines.numVertices.set1Value(k, 2)
-        self._say([(f.centre + f.translation, described(f)) for f in features])
-
-    def remove(self) -> None:
-        """Takes them out of the view."""
-        self._hanging.remove()
-
-    def _say(self, labels) -> None:
-        while self._texts.getNumChildren() < len(labels):
-            self._texts.addChild(_text())
-        for k, (place, words) in enumerate(labels):
-            group = self._texts.getChild(k)
-            group.getChild(0).translation.setValue(*(float(c) for c in place))
-            group.getChild(1).string.setValue(words)
+        self._ends.show([(f.centre + f.translation, described(f)) for f in features])
 
 
 def described(feature) -> str:
@@ -54,17 +39,3 @@ def described(feature) -> str:
     length = float((feature.translation @ feature.translation) ** 0.5)
     angle = turn_of(feature.rotation)
     return f" {length:.2f} mm, {angle:.1f}°" if max(length, angle) > LEAST else ""
-
-
-def _text():
-    group = coin.SoSeparator()
-    group.addChild(coin.SoTranslation())
-    group.addChild(coin.SoText2())
-    return group
-
-
-def _look():
-    font = coin.SoFont()
-    font.name = "Arial"
-    font.size = 14.0
-    return *nodes.unlit(colours.MARKS, 2.0, 6.0), font

@@ -49,7 +49,7 @@ class TestSteel(DocumentTest):
         self.assertTrue(live.answer(live.ask()).is_preview)
         exact = live.answer(live.ask(exact=True))
         self.assertFalse(exact.is_preview)
-        given_up = live.answer(live.ask(exact=True), lambda: False)
+        given_up = live.answer(live.ask(exact=True), lambda _fraction, _task: False)
         self.assertTrue(given_up.is_preview)
         self.assertFalse(given_up.question.is_exact)
 

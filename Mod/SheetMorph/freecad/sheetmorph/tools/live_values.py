@@ -14,6 +14,10 @@ import numpy as np
 from freecad.sheetmorph.tools import colour_scale
 
 PERFECT = 60.0  # degrees: the corners of an equilateral triangle
+MOST_PLACES = 10
+APART = 0.12  # of a part's size: places are at least that far from each other
+NEAR = 0.25  # of a part's size: a region farther than that names no place
+LEAST_STRETCH = 0.05  # percent: less is no place to look at
 Positions = dict[str, np.ndarray]
 
 
@@ -58,13 +62,18 @@ class Stretch:
 
     unit, worst = "%", "largest stretch"
 
-    def __init__(self, stretches, meshes: dict[str, tuple]):
+    def __init__(self, stretches, meshes: dict[str, tuple], regions: Iterable[Region] = ()):
         """``stretches``: sheetmorph.strain.PrincipalStretches; ``meshes``: by part points (n, 3)
         at rest and triangles (m, 3)."""
         self._parts = {
             name: (stretches(rest, triangles), len(rest), *_around(triangles))
             for name, (rest, triangles) in meshes.items()
         }
+        self._sizes = {
+            name: float(np.linalg.norm(np.ptp(rest, axis=0))) if len(rest) else 0.0
+            for name, (rest, _) in meshes.items()
+        }
+        self._regions = tuple(regions)
 
     def __call__(self, positions: Positions) -> Positions:
         """The values (n,) by part."""
@@ -76,6 +85,55 @@ class Stretch:
                 values[vertices] = np.maximum.reduceat(np.nan_to_num(strain)[order], starts)
             found[name] = values
         return found
+
+    def places(self, positions: Positions, values: Positions) -> tuple[Place, ...]:
+        """Where the sheets are stretched most, the worst place first."""
+        found = [
+            Place(name, positions[name][k], float(values[name][k]), self._near(positions, name, k))
+            for name in values
+            for k in _peaks(values[name], positions[name], APART * self._sizes[name])
+        ]
+        return tuple(sorted(found, key=lambda place: -place.value)[:MOST_PLACES])
+
+    def _near(self, positions: Positions, part: str, vertex: int) -> str:
+        """What the region of the part is called that is nearest to a vertex."""
+        place, reach, label = positions[part][vertex], NEAR * self._sizes[part], ""
+        for region in self._regions:
+            if region.part == part and len(region.vertices):
+                distance = _lengths(positions[part][region.vertices] - place).min()
+                if distance <= reach:
+                    reach, label = distance, region.label
+        return label
+
+
+@dataclass(frozen=True, eq=False)
+class Region:
+    """Vertices (k,) of a part that have a name."""
+
+    label: str
+    part: str
+    vertices: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A vertex of a part with one of the worst values: where it is, (3,) mm, and near what."""
+
+    part: str
+    point: np.ndarray
+    value: float
+    near: str
+
+
+def _peaks(values, points, apart: float) -> list[int]:
+    """The largest values, apart from each other."""
+    left = np.flatnonzero(np.nan_to_num(values) >= LEAST_STRETCH)
+    found: list[int] = []
+    while len(left) and len(found) < MOST_PLACES:
+        worst = int(left[values[left].argmax()])
+        found.append(worst)
+        left = left[_lengths(points[left] - points[worst]) > apart]
+    return found
 
 
 def _around(triangles):
@@ -144,9 +202,10 @@ class Legend:
     extreme: float
     part: str
     histogram: object = None
+    places: tuple[Place, ...] = ()
 
 
-def legend_of(valuer, values: Positions) -> Legend:
+def legend_of(valuer, positions: Positions, values: Positions) -> Legend:
     """The legend for what one of the above answered; the part is empty if there is no value."""
     is_low_bad = getattr(valuer, "is_low_bad", False)
     known = {name: found[np.isfinite(found)] for name, found in values.items()}
@@ -158,7 +217,8 @@ def legend_of(valuer, values: Positions) -> Legend:
     part = pick[1](extremes, key=lambda name: extremes[name])
     span = valuer.span if hasattr(valuer, "span") else _from_zero
     histogram = getattr(valuer, "histogram", None)
-    return Legend(span(extremes[part]), extremes[part], part, histogram)
+    places = valuer.places(positions, values) if isinstance(valuer, Stretch) else ()
+    return Legend(span(extremes[part]), extremes[part], part, histogram, places)
 
 
 def _from_zero(extreme: float) -> tuple[float, float]:
