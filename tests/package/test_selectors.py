@@ -402,3 +402,53 @@ def test_groups_go_through_split_and_remesh(tmp_path: Path):
     fixed, tip = run(tmp_path / "r.json", tmp_path / "out")["regions"]
     assert fixed["area"] == pytest.approx(1.0, rel=0.05)  # flats forget the line between
     assert tip["vertices"] > 6 and tip["centre"][0] > 1.8
+
+
+def strips_in_two(driven: dict) -> dict:
+    """Two strips above each other, welded at one end; what a region or a part says is driven."""
+    end = {"half_space": {"point": [45, 0, 0], "normal": [1, 0, 0]}}
+    sides = {"a": {"part": "low", "where": end}, "b": {"part": "high", "where": end}}
+    return {
+        "sheetmorph": 1,
+        "parts": [{"name": "low"}, {"name": "high", "mode": 2, **driven}],
+        "primary": "low",
+        "fixed": [{"part": "low", "where": {"box": [[-10, -10, -9], [-8, 10, 9]]}}],
+        "handles": [{"name": "h", "part": "low", "where": {"rim_at": [40, 4, 0]}}],
+        "contacts": [{"type": "control mesh", **sides}],
+        "pose": {"h": {"translation": [0, 0, 1], "rotation": {"axis": [0, 1, 0], "degrees": 9}}},
+    }
+
+
+def test_what_a_part_says_is_driven_is_a_follower():
+    above = PartMesh(STRIP.points + [0, 0, 1.0], STRIP.triangles)
+    meshes = {"low": PartMesh(STRIP.points, STRIP.triangles), "high": above}
+    region = {"slab": {"point": [20, 0, 0], "normal": [1, 0, 0], "thickness": 9}}
+    told = Session(strips_in_two({"driven": {"where": region}}), meshes).deform()
+    listed = strips_in_two({})
+    listed["regions"] = [{"part": "high", "where": region, "role": "follower"}]
+    same = Session(listed, meshes).deform()
+    without = Session(strips_in_two({}), meshes).deform()
+    assert np.array_equal(told.positions["high"], same.positions["high"])
+    assert not np.allclose(told.positions["high"], without.positions["high"], atol=1e-3)
+    (entry,) = [e for e in told.report()["regions"] if e["kind"] == "follower"]
+    assert entry["name"] == "high: driven" and entry["area"] > 0
+
+
+def test_faults_of_what_is_driven_say_where(tmp_path: Path):
+    write_plate(STRIP, tmp_path / "a.nas", "nas")
+    write_plate(STRIP, tmp_path / "b.nas", "nas")
+    recipe = strips_in_two({"driven": {"where": {"rim_at": [1, 2]}}})
+    for part, name in zip(recipe["parts"], "ab"):
+        part["file"] = f"{name}.nas"
+    with pytest.raises(RecipeError, match=r"parts\[1\] \(high\)\.driven\.where\.rim_at"):
+        sheetmorph.validate(recipe, tmp_path)
+    recipe["parts"][1] |= {"driven": {"where": {"sphere": {"center": [900, 0, 0], "radius": 1}}}}
+    with pytest.raises(RecipeError, match=r"\(high\)\.driven\.where: .* selects nothing"):
+        sheetmorph.validate(recipe, tmp_path)
+    recipe["parts"][1] |= {"driven": {"where": {"rim_at": [20, 4, 0]}}}
+    (tmp_path / "recipe.json").write_text(json.dumps(recipe))
+    ids = resolve(tmp_path / "recipe.json")["parts"][1]["driven"]
+    assert list(ids) == ["vertices"] and len(ids["vertices"]) > 8
+    recipe["parts"][1] |= {"split": True}
+    with pytest.raises(RecipeError, match="the entry stands for several parts"):
+        sheetmorph.validate(recipe, tmp_path)

@@ -59,12 +59,13 @@ class Labels:
         return replace(self, groups=groups, face=face)
 
     def arrays(self) -> dict[str, np.ndarray]:
-        """The labels as arrays, for an .npz; sets of nodes are left out."""
-        names = list(self.groups)
-        rows = [np.asarray(self.groups[name], dtype=np.int64) for name in names]
+        """The labels as arrays, for an .npz."""
+        names = {"groups": list(self.groups), "nodes": list(self.nodes)}
+        members = [*self.groups.values(), *self.nodes.values()]
+        rows = [np.asarray(one, dtype=np.int64) for one in members]
         faces = [[f.body, f.number, f.kind, f.name, f.colour] for f in self.faces]
         return {
-            "label_names": np.array(json.dumps({"groups": names, "faces": faces})),
+            "label_names": np.array(json.dumps({**names, "faces": faces})),
             "label_rows": np.concatenate([np.zeros(0, dtype=np.int64), *rows]),
             "label_ends": np.cumsum([len(one) for one in rows], dtype=np.int64),
             "label_face": np.zeros(0, dtype=np.int64) if self.face is None else self.face,
@@ -76,10 +77,12 @@ class Labels:
         if "label_names" not in data:
             return None
         told = json.loads(str(data["label_names"]))
-        rows = np.split(data["label_rows"], data["label_ends"])[: len(told["groups"])]
+        groups, nodes = told["groups"], told.get("nodes", [])
+        rows = np.split(data["label_rows"], data["label_ends"])
+        members = {name: ids.tolist() for name, ids in zip(nodes, rows[len(groups) :])}
         faces = tuple(CadFace(*face) for face in told["faces"])
         face = data["label_face"] if len(data["label_face"]) else None
-        return cls(dict(zip(told["groups"], rows)), face=face, faces=faces)
+        return cls(dict(zip(groups, rows)), members, face, faces)
 
     @property
     def names(self) -> list[str]:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
 
@@ -137,6 +137,14 @@ class PartMesh:
     def restricted(self, vertices: np.ndarray, corners: np.ndarray, name: str) -> PartMesh:
         """Some of its vertices (k,), and triangles (m, 3) over them; the ids stay."""
         return PartMesh(self.points[vertices], corners, np.array(self.file_ids(vertices)), name)
+
+    def with_indices(self) -> PartMesh:
+        """The same mesh alone, its vertices called by their indices, in its labels too."""
+        labels = self.labels
+        if labels is not None:
+            named = {name: self.find(ids)[0].tolist() for name, ids in labels.nodes.items()}
+            labels = replace(labels, nodes={name: ids for name, ids in named.items() if ids})
+        return PartMesh(self.points, self.triangles, name=self.name, labels=labels)
 
     def describe_ids(self, prepared: bool = False) -> str:
         """The ids a recipe may use, for messages: "0 .. 41" or "node ids 1 .. 9999 of the deck"."""

@@ -25,11 +25,6 @@ def name(obj) -> str:
     return f"App.ActiveDocument.getObject({obj.Name!r})"
 
 
-def vertices(ids) -> str:
-    """How a macro line writes vertex ids: plain integers, no numpy."""
-    return "[" + ", ".join(str(int(i)) for i in ids) + "]"
-
-
 def call(function: str, *arguments: str, **keywords: str) -> str:
     """The text of an API call; arguments are already source text."""
     texts = list(arguments) + [f"{key}={value}" for key, value in keywords.items()]

@@ -12,6 +12,7 @@ from ..finding.options import HOLES, USUAL_FEATURES, FindOptions
 from ..finding.search import Connection, Progress, find
 from ..part_mesh import PartMesh
 from .found import Found
+from .places import driven_in
 from .stacks import regions_by_vertex, solvable
 
 SECTIONS = ("features", "contacts")
@@ -67,6 +68,11 @@ def in_file_ids(recipe: dict[str, Any], meshes: Mapping[str, PartMesh]) -> dict[
     for section in ("fixed", "handles", "regions", "features"):
         if isinstance(recipe.get(section), list):
             changed[section] = [_of_file(entry, meshes) for entry in recipe[section]]
+    for k, name, entry in driven_in(recipe):
+        told = _of_file({**entry, "part": name}, meshes)
+        parts = list(changed["parts"])
+        parts[k] = {**parts[k], "driven": {"vertices": told["vertices"]}}
+        changed["parts"] = parts
     return changed
 
 

@@ -52,7 +52,10 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
     """Faults that can be found without the meshes."""
     faults = [*_repeated_names(model), *_primary(model, known)]
     for region in model.all_regions:
-        if not known.has_part(region.part):
+        if not region.part:  # of a part's own `driven`
+            what = "the entry stands for several parts"
+            faults.append(Fault(region.where, what, 'list them under "regions", as followers'))
+        elif not known.has_part(region.part):
             what = f'there is no part "{region.part}"'
             faults.append(Fault(f"{region.where}.part", what, f"use one of {_list(known.parts)}"))
         faults += _numbers(region)

@@ -24,7 +24,7 @@ from .feature_entries import (
     vector_of,
 )
 from .placement import Placement
-from .places import place_of
+from .places import driven_in, place_of
 
 
 @dataclass(frozen=True)
@@ -211,6 +211,7 @@ def model_of(recipe: dict[str, Any]) -> Model:
         for section, kind in _SECTIONS
         for where, k, entry in _entries(recipe, section)
     ]
+    regions += [_driven(recipe, *entry) for entry in driven_in(recipe)]
     return Model(
         parts=parts,
         primary=recipe.get("primary"),
@@ -304,6 +305,11 @@ def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:
         for key in ("a", "b")
     ]
     return ContactEntry(where, name, entry.get("type", "control mesh"), *sides)
+
+
+def _driven(recipe: dict[str, Any], k: int, part: str, entry: dict[str, Any]) -> RegionEntry:
+    where = place_of(recipe, ["parts", k, "driven"])
+    return _region("follower", where, k, {**entry, "part": part, "name": f"{part}: driven"})
 
 
 def _entries(recipe: dict[str, Any], section: str) -> Iterator[tuple[str, int, dict[str, Any]]]:

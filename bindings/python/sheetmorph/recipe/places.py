@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 
@@ -20,6 +20,16 @@ def place_of(recipe: Any, path: Sequence[str | int]) -> str:
         if isinstance(step, int) and isinstance(node, dict) and isinstance(node.get("name"), str):
             text += f" ({node['name']})"
     return text or "recipe"
+
+
+def driven_in(recipe: Mapping[str, Any]) -> Iterator[tuple[int, str, dict[str, Any]]]:
+    """What parts say is driven: the number and the name of the part ("" if it has none, as the
+    parts of a split file), the entry."""
+    parts = recipe.get("parts")
+    for k, part in enumerate(parts if isinstance(parts, list) else []):
+        if isinstance(part, dict) and isinstance(part.get("driven"), dict):
+            name = "" if part.get("split") else part.get("name", f"part{k}")
+            yield k, name, part["driven"]
 
 
 def _child(node: Any, step: str | int) -> Any:

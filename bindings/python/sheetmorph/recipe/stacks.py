@@ -7,6 +7,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from .places import driven_in
+
 _REGIONS = ("fixed", "handles", "regions")
 Place = tuple[str, int]
 
@@ -19,6 +21,9 @@ def regions_by_vertex(recipe: Mapping[str, Any]) -> dict[Place, set[str]]:
         for k, entry in enumerate(entries if isinstance(entries, list) else []):
             for vertex in (entry or {}).get("vertices", ()):
                 found[entry["part"], vertex].add(f"{section}{k}")
+    for k, part, entry in driven_in(recipe):
+        for vertex in entry.get("vertices", ()):
+            found[part, vertex].add(f"driven{k}")
     return found
 
 

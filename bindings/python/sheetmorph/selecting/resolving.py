@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import reduce
 from typing import Any
@@ -14,7 +14,7 @@ from ..errors import Fault, RecipeError
 from ..part_mesh import PartMesh
 from ..recipe.found import Resolved
 from ..recipe.model import PartEntry
-from ..recipe.places import place_of
+from ..recipe.places import driven_in, place_of
 from ..words import counted
 from .chosen import Chosen, SelectorError
 from .grammar import JOINING, Path, form_faults, key_of, operands
@@ -107,11 +107,14 @@ def has_selectors(recipe: Any) -> bool:
     return any(True for _ in _holders(recipe))
 
 
-def _holders(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], dict[str, Any]]]:
-    """Every entry with a selector, and its place in the recipe."""
+def _holders(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], str, dict[str, Any]]]:
+    """Every entry with a selector: its place in the recipe, its part, the entry."""
     for path, entry in _regions(recipe):
         if isinstance(entry, dict) and "where" in entry:
-            yield path, entry
+            yield path, entry["part"], entry
+    for k, name, entry in driven_in(recipe):
+        if "where" in entry:
+            yield ["parts", k, "driven"], name, entry
 
 
 def _regions(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], Any]]:
@@ -135,8 +138,7 @@ def resolved(
     shapes: dict[str, PartShape] = {}
     found = Resolved(_shallow(recipe))
     faults: list[Fault] = []
-    for path, entry in list(_holders(found.recipe)):
-        name = entry["part"]
+    for path, name, entry in list(_holders(found.recipe)):
         if name not in shapes:
             shapes[name] = PartShape(meshes[name], placements[name], name)
         try:
@@ -159,15 +161,16 @@ def _shallow(recipe: dict[str, Any]) -> dict[str, Any]:
     copy = dict(recipe)
     for section in (*_REGIONS, "contacts"):
         if isinstance(copy.get(section), list):
-            copy[section] = [_with_sides(entry) for entry in copy[section]]
+            copy[section] = [_with_own(entry, "ab") for entry in copy[section]]
+    copy["parts"] = [_with_own(entry, ("driven",)) for entry in copy["parts"]]
     return copy
 
 
-def _with_sides(entry: Any) -> Any:
+def _with_own(entry: Any, keys: Iterable[str]) -> Any:
+    """A copy of an entry, and of the dicts below some keys."""
     if not isinstance(entry, dict):
         return entry
-    sides = {side: dict(entry[side]) for side in "ab" if isinstance(entry.get(side), dict)}
-    return {**entry, **sides}
+    return {**entry, **{key: dict(entry[key]) for key in keys if isinstance(entry.get(key), dict)}}
 
 
 def _put(entry: dict[str, Any], mesh: PartMesh, chosen: Chosen) -> None:

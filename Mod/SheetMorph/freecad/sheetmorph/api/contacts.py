@@ -8,19 +8,14 @@ from collections.abc import Iterable
 import numpy as np
 
 from freecad.sheetmorph.bridge import kernel
-from freecad.sheetmorph.api.checks import (
-    indices,
-    number,
-    require_kind,
-    require_part_of,
-    vertex_count,
-)
+from freecad.sheetmorph.api.checks import number, require_kind, require_part_of
 from freecad.sheetmorph.api.picking import rest_mesh
+from freecad.sheetmorph.api.regions import vertices_and_words
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.contact import CONTROL_MESH, TYPES, ContactProxy
 
-Side = tuple[object, Iterable[int]]
-"""A part and indices of its vertices."""
+Side = tuple[object, Iterable[int] | dict]
+"""A part, and indices of its vertices or a selector (see `select`)."""
 
 
 def add_contact(assembly, a: Side, b: Side, *, label: str = "Contact", type: str = CONTROL_MESH):
@@ -39,16 +34,16 @@ def add_contact(assembly, a: Side, b: Side, *, label: str = "Contact", type: str
     contact.Type = type
     contact.PartA, contact.PartB = a[0], b[0]
     for side, vertices in zip("ab", checked):
-        model.set_contact_vertices(contact, side, vertices)
+        model.set_contact_vertices(contact, side, *vertices)
     assembly.addObject(contact)
     return contact
 
 
-def checked_side(assembly, side: Side) -> np.ndarray:
-    """Return the vertices (k,) of a side of a contact, or raise ValueError."""
+def checked_side(assembly, side: Side) -> tuple[np.ndarray, str]:
+    """Return the vertices (k,) of a side of a contact and what it says, or raise ValueError."""
     part, vertices = side
     require_part_of(assembly, part)
-    return indices(vertices, vertex_count(part), "vertex")
+    return vertices_and_words(part, vertices)
 
 
 def require_type(type: str) -> None:
@@ -77,14 +72,14 @@ def contact_vertices(contact, side: str) -> list[int]:
     return model.contact_vertices(contact, side).tolist()
 
 
-def set_contact_vertices(contact, side: str, vertices: Iterable[int]) -> None:
-    """Give side "a" or "b" of a contact other vertices of its part, at least one."""
+def set_contact_vertices(contact, side: str, vertices: Iterable[int] | dict) -> None:
+    """Give side "a" or "b" of a contact other vertices of its part, at least one, or a selector."""
     require_kind(contact, model.CONTACT, "contact")
     require_side(side)
     part = contact.PartA if side == "a" else contact.PartB
     if part is None:
         raise ValueError(f"Contact '{contact.Label}' has lost a part; delete the contact.")
-    model.set_contact_vertices(contact, side, indices(vertices, vertex_count(part), "vertex"))
+    model.set_contact_vertices(contact, side, *vertices_and_words(part, vertices))
 
 
 def require_side(side: str) -> None:

@@ -13,6 +13,7 @@ from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.decks import import_deck
 from freecad.sheetmorph.api.loading import (
     add_contacts,
+    add_driven,
     add_regions,
     add_relations,
     apply_options,
@@ -114,6 +115,7 @@ def import_recipe(document, path: str | os.PathLike):
     set_operator(assembly, recipe.get("operator", "cotangent"))
     apply_propagation(assembly, recipe)
     regions = add_regions(assembly, recipe, found, read.meshes)
+    add_driven(assembly, recipe, found, read.meshes)
     add_contacts(assembly, recipe, found, read.meshes)
     add_relations(assembly, recipe, regions)
     apply_options(assembly, recipe)
@@ -139,9 +141,9 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
     elif entry.get("split"):
         stem = kernel.load().files.unpacked_name(file).stem
         names = [name for name in meshes if name.startswith(f"{stem}/")]
-        added = {name: add_mesh(assembly, without_ids(meshes[name]), name) for name in names}
+        added = {name: add_mesh(assembly, meshes[name].with_indices(), name) for name in names}
     elif meshes[entry["name"]].preparation is not None or entry.get("placement"):
-        mesh = without_ids(meshes[entry["name"]])
+        mesh = meshes[entry["name"]].with_indices()
         added = {entry["name"]: add_mesh(assembly, mesh, entry["name"])}
     else:
         meshing = entry.get("mesh")
@@ -164,8 +166,3 @@ def add_deck_entry(assembly, entry: dict, file: Path) -> dict:
         return {entry["name"]: parts[0]}
     stem = kernel.load().files.unpacked_name(file).stem
     return {f"{stem}/{part.DeckPart}": part for part in parts}
-
-
-def without_ids(mesh):
-    """Return a sheetmorph.PartMesh whose vertices are called by their indices."""
-    return kernel.load().PartMesh(mesh.points, mesh.triangles, name=mesh.name)

@@ -88,19 +88,43 @@ def with_sentences(recipe: dict, written: dict) -> dict:
                 {**entry, SENTENCE: old["where"]} if "where" in old else entry
                 for entry, old in zip(recipe[key], said)
             ]
+    told["parts"] = [
+        {**entry, "driven": {**entry["driven"], SENTENCE: old["driven"].get("where")}}
+        if "driven" in entry
+        else entry
+        for entry, old in zip(recipe["parts"], written["parts"])
+    ]
+    contacts = written.get("contacts")
+    if isinstance(contacts, list):
+        told["contacts"] = [
+            {**entry, **{side: {**entry[side], SENTENCE: old[side].get("where")} for side in "ab"}}
+            for entry, old in zip(recipe["contacts"], contacts)
+        ]
     return told
+
+
+def add_driven(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
+    """Add a follower for what a part says of itself is driven; arguments as for `add_regions`."""
+    for entry in recipe["parts"]:
+        if "driven" in entry:
+            name = entry["name"]
+            vertices = vertices_of({**entry["driven"], "part": name}, meshes)
+            added = add_follower(assembly, parts[name], vertices, f"{name}: driven")
+            keep_sentence(added, entry["driven"].get(SENTENCE))
 
 
 def keep_sentence(region, where) -> None:
     """Let a region say what it is, if that gives just its vertices in the document too."""
-    if where is None:
-        return
+    if says(region.Part, where, model.vertices(region)):
+        model.set_vertices(region, model.vertices(region), json.dumps(where))
+
+
+def says(part, where, vertices: np.ndarray) -> bool:
+    """Whether a selector, None for none, stands for just these vertices (k,) of a part."""
     try:
-        found = selecting.select(region.Part, where)
+        return where is not None and np.array_equal(selecting.select(part, where), vertices)
     except ValueError:
-        return
-    if np.array_equal(found, model.vertices(region)):
-        model.set_vertices(region, found, json.dumps(where))
+        return False
 
 
 def add_contacts(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
@@ -110,7 +134,11 @@ def add_contacts(assembly, recipe: dict, parts: dict, meshes: dict) -> None:
             (parts[side["part"]], vertices_of(side, meshes)) for side in (entry["a"], entry["b"])
         )
         kind = entry.get("type", CONTROL_MESH)
-        add_contact(assembly, a, b, label=entry["name"], type=kind)
+        added = add_contact(assembly, a, b, label=entry["name"], type=kind)
+        for side, (part, _) in (("a", a), ("b", b)):
+            vertices, where = model.contact_vertices(added, side), entry[side].get(SENTENCE)
+            if says(part, where, vertices):
+                model.set_contact_vertices(added, side, vertices, json.dumps(where))
 
 
 def apply_propagation(assembly, recipe: dict) -> None:

@@ -50,11 +50,11 @@ def prepare(part, **cures) -> dict:
     features = moved_features(before.features, placed, scale / old_scale)
     extras = moved_extras(part, placed)
     exchange(part, original, made, (scale, features))
-    for owner, name, vertices, where in moved:
-        if model.kind(owner) == model.REGION:
-            model.set_vertices(owner, vertices, where)
+    for owner, side, vertices, where in moved:
+        if side:
+            model.set_contact_vertices(owner, side, vertices, where)
         else:
-            setattr(owner, name, model.to_numbers(vertices))
+            model.set_vertices(owner, vertices, where)
     if extras is not None:
         assembly_of(part).Extras = extras
     done = {**made.preparation, "told": list(told.values()), "different": list(told)}
@@ -135,9 +135,9 @@ def prepared_module():
     return prepared_mesh
 
 
-def package_mesh(points: np.ndarray, triangles: np.ndarray, labels=None):
+def package_mesh(points: np.ndarray, triangles: np.ndarray):
     """Return a sheetmorph.PartMesh whose vertices are called by their indices."""
-    return kernel.load().PartMesh(points, triangles, labels=labels)
+    return kernel.load().PartMesh(points, triangles)
 
 
 def scale_of(part) -> float:
@@ -148,43 +148,49 @@ def scale_of(part) -> float:
 def moved_vertices(
     part, placed, made, told: dict[str, str]
 ) -> list[tuple[Any, str, np.ndarray, str]]:
-    """Return what is picked on a part on its new mesh: object, property, vertices, selector.
+    """Return what is picked on a part on its new mesh: object, side, vertices, selector.
 
     `made`: that mesh, in file coordinates; told: gets, by its name, a sentence on each that became
     another one.
     Raises ValueError if something would have none left.
     """
     assembly = assembly_of(part)
-    found = [(region, "Vertices") for region in model.regions(assembly, part)]
+    found = [(region, "") for region in model.regions(assembly, part)]
     for contact in model.contacts(assembly, part):
-        sides = (("VerticesA", contact.PartA), ("VerticesB", contact.PartB))
-        found += [(contact, name) for name, owner in sides if owner == part]
+        sides = (("a", contact.PartA), ("b", contact.PartB))
+        found += [(contact, side) for side, owner in sides if owner == part]
     moved = []
-    for owner, name in found:
-        vertices, where = said_again(part, owner, (placed, made), told)
+    for owner, side in found:
+        vertices, where = said_again((owner, side, part), (placed, made), told)
         if vertices is None:
-            vertices, _ = placed.find(model.to_ids(getattr(owner, name)))
+            old = model.contact_vertices(owner, side) if side else model.vertices(owner)
+            vertices, _ = placed.find(old)
         if len(vertices) == 0:
             raise ValueError(f"'{owner.Label}' has no place on the new mesh; delete it first.")
-        moved.append((owner, name, vertices, where))
+        moved.append((owner, side, vertices, where))
     return moved
 
 
-def said_again(part, owner, meshes: tuple, told: dict[str, str]) -> tuple[np.ndarray | None, str]:
-    """Return the vertices and the selector of a region that says what it is; None, "" without."""
-    if model.kind(owner) != model.REGION or not owner.Where:
+def said_again(picked: tuple, meshes: tuple, told: dict[str, str]) -> tuple[np.ndarray | None, str]:
+    """Return the vertices and the selector of what says what it is; None, "" without.
+
+    `picked`: a region, or a contact with a side, and the part.
+    """
+    (owner, side, part), (placed, made) = picked, meshes
+    sentence = selecting.sentence_of(owner, side)
+    if sentence is None:
         return None, ""
-    placed, made = meshes
     frame = replace(read_kept(part).frame, origin=conversion.near_origin(made.points))
-    kept = Kept(made.points, made.triangles, None, frame, [], True, made.labels)
+    labels = made.with_indices().labels
+    kept = Kept(made.points, made.triangles, None, frame, [], True, labels)
 
     def new_ids(ids: list) -> list:
         return placed.find(ids)[0].tolist()
 
     scale = made.preparation["scale"] / scale_of(part)
-    said = sentences.scaled(selecting.sentence_of(owner), scale)
+    said = sentences.scaled(sentence, scale)
     where = sentences.with_moved_ids(said, new_ids)
-    vertices, text = selecting.resolved_again(owner, kept, where, scale)
+    vertices, text = selecting.resolved_again(picked, kept, where, scale)
     told |= {owner.Name: text} if text else {}
     return vertices, "" if vertices is None else json.dumps(where)
 
@@ -234,9 +240,7 @@ def exchange(part, original: Kept, made, known: tuple[float, list[dict]]) -> Non
             shutil.copyfile(part.RestData, kept)
             part.OriginalData = kept
         stored = os.path.join(folder, "rest.npz")
-        write_rest_data(
-            stored, package_mesh(made.points, made.triangles, made.labels), origin, features
-        )
+        write_rest_data(stored, made.with_indices(), origin, features)
         part.RestData = stored
     if first:
         part.Original = before

@@ -106,10 +106,16 @@ def select(part, where) -> list[int]:
     return vertices_and_words(part, where if selecting.is_selector(where) else [where])[0].tolist()
 
 
-def where(region):
-    """Return the selector that says what a region is; None if only its vertices are known."""
-    require_kind(region, model.REGION, "region")
-    return selecting.sentence_of(region)
+def where(owner, side: str = ""):
+    """Return the selector that says what a region, or side "a" or "b" of a contact, is.
+
+    None if only its vertices are known.
+    """
+    if side in ("a", "b"):
+        require_kind(owner, model.CONTACT, "contact")
+    else:
+        require_kind(owner, model.REGION, "region")
+    return selecting.sentence_of(owner, side)
 
 
 def set_vertices(region, vertices: Iterable[int] | dict) -> None:

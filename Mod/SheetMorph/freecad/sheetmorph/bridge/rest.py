@@ -155,7 +155,7 @@ def write_rest_data(
     ids = np.zeros(0, np.int64) if mesh.ids is None else mesh.ids
     known = json.dumps(list(features))
     arrays = {"points": mesh.points, "triangles": mesh.triangles, "ids": ids, "origin": origin}
-    labels = {} if mesh.labels is None else mesh.labels.arrays()
+    labels = {} if mesh.labels is None else mesh.with_indices().labels.arrays()
     np.savez(path, features=np.array(known), **arrays, **labels, **of_deck)
 
 

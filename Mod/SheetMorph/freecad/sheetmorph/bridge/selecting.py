@@ -116,25 +116,39 @@ def sentence_for(part, said: Any, vertices: np.ndarray) -> Any:
     return None
 
 
-def sentence_of(region) -> Any:
-    """Return what a region says it is; None if only its vertices are known."""
-    return json.loads(region.Where) if region.Where else None
+def source_for(part, wanted: list, vertices: np.ndarray) -> str:
+    """Return how a macro line says which vertices: by the first of some sentences of picks that
+    gives them, else by their ids."""
+    for said in wanted:
+        where = sentence_for(part, said, vertices)
+        if where is not None:
+            return repr(where)
+    return repr([int(vertex) for vertex in vertices])
 
 
-def resolved_again(region, kept: Kept, where: Any, scale: float) -> tuple[Any, str]:
-    """Return the vertices (k,) of a region on another mesh of its part, and what became different.
+def sentence_of(owner, side: str = "") -> Any:
+    """Return what a region, or side "a" or "b" of a contact, says it is; None if only its vertices
+    are known."""
+    said = getattr(owner, f"Where{side.upper()}")
+    return json.loads(said) if said else None
 
-    `where`: what it says, with the ids and the lengths of that mesh; `scale`: how many times as
-    large that is. None where it cannot be resolved there; then the text tells why.
+
+def resolved_again(picked: tuple, kept: Kept, where: Any, scale: float) -> tuple[Any, str]:
+    """Return the vertices (k,) of a region, or a side of a contact, on another mesh of its part,
+    and what became different.
+
+    `picked`: the object, the side ("" of a region), the part; `where`: what it says, with the ids
+    and the lengths of that mesh; `scale`: how many times as large that is. None where it cannot be
+    resolved there; then the text tells why.
     """
-    part = region.Part
+    owner, side, part = picked
     try:
         old, new = shape_of(part), shape_of(part, kept)
-        before = old.area_of(chosen_on(old, sentence_of(region)))
+        before = old.area_of(chosen_on(old, sentence_of(owner, side)))
         found = chosen_on(new, where)
     except ValueError as error:
-        return None, f"'{region.Label}' keeps its vertices alone: {error}."
-    return found.vertices, told_difference(region.Label, scale**2 * before, new.area_of(found))
+        return None, f"'{owner.Label}' keeps its vertices alone: {error}."
+    return found.vertices, told_difference(owner.Label, scale**2 * before, new.area_of(found))
 
 
 LEAST = 0.03

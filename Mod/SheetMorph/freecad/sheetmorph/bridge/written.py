@@ -5,14 +5,19 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from freecad.sheetmorph.bridge import decks, kernel, recipes
+from freecad.sheetmorph.bridge import decks, kernel, recipes, worded
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
-from freecad.sheetmorph.bridge.rest import RestPart
+from freecad.sheetmorph.bridge.rest import RestPart, read_kept
+
+Meshes = dict[str, Callable[[], Any]]
+"""By object name of a part, what makes a sheetmorph.PartMesh of it, vertices called by indices."""
 
 
 def write_parts(assembly, morph, positions: dict[str, np.ndarray], place: tuple) -> list[Path]:
@@ -24,7 +29,7 @@ def write_parts(assembly, morph, positions: dict[str, np.ndarray], place: tuple)
     folder, report = place
     folder.mkdir(parents=True, exist_ok=True)
     with kernel.load().files.atomic.FileSet() as files:
-        paths, told = write_files(files, assembly, morph, (folder, positions))
+        paths, told, _ = write_files(files, assembly, morph, (folder, positions))
         for part in model.parts(assembly):
             if part.DeformedShape is not None:
                 name = file_names(assembly, morph)[part.Name]
@@ -38,17 +43,20 @@ def write_parts(assembly, morph, positions: dict[str, np.ndarray], place: tuple)
     return paths
 
 
-def write_files(files, assembly, morph, place: tuple) -> tuple[list[Path], list[dict]]:
-    """Write all parts and decks into a set of files; return the paths, and what decks tell.
+def write_files(files, assembly, morph, place: tuple) -> tuple[list[Path], list[dict], Meshes]:
+    """Write all parts and decks into a set of files; return the paths, what decks tell, and the
+    parts as written.
 
     `place`: the folder and all positions. Raises MorphError if a joint comes apart.
     """
     folder, positions = place
     names, paths, told = file_names(assembly, morph), [], []
+    meshes: Meshes = {}
     for owner, parts in writers(assembly, morph).values():
         paths.append(folder / names[parts[0].Name])
         if owner is parts[0]:
-            write_one(files, owner, morph.rests[owner.Name], (paths[-1], positions))
+            rest = morph.rests[owner.Name]
+            meshes[owner.Name] = write_one(files, owner, rest, (paths[-1], positions))
             continue
         with decks.opened(owner) as file:
             whole = decks.whole(file, parts, morph.rests, positions)
@@ -56,8 +64,17 @@ def write_files(files, assembly, morph, place: tuple) -> tuple[list[Path], list[
             if told[-1]["failures"]:
                 todo = f"move less, or let '{owner.Label}' tell of broken joints"
                 raise MorphError("; ".join([*told[-1]["failures"][:5], todo]))
-            file.write_into(files, paths[-1], whole)
-    return paths, told
+            written = file.write_into(files, paths[-1], whole)
+            if not all(morph.rests[part.Name].frame.is_unmoved() for part in parts):
+                whole = file.stored_positions(written)  # rounded to what a field holds
+            meshes |= {part.Name: as_written(part, morph.rests[part.Name], whole) for part in parts}
+    return paths, told, meshes
+
+
+def as_written(part, rest: RestPart, whole: np.ndarray) -> Callable[[], Any]:
+    """Return what makes a part of a deck, a sheetmorph.PartMesh, of the positions (n, 3) of all."""
+    known = {"name": part.Label, "labels": read_kept(part).labels}
+    return lambda: kernel.load().PartMesh(whole[rest.rows], rest.triangles, **known)
 
 
 def writers(assembly, morph) -> dict[str, tuple]:
@@ -70,7 +87,10 @@ def writers(assembly, morph) -> dict[str, tuple]:
 
 
 def write_recipe(assembly, morph, path: Path, poses: dict) -> Path:
-    """Write the recipe with its poses to `path`, the parts at rest beside it; return the path."""
+    """Write the recipe with its poses to `path`, the parts at rest beside it; return the path.
+
+    Regions say what they are, where that stands for their vertices in the files too.
+    """
     names = file_names(assembly, morph)
     recipe = {key: value for key, value in morph.recipe.items() if value not in ([], "")}
     entries = {part.Name: entry for part, entry in zip(model.parts(assembly), recipe["parts"])}
@@ -86,21 +106,29 @@ def write_recipe(assembly, morph, path: Path, poses: dict) -> Path:
         recipe["poses"] = poses
     rests = {name: rest.points for name, rest in morph.rests.items()}
     with kernel.load().files.atomic.FileSet() as files:
-        write_files(files, assembly, morph, (path.parent, rests))
-        text = json.dumps(recipe, indent=1)
+        _, _, meshes = write_files(files, assembly, morph, (path.parent, rests))
+        text = json.dumps(worded.worded(assembly, morph, recipe, meshes), indent=1)
         files.temporary_for(path).write_text(text + "\n", encoding="utf-8")
         files.commit()
     return path
 
 
-def write_one(files, part, rest: RestPart, place: tuple) -> None:
-    """Write one part into a set of files; `place`: its path and all positions."""
-    path, positions = place
+def write_one(files, part, rest: RestPart, place: tuple) -> Callable[[], Any]:
+    """Write one part into a set of files; `place`: its path and all positions.
+
+    Returns what reads it as it was written, before the set commits.
+    """
+    path, positions = place[0], place[1][part.Name]
+    package = kernel.load()
     if rest.is_from_file and part.FileData:
-        kernel.load().read_part(part.FileData).write_into(files, path, positions[part.Name])
-    else:
-        text = obj_text(positions[part.Name], rest.triangles)
-        files.temporary_for(path).write_text(text, encoding="ascii")
+        file = package.read_part(part.FileData)
+        temporary = file.write_into(files, path, positions)
+        labels = file.mesh.with_indices().labels
+        return lambda: package.PartMesh(
+            file.stored_positions(temporary), rest.triangles, name=part.Label, labels=labels
+        )
+    files.temporary_for(path).write_text(obj_text(positions, rest.triangles), encoding="ascii")
+    return lambda: package.PartMesh(positions, rest.triangles, name=part.Label)
 
 
 def obj_text(points: np.ndarray, triangles: np.ndarray) -> str:

@@ -15,6 +15,7 @@ TYPE_DOC = (
     "keeps its place on the nearest triangle of the other side, as *TIE of simulation codes. "
     "Rigid: both sides move as one stiff body, as at a bolt or a spot weld"
 )
+WHERE_DOC = "What the side says it is, a selector; empty if only its vertices are known"
 ACTIVE_DOC = "Off: the contact is kept but not used, as if the weld were open"
 GAP_DOC = "How much the gap between the two sides changed at the last recompute, at most"
 DEVIATION_DOC = (
@@ -35,6 +36,8 @@ class ContactProxy(ObjectProxy):
         Property("LinkHidden", "PartB", "Contact", "Part of the second side", mode=READ_ONLY),
         Property("FloatList", "VerticesA", "Contact", "Vertices of the first side", mode=HIDDEN),
         Property("FloatList", "VerticesB", "Contact", "Vertices of the second side", mode=HIDDEN),
+        Property("String", "WhereA", "Contact", WHERE_DOC, mode=READ_ONLY),
+        Property("String", "WhereB", "Contact", WHERE_DOC, mode=READ_ONLY),
         Property("Distance", "GapChange", "Result", GAP_DOC, None, READ_ONLY, is_output=True),
         Property("Distance", "Deviation", "Result", DEVIATION_DOC, None, READ_ONLY, is_output=True),
         Property("String", "Warning", "Result", WARNING_DOC, None, READ_ONLY, is_output=True),

@@ -94,9 +94,11 @@ def set_vertices(region, ids: Iterable[int], where: str = "") -> None:
     region.Where = where
 
 
-def set_contact_vertices(contact, side: str, ids: Iterable[int]) -> None:
-    """Store the vertex indices of side "a" or "b", sorted and without repetition."""
+def set_contact_vertices(contact, side: str, ids: Iterable[int], where: str = "") -> None:
+    """Store the vertex indices of side "a" or "b", sorted and without repetition, and what it says
+    it is, as `set_vertices` does."""
     setattr(contact, f"Vertices{side.upper()}", to_numbers(ids))
+    setattr(contact, f"Where{side.upper()}", where)
 
 
 def to_numbers(ids: Iterable[int]) -> list[float]:

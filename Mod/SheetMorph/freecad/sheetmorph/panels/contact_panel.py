@@ -2,7 +2,7 @@
 """The panel in which a contact between two parts is marked."""
 
 from freecad.sheetmorph import actions, api
-from freecad.sheetmorph.bridge import seen
+from freecad.sheetmorph.bridge import seen, selecting
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
@@ -73,6 +73,8 @@ class ContactPanel(Panel):
         """Starts with what a contact has."""
         for side, part in (("a", contact.PartA), ("b", contact.PartB)):
             self._sides.put(side, part.Name, model.contact_vertices(contact, side).tolist())
+            if selecting.sentence_of(contact, side) is not None:
+                self._sides.pickers[side].begin_with(selecting.sentence_of(contact, side))
             getattr(self.form, f"part_{side}").setEnabled(False)
         self.form.way.setCurrentIndex(WAYS.index("a"))
         self.form.active.setChecked(contact.Active)
@@ -136,10 +138,7 @@ class ContactPanel(Panel):
         picked = {side: self._sides.picked(side) for side in "ab"}
         if self._contact is not None:
             return self._changes(picked, kind, active)
-        ends = [
-            f"({name(self._parts[self._sides.parts[s]])}, {actions.vertices(picked[s])})"
-            for s in "ab"
-        ]
+        ends = [f"({name(self._parts[self._sides.parts[s]])}, {self._words(s)})" for s in "ab"]
         made = call("add_contact", name(self._assembly), *ends, type=repr(kind))
         return [made if active else call("set_active", made, "False")]
 
@@ -147,13 +146,18 @@ class ContactPanel(Panel):
         contact, lines = self._contact, []
         for side, vertices in picked.items():
             if vertices != model.contact_vertices(contact, side).tolist():
-                wanted = actions.vertices(vertices)
+                wanted = self._words(side)
                 lines.append(call("set_contact_vertices", name(contact), repr(side), wanted))
         if kind != contact.Type:
             lines.append(call("set_contact_type", name(contact), repr(kind)))
         if active != contact.Active:
             lines.append(call("set_active", name(contact), repr(active)))
         return lines
+
+    def _words(self, side: str) -> str:
+        """How a macro line says which vertices a side has."""
+        picker, part = self._sides.pickers[side], self._parts[self._sides.parts[side]]
+        return selecting.source_for(part, [picker.said], picker.picked)
 
     def _remove_views(self) -> None:
         for view in self._views.values():

@@ -180,11 +180,7 @@ class RegionPanel(Panel):
             wanted = [said]
         else:
             wanted = operands(said)
-        for sentence in wanted:
-            where = selecting.sentence_for(self._part, sentence, group)
-            if where is not None:
-                return repr(where)
-        return actions.vertices(group)
+        return selecting.source_for(self._part, wanted, group)
 
     # -- a selector that is typed
 

@@ -10,7 +10,13 @@ import numpy as np
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import seen, selecting
-from freecad.sheetmorph.tests.support import DocumentTest, largest, strip, write_obj
+from freecad.sheetmorph.tests.support import (
+    DocumentTest,
+    largest,
+    placement,
+    strip,
+    write_obj,
+)
 from freecad.sheetmorph.tests.test_thin import thick_strip
 from freecad.sheetmorph.tools import figures, picking
 from freecad.sheetmorph.tools.rims import Ray
@@ -194,6 +200,109 @@ class TestSelectors(DocumentTest):
         self.assertEqual(found["clamp"], LEFT)
         self.assertEqual(found["tip"], [right])
         self.assertEqual(found["sheet"], recipe["features"][0]["where"])
+
+    def moved_pair(self):
+        """Two sheets, the first one turned, joined where half-spaces meet them; the contact."""
+        self.source.Placement = placement((500, 3, 1), (0, 0, 1), 30)
+        other = self.add_source(mesh=(self.points, self.triangles))
+        other.Placement = placement((500, 3, 4), (0, 0, 1), 30)
+        self.document.recompute()
+        second = api.add_part(self.assembly, other)
+        return api.add_contact(self.assembly, (self.part, LEFT), (second, [LEFT]))
+
+    def test_sides_of_contacts_keep_their_sentences_on_another_mesh(self):
+        contact = self.moved_pair()
+        self.assertEqual([api.where(contact, side) for side in "ab"], [LEFT, [LEFT]])
+        self.assertEqual(api.contact_vertices(contact, "a"), api.select(self.part, LEFT))
+        before = len(api.contact_vertices(contact, "a"))
+        self.assertEqual(api.prepare(self.part, edge=4.0)["told"], [])
+        self.assertEqual(api.where(contact, "a"), LEFT)
+        self.assertNotEqual(len(api.contact_vertices(contact, "a")), before)
+        self.assertEqual(api.contact_vertices(contact, "a"), api.select(self.part, LEFT))
+        api.set_contact_vertices(contact, "a", [0, 1, 2])
+        self.assertIsNone(api.where(contact, "a"))
+        with self.assertRaisesRegex(ValueError, "selects nothing"):
+            far = {"sphere": {"center": [9e5, 0, 0], "radius": 1}}
+            api.set_contact_vertices(contact, "b", far)
+        self.assertEqual(api.where(contact, "b"), [LEFT])
+
+    def test_an_exported_recipe_says_what_regions_are_where_that_gives_them_again(self):
+        contact = self.moved_pair()
+        clamp = api.add_fixed(self.assembly, self.part, {"vertices": [0, 1, 2]}, "Clamp")
+        end = {"half_space": {"point": [285, 0, 0], "normal": [1, 0, 0]}}
+        tip = api.add_handle(self.assembly, self.part, end, "Tip")
+        low, high = self.points.min(axis=0) - 1, self.points.max(axis=0) + 1
+        boxed = {"box": [low.tolist(), [10.0, *high[1:].tolist()]]}
+        api.add_follower(self.assembly, contact.PartB, boxed, "Boxed")
+        path = api.export_recipe(self.assembly, os.path.join(self.folder, "morph.json"))
+        with open(path, encoding="utf-8") as file:
+            written = json.load(file)
+        self.assertEqual(written["fixed"][0]["where"], {"vertices": [0, 1, 2]})
+        self.assertEqual(written["handles"][0].keys(), {"name", "part", "where"})
+        self.assertIn("vertices", written["regions"][0])  # a box in a turned part is none
+        self.assertEqual([len(written["contacts"][0][side]) for side in "ab"], [2, 2])
+        again = api.import_recipe(self.new_document(), path)
+        found = {r.Label: r for r in seen.model.regions(again)}
+        for old in (clamp, tip):
+            new = found[old.Label]
+            self.assertEqual(api.vertices(new), api.vertices(old))
+            self.assertIsNotNone(api.where(new))
+        self.assertIsNone(api.where(found["Boxed"]))
+        (other,) = seen.model.contacts(again)
+        for side in "ab":
+            self.assertEqual(api.contact_vertices(other, side), api.contact_vertices(contact, side))
+            self.assertIsNotNone(api.where(other, side))
+        self.assertEqual(
+            api.export_recipe(again, os.path.join(self.folder, "again.json")).read_bytes(),
+            path.read_bytes(),
+        )
+
+    def test_names_of_a_deck_are_known_in_the_document(self):
+        deck = os.path.join(self.folder, "sheet.bdf")
+        with open(deck, "w", encoding="utf-8") as file:
+            file.write(DECK)
+        part = api.import_part(self.assembly, deck)
+        self.assertEqual(api.select(part, {"group": "PID 7"}), [0, 1, 3, 4])
+        self.assertEqual(api.select(part, {"group": "SET 5"}), [3, 4, 5])
+        region = api.add_fixed(self.assembly, part, {"group": "SET 5"})
+        api.prepare(part, edge=0.2)
+        points = api.rest_mesh(part)[0]
+        self.assertTrue((points[api.vertices(region), 1] > 0.9).all())
+
+    def test_what_a_part_says_is_driven_becomes_a_follower(self):
+        points, triangles = strip()
+        for name in ("low", "high"):
+            write_obj(os.path.join(self.folder, f"{name}.obj"), points, triangles)
+        recipe = {
+            "sheetmorph": 1,
+            "parts": [
+                {"name": "low", "file": "low.obj"},
+                {"name": "high", "file": "high.obj", "driven": {"where": LEFT}},
+            ],
+            "primary": "low",
+            "fixed": [{"part": "low", "where": LEFT}],
+        }
+        path = os.path.join(self.folder, "recipe.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(recipe, file)
+        assembly = api.import_recipe(self.document, path)
+        (driven,) = [r for r in seen.model.regions(assembly) if r.Role == "follower"]
+        self.assertEqual((driven.Label, driven.Part.Label), ("high: driven", "high"))
+        self.assertEqual(api.where(driven), LEFT)
+
+
+DECK = """BEGIN BULK
+GRID,1,,0.,0.,0.
+GRID,2,,1.,0.,0.
+GRID,3,,2.,0.,0.
+GRID,4,,0.,1.,0.
+GRID,5,,1.,1.,0.
+GRID,6,,2.,1.,0.
+CQUAD4,1,7,1,2,5,4
+CQUAD4,2,8,2,3,6,5
+SET3,5,GRID,4,THRU,6
+ENDDATA
+"""
 
 
 if __name__ == "__main__":

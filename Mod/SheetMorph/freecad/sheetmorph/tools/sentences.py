@@ -145,6 +145,34 @@ def with_moved_ids(where: Said, moved: Callable[[list], list]) -> Said:
     }
 
 
+def placed(where: Said, frame: Any) -> Said:
+    """A selector of a part in global coordinates; ValueError where it has none.
+
+    `frame`: as of `in_file`; a box has none where the part is turned, a drawn figure never.
+    """
+    if np.array_equal(frame.rotation, np.eye(3)) and np.array_equal(frame.base, frame.origin):
+        return where
+    if isinstance(where, list):
+        return [placed(one, frame) for one in where]
+    if not isinstance(where, dict):
+        return where
+    if "drawn" in where or ("box" in where and not np.array_equal(frame.rotation, np.eye(3))):
+        raise ValueError("It is in the coordinates of the part's file alone.")
+    found = {}
+    for key, value in where.items():
+        if key in PLACES:
+            points = np.asarray(value, float)
+            found[key] = ((points - frame.origin) @ frame.rotation.T + frame.base).tolist()
+        elif key in DIRECTIONS:
+            found[key] = (frame.rotation @ np.asarray(value, float)).tolist()
+        elif key == "vertices" or not isinstance(value, (dict, list)):
+            found[key] = value
+        else:
+            found[key] = placed(value, frame)
+    return found
+
+
+DIRECTIONS = ("normal", "direction")
 PLACES = (*POINTS, "border_at", "cad_face_at", "near", "box", "point", "center")
 LENGTHS = ("radius", "length", "thickness", "diameter", "borders_longer")
 """Keys of a selector whose values are lengths, mm."""

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A recipe that is written says what its regions are, where that gives their vertices again."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from freecad.sheetmorph.bridge import kernel, selecting
+from freecad.sheetmorph.bridge.recipes import KEYS
+from freecad.sheetmorph.bridge.solving import Morph
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.tools import sentences
+
+
+def worded(assembly, morph: Morph, recipe: dict, meshes: dict) -> dict:
+    """Return a recipe with `where` in place of `vertices` for every region that has a sentence.
+
+    `meshes`: the parts as they were written, `written.Meshes`.
+    """
+    written = Written(morph, meshes)
+    lists = {key: list(recipe.get(key, [])) for key in (*KEYS.values(), "contacts")}
+    places = {entry["name"]: (key, k) for key in KEYS.values() for k, entry in named(lists[key])}
+    for region in model.regions(assembly):
+        if morph.names[region.Name] in places:
+            key, k = places[morph.names[region.Name]]
+            lists[key][k] = written.entry(lists[key][k], (region, "", region.Part))
+    contacts = {morph.names[contact.Name]: contact for contact in model.contacts(assembly)}
+    for k, entry in named(lists["contacts"]):
+        contact = contacts[entry["name"]]
+        sides = (("a", contact.PartA), ("b", contact.PartB))
+        said = {side: written.entry(entry[side], (contact, side, part)) for side, part in sides}
+        lists["contacts"][k] = {**entry, **said}
+    return {**recipe, **{key: entries for key, entries in lists.items() if entries}}
+
+
+def named(entries: list) -> list[tuple[int, dict]]:
+    """Return the entries that have a name, with their places."""
+    return [(k, entry) for k, entry in enumerate(entries) if "name" in entry]
+
+
+class Written:
+    """The parts of a recipe as selectors see them once they are written."""
+
+    def __init__(self, morph: Morph, meshes: dict):
+        self._morph, self._meshes = morph, meshes
+        self._shapes: dict[str, Any] = {}
+
+    def entry(self, entry: dict, picked: tuple) -> dict:
+        """Return an entry with its sentence in place of its ids, if that stands for just those.
+
+        `picked`: a region, or a contact with a side, and the part.
+        """
+        owner, side, part = picked
+        said = selecting.sentence_of(owner, side)
+        if said is None:
+            return entry
+        rest = self._morph.rests[part.Name]
+        vertices = model.contact_vertices(owner, side) if side else model.vertices(owner)
+        try:
+            where = sentences.placed(said, rest.frame)
+            found = selecting.chosen_on(self._shape(part), where).vertices
+        except ValueError:
+            return entry
+        if not np.array_equal(vertices, found):
+            return entry
+        where = sentences.with_moved_ids(where, lambda ids: rest.file_ids()[ids].tolist())
+        return {**{key: v for key, v in entry.items() if key != "vertices"}, "where": where}
+
+    def _shape(self, part):
+        if part.Name not in self._shapes:
+            mesh = self._meshes[part.Name]()
+            self._shapes[part.Name] = kernel.selecting_module().PartShape(mesh, name=part.Label)
+        return self._shapes[part.Name]
