@@ -3,7 +3,200 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
  <context>
-  <name>Guide</name>
+  <name>SheetMorph_AddPart</name>
+  <message>
+   <source>Add Part</source>
+   <translation>Teil hinzufügen</translation>
+  </message>
+  <message>
+   <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
+   <translation>Fügt dem Morph die gewählten Netze und Formen als Teile hinzu, die sich verformen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_BlendPoses</name>
+  <message>
+   <source>Blend Poses…</source>
+   <translation>Stellungen mischen…</translation>
+  </message>
+  <message>
+   <source>Goes from one pose to another with a slider, and compares them</source>
+   <translation>Geht mit einem Schieber von einer Stellung zur anderen und vergleicht sie</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Certify</name>
+  <message>
+   <source>Certificate…</source>
+   <translation>Zertifikat…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
+   <translation>Schreibt alle verformten Teile in einen Ordner, liest sie wieder, misst und beurteilt sie</translation>
+  </message>
+  <message>
+   <source>Certificate</source>
+   <translation>Zertifikat</translation>
+  </message>
+  <message>
+   <source>Criteria</source>
+   <translation>Kriterien</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CheckInstallation</name>
+  <message>
+   <source>Check Installation</source>
+   <translation>Installation prüfen</translation>
+  </message>
+  <message>
+   <source>Shows whether the deformation kernel works, as a report to copy</source>
+   <translation>Zeigt als Bericht zum Kopieren, ob der Verformungskern funktioniert</translation>
+  </message>
+  <message>
+   <source>Copy</source>
+   <translation>Kopieren</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CopyAsMeshes</name>
+  <message>
+   <source>Copy as Meshes</source>
+   <translation>Als Netze kopieren</translation>
+  </message>
+  <message>
+   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
+   <translation>Kopiert die Teile als gewöhnliche Netze, wie sie jetzt sind oder in der gewählten Stellung</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CopyInPose</name>
+  <message>
+   <source>Copy in Pose</source>
+   <translation>In Stellung kopieren</translation>
+  </message>
+  <message>
+   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
+   <translation>Kopiert den ganzen Morph und bringt die Kopie in die gewählte Stellung; das Original bleibt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CreateMorph</name>
+  <message>
+   <source>Create Morph</source>
+   <translation>Morph erzeugen</translation>
+  </message>
+  <message>
+   <source>Creates a morph; selected meshes and shapes become its parts and stay as they are</source>
+   <translation>Erzeugt einen Morph; gewählte Netze und Formen werden seine Teile und bleiben, wie sie sind</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_DeformedShape</name>
+  <message>
+   <source>Deformed Shape</source>
+   <translation>Verformte Form</translation>
+  </message>
+  <message>
+   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
+   <translation>Macht aus dem gewählten Teil eine verformte Form mit den Flächen derjenigen, aus der es entstand</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ExportParts</name>
+  <message>
+   <source>Export Parts…</source>
+   <translation>Teile exportieren…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts into a folder, each in its own file format</source>
+   <translation>Schreibt alle verformten Teile in einen Ordner, jedes in seinem eigenen Dateiformat</translation>
+  </message>
+  <message>
+   <source>Export Parts</source>
+   <translation>Teile exportieren</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ExportRecipe</name>
+  <message>
+   <source>Export Recipe…</source>
+   <translation>Rezept exportieren…</translation>
+  </message>
+  <message>
+   <source>Writes the morph as a recipe that also runs without FreeCAD</source>
+   <translation>Schreibt den Morph als Rezept, das auch ohne FreeCAD läuft</translation>
+  </message>
+  <message>
+   <source>Export Recipe</source>
+   <translation>Rezept exportieren</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FeatureSettings</name>
+  <message>
+   <source>Form Feature Settings…</source>
+   <translation>Formelement einstellen…</translation>
+  </message>
+  <message>
+   <source>Says how the selected form feature turns, what it may do, and which size it has</source>
+   <translation>Sagt, wie sich das gewählte Formelement dreht, was es darf und welche Größe es hat</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FindContacts</name>
+  <message>
+   <source>Find Contacts…</source>
+   <translation>Kontakte finden…</translation>
+  </message>
+  <message>
+   <source>Finds where parts lie on each other or are bolted; those you accept become contacts</source>
+   <translation>Findet, wo Teile aufeinander liegen oder verschraubt sind; was du annimmst, wird Kontakt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FindFeatures</name>
+  <message>
+   <source>Find Features…</source>
+   <translation>Formelemente finden…</translation>
+  </message>
+  <message>
+   <source>Finds holes and other features on all parts; those you accept become form features</source>
+   <translation>Findet Löcher und andere Formelemente auf allen Teilen; was du annimmst, wird Formelement</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Flatten</name>
+  <message>
+   <source>Flatten</source>
+   <translation>Abwickeln</translation>
+  </message>
+  <message>
+   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
+   <translation>Wickelt das gewählte Teil ab, wie es jetzt ist: eine Skizze seines Zuschnitts mit Biegelinien</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_GroupFeatures</name>
+  <message>
+   <source>Group Form Features</source>
+   <translation>Formelemente gruppieren</translation>
+  </message>
+  <message>
+   <source>Lets the selected form features of a part move as one body</source>
+   <translation>Lässt die gewählten Formelemente eines Teils sich als ein Körper bewegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Guide</name>
+  <message>
+   <source>Guide</source>
+   <translation>Wegweiser</translation>
+  </message>
+  <message>
+   <source>Leads through a morph step by step: says what is missing and opens what is needed</source>
+   <translation>Führt Schritt für Schritt durch einen Morph: sagt, was fehlt, und öffnet, was man braucht</translation>
+  </message>
   <message>
    <source>Import a mesh or CAD file, or select meshes in the tree and create a morph.</source>
    <translation>Importiere ein Netz oder eine CAD-Datei, oder wähle Netze im Baum und erzeuge einen Morph.</translation>
@@ -74,182 +267,6 @@
   </message>
  </context>
  <context>
-  <name>SheetMorph_AddPart</name>
-  <message>
-   <source>Add Part</source>
-   <translation>Teil hinzufügen</translation>
-  </message>
-  <message>
-   <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
-   <translation>Fügt dem Morph die gewählten Netze und Formen als Teile hinzu, die sich verformen</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_BlendPoses</name>
-  <message>
-   <source>Blend Poses…</source>
-   <translation>Stellungen mischen…</translation>
-  </message>
-  <message>
-   <source>Goes from one pose to another with a slider, and compares them</source>
-   <translation>Geht mit einem Schieber von einer Stellung zur anderen und vergleicht sie</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_Certify</name>
-  <message>
-   <source>Certificate…</source>
-   <translation>Zertifikat…</translation>
-  </message>
-  <message>
-   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
-   <translation>Schreibt alle verformten Teile in einen Ordner, liest sie wieder, misst und beurteilt sie</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CheckInstallation</name>
-  <message>
-   <source>Check Installation</source>
-   <translation>Installation prüfen</translation>
-  </message>
-  <message>
-   <source>Shows whether the deformation kernel works, as a report to copy</source>
-   <translation>Zeigt als Bericht zum Kopieren, ob der Verformungskern funktioniert</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CopyAsMeshes</name>
-  <message>
-   <source>Copy as Meshes</source>
-   <translation>Als Netze kopieren</translation>
-  </message>
-  <message>
-   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
-   <translation>Kopiert die Teile als gewöhnliche Netze, wie sie jetzt sind oder in der gewählten Stellung</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CopyInPose</name>
-  <message>
-   <source>Copy in Pose</source>
-   <translation>In Stellung kopieren</translation>
-  </message>
-  <message>
-   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
-   <translation>Kopiert den ganzen Morph und bringt die Kopie in die gewählte Stellung; das Original bleibt</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CreateMorph</name>
-  <message>
-   <source>Create Morph</source>
-   <translation>Morph erzeugen</translation>
-  </message>
-  <message>
-   <source>Creates a morph; selected meshes and shapes become its parts and stay as they are</source>
-   <translation>Erzeugt einen Morph; gewählte Netze und Formen werden seine Teile und bleiben, wie sie sind</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_DeformedShape</name>
-  <message>
-   <source>Deformed Shape</source>
-   <translation>Verformte Form</translation>
-  </message>
-  <message>
-   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
-   <translation>Macht aus dem gewählten Teil eine verformte Form mit den Flächen derjenigen, aus der es entstand</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_ExportParts</name>
-  <message>
-   <source>Export Parts…</source>
-   <translation>Teile exportieren…</translation>
-  </message>
-  <message>
-   <source>Writes all deformed parts into a folder, each in its own file format</source>
-   <translation>Schreibt alle verformten Teile in einen Ordner, jedes in seinem eigenen Dateiformat</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_ExportRecipe</name>
-  <message>
-   <source>Export Recipe…</source>
-   <translation>Rezept exportieren…</translation>
-  </message>
-  <message>
-   <source>Writes the morph as a recipe that also runs without FreeCAD</source>
-   <translation>Schreibt den Morph als Rezept, das auch ohne FreeCAD läuft</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_FeatureSettings</name>
-  <message>
-   <source>Form Feature Settings…</source>
-   <translation>Formelement einstellen…</translation>
-  </message>
-  <message>
-   <source>Says how the selected form feature turns, what it may do, and which size it has</source>
-   <translation>Sagt, wie sich das gewählte Formelement dreht, was es darf und welche Größe es hat</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_FindContacts</name>
-  <message>
-   <source>Find Contacts…</source>
-   <translation>Kontakte finden…</translation>
-  </message>
-  <message>
-   <source>Finds where parts lie on each other or are bolted; those you accept become contacts</source>
-   <translation>Findet, wo Teile aufeinander liegen oder verschraubt sind; was du annimmst, wird Kontakt</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_FindFeatures</name>
-  <message>
-   <source>Find Features…</source>
-   <translation>Formelemente finden…</translation>
-  </message>
-  <message>
-   <source>Finds holes and other features on all parts; those you accept become form features</source>
-   <translation>Findet Löcher und andere Formelemente auf allen Teilen; was du annimmst, wird Formelement</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_Flatten</name>
-  <message>
-   <source>Flatten</source>
-   <translation type="unfinished"></translation>
-  </message>
-  <message>
-   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
-   <translation type="unfinished"></translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_GroupFeatures</name>
-  <message>
-   <source>Group Form Features</source>
-   <translation>Formelemente gruppieren</translation>
-  </message>
-  <message>
-   <source>Lets the selected form features of a part move as one body</source>
-   <translation>Lässt die gewählten Formelemente eines Teils sich als ein Körper bewegen</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_Guide</name>
-  <message>
-   <source>Guide</source>
-   <translation>Wegweiser</translation>
-  </message>
-  <message>
-   <source>Leads through a morph step by step: says what is missing and opens what is needed</source>
-   <translation>Führt Schritt für Schritt durch einen Morph: sagt, was fehlt, und öffnet, was man braucht</translation>
-  </message>
- </context>
- <context>
   <name>SheetMorph_ImportPart</name>
   <message>
    <source>Import Part…</source>
@@ -258,6 +275,18 @@
   <message>
    <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
    <translation>Importiert ein Netz als Teil, mit seinen genauen Koordinaten, jedes Property eines Decks, oder jeden Körper einer CAD-Datei, vernetzt</translation>
+  </message>
+  <message>
+   <source>Mesh CAD Shapes</source>
+   <translation>CAD-Formen vernetzen</translation>
+  </message>
+  <message>
+   <source>Longest edge in mm (0: a hundredth of the size)</source>
+   <translation>Längste Kante in mm (0: ein Hundertstel der Größe)</translation>
+  </message>
+  <message>
+   <source>Import Part</source>
+   <translation>Teil importieren</translation>
   </message>
  </context>
  <context>
@@ -269,6 +298,10 @@
   <message>
    <source>Creates a morph from a recipe and the mesh files it names</source>
    <translation>Erzeugt einen Morph aus einem Rezept und den Netzdateien, die es nennt</translation>
+  </message>
+  <message>
+   <source>Import Recipe</source>
+   <translation>Rezept importieren</translation>
   </message>
  </context>
  <context>
@@ -369,6 +402,14 @@
    <source>Opens an example assembly whose regions are marked, ready to move</source>
    <translation>Öffnet eine Beispielbaugruppe, deren Regionen markiert sind, bereit zum Bewegen</translation>
   </message>
+  <message>
+   <source>Open Example</source>
+   <translation>Beispiel öffnen</translation>
+  </message>
+  <message>
+   <source>Example</source>
+   <translation>Beispiel</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_PrepareMesh</name>
@@ -413,6 +454,18 @@
    <source>Keeps where all handles are now, under a name to come back to</source>
    <translation>Behält, wo alle Griffe jetzt sind, unter einem Namen, um zurückzukommen</translation>
   </message>
+  <message>
+   <source>Save Pose</source>
+   <translation>Pose speichern</translation>
+  </message>
+  <message>
+   <source>Name of the pose</source>
+   <translation>Name der Pose</translation>
+  </message>
+  <message>
+   <source>Pose {0}</source>
+   <translation>Pose {0}</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_SetPrimary</name>
@@ -437,41 +490,18 @@
   </message>
  </context>
  <context>
-  <name>Workbench</name>
-  <message>
-   <source>SheetMorph Morph</source>
-   <translation>SheetMorph Morph</translation>
-  </message>
-  <message>
-   <source>SheetMorph Regions</source>
-   <translation>SheetMorph Regionen</translation>
-  </message>
-  <message>
-   <source>SheetMorph Contacts</source>
-   <translation>SheetMorph Kontakte</translation>
-  </message>
-  <message>
-   <source>SheetMorph Features</source>
-   <translation>SheetMorph Formelemente</translation>
-  </message>
-  <message>
-   <source>SheetMorph Motion</source>
-   <translation>SheetMorph Bewegung</translation>
-  </message>
-  <message>
-   <source>SheetMorph Exchange</source>
-   <translation>SheetMorph Austausch</translation>
-  </message>
- </context>
- <context>
-  <name>actions</name>
+  <name>SheetMorph_actions</name>
   <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>Abgebrochen; nichts wurde geändert.</translation>
   </message>
+  <message>
+   <source>Cancel</source>
+   <translation>Abbrechen</translation>
+  </message>
  </context>
  <context>
-  <name>contact</name>
+  <name>SheetMorph_contact</name>
   <message>
    <source>Contact</source>
    <translation>Kontakt</translation>
@@ -534,7 +564,7 @@
   </message>
  </context>
  <context>
-  <name>feature</name>
+  <name>SheetMorph_feature</name>
   <message>
    <source>Form Feature</source>
    <translation>Formelement</translation>
@@ -689,7 +719,7 @@
   </message>
  </context>
  <context>
-  <name>find</name>
+  <name>SheetMorph_find</name>
   <message>
    <source>Find Features</source>
    <translation>Formelemente finden</translation>
@@ -828,7 +858,7 @@
   </message>
  </context>
  <context>
-  <name>guide</name>
+  <name>SheetMorph_guide</name>
   <message>
    <source>Guide</source>
    <translation>Wegweiser</translation>
@@ -863,7 +893,7 @@
   </message>
  </context>
  <context>
-  <name>menus</name>
+  <name>SheetMorph_menus</name>
   <message>
    <source>Do Not Use Contact</source>
    <translation>Kontakt nicht verwenden</translation>
@@ -906,7 +936,7 @@
   </message>
  </context>
  <context>
-  <name>move</name>
+  <name>SheetMorph_move</name>
   <message>
    <source>Move Handle</source>
    <translation>Griff bewegen</translation>
@@ -1109,7 +1139,7 @@
   </message>
   <message>
    <source>Stretch</source>
-   <translation type="unfinished"></translation>
+   <translation>Dehnung</translation>
   </message>
   <message>
    <source>Elements by quality: bars as it is, grey lines as it was at rest, red where the limit is</source>
@@ -1149,10 +1179,14 @@
   </message>
  </context>
  <context>
-  <name>panels</name>
+  <name>SheetMorph_panels</name>
   <message>
    <source>There is nothing to show: no contact is in use.</source>
    <translation>Es gibt nichts zu zeigen: kein Kontakt ist in Gebrauch.</translation>
+  </message>
+  <message>
+   <source>{0}, near {1}</source>
+   <translation>{0}, nahe {1}</translation>
   </message>
   <message>
    <source>Do not use “{0}”</source>
@@ -1287,6 +1321,10 @@
    <translation>Zeigen</translation>
   </message>
   <message>
+   <source>&lt;b&gt;{0}&lt;/b&gt; on {1}</source>
+   <translation>&lt;b&gt;{0}&lt;/b&gt; auf {1}</translation>
+  </message>
+  <message>
    <source>No hole, slot or cylinder: it has no size to set.</source>
    <translation>Weder Loch noch Langloch noch Zylinder: es hat keine einstellbare Größe.</translation>
   </message>
@@ -1319,6 +1357,10 @@
    <translation>Nichts ist angehakt; hake Vorschläge an oder brich ab.</translation>
   </message>
   <message>
+   <source>Driven by the expression {0}</source>
+   <translation>Gesteuert vom Ausdruck {0}</translation>
+  </message>
+  <message>
    <source>Computed in {0:.1f} ms, drawn in {1:.1f} ms</source>
    <translation>Berechnet in {0:.1f} ms, gezeichnet in {1:.1f} ms</translation>
   </message>
@@ -1328,7 +1370,11 @@
   </message>
   <message>
    <source>Linear preview: steel follows when you rest. {0}</source>
-   <translation type="unfinished"></translation>
+   <translation>Lineare Vorschau: Stahl folgt, wenn du innehältst. {0}</translation>
+  </message>
+  <message>
+   <source>Linear preview, the exact shape follows ({0})</source>
+   <translation>Lineare Vorschau, die genaue Form folgt ({0})</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
@@ -1344,7 +1390,7 @@
   </message>
   <message>
    <source>Steel, final. {0}</source>
-   <translation type="unfinished"></translation>
+   <translation>Stahl, endgültig. {0}</translation>
   </message>
   <message>
    <source>At rest</source>
@@ -1383,8 +1429,20 @@
    <translation>Markiere zuerst eine feste Region und einen Griff.</translation>
   </message>
   <message>
+   <source>How much the gap between both sides has changed, at most</source>
+   <translation>Um wie viel sich der Spalt zwischen beiden Seiten höchstens geändert hat</translation>
+  </message>
+  <message>
    <source>primary</source>
    <translation>Hauptteil</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <translation>aus</translation>
+  </message>
+  <message>
+   <source>not in use</source>
+   <translation>nicht in Gebrauch</translation>
   </message>
   <message>
    <source>level {0}</source>
@@ -1432,7 +1490,7 @@
   </message>
  </context>
  <context>
-  <name>picking</name>
+  <name>SheetMorph_picking</name>
   <message>
    <source>Click picks, Shift adds, Ctrl removes.</source>
    <translation>Klick wählt, Umschalt fügt hinzu, Strg nimmt weg.</translation>
@@ -1623,7 +1681,7 @@
   </message>
  </context>
  <context>
-  <name>pose</name>
+  <name>SheetMorph_pose</name>
   <message>
    <source>Blend Poses</source>
    <translation>Stellungen mischen</translation>
@@ -1654,7 +1712,7 @@
   </message>
  </context>
  <context>
-  <name>preferences</name>
+  <name>SheetMorph_preferences</name>
   <message>
    <source>General</source>
    <translation>Allgemein</translation>
@@ -1809,7 +1867,7 @@
   </message>
  </context>
  <context>
-  <name>prepare</name>
+  <name>SheetMorph_prepare</name>
   <message>
    <source>Preview</source>
    <translation>Vorschau</translation>
@@ -1888,7 +1946,7 @@
   </message>
  </context>
  <context>
-  <name>propagation</name>
+  <name>SheetMorph_propagation</name>
   <message>
    <source>Propagation</source>
    <translation>Ausbreitung</translation>
@@ -2003,7 +2061,7 @@
   </message>
  </context>
  <context>
-  <name>region</name>
+  <name>SheetMorph_region</name>
   <message>
    <source>Fixed Region</source>
    <translation>Feste Region</translation>
@@ -2058,11 +2116,11 @@
   </message>
   <message>
    <source>or type a selector: {"face_at": [x, y, z]}</source>
-   <translation type="unfinished"></translation>
+   <translation>oder einen Selektor eingeben: {"face_at": [x, y, z]}</translation>
   </message>
   <message>
    <source>What is picked, in the words of a recipe and the coordinates of the part's file; type another selector and press Enter</source>
-   <translation type="unfinished"></translation>
+   <translation>Was gewählt ist, in den Worten eines Rezepts und den Koordinaten der Datei des Teils; gib einen anderen Selektor ein und drücke Enter</translation>
   </message>
   <message>
    <source>Each hole is a feature of its own</source>
@@ -2074,7 +2132,7 @@
   </message>
  </context>
  <context>
-  <name>thickness</name>
+  <name>SheetMorph_thickness</name>
   <message>
    <source>Thickness</source>
    <translation>Dicke</translation>
@@ -2094,6 +2152,33 @@
   <message>
    <source>Every hole through both skins becomes a form feature: it keeps its shape, wall included</source>
    <translation>Jedes Loch durch beide Häute wird ein Formelement: es behält seine Form samt Wand</translation>
+  </message>
+ </context>
+ <context>
+  <name>Workbench</name>
+  <message>
+   <source>SheetMorph Morph</source>
+   <translation>SheetMorph Morph</translation>
+  </message>
+  <message>
+   <source>SheetMorph Regions</source>
+   <translation>SheetMorph Regionen</translation>
+  </message>
+  <message>
+   <source>SheetMorph Contacts</source>
+   <translation>SheetMorph Kontakte</translation>
+  </message>
+  <message>
+   <source>SheetMorph Features</source>
+   <translation>SheetMorph Formelemente</translation>
+  </message>
+  <message>
+   <source>SheetMorph Motion</source>
+   <translation>SheetMorph Bewegung</translation>
+  </message>
+  <message>
+   <source>SheetMorph Exchange</source>
+   <translation>SheetMorph Austausch</translation>
   </message>
  </context>
 </TS>

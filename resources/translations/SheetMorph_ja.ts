@@ -3,7 +3,200 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja" sourcelanguage="en">
  <context>
-  <name>Guide</name>
+  <name>SheetMorph_AddPart</name>
+  <message>
+   <source>Add Part</source>
+   <translation>部品を追加</translation>
+  </message>
+  <message>
+   <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
+   <translation>選択したメッシュと形状を、変形する部品としてモーフに加えます</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_BlendPoses</name>
+  <message>
+   <source>Blend Poses…</source>
+   <translation>姿勢を混ぜる…</translation>
+  </message>
+  <message>
+   <source>Goes from one pose to another with a slider, and compares them</source>
+   <translation>スライダーで姿勢から姿勢へ動かし、比べます</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Certify</name>
+  <message>
+   <source>Certificate…</source>
+   <translation>証明書…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
+   <translation>変形したすべてのパーツをフォルダーに書き出し、読み直して測定・判定します</translation>
+  </message>
+  <message>
+   <source>Certificate</source>
+   <translation>証明書</translation>
+  </message>
+  <message>
+   <source>Criteria</source>
+   <translation>基準</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CheckInstallation</name>
+  <message>
+   <source>Check Installation</source>
+   <translation>インストールの確認</translation>
+  </message>
+  <message>
+   <source>Shows whether the deformation kernel works, as a report to copy</source>
+   <translation>変形カーネルが動作するかを、コピーできる報告として示します</translation>
+  </message>
+  <message>
+   <source>Copy</source>
+   <translation>コピー</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CopyAsMeshes</name>
+  <message>
+   <source>Copy as Meshes</source>
+   <translation>メッシュとして複製</translation>
+  </message>
+  <message>
+   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
+   <translation>部品を今の形または選択した姿勢で通常のメッシュとして複製します</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CopyInPose</name>
+  <message>
+   <source>Copy in Pose</source>
+   <translation>姿勢で複製</translation>
+  </message>
+  <message>
+   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
+   <translation>モーフ全体を複製し、複製を選択した姿勢にします。元はそのまま残ります</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_CreateMorph</name>
+  <message>
+   <source>Create Morph</source>
+   <translation>モーフを作成</translation>
+  </message>
+  <message>
+   <source>Creates a morph; selected meshes and shapes become its parts and stay as they are</source>
+   <translation>モーフを作成します。選択したメッシュと形状は部品になり、元のまま残ります</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_DeformedShape</name>
+  <message>
+   <source>Deformed Shape</source>
+   <translation>変形した形状</translation>
+  </message>
+  <message>
+   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
+   <translation>選択した部品から、元の形状と同じ面を持つ変形した形状を作ります</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ExportParts</name>
+  <message>
+   <source>Export Parts…</source>
+   <translation>部品を書き出す…</translation>
+  </message>
+  <message>
+   <source>Writes all deformed parts into a folder, each in its own file format</source>
+   <translation>変形した全部品を、それぞれのファイル形式でフォルダーに書き出します</translation>
+  </message>
+  <message>
+   <source>Export Parts</source>
+   <translation>部品をエクスポート</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_ExportRecipe</name>
+  <message>
+   <source>Export Recipe…</source>
+   <translation>レシピを書き出す…</translation>
+  </message>
+  <message>
+   <source>Writes the morph as a recipe that also runs without FreeCAD</source>
+   <translation>FreeCADなしでも実行できるレシピとしてモーフを書き出します</translation>
+  </message>
+  <message>
+   <source>Export Recipe</source>
+   <translation>レシピをエクスポート</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FeatureSettings</name>
+  <message>
+   <source>Form Feature Settings…</source>
+   <translation>形状特徴の設定…</translation>
+  </message>
+  <message>
+   <source>Says how the selected form feature turns, what it may do, and which size it has</source>
+   <translation>選択した形状特徴の回り方、許される動き、大きさを決めます</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FindContacts</name>
+  <message>
+   <source>Find Contacts…</source>
+   <translation>接触を探す…</translation>
+  </message>
+  <message>
+   <source>Finds where parts lie on each other or are bolted; those you accept become contacts</source>
+   <translation>部品が重なる所やボルト締めの所を探します。採用したものが接触になります</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FindFeatures</name>
+  <message>
+   <source>Find Features…</source>
+   <translation>形状特徴を探す…</translation>
+  </message>
+  <message>
+   <source>Finds holes and other features on all parts; those you accept become form features</source>
+   <translation>全部品の穴などを探します。採用したものが形状特徴になります</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Flatten</name>
+  <message>
+   <source>Flatten</source>
+   <translation>展開</translation>
+  </message>
+  <message>
+   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
+   <translation>選択した部品を今の形のまま平らに展開します: 曲げ線の入ったブランクのスケッチ</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_GroupFeatures</name>
+  <message>
+   <source>Group Form Features</source>
+   <translation>形状特徴をまとめる</translation>
+  </message>
+  <message>
+   <source>Lets the selected form features of a part move as one body</source>
+   <translation>選択した同じ部品の形状特徴を一つの剛体として動かします</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Guide</name>
+  <message>
+   <source>Guide</source>
+   <translation>ガイド</translation>
+  </message>
+  <message>
+   <source>Leads through a morph step by step: says what is missing and opens what is needed</source>
+   <translation>モーフの作り方を一歩ずつ案内します。足りないものを示し、必要なパネルを開きます</translation>
+  </message>
   <message>
    <source>Import a mesh or CAD file, or select meshes in the tree and create a morph.</source>
    <translation>メッシュかCADファイルを読み込むか、ツリーでメッシュを選んでモーフを作成してください。</translation>
@@ -74,182 +267,6 @@
   </message>
  </context>
  <context>
-  <name>SheetMorph_AddPart</name>
-  <message>
-   <source>Add Part</source>
-   <translation>部品を追加</translation>
-  </message>
-  <message>
-   <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
-   <translation>選択したメッシュと形状を、変形する部品としてモーフに加えます</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_BlendPoses</name>
-  <message>
-   <source>Blend Poses…</source>
-   <translation>姿勢を混ぜる…</translation>
-  </message>
-  <message>
-   <source>Goes from one pose to another with a slider, and compares them</source>
-   <translation>スライダーで姿勢から姿勢へ動かし、比べます</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_Certify</name>
-  <message>
-   <source>Certificate…</source>
-   <translation>証明書…</translation>
-  </message>
-  <message>
-   <source>Writes all deformed parts into a folder, reads them again, measures and judges them</source>
-   <translation>変形したすべてのパーツをフォルダーに書き出し、読み直して測定・判定します</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CheckInstallation</name>
-  <message>
-   <source>Check Installation</source>
-   <translation>インストールの確認</translation>
-  </message>
-  <message>
-   <source>Shows whether the deformation kernel works, as a report to copy</source>
-   <translation>変形カーネルが動作するかを、コピーできる報告として示します</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CopyAsMeshes</name>
-  <message>
-   <source>Copy as Meshes</source>
-   <translation>メッシュとして複製</translation>
-  </message>
-  <message>
-   <source>Copies the parts as ordinary meshes, as they are now or in the selected pose</source>
-   <translation>部品を今の形または選択した姿勢で通常のメッシュとして複製します</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CopyInPose</name>
-  <message>
-   <source>Copy in Pose</source>
-   <translation>姿勢で複製</translation>
-  </message>
-  <message>
-   <source>Copies the whole morph and puts the copy into the selected pose; the original stays</source>
-   <translation>モーフ全体を複製し、複製を選択した姿勢にします。元はそのまま残ります</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_CreateMorph</name>
-  <message>
-   <source>Create Morph</source>
-   <translation>モーフを作成</translation>
-  </message>
-  <message>
-   <source>Creates a morph; selected meshes and shapes become its parts and stay as they are</source>
-   <translation>モーフを作成します。選択したメッシュと形状は部品になり、元のまま残ります</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_DeformedShape</name>
-  <message>
-   <source>Deformed Shape</source>
-   <translation>変形した形状</translation>
-  </message>
-  <message>
-   <source>Makes a shape of the selected part, deformed, with the faces of the one it was made from</source>
-   <translation>選択した部品から、元の形状と同じ面を持つ変形した形状を作ります</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_ExportParts</name>
-  <message>
-   <source>Export Parts…</source>
-   <translation>部品を書き出す…</translation>
-  </message>
-  <message>
-   <source>Writes all deformed parts into a folder, each in its own file format</source>
-   <translation>変形した全部品を、それぞれのファイル形式でフォルダーに書き出します</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_ExportRecipe</name>
-  <message>
-   <source>Export Recipe…</source>
-   <translation>レシピを書き出す…</translation>
-  </message>
-  <message>
-   <source>Writes the morph as a recipe that also runs without FreeCAD</source>
-   <translation>FreeCADなしでも実行できるレシピとしてモーフを書き出します</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_FeatureSettings</name>
-  <message>
-   <source>Form Feature Settings…</source>
-   <translation>形状特徴の設定…</translation>
-  </message>
-  <message>
-   <source>Says how the selected form feature turns, what it may do, and which size it has</source>
-   <translation>選択した形状特徴の回り方、許される動き、大きさを決めます</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_FindContacts</name>
-  <message>
-   <source>Find Contacts…</source>
-   <translation>接触を探す…</translation>
-  </message>
-  <message>
-   <source>Finds where parts lie on each other or are bolted; those you accept become contacts</source>
-   <translation>部品が重なる所やボルト締めの所を探します。採用したものが接触になります</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_FindFeatures</name>
-  <message>
-   <source>Find Features…</source>
-   <translation>形状特徴を探す…</translation>
-  </message>
-  <message>
-   <source>Finds holes and other features on all parts; those you accept become form features</source>
-   <translation>全部品の穴などを探します。採用したものが形状特徴になります</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_Flatten</name>
-  <message>
-   <source>Flatten</source>
-   <translation type="unfinished"></translation>
-  </message>
-  <message>
-   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
-   <translation type="unfinished"></translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_GroupFeatures</name>
-  <message>
-   <source>Group Form Features</source>
-   <translation>形状特徴をまとめる</translation>
-  </message>
-  <message>
-   <source>Lets the selected form features of a part move as one body</source>
-   <translation>選択した同じ部品の形状特徴を一つの剛体として動かします</translation>
-  </message>
- </context>
- <context>
-  <name>SheetMorph_Guide</name>
-  <message>
-   <source>Guide</source>
-   <translation>ガイド</translation>
-  </message>
-  <message>
-   <source>Leads through a morph step by step: says what is missing and opens what is needed</source>
-   <translation>モーフの作り方を一歩ずつ案内します。足りないものを示し、必要なパネルを開きます</translation>
-  </message>
- </context>
- <context>
   <name>SheetMorph_ImportPart</name>
   <message>
    <source>Import Part…</source>
@@ -258,6 +275,18 @@
   <message>
    <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
    <translation>メッシュを正確な座標のままパーツとして、デッキの各プロパティ、または CAD ファイルの各ソリッドをメッシュ化して読み込みます</translation>
+  </message>
+  <message>
+   <source>Mesh CAD Shapes</source>
+   <translation>CAD 形状をメッシュ化</translation>
+  </message>
+  <message>
+   <source>Longest edge in mm (0: a hundredth of the size)</source>
+   <translation>最長の辺 (mm、0 は大きさの百分の一)</translation>
+  </message>
+  <message>
+   <source>Import Part</source>
+   <translation>部品をインポート</translation>
   </message>
  </context>
  <context>
@@ -269,6 +298,10 @@
   <message>
    <source>Creates a morph from a recipe and the mesh files it names</source>
    <translation>レシピとそこに書かれたメッシュファイルからモーフを作成します</translation>
+  </message>
+  <message>
+   <source>Import Recipe</source>
+   <translation>レシピをインポート</translation>
   </message>
  </context>
  <context>
@@ -369,6 +402,14 @@
    <source>Opens an example assembly whose regions are marked, ready to move</source>
    <translation>領域を指定済みで、すぐ動かせる例題のアセンブリを開きます</translation>
   </message>
+  <message>
+   <source>Open Example</source>
+   <translation>例を開く</translation>
+  </message>
+  <message>
+   <source>Example</source>
+   <translation>例</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_PrepareMesh</name>
@@ -413,6 +454,18 @@
    <source>Keeps where all handles are now, under a name to come back to</source>
    <translation>全ハンドルの今の位置に名前を付けて残し、後で戻れるようにします</translation>
   </message>
+  <message>
+   <source>Save Pose</source>
+   <translation>姿勢を保存</translation>
+  </message>
+  <message>
+   <source>Name of the pose</source>
+   <translation>姿勢の名前</translation>
+  </message>
+  <message>
+   <source>Pose {0}</source>
+   <translation>姿勢 {0}</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_SetPrimary</name>
@@ -437,41 +490,18 @@
   </message>
  </context>
  <context>
-  <name>Workbench</name>
-  <message>
-   <source>SheetMorph Morph</source>
-   <translation>SheetMorph モーフ</translation>
-  </message>
-  <message>
-   <source>SheetMorph Regions</source>
-   <translation>SheetMorph 領域</translation>
-  </message>
-  <message>
-   <source>SheetMorph Contacts</source>
-   <translation>SheetMorph 接触</translation>
-  </message>
-  <message>
-   <source>SheetMorph Features</source>
-   <translation>SheetMorph 形状特徴</translation>
-  </message>
-  <message>
-   <source>SheetMorph Motion</source>
-   <translation>SheetMorph 動き</translation>
-  </message>
-  <message>
-   <source>SheetMorph Exchange</source>
-   <translation>SheetMorph 入出力</translation>
-  </message>
- </context>
- <context>
-  <name>actions</name>
+  <name>SheetMorph_actions</name>
   <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>中止しました。何も変更されていません。</translation>
   </message>
+  <message>
+   <source>Cancel</source>
+   <translation>キャンセル</translation>
+  </message>
  </context>
  <context>
-  <name>contact</name>
+  <name>SheetMorph_contact</name>
   <message>
    <source>Contact</source>
    <translation>接触</translation>
@@ -534,7 +564,7 @@
   </message>
  </context>
  <context>
-  <name>feature</name>
+  <name>SheetMorph_feature</name>
   <message>
    <source>Form Feature</source>
    <translation>形状特徴</translation>
@@ -689,7 +719,7 @@
   </message>
  </context>
  <context>
-  <name>find</name>
+  <name>SheetMorph_find</name>
   <message>
    <source>Find Features</source>
    <translation>形状特徴を探す</translation>
@@ -828,7 +858,7 @@
   </message>
  </context>
  <context>
-  <name>guide</name>
+  <name>SheetMorph_guide</name>
   <message>
    <source>Guide</source>
    <translation>ガイド</translation>
@@ -863,7 +893,7 @@
   </message>
  </context>
  <context>
-  <name>menus</name>
+  <name>SheetMorph_menus</name>
   <message>
    <source>Do Not Use Contact</source>
    <translation>接触を使わない</translation>
@@ -906,7 +936,7 @@
   </message>
  </context>
  <context>
-  <name>move</name>
+  <name>SheetMorph_move</name>
   <message>
    <source>Move Handle</source>
    <translation>ハンドルを動かす</translation>
@@ -1109,7 +1139,7 @@
   </message>
   <message>
    <source>Stretch</source>
-   <translation type="unfinished"></translation>
+   <translation>伸び</translation>
   </message>
   <message>
    <source>Elements by quality: bars as it is, grey lines as it was at rest, red where the limit is</source>
@@ -1149,10 +1179,14 @@
   </message>
  </context>
  <context>
-  <name>panels</name>
+  <name>SheetMorph_panels</name>
   <message>
    <source>There is nothing to show: no contact is in use.</source>
    <translation>表示するものがありません。使用中の接触がありません。</translation>
+  </message>
+  <message>
+   <source>{0}, near {1}</source>
+   <translation>{0}、{1} の近く</translation>
   </message>
   <message>
    <source>Do not use “{0}”</source>
@@ -1287,6 +1321,10 @@
    <translation>表示</translation>
   </message>
   <message>
+   <source>&lt;b&gt;{0}&lt;/b&gt; on {1}</source>
+   <translation>{1} の &lt;b&gt;{0}&lt;/b&gt;</translation>
+  </message>
+  <message>
    <source>No hole, slot or cylinder: it has no size to set.</source>
    <translation>穴でも長穴でも円筒でもなく、設定できる寸法がありません。</translation>
   </message>
@@ -1319,6 +1357,10 @@
    <translation>何もチェックされていません。提案をチェックするか、キャンセルしてください。</translation>
   </message>
   <message>
+   <source>Driven by the expression {0}</source>
+   <translation>式 {0} で決まります</translation>
+  </message>
+  <message>
    <source>Computed in {0:.1f} ms, drawn in {1:.1f} ms</source>
    <translation>計算 {0:.1f} ms、描画 {1:.1f} ms</translation>
   </message>
@@ -1328,7 +1370,11 @@
   </message>
   <message>
    <source>Linear preview: steel follows when you rest. {0}</source>
-   <translation type="unfinished"></translation>
+   <translation>線形プレビュー: 手を止めると鋼の解が続きます。{0}</translation>
+  </message>
+  <message>
+   <source>Linear preview, the exact shape follows ({0})</source>
+   <translation>線形プレビュー、正確な形状が続きます ({0})</translation>
   </message>
   <message>
    <source>Nothing has moved yet.</source>
@@ -1344,7 +1390,7 @@
   </message>
   <message>
    <source>Steel, final. {0}</source>
-   <translation type="unfinished"></translation>
+   <translation>鋼、最終結果。{0}</translation>
   </message>
   <message>
    <source>At rest</source>
@@ -1383,8 +1429,20 @@
    <translation>先に固定領域とハンドルを指定してください。</translation>
   </message>
   <message>
+   <source>How much the gap between both sides has changed, at most</source>
+   <translation>両側のすき間が最大でどれだけ変わったか</translation>
+  </message>
+  <message>
    <source>primary</source>
    <translation>主部品</translation>
+  </message>
+  <message>
+   <source>off</source>
+   <translation>オフ</translation>
+  </message>
+  <message>
+   <source>not in use</source>
+   <translation>使われていません</translation>
   </message>
   <message>
    <source>level {0}</source>
@@ -1432,7 +1490,7 @@
   </message>
  </context>
  <context>
-  <name>picking</name>
+  <name>SheetMorph_picking</name>
   <message>
    <source>Click picks, Shift adds, Ctrl removes.</source>
    <translation>クリックで選択、Shiftで追加、Ctrlで除去。</translation>
@@ -1623,7 +1681,7 @@
   </message>
  </context>
  <context>
-  <name>pose</name>
+  <name>SheetMorph_pose</name>
   <message>
    <source>Blend Poses</source>
    <translation>姿勢を混ぜる</translation>
@@ -1654,7 +1712,7 @@
   </message>
  </context>
  <context>
-  <name>preferences</name>
+  <name>SheetMorph_preferences</name>
   <message>
    <source>General</source>
    <translation>一般</translation>
@@ -1809,7 +1867,7 @@
   </message>
  </context>
  <context>
-  <name>prepare</name>
+  <name>SheetMorph_prepare</name>
   <message>
    <source>Preview</source>
    <translation>プレビュー</translation>
@@ -1888,7 +1946,7 @@
   </message>
  </context>
  <context>
-  <name>propagation</name>
+  <name>SheetMorph_propagation</name>
   <message>
    <source>Propagation</source>
    <translation>伝播</translation>
@@ -2003,7 +2061,7 @@
   </message>
  </context>
  <context>
-  <name>region</name>
+  <name>SheetMorph_region</name>
   <message>
    <source>Fixed Region</source>
    <translation>固定領域</translation>
@@ -2058,11 +2116,11 @@
   </message>
   <message>
    <source>or type a selector: {"face_at": [x, y, z]}</source>
-   <translation type="unfinished"></translation>
+   <translation>またはセレクターを入力: {"face_at": [x, y, z]}</translation>
   </message>
   <message>
    <source>What is picked, in the words of a recipe and the coordinates of the part's file; type another selector and press Enter</source>
-   <translation type="unfinished"></translation>
+   <translation>選択されているものを、レシピの言葉と部品ファイルの座標で示します。別のセレクターを入力して Enter を押してください</translation>
   </message>
   <message>
    <source>Each hole is a feature of its own</source>
@@ -2074,7 +2132,7 @@
   </message>
  </context>
  <context>
-  <name>thickness</name>
+  <name>SheetMorph_thickness</name>
   <message>
    <source>Thickness</source>
    <translation>板厚</translation>
@@ -2094,6 +2152,33 @@
   <message>
    <source>Every hole through both skins becomes a form feature: it keeps its shape, wall included</source>
    <translation>両面を貫く穴はすべて、側面も含めて形を保つ形状特徴になります</translation>
+  </message>
+ </context>
+ <context>
+  <name>Workbench</name>
+  <message>
+   <source>SheetMorph Morph</source>
+   <translation>SheetMorph モーフ</translation>
+  </message>
+  <message>
+   <source>SheetMorph Regions</source>
+   <translation>SheetMorph 領域</translation>
+  </message>
+  <message>
+   <source>SheetMorph Contacts</source>
+   <translation>SheetMorph 接触</translation>
+  </message>
+  <message>
+   <source>SheetMorph Features</source>
+   <translation>SheetMorph 形状特徴</translation>
+  </message>
+  <message>
+   <source>SheetMorph Motion</source>
+   <translation>SheetMorph 動き</translation>
+  </message>
+  <message>
+   <source>SheetMorph Exchange</source>
+   <translation>SheetMorph 入出力</translation>
   </message>
  </context>
 </TS>

@@ -29,7 +29,7 @@ STEPS = re.compile(
     r"\.(openTransaction|commitTransaction|abortTransaction|closeActiveTransaction)\("
 )
 OBSERVERS = re.compile(r"\b(addDocumentObserver)\(")
-MAY_OBSERVE = {"bridge/snapshots.py", "editing/watch.py", "panels/guide.py", "init.py"}
+MAY_OBSERVE = {"bridge/snapshots.py", "editing/watch.py", "panels/guide.py", "objects/watcher.py"}
 FREECAD_MODULES = {"FreeCAD", "freecad", "Mesh", "MeshPart", "Part"}
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The texts of the workbench are translated, with the same gaps."""
 
+import ast
 import importlib.util
 import re
 from pathlib import Path
@@ -60,3 +61,51 @@ def test_texts_are_found_in_python_and_panels(tool):
     panel = '<ui><class>p</class><widget><property name="text"><string>A</string></property>'
     panel += '<property name="suffix"><string>°</string></property></widget></ui>'
     assert tool.texts_of_panel(panel) == [("p", "A")]
+
+
+def test_all_contexts_are_of_one_name_space(tool):
+    """Texts of all of FreeCAD lie beside ours; it asks for titles of menus and toolbars itself."""
+    foreign = [name for name in tool.collect(ROOT) if not name.startswith("SheetMorph_")]
+    assert foreign == ["Workbench"]
+
+
+SHOWING = {"setText", "setToolTip", "setStatusTip", "setWhatsThis", "setTitle", "setWindowTitle"}
+SHOWING |= {"setLabelText", "setPlaceholderText", "setPrefix", "setSuffix", "addItem", "addItems"}
+SHOWING |= {"addAction", "addButton", "addMenu", "addTab", "setHeaderLabels", "showMessage"}
+SHOWING |= {"QLabel", "QPushButton", "QCheckBox", "QAction", "QToolButton", "QProgressDialog"}
+SHOWING |= {"information", "warning", "critical", "question", "QMessageBox"}
+SHOWING |= {"getDouble", "getInt", "getItem", "getText"}
+SHOWING |= {"getExistingDirectory", "getOpenFileName", "getOpenFileNames", "getSaveFileName"}
+NO_WORDS = re.compile(r"<[^>]*>?|[^<]*>|\w+\.json")  # markup, names of files
+
+
+def words_in(node: ast.expr) -> list[str]:
+    """The literal texts that an expression may give, but what functions make of theirs."""
+    if isinstance(node, ast.Constant):
+        return [node.value] if isinstance(node.value, str) else []
+    inner = {
+        ast.JoinedStr: lambda: node.values,
+        ast.List: lambda: node.elts,
+        ast.Tuple: lambda: node.elts,
+        ast.Starred: lambda: [node.value],
+        ast.IfExp: lambda: [node.body, node.orelse],
+        ast.BinOp: lambda: [node.left, node.right],
+    }.get(type(node), list)
+    return [text for each in inner() for text in words_in(each)]
+
+
+def test_what_a_widget_is_told_to_show_is_marked(tool):
+    workbench = ROOT / "Mod" / "SheetMorph" / "freecad" / "sheetmorph"
+    unmarked, seen = [], 0
+    for path in sorted(workbench.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if "tests" in path.parts or not isinstance(node, ast.Call):
+                continue
+            if getattr(node.func, "attr", getattr(node.func, "id", "")) not in SHOWING:
+                continue
+            seen += 1
+            said = [NO_WORDS.sub("", text) for value in node.args for text in words_in(value)]
+            if any(re.search(r"[A-Za-z]{2}", text) for text in said):
+                unmarked.append(f"{path.name}:{node.lineno}: {said}")
+    assert seen > 50
+    assert unmarked == []

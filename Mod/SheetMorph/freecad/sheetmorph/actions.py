@@ -140,7 +140,7 @@ def followed(title: str):
     Raises Cancelled if the user has pressed that.
     """
     progress = Progress(title)
-    cancelled = Cancelled(translate("actions", "Cancelled; nothing was changed."))
+    cancelled = Cancelled(translate("SheetMorph_actions", "Cancelled; nothing was changed."))
     try:
         with waiting(), reporting.told_to(progress):
             yield

@@ -4,7 +4,5 @@
 import FreeCAD
 
 from freecad.sheetmorph.tests import MODULES
-from freecad.sheetmorph.watcher import SourceWatcher
 
 FreeCAD.__unit_test__ += list(MODULES)
-FreeCAD.addDocumentObserver(SourceWatcher())

@@ -25,14 +25,16 @@ def cure_of(assembly, sentence: str):
     named = named_by(assembly, sentence)
     for other, region in pairs([obj for obj in named if model.kind(obj) == model.REGION]):
         if shares_some(region, other):
-            title = translate("panels", "Take out of “{0}”").format(region.Label)
+            title = translate("SheetMorph_panels", "Take out of “{0}”").format(region.Label)
             return title, call("take_out", name(region), name(other))
     for contact in [obj for obj in named if model.kind(obj) == model.CONTACT and obj.Active]:
-        title = translate("panels", "Do not use “{0}”").format(contact.Label)
+        title = translate("SheetMorph_panels", "Do not use “{0}”").format(contact.Label)
         return title, call("set_active", name(contact), "False")
     for part in parts_named_by(assembly, sentence):
         if not named and len(loose_on(part)):
-            return translate("panels", "Leave at rest"), call("hold_loose_pieces", name(part))
+            return translate("SheetMorph_panels", "Leave at rest"), call(
+                "hold_loose_pieces", name(part)
+            )
     return None
 
 

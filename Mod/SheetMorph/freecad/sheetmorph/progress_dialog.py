@@ -7,7 +7,7 @@ from concurrent import futures
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.garbage import collecting
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 PATIENCE = 0.4  # seconds until the dialog appears
 LOOK = 0.03  # seconds between two looks at what is done in a thread
@@ -85,7 +85,8 @@ class Progress:
             self._dialog = None
 
     def _open(self) -> None:
-        self._dialog = QtWidgets.QProgressDialog(self._title, "Cancel", 0, 100, Gui.getMainWindow())
+        cancel = translate("SheetMorph_actions", "Cancel")
+        self._dialog = QtWidgets.QProgressDialog(self._title, cancel, 0, 100, Gui.getMainWindow())
         self._dialog.setObjectName("SheetMorphProgress")
         self._dialog.setWindowTitle(self._title)
         self._dialog.setWindowModality(QtCore.Qt.ApplicationModal)

@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from freecad.sheetmorph.bridge import kernel, recipes
-from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.bridge.rest import RestPart
 from freecad.sheetmorph.bridge.solving import (
     FAILURES,
@@ -26,6 +25,8 @@ from freecad.sheetmorph.bridge.solving import (
     shown_control_mesh,
     unsettled_words,
 )
+from freecad.sheetmorph.objects.errors import MorphError
+from freecad.sheetmorph.reporting import Progress
 
 
 @dataclass(frozen=True)

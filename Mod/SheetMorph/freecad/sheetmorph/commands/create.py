@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.commands.base import Command
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 DECKS = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch", ".k", ".key", ".dyn", ".inp")
@@ -37,8 +37,8 @@ def ask_edge() -> float | None:
     """Asks how long the edges of meshed CAD shapes may be, mm; 0 for automatic, None to stop."""
     length, is_given = QtWidgets.QInputDialog.getDouble(
         Gui.getMainWindow(),
-        "Mesh CAD Shapes",
-        "Longest edge in mm (0: a hundredth of the size)",
+        translate("SheetMorph_ImportPart", "Mesh CAD Shapes"),
+        translate("SheetMorph_ImportPart", "Longest edge in mm (0: a hundredth of the size)"),
         *(0.0, 0.0, 1e6, 3),
     )
     return length if is_given else None
@@ -155,7 +155,8 @@ class ImportPart(Command):
     def execute(self) -> None:
         """Asks for files and imports them in one undo step, into a new morph if there is none."""
         window = Gui.getMainWindow()
-        files, _ = QtWidgets.QFileDialog.getOpenFileNames(window, "Import Part", "", FILTER)
+        title = translate("SheetMorph_ImportPart", "Import Part")
+        files, _ = QtWidgets.QFileDialog.getOpenFileNames(window, title, "", FILTER)
         has_cad = any(file.lower().endswith(CAD) for file in files)
         edge = ask_edge() if has_cad else 0.0
         if not files or edge is None:

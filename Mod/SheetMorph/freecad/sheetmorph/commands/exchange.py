@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph import actions, paths, subject
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.commands.base import Command
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 RECIPES = "Recipes (*.json)"
@@ -57,7 +57,8 @@ class ExportParts(Command):
         """Asks for a folder and writes."""
         owner = subject.assembly()
         window = Gui.getMainWindow()
-        folder = QtWidgets.QFileDialog.getExistingDirectory(window, "Export Parts")
+        title = translate("SheetMorph_ExportParts", "Export Parts")
+        folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
         if folder:
             with actions.waiting():
                 actions.record(call("write_parts", name(owner), repr(folder)))
@@ -84,12 +85,14 @@ class Certify(Command):
         from freecad.sheetmorph.panels import certificate_dialog
 
         owner, window = subject.assembly(), Gui.getMainWindow()
+        title = translate("SheetMorph_Certify", "Certificate")
+        asked = translate("SheetMorph_Certify", "Criteria")
         criteria, is_chosen = QtWidgets.QInputDialog.getItem(
-            window, "Certificate", "Criteria", CRITERIA, 0, False
+            window, title, asked, CRITERIA, 0, False
         )
         if not is_chosen:
             return
-        folder = QtWidgets.QFileDialog.getExistingDirectory(window, "Certificate")
+        folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
         if folder:
             with actions.waiting():
                 line = call("certify", name(owner), repr(folder), repr(criteria))
@@ -114,9 +117,8 @@ class ExportRecipe(Command):
     def execute(self) -> None:
         """Asks for a file and writes."""
         window = Gui.getMainWindow()
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            window, "Export Recipe", "recipe.json", RECIPES
-        )
+        title = translate("SheetMorph_ExportRecipe", "Export Recipe")
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(window, title, "recipe.json", RECIPES)
         if path:
             actions.record(call("export_recipe", name(subject.assembly()), repr(path)))
 
@@ -137,7 +139,8 @@ class ImportRecipe(Command):
     def execute(self) -> None:
         """Asks for a file and reads it."""
         window = Gui.getMainWindow()
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(window, "Import Recipe", "", RECIPES)
+        title = translate("SheetMorph_ImportRecipe", "Import Recipe")
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(window, title, "", RECIPES)
         if path:
             open_recipe(path)
 
@@ -164,7 +167,10 @@ class OpenExample(Command):
                 f"There are no examples in {paths.examples()}; build the add-on again."
             )
         title, chosen = QtWidgets.QInputDialog.getItem(
-            Gui.getMainWindow(), "Open Example", "Example", list(recipes), 0, False
+            Gui.getMainWindow(),
+            translate("SheetMorph_OpenExample", "Open Example"),
+            translate("SheetMorph_OpenExample", "Example"),
+            *(list(recipes), 0, False),
         )
         if chosen:
             open_recipe(recipes[title], title.replace(" ", ""))

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.commands.base import Command
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 
@@ -28,9 +28,12 @@ class SavePose(Command):
         """Asks for a name; one undo step."""
         owner = subject.assembly()
         number = len(subject.poses(owner)) + 1
-        window = Gui.getMainWindow()
         label, is_given = QtWidgets.QInputDialog.getText(
-            window, "Save Pose", "Name of the pose", QtWidgets.QLineEdit.Normal, f"Pose {number}"
+            Gui.getMainWindow(),
+            translate("SheetMorph_SavePose", "Save Pose"),
+            translate("SheetMorph_SavePose", "Name of the pose"),
+            QtWidgets.QLineEdit.Normal,
+            translate("SheetMorph_SavePose", "Pose {0}").format(number),
         )
         if is_given and label.strip():
             line = call("save_pose", name(owner), repr(label.strip()))

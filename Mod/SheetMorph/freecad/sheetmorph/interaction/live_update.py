@@ -99,13 +99,13 @@ class LiveUpdate(QtCore.QObject):
         if self.legend is None or self._valuer is None:
             return ""
         if not self.legend.part:
-            return translate("panels", "There is nothing to show: no contact is in use.")
+            return translate("SheetMorph_panels", "There is nothing to show: no contact is in use.")
         part = self._assembly.Document.getObject(self.legend.part).Label
         extreme = words.plain(self.legend.extreme)
         value = f"{extreme} {self._valuer.unit}".strip()
         text = f"{self._valuer.worst} {value} on {part}"
         near = self.legend.places[0].near if self.legend.places else ""
-        return translate("panels", "{0}, near {1}").format(text, near) if near else text
+        return translate("SheetMorph_panels", "{0}, near {1}").format(text, near) if near else text
 
     @property
     def is_preview(self) -> bool:

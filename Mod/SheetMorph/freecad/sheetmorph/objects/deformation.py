@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from freecad.sheetmorph import doors
+from freecad.sheetmorph.objects import watcher
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.objects.model import DEFORMATION, PART, assembly_of, kind
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
@@ -24,6 +25,16 @@ class DeformationProxy(ObjectProxy):
     )
     _cache: Any = None
     _outcome: Any = None
+
+    def __init__(self, obj):
+        """Make `obj` a deformation that hears of changes of its sources."""
+        super().__init__(obj)
+        watcher.watch()
+
+    def onDocumentRestored(self, obj) -> None:
+        """As a new one."""
+        super().onDocumentRestored(obj)
+        watcher.watch()
 
     def cache(self):
         """Return what solves and is kept between two recomputes; a restored proxy has none yet."""

@@ -10,10 +10,10 @@ from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 LEGEND = {
-    "fixed": QT_TRANSLATE_NOOP("panels", "Fixed"),
-    "handle": QT_TRANSLATE_NOOP("panels", "Handle"),
-    "form feature": QT_TRANSLATE_NOOP("panels", "Form feature"),
-    "follower": QT_TRANSLATE_NOOP("panels", "Follower"),
+    "fixed": QT_TRANSLATE_NOOP("SheetMorph_panels", "Fixed"),
+    "handle": QT_TRANSLATE_NOOP("SheetMorph_panels", "Handle"),
+    "form feature": QT_TRANSLATE_NOOP("SheetMorph_panels", "Form feature"),
+    "follower": QT_TRANSLATE_NOOP("SheetMorph_panels", "Follower"),
 }
 WIDTH = 340  # px at which a panel is readable
 FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"  # any theme
@@ -33,7 +33,7 @@ class Panel:
     def __init__(self, session, widgets: str, icon: str, title: str):
         self.session = session
         self._form = Gui.PySideUic.loadUi(paths.panel(widgets))
-        self.form.setWindowTitle(translate(widgets, title))
+        self.form.setWindowTitle(translate(f"SheetMorph_{widgets}", title))
         self.form.setWindowIcon(QtGui.QIcon(paths.icon(icon)))
         for name, widget in vars(self.form).items():
             if isinstance(widget, QtWidgets.QWidget) and not name.startswith("_"):
@@ -159,7 +159,7 @@ def legend(active: str) -> str:
     for role, name in LEGEND.items():
         if role == "follower" and role != active:
             continue
-        text = translate("panels", name).replace(" ", "&nbsp;")
+        text = translate("SheetMorph_panels", name).replace(" ", "&nbsp;")
         shown = f"<b>{text}</b>" if role == active else text
         chips.append(f"{chip(colours.ROLES[role])}&nbsp;{shown}")
     return "&nbsp;&nbsp; ".join(chips)

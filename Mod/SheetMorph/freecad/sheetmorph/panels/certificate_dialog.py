@@ -18,7 +18,7 @@ def show(folder: str) -> None:
     certificate = json.loads((Path(folder) / "certificate.json").read_text("utf-8"))
     dialog = QtWidgets.QDialog(Gui.getMainWindow())
     dialog.setObjectName("SheetMorphCertificate")
-    dialog.setWindowTitle(translate("panels", "Certificate"))
+    dialog.setWindowTitle(translate("SheetMorph_panels", "Certificate"))
     dialog.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     text = QtWidgets.QLabel(summary(certificate, folder), dialog)
     text.setObjectName("certificate")
@@ -27,7 +27,7 @@ def show(folder: str) -> None:
     text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close, dialog)
     page = QtCore.QUrl.fromLocalFile(str(Path(folder) / "certificate.html"))
-    label = translate("panels", "Open Page")
+    label = translate("SheetMorph_panels", "Open Page")
     opened = buttons.addButton(label, QtWidgets.QDialogButtonBox.ActionRole)
     opened.clicked.connect(lambda: QtGui.QDesktopServices.openUrl(page))
     buttons.rejected.connect(dialog.reject)
@@ -40,15 +40,21 @@ def show(folder: str) -> None:
 def summary(certificate: dict, folder: str) -> str:
     """What holds and what does not, as rich text."""
     passed, failures = certificate["passed"], certificate["failures"]
-    word = translate("panels", "Certified") if passed else translate("panels", "Not certified")
+    word = (
+        translate("SheetMorph_panels", "Certified")
+        if passed
+        else translate("SheetMorph_panels", "Not certified")
+    )
     colour, name = PASSED if passed else FAILED, certificate["criteria"]["name"]
-    counts = translate("panels", "Parts: {0}, form features: {1}, contacts: {2}, joints: {3}")
+    counts = translate(
+        "SheetMorph_panels", "Parts: {0}, form features: {1}, contacts: {2}, joints: {3}"
+    )
     joints = sum(deck["joints"]["count"] for deck in certificate["decks"])
     found = (len(certificate[key]) for key in ("parts", "features", "contacts"))
     lines = [f"<b style='color:{colour}; font-size:large'>{word}</b> ({escape(name)})"]
     lines.append(counts.format(*found, joints))
     lines += [f"&bull; {escape(text)}" for text in failures[:SHOWN]]
     if len(failures) > SHOWN:
-        lines.append(translate("panels", "and {0} more").format(len(failures) - SHOWN))
+        lines.append(translate("SheetMorph_panels", "and {0} more").format(len(failures) - SHOWN))
     lines.append(f"<br>{escape(folder)}")
     return "<br>".join(lines)

@@ -122,13 +122,17 @@ class ContactPanel(Panel):
     def _fault(self) -> str:
         """Why there is no contact yet, in words; empty if there is one."""
         if not self._sides.are_chosen:
-            return translate("panels", "Choose two parts: click on one, then on the other.")
+            return translate(
+                "SheetMorph_panels", "Choose two parts: click on one, then on the other."
+            )
         if all(self._sides.picked(side) for side in "ab"):
             return ""
         if self._side_by_hand():
-            return translate("panels", "A side is empty: pick at least one vertex on each part.")
+            return translate(
+                "SheetMorph_panels", "A side is empty: pick at least one vertex on each part."
+            )
         return translate(
-            "panels",
+            "SheetMorph_panels",
             "The parts are farther apart than that: give a larger gap distance, or pick by hand.",
         )
 
@@ -171,7 +175,7 @@ class ContactPanel(Panel):
         for side in "ab":
             getattr(form, f"chip_{side}").setText(chip(colours.SIDES[side]))
             combo = getattr(form, f"part_{side}")
-            combo.addItem(translate("panels", "Click on a part…"), "")
+            combo.addItem(translate("SheetMorph_panels", "Click on a part…"), "")
             for part in self._parts.values():
                 combo.addItem(part.Label, part.Name)
             combo.activated.connect(lambda _index, s=side: self._choose_part(s))
@@ -184,7 +188,7 @@ class ContactPanel(Panel):
         contact_types.fill(form.type, contact_types.TYPE_NAMES, contact_types.TYPE_TEXTS)
 
     def _explain(self, index: int) -> None:
-        self.form.type_text.setText(translate("panels", contact_types.TYPE_TEXTS[index]))
+        self.form.type_text.setText(translate("SheetMorph_panels", contact_types.TYPE_TEXTS[index]))
 
     def _is_active(self) -> bool:
         return self.form.active.isChecked()
@@ -242,7 +246,9 @@ class ContactPanel(Panel):
         """Shows what is picked."""
         for side in "ab":
             picked = self._sides.picked(side)
-            text = translate("panels", "{0} vertices").format(len(picked)) if picked else ""
+            text = (
+                translate("SheetMorph_panels", "{0} vertices").format(len(picked)) if picked else ""
+            )
             getattr(self.form, f"count_{side}").setText(text)
             if side in self._views:
                 self._views[side].show_picked(picked)

@@ -6,44 +6,48 @@ from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 TYPES = ("control mesh", "tied", "rigid")
 TYPE_NAMES = (
-    QT_TRANSLATE_NOOP("panels", "Control mesh"),
-    QT_TRANSLATE_NOOP("panels", "Tied"),
-    QT_TRANSLATE_NOOP("panels", "Rigid"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Control mesh"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Tied"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Rigid"),
 )
 TYPE_TEXTS = (
     QT_TRANSLATE_NOOP(
-        "panels", "The other part bends along smoothly. Right for most flanges and weld seams."
+        "SheetMorph_panels",
+        "The other part bends along smoothly. Right for most flanges and weld seams.",
     ),
     QT_TRANSLATE_NOOP(
-        "panels",
+        "SheetMorph_panels",
         "Every vertex keeps its place over the facing triangle. For glued faces and mesh ties.",
     ),
     QT_TRANSLATE_NOOP(
-        "panels", "Both sides move as one stiff body. For bolts, rivets and spot welds."
+        "SheetMorph_panels", "Both sides move as one stiff body. For bolts, rivets and spot welds."
     ),
 )
 MODE_NAMES = (
-    QT_TRANSLATE_NOOP("panels", "Automatic"),
-    QT_TRANSLATE_NOOP("panels", "1 Whole part"),
-    QT_TRANSLATE_NOOP("panels", "2 Contacts lead"),
-    QT_TRANSLATE_NOOP("panels", "3 Contacts and edges lead"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Automatic"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "1 Whole part"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "2 Contacts lead"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "3 Contacts and edges lead"),
 )
 MODE_TEXTS = (
-    QT_TRANSLATE_NOOP("panels", "SheetMorph chooses by contacts and form features."),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "SheetMorph chooses by contacts and form features."),
     QT_TRANSLATE_NOOP(
-        "panels", "The control mesh moves every vertex; form features would lose their shape."
+        "SheetMorph_panels",
+        "The control mesh moves every vertex; form features would lose their shape.",
     ),
     QT_TRANSLATE_NOOP(
-        "panels",
+        "SheetMorph_panels",
         "Contacts and followers go with the control mesh, the rest bends like sheet; form "
         "features keep their shape.",
     ),
-    QT_TRANSLATE_NOOP("panels", "As 2, and free edges inside the control mesh go with it too."),
+    QT_TRANSLATE_NOOP(
+        "SheetMorph_panels", "As 2, and free edges inside the control mesh go with it too."
+    ),
 )
 
 
 def fill(combo, names, texts) -> None:
     """Fills a combo box with names, each with its text as tooltip."""
     for index, (shown, text) in enumerate(zip(names, texts)):
-        combo.addItem(translate("panels", shown))
-        combo.setItemData(index, translate("panels", text), QtCore.Qt.ToolTipRole)
+        combo.addItem(translate("SheetMorph_panels", shown))
+        combo.setItemData(index, translate("SheetMorph_panels", text), QtCore.Qt.ToolTipRole)

@@ -26,7 +26,9 @@ class FaultBar(QtCore.QObject):
         self._row = QtWidgets.QWidget(form)
         buttons = QtWidgets.QHBoxLayout(self._row)
         buttons.setContentsMargins(0, 0, 0, 0)
-        self._show = self._button("show_fault", translate("panels", "Show"), self._show_it)
+        self._show = self._button(
+            "show_fault", translate("SheetMorph_panels", "Show"), self._show_it
+        )
         self._mend = self._button("mend_fault", "", self._mend_it)
         column = form.layout()
         column.insertWidget(column.indexOf(form.message) + 1, self._row)

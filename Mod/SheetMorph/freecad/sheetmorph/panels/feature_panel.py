@@ -173,21 +173,25 @@ class FeaturePanel(Panel):
         if not chosen:
             raise ValueError(
                 translate(
-                    "panels", "Tick the form features it is related to, or choose no relation."
+                    "SheetMorph_panels",
+                    "Tick the form features it is related to, or choose no relation.",
                 )
             )
         members = [self._feature, *chosen]
         if function == "group":
             return function, (self._assembly, members), {}
         if len(chosen) > 1:
-            raise ValueError(translate("panels", "A pair has two form features; tick one."))
+            raise ValueError(
+                translate("SheetMorph_panels", "A pair has two form features; tick one.")
+            )
         return function, (self._assembly, *members), {}
 
     # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form
-        form.part.setText(f"<b>{self._feature.Label}</b> on {self._feature.Part.Label}")
+        text = translate("SheetMorph_panels", "<b>{0}</b> on {1}")
+        form.part.setText(text.format(self._feature.Label, self._feature.Part.Label))
         form.feature_size.setProperty("unit", "mm")
         form.feature_size.setProperty("minimum", 0.0)
         for other in self._others:
@@ -215,7 +219,9 @@ class FeaturePanel(Panel):
         form.has_size.setEnabled(shape is not None)
         form.has_size.setChecked(shape is not None and feature.Size.Value > 0.0)
         if shape is None:
-            text = translate("panels", "No hole, slot or cylinder: it has no size to set.")
+            text = translate(
+                "SheetMorph_panels", "No hole, slot or cylinder: it has no size to set."
+            )
             form.size_text.setText(text)
             return
         form.feature_size.setProperty("rawValue", feature.Size.Value or shape.size)

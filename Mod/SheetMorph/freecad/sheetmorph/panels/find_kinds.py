@@ -19,7 +19,7 @@ def widget(form, title: str):
 class Features:
     """Proposals that become form features."""
 
-    title, icon = QT_TRANSLATE_NOOP("find", "Find Features"), "FindFeatures"
+    title, icon = QT_TRANSLATE_NOOP("SheetMorph_find", "Find Features"), "FindFeatures"
     columns = ["Feature", "Size", "Quality"]
 
     def prepare(self, form) -> None:
@@ -27,7 +27,10 @@ class Features:
         for widget in (form.gap, form.gap_label, form.facing, form.facing_label, form.one_per_pair):
             widget.setVisible(False)
         form.hint.setText(
-            translate("find", "Size: diameter or length. Quality: how far the rim is off its form.")
+            translate(
+                "SheetMorph_find",
+                "Size: diameter or length. Quality: how far the rim is off its form.",
+            )
         )
 
     def options(self, form) -> dict:
@@ -80,7 +83,7 @@ class Features:
 class Contacts:
     """Proposals that become contacts."""
 
-    title, icon = QT_TRANSLATE_NOOP("find", "Find Contacts"), "FindContacts"
+    title, icon = QT_TRANSLATE_NOOP("SheetMorph_find", "Find Contacts"), "FindContacts"
     columns = ["Contact", "Type", "Size", "Gap"]
 
     def prepare(self, form) -> None:
@@ -96,7 +99,10 @@ class Contacts:
         ):
             widget.setVisible(False)
         form.hint.setText(
-            translate("find", "Size: of the place. Gap: between the parts, measured in the middle.")
+            translate(
+                "SheetMorph_find",
+                "Size: of the place. Gap: between the parts, measured in the middle.",
+            )
         )
 
     def options(self, form) -> dict:

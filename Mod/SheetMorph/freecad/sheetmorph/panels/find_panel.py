@@ -15,7 +15,7 @@ from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.looking import look_at
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
-ANY = QT_TRANSLATE_NOOP("panels", "all kinds")
+ANY = QT_TRANSLATE_NOOP("SheetMorph_panels", "all kinds")
 
 
 def open_features(assembly, parts=None):
@@ -69,7 +69,9 @@ class FindPanel(Panel):
         combo, kept = self.form.kind, self.form.kind.currentText()
         combo.blockSignals(True)
         combo.clear()
-        combo.addItems([translate("panels", ANY), *sorted({one.kind for one in self._found})])
+        combo.addItems(
+            [translate("SheetMorph_panels", ANY), *sorted({one.kind for one in self._found})]
+        )
         combo.setCurrentIndex(max(0, combo.findText(kept)))
         combo.blockSignals(False)
 
@@ -100,13 +102,13 @@ class FindPanel(Panel):
 
     def _count(self, *_) -> None:
         marked = sum(one.is_marked for one in self._found)
-        text = translate("panels", "{0} of {1} chosen")
+        text = translate("SheetMorph_panels", "{0} of {1} chosen")
         if marked:
-            text = translate("panels", "{0} of {1} chosen, {2} in the document already")
+            text = translate("SheetMorph_panels", "{0} of {1} chosen, {2} in the document already")
         texts = [text.format(len(self._chosen()), len(self._found), marked)]
         unsettled = sum(bool(self._what.doubt(one)) for one in self._found)
         if unsettled:
-            text = translate("panels", "{0} not certain (?): point at them to read why")
+            text = translate("SheetMorph_panels", "{0} not certain (?): point at them to read why")
             texts.append(text.format(unsettled))
         self.form.count.setText("; ".join(texts))
 
@@ -135,7 +137,7 @@ class FindPanel(Panel):
         """OK: everything that is checked in one undo step."""
         chosen = [one for one in self._chosen() if not one.is_marked]
         if not chosen:
-            text = translate("panels", "Nothing is checked; check proposals, or cancel.")
+            text = translate("SheetMorph_panels", "Nothing is checked; check proposals, or cancel.")
             say(self.form.message, text, True)
             return False
         lines = self._what.lines(self._assembly, chosen, self.form)

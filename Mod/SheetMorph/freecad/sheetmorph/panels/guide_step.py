@@ -41,7 +41,7 @@ class StepView:
         is_here = step.state in (guide.NEXT, guide.AFTER, guide.FAULTY)
         self._widget("mark").setText(f'<b style="color:{colour}">{mark}</b>')
         self._widget("title").setText(f"<b>{self._title}</b>" if is_here else self._title)
-        words = translate("Guide", step.text).format(**step.values)
+        words = translate("SheetMorph_Guide", step.text).format(**step.values)
         say(self._widget("text"), words, step.state == guide.FAULTY)
         for name in self._names:
             command = commands[f"SheetMorph_{name}"]

@@ -2,7 +2,7 @@
 """The fields of a motion in the Move Handle panel: between widgets and numbers."""
 
 from freecad.sheetmorph.panels.base import number_in, put_number
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.motion import CENTROID, Motion
 
 DRIVEN = {
@@ -76,7 +76,8 @@ class MotionFields(QtCore.QObject):
             widget = getattr(self._form, field)
             widget.setEnabled(not text)
             if text:
-                widget.setToolTip(f"Driven by the expression {text}")
+                said = translate("SheetMorph_panels", "Driven by the expression {0}")
+                widget.setToolTip(said.format(text))
 
     def _send(self, *_) -> None:
         if not self._is_writing:

@@ -237,23 +237,25 @@ class MovePanel(Panel):
     def _on_drawn(self) -> None:
         self._faults.say(self._live.unsettled)
         computed, drawn = self._live.kernel_ms, self._live.draw_ms
-        text = translate("panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
+        text = translate("SheetMorph_panels", "Computed in {0:.1f} ms, drawn in {1:.1f} ms")
         text = text.format(computed, drawn)
         is_steel = self._handles.assembly.Energy == "steel"
         if self._live.is_preview and is_steel:
-            told = translate("panels", "Linear preview: steel follows when you rest. {0}")
+            told = translate(
+                "SheetMorph_panels", "Linear preview: steel follows when you rest. {0}"
+            )
             text = told.format(text)
         elif self._live.is_preview:
-            text = translate("panels", "Preview: refined on release. {0}").format(text)
+            text = translate("SheetMorph_panels", "Preview: refined on release. {0}").format(text)
         elif is_steel:
-            text = translate("panels", "Steel, final. {0}").format(text)
+            text = translate("SheetMorph_panels", "Steel, final. {0}").format(text)
         say(self.form.status, text)
         self._tell_who_stays()
         self._shown.tell()
 
     def _on_settling(self, task: str) -> None:
         if self._live is not None and self._live.is_preview:
-            text = translate("panels", "Linear preview, the exact shape follows ({0})")
+            text = translate("SheetMorph_panels", "Linear preview, the exact shape follows ({0})")
             say(self.form.status, text.format(task))
 
     def _hush(self) -> None:
@@ -282,17 +284,19 @@ class MovePanel(Panel):
         self._fields.changed.connect(self._on_change)
         say(form.axis_message, "")
         # A line from the start: a panel that grows while one clicks takes the click elsewhere.
-        say(form.status, translate("panels", "Nothing has moved yet."))
+        say(form.status, translate("SheetMorph_panels", "Nothing has moved yet."))
         self._fill()
 
     def _tell_who_stays(self) -> None:
         """Says which parts will not follow, as no contact leads there, and what opens too far."""
         assembly = self._handles.assembly
         names, opened = ", ".join(assembly.Unreached), propagation_tree.opened(assembly)
-        text = translate("panels", "Will not follow, no contact leads there: {0}")
+        text = translate("SheetMorph_panels", "Will not follow, no contact leads there: {0}")
         texts = [text.format(names)] if names else []
         if len(opened) > 1:
-            text = translate("panels", "{0} contacts open too far, see Propagation; the first:")
+            text = translate(
+                "SheetMorph_panels", "{0} contacts open too far, see Propagation; the first:"
+            )
             texts.append(text.format(len(opened)))
         texts += [contact.Warning for contact in opened[:1]]
         say(self.form.staying, "\n".join(texts))

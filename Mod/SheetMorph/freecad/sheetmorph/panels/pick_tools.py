@@ -21,18 +21,18 @@ ONLY_FOR = {
     "rings": (picking.RIM,),
     "radius": (figures.BRUSH,),
 }
-KEYS = QT_TRANSLATE_NOOP("picking", "Click picks, Shift adds, Ctrl removes.")
+KEYS = QT_TRANSLATE_NOOP("SheetMorph_picking", "Click picks, Shift adds, Ctrl removes.")
 HINTS = {
     figures.BRUSH: QT_TRANSLATE_NOOP(
-        "picking",
+        "SheetMorph_picking",
         "Paint with the left button. The wheel changes the size, Ctrl+wheel zooms. "
         "Ctrl+paint removes.",
     ),
     figures.RECTANGLE: QT_TRANSLATE_NOOP(
-        "picking", "Drag from corner to corner. Shift adds, Ctrl removes."
+        "SheetMorph_picking", "Drag from corner to corner. Shift adds, Ctrl removes."
     ),
     figures.LASSO: QT_TRANSLATE_NOOP(
-        "picking", "Draw around it with the left button held. Shift adds, Ctrl removes."
+        "SheetMorph_picking", "Draw around it with the left button held. Shift adds, Ctrl removes."
     ),
 }
 
@@ -77,7 +77,7 @@ class PickTools:
         for field, tools in ONLY_FOR.items():
             getattr(self._form, field).setVisible(tool in tools)
             getattr(self._form, f"{field}_label").setVisible(tool in tools)
-        self._form.hint.setText(translate("picking", HINTS.get(tool, KEYS)))
+        self._form.hint.setText(translate("SheetMorph_picking", HINTS.get(tool, KEYS)))
         self._apply()
 
     def offer_holes(self, is_offered: bool) -> None:

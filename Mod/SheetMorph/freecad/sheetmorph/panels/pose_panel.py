@@ -19,7 +19,7 @@ from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.updating import ON_OK, PAUSE, Updating
 
-REST = QT_TRANSLATE_NOOP("panels", "At rest")
+REST = QT_TRANSLATE_NOOP("SheetMorph_panels", "At rest")
 
 
 def open_panel(assembly, pose):
@@ -70,7 +70,10 @@ class PosePanel(Panel):
 
     def _prepare_widgets(self, pose) -> None:
         form = self.form
-        labels = [translate("panels", REST) if each is None else each.Label for each in self._poses]
+        labels = [
+            translate("SheetMorph_panels", REST) if each is None else each.Label
+            for each in self._poses
+        ]
         for field in (form.first, form.second):
             field.addItems(labels)
         form.second.setCurrentIndex(self._poses.index(pose))
@@ -113,7 +116,7 @@ class PosePanel(Panel):
         given = next((fields for kept, fields in reversed(self._shares) if kept == now), None)
         if given is not None:
             self._show_given(given)
-        text = translate("panels", "As it was before; move the slider to blend again.")
+        text = translate("SheetMorph_panels", "As it was before; move the slider to blend again.")
         self._faults.say("")
         say(self.form.message, "" if given is not None else text)
         self._end_live()
@@ -142,7 +145,7 @@ class PosePanel(Panel):
         """Says how far the two are apart, and shows where the slider is."""
         pair = self._pair()
         if pair == (None, None):
-            say(self.form.apart, translate("panels", "Choose a pose."))
+            say(self.form.apart, translate("SheetMorph_panels", "Choose a pose."))
             return
         try:
             apart = api.compare_poses(*pair)
@@ -179,12 +182,12 @@ class PosePanel(Panel):
 def described(document, apart: dict) -> str:
     """How far two poses are apart, the part with the largest distance first."""
     ordered = sorted(apart, key=lambda part: -apart[part][0])
-    lines = [translate("panels", "Largest and mean distance, mm")]
+    lines = [translate("SheetMorph_panels", "Largest and mean distance, mm")]
     for part in ordered[:5]:
         largest, mean = apart[part]
         lines.append(
             f"{document.getObject(part).Label}: {words.plain(largest)}, {words.plain(mean)}"
         )
     if len(ordered) > 5:
-        lines.append(translate("panels", "and {0} more parts").format(len(ordered) - 5))
+        lines.append(translate("SheetMorph_panels", "and {0} more parts").format(len(ordered) - 5))
     return "\n".join(lines)

@@ -68,7 +68,7 @@ class PreparePanel(Panel):
             return False
         lines = self._lines()
         if not lines:
-            text = translate("panels", "Nothing is chosen; choose a cure, or cancel.")
+            text = translate("SheetMorph_panels", "Nothing is chosen; choose a cure, or cancel.")
             say(self.form.message, text, True)
             return False
         self._end_preview()
@@ -138,7 +138,9 @@ class PreparePanel(Panel):
         """Whether the tolerance says nothing; that is told."""
         form = self.form
         given = units.number_in(form.tolerance.text(), "mm")
-        text = translate("panels", "Weld within how much? Type a length, for example 0.01 mm.")
+        text = translate(
+            "SheetMorph_panels", "Weld within how much? Type a length, for example 0.01 mm."
+        )
         is_wrong = form.weld.isChecked() and (given is None or given < 0.0)
         say(form.message, text if is_wrong else "", is_wrong)
         return is_wrong
@@ -163,10 +165,10 @@ class PreparePanel(Panel):
             return
         wish = self._wish()
         if not wish.changes_mesh():
-            say(self.form.message, translate("panels", "Choose a cure first."), True)
+            say(self.form.message, translate("SheetMorph_panels", "Choose a cure first."), True)
             return
         try:
-            with actions.followed(translate("prepare", "Preview")):
+            with actions.followed(translate("SheetMorph_prepare", "Preview")):
                 made = api.preparation(self._part, **wish.arguments())
                 places = api.places_of(self._part, made)
         except actions.FAULTS as error:

@@ -124,7 +124,7 @@ class PropagationPanel(Panel):
             return (
                 ""
                 if self.form.message.text()
-                else translate("panels", "Mark a fixed region and a handle first.")
+                else translate("SheetMorph_panels", "Mark a fixed region and a handle first.")
             )
         hints = [contact.Warning for contact in propagation_tree.opened(self._assembly)[:1]]
         if any(step.level < 0 for step in self._steps):
@@ -157,13 +157,13 @@ class PropagationPanel(Panel):
             form.mode.setEnabled(not is_primary)
             mode = chosen.getEnumerationsOfProperty("Mode").index(chosen.Mode)
             form.mode.setCurrentIndex(mode)
-            form.mode_text.setText(translate("panels", contact_types.MODE_TEXTS[mode]))
+            form.mode_text.setText(translate("SheetMorph_panels", contact_types.MODE_TEXTS[mode]))
             form.primary.setEnabled(not is_primary)
         elif kind == model.CONTACT:
             form.contact_box.setTitle(chosen.Label)
             kind = contact_types.TYPES.index(chosen.Type)
             form.type.setCurrentIndex(kind)
-            form.type_text.setText(translate("panels", contact_types.TYPE_TEXTS[kind]))
+            form.type_text.setText(translate("SheetMorph_panels", contact_types.TYPE_TEXTS[kind]))
             form.active.setChecked(chosen.Active)
         self._is_filling = False
 

@@ -60,9 +60,9 @@ def _add_part(tree, assembly, step, rows):
     row = _row(nearest[1], step.part)
     row.setText(
         1,
-        translate("panels", "level {0}").format(step.level)
+        translate("SheetMorph_panels", "level {0}").format(step.level)
         if step.level
-        else translate("panels", "primary"),
+        else translate("SheetMorph_panels", "primary"),
     )
     if step.part == assembly.Primary:
         font = row.font(0)
@@ -75,11 +75,17 @@ def _add_part(tree, assembly, step, rows):
 
 def _add_contact(above, contact, origin: str) -> None:
     row = _row(above, contact)
-    row.setText(1, contact.Type.replace("control ", "") if contact.Active else "off")
-    row.setToolTip(1, contact.Type if contact.Active else "not in use")
+    kind = contact.Type.replace("control ", "")
+    row.setText(1, kind if contact.Active else translate("SheetMorph_panels", "off"))
+    row.setToolTip(
+        1, contact.Type if contact.Active else translate("SheetMorph_panels", "not in use")
+    )
     row.setText(2, _millimetres(contact.GapChange.Value) if contact.Active else "")
     row.setToolTip(0, f"{contact.Label}, {origin}: {_parts_of(contact)}")
-    row.setToolTip(2, "How much the gap between both sides has changed, at most")
+    changed = translate(
+        "SheetMorph_panels", "How much the gap between both sides has changed, at most"
+    )
+    row.setToolTip(2, changed)
     if contact.Active and contact.Warning:
         row.setIcon(2, warning_icon())
         for column in range(3):

@@ -25,10 +25,10 @@ from freecad.sheetmorph.tools.part_mesh import nearest_part
 from freecad.sheetmorph.tools.sentences import KEPT, operands
 
 TITLES = {
-    "fixed": QT_TRANSLATE_NOOP("region", "Fixed Region"),
-    "handle": QT_TRANSLATE_NOOP("region", "Handle"),
-    "form feature": QT_TRANSLATE_NOOP("region", "Form Features"),
-    "follower": QT_TRANSLATE_NOOP("region", "Follower"),
+    "fixed": QT_TRANSLATE_NOOP("SheetMorph_region", "Fixed Region"),
+    "handle": QT_TRANSLATE_NOOP("SheetMorph_region", "Handle"),
+    "form feature": QT_TRANSLATE_NOOP("SheetMorph_region", "Form Features"),
+    "follower": QT_TRANSLATE_NOOP("SheetMorph_region", "Follower"),
 }
 ICONS = {"fixed": "MarkFixed", "handle": "MarkHandle", "form feature": "MarkFeature"}
 ICONS |= {"follower": "MarkFollower"}
@@ -100,7 +100,9 @@ class RegionPanel(Panel):
         self._view = PickView(part.ViewObject, mesh, colours.ROLES[self._role])
         self._tools.use(self._picker)
         self._mouse.use(self._picker, self._view)
-        self.form.part.setText(translate("region", "On {0}").format(f"<b>{part.Label}</b>"))
+        self.form.part.setText(
+            translate("SheetMorph_region", "On {0}").format(f"<b>{part.Label}</b>")
+        )
         self.picked()
 
     # -- what the mouse does where nothing of the part is
@@ -131,12 +133,18 @@ class RegionPanel(Panel):
         self._view.show_aimed(())
         self._tools.show_state()
         pieces = len(self._picker.groups()) if len(picked) else 0
-        text = translate("region", "Picked: {0} vertices, {1} piece(s)").format(len(picked), pieces)
-        self.form.count.setText(text if pieces else translate("region", "Nothing picked yet"))
+        text = translate("SheetMorph_region", "Picked: {0} vertices, {1} piece(s)").format(
+            len(picked), pieces
+        )
+        self.form.count.setText(
+            text if pieces else translate("SheetMorph_region", "Nothing picked yet")
+        )
         self._faults.say("")
         self._show_sentence()
         refused = ", ".join(f"'{label}'" for label in self._picker.refused)
-        text = translate("region", "What {0} has already is left out: a vertex has one of them.")
+        text = translate(
+            "SheetMorph_region", "What {0} has already is left out: a vertex has one of them."
+        )
         say(self.form.message, text.format(refused) if refused else "", bool(refused))
 
     def _other_part(self, ray):
@@ -152,7 +160,7 @@ class RegionPanel(Panel):
     def keep(self) -> bool:
         """OK: one undo step, one macro line a region; with nothing picked the panel stays."""
         if not len(self._picker.picked):
-            text = translate("region", "Nothing is picked: click on the part first.")
+            text = translate("SheetMorph_region", "Nothing is picked: click on the part first.")
             say(self.form.message, text, True)
             return False
         try:

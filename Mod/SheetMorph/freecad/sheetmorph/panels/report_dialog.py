@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.bridge import kernel
-from freecad.sheetmorph.qt import QtGui, QtWidgets
+from freecad.sheetmorph.qt import QtGui, QtWidgets, translate
 from freecad.sheetmorph.scene import drawing
 
 
@@ -12,14 +12,16 @@ def show() -> None:
     """Shows the report; Copy puts it on the clipboard."""
     dialog = QtWidgets.QDialog(Gui.getMainWindow())
     dialog.setObjectName("SheetMorphReport")
-    dialog.setWindowTitle("Check Installation")
+    dialog.setWindowTitle(translate("SheetMorph_CheckInstallation", "Check Installation"))
     dialog.resize(720, 420)
     text = QtWidgets.QPlainTextEdit(f"{kernel.report()}\n{drawing.report()}", dialog)
     text.setReadOnly(True)
     text.setLineWrapMode(QtWidgets.QPlainTextEdit.WidgetWidth)
     text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont))
     buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close, dialog)
-    copy = buttons.addButton("Copy", QtWidgets.QDialogButtonBox.ActionRole)
+    copy = buttons.addButton(
+        translate("SheetMorph_CheckInstallation", "Copy"), QtWidgets.QDialogButtonBox.ActionRole
+    )
     clipboard = QtWidgets.QApplication.clipboard()
     copy.clicked.connect(lambda: clipboard.setText(text.toPlainText()))
     buttons.rejected.connect(dialog.reject)

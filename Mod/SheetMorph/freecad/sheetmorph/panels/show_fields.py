@@ -9,14 +9,14 @@ from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 
 ELEMENTS = (
-    QT_TRANSLATE_NOOP("panels", "Elements: aspect"),
-    QT_TRANSLATE_NOOP("panels", "Elements: warpage"),
-    QT_TRANSLATE_NOOP("panels", "Elements: skew"),
-    QT_TRANSLATE_NOOP("panels", "Elements: taper"),
-    QT_TRANSLATE_NOOP("panels", "Elements: Jacobian"),
-    QT_TRANSLATE_NOOP("panels", "Elements: smallest angle"),
-    QT_TRANSLATE_NOOP("panels", "Elements: largest angle"),
-    QT_TRANSLATE_NOOP("panels", "Elements: shortest edge"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: aspect"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: warpage"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: skew"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: taper"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: Jacobian"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: smallest angle"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: largest angle"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: shortest edge"),
 )
 """As element_quality.MEASURES has them."""
 
@@ -25,7 +25,7 @@ def beyond(histogram) -> str:
     """How many elements are beyond the limit, as the end of a sentence; empty without one."""
     if histogram is None or histogram.limit is None:
         return ""
-    text = translate("panels", "; {0} of {1} elements beyond {2:g}")
+    text = translate("SheetMorph_panels", "; {0} of {1} elements beyond {2:g}")
     return text.format(histogram.failing, histogram.count, histogram.limit)
 
 
@@ -45,7 +45,7 @@ class ShowFields:
             box.setChecked(preferences.get(entry))
             box.toggled.connect(lambda is_on, of=entry: self._toggle(of, is_on))
         if has_elements:
-            form.colours.addItems([translate("panels", title) for title in ELEMENTS])
+            form.colours.addItems([translate("SheetMorph_panels", title) for title in ELEMENTS])
         form.colours.setCurrentIndex(preferences.get("ShowColours"))
         if form.colours.currentIndex() < 0:  # what it says is for decks
             form.colours.setCurrentIndex(0)

@@ -4,10 +4,12 @@
 import subprocess
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import FreeCAD
 
-from freecad.sheetmorph import tests
+from freecad.sheetmorph import api, tests
+from freecad.sheetmorph.objects import watcher
 from freecad.sheetmorph.tests import support
 
 PACKAGE = Path(tests.__file__).resolve().parent.parent
@@ -38,6 +40,19 @@ class TestRegistration(unittest.TestCase):
             check=False,
         )
         self.assertIn("loaded at start: []", result.stdout, result.stderr)
+
+
+class TestWatching(support.DocumentTest):
+    def test_documents_are_watched_from_the_first_morph_on(self):
+        self.addCleanup(watcher.watch.cache_clear)
+        watcher.watch.cache_clear()
+        with mock.patch.object(watcher.FreeCAD, "addDocumentObserver") as watched:
+            document = self.new_document()
+            document.addObject("Mesh::Feature", "Mesh")
+            watched.assert_not_called()
+            api.create_assembly(document)
+            api.create_assembly(self.new_document())
+            watched.assert_called_once()
 
 
 if __name__ == "__main__":

@@ -20,31 +20,48 @@ PARTS, FIXED, FEATURES, CONTACTS, HANDLE, DRAG = STEPS = (
 STEP_OF_ROLE = {"fixed": FIXED, "form feature": FEATURES, "handle": HANDLE, "follower": CONTACTS}
 
 NO_DOCUMENT = QT_TRANSLATE_NOOP(
-    "Guide", "Import a mesh or CAD file, or select meshes in the tree and create a morph."
+    "SheetMorph_Guide",
+    "Import a mesh or CAD file, or select meshes in the tree and create a morph.",
 )
 MANY_MORPHS = QT_TRANSLATE_NOOP(
-    "Guide", "This document has several morphs: select one of them in the tree."
+    "SheetMorph_Guide", "This document has several morphs: select one of them in the tree."
 )
-NO_PARTS = QT_TRANSLATE_NOOP("Guide", "The morph has no part yet: import a file or add a mesh.")
-SOME_PARTS = QT_TRANSLATE_NOOP("Guide", "{count} part(s); “{primary}” is deformed first.")
-NO_FIXED = QT_TRANSLATE_NOOP("Guide", "Nothing is held yet: mark what stays where it is.")
-SOME_FIXED = QT_TRANSLATE_NOOP("Guide", "{count} fixed region(s).")
+NO_PARTS = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "The morph has no part yet: import a file or add a mesh."
+)
+SOME_PARTS = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "{count} part(s); “{primary}” is deformed first."
+)
+NO_FIXED = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "Nothing is held yet: mark what stays where it is."
+)
+SOME_FIXED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "{count} fixed region(s).")
 NO_FEATURES = QT_TRANSLATE_NOOP(
-    "Guide",
+    "SheetMorph_Guide",
     "No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.",
 )
-SOME_FEATURES = QT_TRANSLATE_NOOP("Guide", "{count} form feature(s) keep their shape exactly.")
-ONE_PART = QT_TRANSLATE_NOOP("Guide", "One part only: there is nothing to connect.")
-ONE_FOR_ALL = QT_TRANSLATE_NOOP("Guide", "One control mesh around everything moves all parts.")
-UNREACHED = QT_TRANSLATE_NOOP(
-    "Guide", "Not connected with “{primary}”, so they would not follow: {parts}."
+SOME_FEATURES = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "{count} form feature(s) keep their shape exactly."
 )
-SOME_CONTACTS = QT_TRANSLATE_NOOP("Guide", "{count} contact(s) reach every part.")
-NO_HANDLE = QT_TRANSLATE_NOOP("Guide", "Nothing can be moved yet: mark what you want to move.")
-SOME_HANDLES = QT_TRANSLATE_NOOP("Guide", "{count} handle(s).")
-NOT_READY = QT_TRANSLATE_NOOP("Guide", "Comes when there is a fixed region and a handle.")
-NOT_MOVED = QT_TRANSLATE_NOOP("Guide", "Everything is ready: move the handle and watch.")
-MOVED = QT_TRANSLATE_NOOP("Guide", "Moved. Move on, export the parts, or keep this as a pose.")
+ONE_PART = QT_TRANSLATE_NOOP("SheetMorph_Guide", "One part only: there is nothing to connect.")
+ONE_FOR_ALL = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "One control mesh around everything moves all parts."
+)
+UNREACHED = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "Not connected with “{primary}”, so they would not follow: {parts}."
+)
+SOME_CONTACTS = QT_TRANSLATE_NOOP("SheetMorph_Guide", "{count} contact(s) reach every part.")
+NO_HANDLE = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "Nothing can be moved yet: mark what you want to move."
+)
+SOME_HANDLES = QT_TRANSLATE_NOOP("SheetMorph_Guide", "{count} handle(s).")
+NOT_READY = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "Comes when there is a fixed region and a handle."
+)
+NOT_MOVED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Everything is ready: move the handle and watch.")
+MOVED = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "Moved. Move on, export the parts, or keep this as a pose."
+)
 
 
 @dataclass(frozen=True)

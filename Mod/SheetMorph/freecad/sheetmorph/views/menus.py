@@ -10,8 +10,8 @@ from freecad.sheetmorph.panels.guide import Guide
 from freecad.sheetmorph.qt import QtGui, translate
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
-USED = QT_TRANSLATE_NOOP("menus", "Do Not Use Contact")
-UNUSED = QT_TRANSLATE_NOOP("menus", "Use Contact")
+USED = QT_TRANSLATE_NOOP("SheetMorph_menus", "Do Not Use Contact")
+UNUSED = QT_TRANSLATE_NOOP("SheetMorph_menus", "Use Contact")
 
 MARKS = {
     "fixed": ("MarkFixed", "Mark Fixed Region…"),
@@ -71,12 +71,12 @@ def _opened(title: str, action) -> None:
 def add_assembly_actions(menu, assembly) -> None:
     """Propagation, and what is wrong if anything is."""
     if model.failure_of(assembly):
-        title = QT_TRANSLATE_NOOP("menus", "Show What Is Wrong")
+        title = QT_TRANSLATE_NOOP("SheetMorph_menus", "Show What Is Wrong")
         _add(menu, "MorphFault", title, lambda: Gui.runCommand("SheetMorph_Guide"))
     _add(
         menu,
         "Propagation",
-        QT_TRANSLATE_NOOP("menus", "Propagation…"),
+        QT_TRANSLATE_NOOP("SheetMorph_menus", "Propagation…"),
         lambda: show_propagation(assembly),
     )
 
@@ -89,7 +89,7 @@ def add_contact_actions(menu, contact) -> None:
     _add(
         menu,
         "MarkContact",
-        QT_TRANSLATE_NOOP("menus", "Edit Contact…"),
+        QT_TRANSLATE_NOOP("SheetMorph_menus", "Edit Contact…"),
         lambda: edit_contact(contact),
     )
     _add(menu, icon, title, lambda: actions.attempt(title, line))
@@ -111,7 +111,7 @@ def add_part_actions(menu, assembly, part) -> None:
     entry = _add(
         menu,
         "PartPrimary",
-        QT_TRANSLATE_NOOP("menus", "Set as Primary"),
+        QT_TRANSLATE_NOOP("SheetMorph_menus", "Set as Primary"),
         lambda: actions.attempt("Set as Primary", line),
     )
     entry.setEnabled(assembly.Primary != part)
@@ -143,24 +143,34 @@ def add_region_actions(menu, region) -> None:
     """Move and reset for handles, picking anew for all."""
     if region.Role == "handle":
         line = call("reset_motion", name(region))
-        _add(menu, "MoveHandle", QT_TRANSLATE_NOOP("menus", "Move Handle…"), lambda: move(region))
+        _add(
+            menu,
+            "MoveHandle",
+            QT_TRANSLATE_NOOP("SheetMorph_menus", "Move Handle…"),
+            lambda: move(region),
+        )
         _add(
             menu,
             "ResetMotion",
-            QT_TRANSLATE_NOOP("menus", "Reset Motion"),
+            QT_TRANSLATE_NOOP("SheetMorph_menus", "Reset Motion"),
             lambda: actions.attempt("Reset Motion", line),
         )
     if region.Role == "form feature":
         _add(
             menu,
             "FeatureSettings",
-            QT_TRANSLATE_NOOP("menus", "Form Feature Settings…"),
+            QT_TRANSLATE_NOOP("SheetMorph_menus", "Form Feature Settings…"),
             lambda: edit_feature(region),
         )
-    _add(menu, "PickFace", QT_TRANSLATE_NOOP("menus", "Edit Region…"), lambda: edit(region))
+    _add(
+        menu,
+        "PickFace",
+        QT_TRANSLATE_NOOP("SheetMorph_menus", "Edit Region…"),
+        lambda: edit(region),
+    )
 
 
 def _add(menu, icon: str, text: str, action):
-    entry = menu.addAction(QtGui.QIcon(paths.icon(icon)), translate("menus", text))
+    entry = menu.addAction(QtGui.QIcon(paths.icon(icon)), translate("SheetMorph_menus", text))
     entry.triggered.connect(lambda *_: action())
     return entry

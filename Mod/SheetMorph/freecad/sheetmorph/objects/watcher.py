@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Morphs follow their source meshes where FreeCAD's dependencies do not tell of a change."""
 
+from functools import lru_cache
+
+import FreeCAD
+
 from freecad.sheetmorph.kinds import DEFORMATION, kind
 
 
@@ -21,6 +25,12 @@ class SourceWatcher:
             for inner in obj.OutListRecursive:
                 if inner.isDerivedFrom("Mesh::Feature"):
                     touch_deformations_of(inner)
+
+
+@lru_cache(maxsize=1)
+def watch() -> None:
+    """Begin to watch: called by every morph, so that nobody pays for it who has none."""
+    FreeCAD.addDocumentObserver(SourceWatcher())
 
 
 def touch_deformations_of(source) -> None:
