@@ -23,6 +23,7 @@ MODULES = tuple(
         "steel",
         "preparing",
         "files",
+        "decks",
         "cad",
         "shapes",
         "recipes",
