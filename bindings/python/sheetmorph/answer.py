@@ -20,7 +20,8 @@ class Answer:
     largest distance between two places where contacts want one vertex, mm, 0 if not exact;
     deformed: the kernel's own result; lumps: where thin solids are not thin, each a rigid feature;
     previews: parts that an exact answer refines besides, so that it may differ; unsettled: part
-    name -> what was not solved to its end, and how far it got.
+    name -> what was not solved to its end, and how far it got; repairs: of parts of
+    decks, whose nodes slid after they were solved.
     """
 
     session: Preprocessed
@@ -33,4 +34,5 @@ class Answer:
     lumps: list[FeatureResult] = field(default_factory=list)
     previews: tuple[str, ...] = ()
     unsettled: dict[str, str] = field(default_factory=dict)
+    repairs: list[dict[str, Any]] = field(default_factory=list)
     crossings: dict[str, tuple[int, ...]] = field(default_factory=dict)  # counted when asked for

@@ -27,6 +27,7 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
         *_unheld_primary(session),
         *_open_contacts(result),
         *_stretched(parts),
+        *_unrepaired(result),
     ]
 
 
@@ -93,6 +94,16 @@ def _unheld_primary(session: Preprocessed) -> Iterator[str]:
             f"what is fixed on {names} stretches the parts between; fix some of the primary too, "
             "or make the contacts on the way rigid"
         )
+
+
+def _unrepaired(result: Answer) -> Iterator[str]:
+    for one in result.repairs:
+        if one["failing_after"]:
+            yield (
+                f'{counted(one["failing_after"], "element", "elements")} of "{one["part"]}" still '
+                f"miss the criteria {one['criteria']} after repair ({one['failing_before']} before "
+                "it): nodes of features, contacts, regions, joints and borders stay where they are"
+            )
 
 
 def _stretched(parts: list[dict[str, Any]]) -> Iterator[str]:

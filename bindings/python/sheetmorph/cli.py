@@ -178,7 +178,7 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
         report = run(
             wanted.recipe, wanted.output, wanted.pose, wanted.report,
             files=files, strict=wanted.strict, pictures=wanted.pictures, step=wanted.step,
-            wide=wanted.wide, progress=progress,
+            wide=wanted.wide, repair=wanted.repair, progress=progress,
         )  # fmt: skip
     certified = certified_run(wanted) if wanted.certify else []
     if wanted.json:

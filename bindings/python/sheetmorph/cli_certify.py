@@ -18,6 +18,10 @@ def add_certify_arguments(commands: Any, run: argparse.ArgumentParser) -> None:
     text = "a set (standard, crash, static) or a JSON file with criteria (default: standard)"
     add_copy_arguments(commands)
     run.add_argument("--wide", action="store_true", help="GRID of moved nodes in large fields")
+    run.add_argument(
+        "--repair", metavar="FILE", nargs="?", const="standard",
+        help=f"let nodes of decks slide in the sheet until elements meet criteria, {text}",
+    )  # fmt: skip
     run.add_argument("--certify", action="store_true", help="certify what was written, in DIR")
     run.add_argument("--criteria", metavar="FILE", help=f"for --certify, {text}")
     command = commands.add_parser("certify", help="measure and judge what a run wrote")

@@ -91,7 +91,7 @@ def make_report(
         "contacts": [asdict(contact) for contact in result.contacts],
         "spread": result.spread,
         "regions": region_entries(session),
-        "parts": parts,
+        **{"parts": parts, "repairs": result.repairs},
         **{"order": session.order, "levels": session.levels, "unreached": session.unreached},
         "notes": [*notes_of(session), *shape_notes(result, parts), *told, *warnings],
         "warnings": warnings,

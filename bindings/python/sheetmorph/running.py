@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from .certifying.repair import criteria_of, repaired
 from .errors import KernelError
 from .files import FileSet
 from .files.cad_writing import write_shapes
@@ -90,6 +91,7 @@ def run(
     pictures: bool = False,
     step: bool = False,
     wide: bool = False,
+    repair: str | None = None,
     progress: Progress | None = None,
 ) -> dict[str, Any]:
     """Deform the parts of a recipe file and write them under out_dir; returns the report.
@@ -99,12 +101,13 @@ def run(
     the report to; files: a new FileSet for the parts, whose ``committed`` tells, also after an
     interrupt, whether they were written; strict: the report's warnings are failures of the
     certificate; pictures: before.png and after.png beside the parts; step: parts of CAD files are
-    written as STEP, too; wide: moved nodes of decks get long fields; progress(fraction, task)
+    written as STEP, too; wide: moved nodes of decks get long fields; repair: criteria until which
+    nodes of decks slide in their sheet; progress(fraction, task)
     returns whether to go on. Raises RecipeError, FileError, KernelError, CertificateError,
     PictureError, OSError; then no part is written.
     """
     path, out = Path(recipe_path), Path(out_dir)
-    morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step))
+    morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step, repair))
     morph.widen(wide)
     pose = _named_pose(morph.recipe, pose)
     pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
@@ -120,12 +123,14 @@ def run(
 @dataclass(frozen=True)
 class Ways:
     """strict: warnings are failures of the certificate; progress: of the long steps; pictures: are
-    drawn beside the parts; step: parts of CAD files are written as STEP, too."""
+    drawn beside the parts; step: parts of CAD files are written as STEP, too; repair: criteria,
+    instead of the recipe's."""
 
     strict: bool
     progress: Progress
     pictures: bool = False
     step: bool = False
+    repair: str | None = None
 
 
 class _Morph:
@@ -173,6 +178,7 @@ class _Morph:
         begin = time.perf_counter()
         self._ways.progress(0.95, "deforming")
         result = self._session.deform(pose, progress=self._deforming)
+        result = self._repaired(result)
         timings = {**self._timings, "deform": time.perf_counter() - begin}
         told = told_of_files(result, self._parts.sources, self._joints)
         _certify(result, told, (timings, places.report, self._ways.strict))
@@ -191,6 +197,15 @@ class _Morph:
             self._joints,
         )
         return writer.write(files)
+
+    def _repaired(self, result: Result) -> Result:
+        """The same with elements of decks repaired, if that is wanted."""
+        asked = self._ways.repair or self.recipe.get("repair")
+        criteria = criteria_of(asked, self._path.parent)
+        if criteria is None:
+            return result
+        self._ways.progress(0.96, "repairing elements")
+        return repaired(result, self._parts.sources, criteria)
 
     def _deforming(self, fraction: float, task: str) -> bool:
         return self._ways.progress(0.95 + 0.04 * fraction, task)

@@ -68,12 +68,7 @@ class Passengers:
         if np.array_equal(positions, self._rest):
             return found
         hits = self._hits()
-        asked = [group.held for group in self._groups]
-        asked += [
-            self._sheet.triangles[hit.triangle] for some in hits.values() for hit in some if hit
-        ]
-        rows = np.unique(np.concatenate(asked)) if asked else np.empty(0, dtype=np.int64)
-        motion = Motion(self._rest, positions, self._sheet.triangles, rows.astype(np.int64))
+        motion = Motion(self._rest, positions, self._sheet.triangles, self._asked(hits))
         left = [found.left]
         for number, group in enumerate(self._groups):
             rule = self._rule_of(group)
@@ -86,6 +81,21 @@ class Passengers:
             found.counts[rule] += len(group.nodes)
         found.left = np.concatenate(left)
         return found
+
+    def holding(self) -> np.ndarray:
+        """(k,) the rows of the sheet's nodes by whose places and turns passengers go."""
+        near = {
+            number: [hit for hit in hits if hit is not None and hit.distance <= self.reach]
+            for number, hits in self._hits().items()
+        }
+        return self._asked(near)
+
+    def _asked(self, hits: dict[int, list]) -> np.ndarray:
+        asked = [group.held for group in self._groups]
+        asked += [
+            self._sheet.triangles[hit.triangle] for some in hits.values() for hit in some if hit
+        ]
+        return np.unique(np.concatenate([np.empty(0, np.int64), *asked])).astype(np.int64)
 
     def _hits(self) -> dict[int, list]:
         """By group the nearest places on the sheet, of those that go by them."""

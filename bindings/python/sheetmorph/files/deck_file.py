@@ -113,12 +113,17 @@ class DeckFile(PartFile):
         """(n, 3) positions of all nodes of the deck."""
         return self._carried(positions).positions
 
-    def _carried(self, positions: np.ndarray) -> Carried:
+    @property
+    def passengers(self) -> Passengers:
+        """What hangs on the sheet."""
         if self._passengers is None:
             rules = rules_of(self.settings.get("passengers"))
             self._passengers = Passengers(self.deck, self.sheet, rules)
+        return self._passengers
+
+    def _carried(self, positions: np.ndarray) -> Carried:
         if self._last is None or not np.array_equal(self._last[0], positions):
-            self._last = positions.copy(), self._passengers.carried(positions)
+            self._last = positions.copy(), self.passengers.carried(positions)
         return self._last[1]
 
     @property

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Repair of the elements of decks after a morph: what may slide, and what came of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import Fault, RecipeError
+from ..files.deck_file import DeckFile
+from ..recipe.parts import Source
+from ..session import Result
+from .criteria import read_criteria
+from .sliding import Sliding, Slid, borders_and_creases
+
+# Nodes on edges that are sharper than this, degrees, are features that nobody marked.
+_CREASE = 30.0
+
+
+def criteria_of(asked: Any, base: Path) -> str | Path | None:
+    """What a recipe or a command line says under repair: a set, or a file relative to a folder."""
+    if asked in (None, False):
+        return None
+    if asked is True:
+        return "standard"
+    place = base / str(asked)
+    return place if place.is_file() else str(asked)
+
+
+def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Result:
+    """The result with nodes of its decks slid in the sheet until criteria hold; its `repairs` tell
+    of every part. Raises FileError, and RecipeError if there is no deck."""
+    wanted = read_criteria(criteria)
+    decks = [source for source in sources if isinstance(source.file, DeckFile)]
+    if not decks:
+        what = "no part of the recipe is a deck"
+        raise RecipeError([Fault("repair", what, "leave it out: only elements of decks are slid")])
+    positions, told = dict(result.positions), []
+    for source in decks:
+        for name, vertices in source.members.items():
+            faces = source.file.faces_among(vertices)
+            stays = _stays(result, source, name, faces)
+            surface = positions[name], result.session.meshes[name].triangles
+            slid = Sliding(surface, faces, stays, wanted.elements).slid()
+            told.append(_entry(name, wanted.name, slid, positions[name]))
+            positions[name] = slid.places
+    return replace(result, positions=positions, repairs=told)
+
+
+def _entry(name: str, criteria: str, slid: Slid, before: np.ndarray) -> dict[str, Any]:
+    way = np.linalg.norm(slid.places - before, axis=1)
+    return {
+        "part": name,
+        "criteria": criteria,
+        "failing_before": slid.failing[0],
+        "failing_after": slid.failing[1],
+        "moved": int((way > 0.0).sum()),
+        "farthest": float(way.max(initial=0.0)),
+        "off_sheet": slid.off_sheet,
+        "rounds": slid.rounds,
+    }
+
+
+def _stays(result: Result, source: Source, name: str, faces: np.ndarray) -> np.ndarray:
+    """(n,) the vertices of a part that are not to slide: of regions, contacts and joints, on
+    borders and creases, and around mid-side nodes. Thin solids stay as they are."""
+    session = result.session
+    mesh, members = session.meshes[name], source.members[name]
+    stays = borders_and_creases(mesh.points, faces, _CREASE)
+    if session.thin_solid(name) is not None:
+        stays[:] = True
+    for region in session.model.all_regions:
+        if region.part == name:
+            stays[_vertices(region, mesh)] = True
+    of_feature = (one.name for one in result.features if one.part == name)
+    for feature in of_feature:
+        stays[session.feature_vertices(feature)] = True
+    stays |= _near_joints(source.file)[members]
+    is_corner = np.zeros(len(mesh.points) + 1, dtype=bool)  # the last one for what is no corner
+    is_corner[faces] = True
+    odd = mesh.triangles[~is_corner[:-1][mesh.triangles].all(axis=1)]
+    stays[odd] = True
+    return stays
+
+
+def _near_joints(file: DeckFile) -> np.ndarray:
+    """(n,) the vertices of a deck that joints have, by which passengers go, and those around them,
+    by which passengers turn."""
+    deck, sheet = file.deck, file.sheet
+    used = [block.nodes.ravel() for block in deck.elements if block.kind != "shell"]
+    used.append(np.array([node for frame in deck.frames.values() for node in frame.nodes or ()]))
+    found = np.isin(deck.ids[sheet.nodes], np.concatenate(used))
+    found[file.passengers.holding()] = True
+    found[sheet.triangles[found[sheet.triangles].any(axis=1)]] = True
+    return found
+
+
+def _vertices(region: Any, mesh: Any) -> np.ndarray:
+    if region.is_point:
+        return mesh.triangles[region.triangle]
+    return mesh.find(region.vertices or [], region.is_prepared)[0]
