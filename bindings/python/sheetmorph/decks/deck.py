@@ -208,7 +208,8 @@ class Deck:
 
     def _edits(self, file: int, values: np.ndarray) -> Iterable:
         """The pieces of a file that change, in order."""
-        mine = [k for k, block in enumerate(self.raw.blocks) if block.file == file]
+        blocks = enumerate(self.raw.blocks)
+        mine = [k for k, block in blocks if block.file == file and len(block.ids)]
         mine.sort(key=lambda k: int(self.raw.blocks[k].begins[0, 0]))
         if all(map(self._is_rising, mine)) and self._are_apart(mine):
             for k in mine:
