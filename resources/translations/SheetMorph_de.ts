@@ -172,7 +172,7 @@
    <translation>Abwickeln</translation>
   </message>
   <message>
-   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
+   <source>Lays the selected part flat, as it is now and at rest: sketches of its blank and bend lines</source>
    <translation>Wickelt das gewählte Teil ab, wie es jetzt ist: eine Skizze seines Zuschnitts mit Biegelinien</translation>
   </message>
  </context>

@@ -172,7 +172,7 @@
    <translation>展開</translation>
   </message>
   <message>
-   <source>Lays the selected part flat, as it is now: a sketch of its blank with bend lines</source>
+   <source>Lays the selected part flat, as it is now and at rest: sketches of its blank and bend lines</source>
    <translation>選択した部品を今の形のまま平らに展開します: 曲げ線の入ったブランクのスケッチ</translation>
   </message>
  </context>

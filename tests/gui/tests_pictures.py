@@ -15,6 +15,7 @@ from checks_flow import drag_arrow_up, loop_round, select, stroke_along
 from checks_moving import open_panel
 from checks_preparing import coarse_plate, is_previewed
 from checks_propagation import click_row
+from checks_steel import choose_property
 from checks_thickness import is_drawn, thin_plate
 from checks_tutorial import mark, menu, near_edge
 from desk import (
@@ -34,18 +35,19 @@ from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.commands import exchange
 from hostile_panels import is_shown
 from PySide import QtCore, QtGui
-from scenes import contacts, look, part, regions
+from scenes import assembly, contacts, look, new_morph, part, regions
 
 FOLDER = os.environ.get("SHEETMORPH_PICTURES", WORK)
 WIDTH = 1100  # px
 COLOURS = 128
 
 
-def taken(name: str):
-    """The task view and the 3D view as they are now, as a picture of the guide."""
+def taken(name: str, with_panel: bool = True):
+    """The task view, if wanted, and the 3D view as they are now, as a picture of the guide."""
     yield 300  # what the last click has asked for is drawn
     window = Gui.getMainWindow()
-    docks = [dock for dock in window.findChildren(QtGui.QDockWidget) if dock.isAncestorOf(panel())]
+    docks = window.findChildren(QtGui.QDockWidget) if with_panel else []
+    docks = [dock for dock in docks if dock.isAncestorOf(panel())]
     box = QtCore.QRect()
     for widget in (*docks, window.findChild(QtGui.QMdiArea)):
         box |= QtCore.QRect(widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size())
@@ -194,6 +196,26 @@ def test_sheets_with_a_thickness():
     assert is_drawn()
     yield from taken("thickness")
     yield from press("Close")
+
+
+def test_the_sheet_as_steel():
+    yield from large_view()
+    yield from new_morph()
+    yield from choose_property(assembly(), "Energy", 3)
+    select(regions("handle")[0])
+    yield from open_panel()
+    yield from enter(child("translation_z"), "18")
+    yield from until(lambda: "Steel, final" in child("status").text(), "the steel", 30.0)
+    yield from choose_below(child("colours"), 4)
+    yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
+    yield from taken("stretch")
+    yield from press("OK")
+    select(part())
+    yield from menu("SheetMorph", "Flatten")
+    yield from until(lambda: App.ActiveDocument.getObject("Blank003"), "the blanks")
+    Gui.Selection.clearSelection()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield from taken("blanks", with_panel=False)
 
 
 def test_preparing():

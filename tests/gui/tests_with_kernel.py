@@ -20,6 +20,7 @@ from checks_propagation import *  # noqa: F401,F403
 from checks_sentences import *  # noqa: F401,F403
 from checks_showing import *  # noqa: F401,F403
 from checks_speed import *  # noqa: F401,F403
+from checks_steel import *  # noqa: F401,F403
 from checks_thickness import *  # noqa: F401,F403
 from checks_tree import *  # noqa: F401,F403
 from checks_tutorial import *  # noqa: F401,F403

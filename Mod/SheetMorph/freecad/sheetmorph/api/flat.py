@@ -15,31 +15,36 @@ from freecad.sheetmorph.objects import assembly_of, model
 _GAP = 0.1
 
 
-def flatten(part, thickness: float | None = None, limit: float = 1.0) -> list:
-    """Lay the deformed part flat: return a sketch a piece, its outline, holes and bend lines.
+def flatten(
+    part, thickness: float | None = None, limit: float = 1.0, at_rest: bool = False
+) -> list:
+    """Lay the deformed part flat: return a sketch a piece, its outline and holes.
 
-    Bend lines are construction lines. thickness: mm, of an open sheet, for the allowances of bends;
-    the part's own if left out. limit: percent that 99 % of the area may be stretched by. It is
-    kinematic, no forming simulation. Raises ValueError, RuntimeError for what cannot be laid flat.
+    Bend lines are a dashed sketch of their own with each. thickness: mm, of an open sheet, for the
+    allowances of bends; the part's own if left out. limit: percent that 99 % of the area may be
+    stretched by. at_rest: the blank of the part at rest lies beside it and is returned too, if the
+    part has moved. It is kinematic, no forming simulation. Raises ValueError, RuntimeError for what
+    cannot be laid flat.
     """
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
     positions = solving.deform(assembly_of(part))[part.Name]
-    package = kernel.load()
     told = part.SheetThickness.Value if thickness is None else number(thickness, "thickness")
-    patterns = kernel.flat().patterns_of(
-        package.PartMesh(positions, rest.triangles, name=part.Label),
-        thickness=told or None,
-        limit=number(limit, "limit") / 100.0,
-    )
-    for line in [line for pattern in patterns for line in kernel.flat().table_of(pattern)]:
-        FreeCAD.Console.PrintMessage(f"SheetMorph: {line}\n")
+    shapes = [(part.Label, positions)]
+    if at_rest and not np.array_equal(positions, rest.points):
+        shapes.append((f"{part.Label} at rest", rest.points))
     place, made = _beside(part), []
-    for pattern in patterns:
-        low, high = pattern.flat[:, :2].min(axis=0), pattern.flat[:, :2].max(axis=0)
-        made.append(_sketch(part, pattern))
-        made[-1].Placement.Base = place - FreeCAD.Vector(*low, 0.0)
-        place.x += _GAP * float(np.linalg.norm(high - low)) + float(high[0] - low[0])
+    for label, shape in shapes:
+        for pattern in kernel.flat().patterns_of(
+            kernel.load().PartMesh(shape, rest.triangles, name=label),
+            thickness=told or None,
+            limit=number(limit, "limit") / 100.0,
+        ):
+            for line in kernel.flat().table_of(pattern):
+                FreeCAD.Console.PrintMessage(f"SheetMorph: {line}\n")
+            low, high = pattern.flat[:, :2].min(axis=0), pattern.flat[:, :2].max(axis=0)
+            made.append(_sketch(part, pattern, place - FreeCAD.Vector(*low, 0.0)))
+            place.x += _GAP * float(np.linalg.norm(high - low)) + float(high[0] - low[0])
     return made
 
 
@@ -52,11 +57,9 @@ def _beside(part) -> FreeCAD.Vector:
     return FreeCAD.Vector(whole.XMax + _GAP * whole.DiagonalLength, whole.YMin, 0.0)
 
 
-def _sketch(part, pattern):
+def _sketch(part, pattern, place):
     import Part
 
-    sketch = part.Document.addObject("Sketcher::SketchObject", "Blank")
-    sketch.Label = f"{pattern.name} blank"
     lines = _polygon(pattern.flat[pattern.corners(pattern.outline)])
     for rim, circle in zip(pattern.holes, pattern.circles):
         if circle is None:
@@ -64,10 +67,20 @@ def _sketch(part, pattern):
         else:
             upwards = FreeCAD.Vector(0, 0, 1)
             lines.append(Part.Circle(FreeCAD.Vector(*circle[0]), upwards, circle[1]))
-    sketch.addGeometry(lines, False)
+    sketch = _drawn(part, f"{pattern.name} blank", lines, place)
     bends = [Part.LineSegment(*(FreeCAD.Vector(*end) for end in line)) for line in pattern.lines]
     if bends:
-        sketch.addGeometry(bends, True)
+        bent = _drawn(part, f"{pattern.name} bend lines", bends, place)
+        if FreeCAD.GuiUp:
+            bent.ViewObject.DrawStyle = "Dashed"
+    return sketch
+
+
+def _drawn(part, label: str, lines: list, place):
+    sketch = part.Document.addObject("Sketcher::SketchObject", "Blank")
+    sketch.Label = label
+    sketch.addGeometry(lines, False)
+    sketch.Placement.Base = place
     return sketch
 
 

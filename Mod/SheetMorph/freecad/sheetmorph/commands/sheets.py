@@ -37,7 +37,7 @@ class Flatten(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_Flatten", "Flatten")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Flatten",
-        "Lays the selected part flat, as it is now: a sketch of its blank with bend lines",
+        "Lays the selected part flat, as it is now and at rest: sketches of its blank and bend lines",
     )
 
     def possible(self) -> bool:
@@ -47,7 +47,9 @@ class Flatten(Command):
     def execute(self) -> None:
         """One undo step."""
         part = subject.part()
-        actions.attempt("Flatten", call("flatten", name(part)), document=part.Document)
+        actions.attempt(
+            "Flatten", call("flatten", name(part), at_rest=True), document=part.Document
+        )
 
 
 class DeformedShape(Command):
