@@ -262,8 +262,8 @@
    <translation>Alles ist bereit: bewege den Griff und sieh zu.</translation>
   </message>
   <message>
-   <source>Moved. Move on, export the parts, or keep this as a pose.</source>
-   <translation>Bewegt. Bewege weiter, exportiere die Teile, oder behalte dies als Stellung.</translation>
+   <source>Moved. Move on, export the parts, keep this as a pose, or study variants.</source>
+   <translation>Bewegt. Bewegen Sie weiter, exportieren Sie die Teile, behalten Sie dies als Pose oder untersuchen Sie Varianten.</translation>
   </message>
  </context>
  <context>
@@ -476,6 +476,17 @@
   <message>
    <source>Makes the selected part the primary: it is deformed first, the others follow it</source>
    <translation>Macht das gewählte Teil zum Hauptteil: es wird zuerst verformt, die anderen folgen ihm</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Study</name>
+  <message>
+   <source>Study…</source>
+   <translation>Studie…</translation>
+  </message>
+  <message>
+   <source>Computes many variants in the background, each certified, and shows them in a table</source>
+   <translation>Rechnet im Hintergrund viele Varianten, jede geprüft, und zeigt sie in einer Tabelle</translation>
   </message>
  </context>
  <context>
@@ -919,6 +930,10 @@
    <translation>Zum Hauptteil machen</translation>
   </message>
   <message>
+   <source>Study…</source>
+   <translation>Studie…</translation>
+  </message>
+  <message>
    <source>Edit Region…</source>
    <translation>Region bearbeiten…</translation>
   </message>
@@ -1016,6 +1031,10 @@
   <message>
    <source>Z component of the axis</source>
    <translation>z-Komponente der Achse</translation>
+  </message>
+  <message>
+   <source>How far the value that was changed last may go: red beyond, where something breaks. The mark is where it is</source>
+   <translation>Wie weit der zuletzt geänderte Wert gehen darf: rot, wo etwas nicht mehr hält. Die Marke steht, wo er ist</translation>
   </message>
   <message>
    <source>Pivot</source>
@@ -1449,6 +1468,30 @@
    <translation>Stufe {0}</translation>
   </message>
   <message>
+   <source>Change a value to see how far it may go.</source>
+   <translation>Ändern Sie einen Wert, um zu sehen, wie weit er gehen darf.</translation>
+  </message>
+  <message>
+   <source>a triangle turns over</source>
+   <translation>ein Dreieck klappt um</translation>
+  </message>
+  <message>
+   <source>The angle</source>
+   <translation>Der Winkel</translation>
+  </message>
+  <message>
+   <source>{0}: {1} to {2}{3}</source>
+   <translation>{0}: {1} bis {2}{3}</translation>
+  </message>
+  <message>
+   <source>{0}; beyond: {1}</source>
+   <translation>{0}; dahinter: {1}</translation>
+  </message>
+  <message>
+   <source>{0}, as far as was looked</source>
+   <translation>{0}, soweit gesucht wurde</translation>
+  </message>
+  <message>
    <source>Elements: aspect</source>
    <translation>Elemente: Seitenverhältnis</translation>
   </message>
@@ -1483,6 +1526,70 @@
   <message>
    <source>; {0} of {1} elements beyond {2:g}</source>
    <translation>; {0} von {1} Elementen jenseits {2:g}</translation>
+  </message>
+  <message>
+   <source>No variants yet.</source>
+   <translation>Noch keine Varianten.</translation>
+  </message>
+  <message>
+   <source>Folder for the Variants</source>
+   <translation>Ordner für die Varianten</translation>
+  </message>
+  <message>
+   <source>{0}. A double click takes the morph there.</source>
+   <translation>{0}. Ein Doppelklick bringt den Morph dorthin.</translation>
+  </message>
+  <message>
+   <source>Wait for the variants, or stop them.</source>
+   <translation>Warten Sie auf die Varianten oder halten Sie an.</translation>
+  </message>
+  <message>
+   <source>Stopped: the document has changed.</source>
+   <translation>Angehalten: das Dokument hat sich geändert.</translation>
+  </message>
+  <message>
+   <source>Name</source>
+   <translation>Name</translation>
+  </message>
+  <message>
+   <source>Changes</source>
+   <translation>Ändert</translation>
+  </message>
+  <message>
+   <source>From</source>
+   <translation>Von</translation>
+  </message>
+  <message>
+   <source>To</source>
+   <translation>Bis</translation>
+  </message>
+  <message>
+   <source>passed</source>
+   <translation>bestanden</translation>
+  </message>
+  <message>
+   <source>failed</source>
+   <translation>durchgefallen</translation>
+  </message>
+  <message>
+   <source>refused</source>
+   <translation>abgelehnt</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <translation>Fehler</translation>
+  </message>
+  <message>
+   <source>Run</source>
+   <translation>Lauf</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <translation>Zustand</translation>
+  </message>
+  <message>
+   <source>“{0}” of “{1}” is no number.</source>
+   <translation>„{0}“ von „{1}“ ist keine Zahl.</translation>
   </message>
   <message>
    <source>'{0}' is no thin solid: {1}.</source>
@@ -2129,6 +2236,137 @@
   <message>
    <source>Separate pieces of the selection become separate form features that move independently</source>
    <translation>Getrennte Stücke der Auswahl werden getrennte Formelemente, die sich unabhängig bewegen</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_study</name>
+  <message>
+   <source>Study</source>
+   <translation>Studie</translation>
+  </message>
+  <message>
+   <source>Parameters</source>
+   <translation>Parameter</translation>
+  </message>
+  <message>
+   <source>What changes between which numbers; a double click edits a name or a number</source>
+   <translation>Was sich zwischen welchen Zahlen ändert; ein Doppelklick bearbeitet Namen oder Zahl</translation>
+  </message>
+  <message>
+   <source>Motions of handles, sizes of form features, and cells of the spreadsheets that drive them</source>
+   <translation>Bewegungen der Griffe, Größen der Formelemente und Zellen der Tabellen, die sie steuern</translation>
+  </message>
+  <message>
+   <source>Lets the study change this number</source>
+   <translation>Lässt die Studie diese Zahl ändern</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <translation>Hinzufügen</translation>
+  </message>
+  <message>
+   <source>Takes the selected parameters out</source>
+   <translation>Nimmt die ausgewählten Parameter heraus</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>Entfernen</translation>
+  </message>
+  <message>
+   <source>Variants</source>
+   <translation>Varianten</translation>
+  </message>
+  <message>
+   <source>Sampling</source>
+   <translation>Auswahl</translation>
+  </message>
+  <message>
+   <source>How values are chosen: three ways that fill the ranges evenly, or a grid of all combinations</source>
+   <translation>Wie Werte gewählt werden: drei Arten, die Bereiche gleichmäßig zu füllen, oder ein Raster aller Kombinationen</translation>
+  </message>
+  <message>
+   <source>Latin hypercube</source>
+   <translation>Latin Hypercube</translation>
+  </message>
+  <message>
+   <source>Sobol</source>
+   <translation>Sobol</translation>
+  </message>
+  <message>
+   <source>Halton</source>
+   <translation>Halton</translation>
+  </message>
+  <message>
+   <source>Full grid</source>
+   <translation>Volles Raster</translation>
+  </message>
+  <message>
+   <source>Count</source>
+   <translation>Anzahl</translation>
+  </message>
+  <message>
+   <source>How many variants; of a full grid at most so many</source>
+   <translation>Wie viele Varianten; bei einem vollen Raster höchstens so viele</translation>
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation>Startwert</translation>
+  </message>
+  <message>
+   <source>Another number gives other values</source>
+   <translation>Eine andere Zahl gibt andere Werte</translation>
+  </message>
+  <message>
+   <source>Criteria</source>
+   <translation>Kriterien</translation>
+  </message>
+  <message>
+   <source>What every variant must keep, commas between: stretch, angle, gap change, edge error, displacement, touching and more, or a parameter. That no triangle turns over is always asked for</source>
+   <translation>Was jede Variante einhalten muss, mit Kommas dazwischen: stretch, angle, gap change, edge error, displacement, touching und mehr, oder ein Parameter. Dass kein Dreieck umklappt, wird immer verlangt</translation>
+  </message>
+  <message>
+   <source>such as stretch &lt;= 0.2, angle &gt;= 12</source>
+   <translation>etwa stretch &lt;= 0.2, angle &gt;= 12</translation>
+  </message>
+  <message>
+   <source>Folder</source>
+   <translation>Ordner</translation>
+  </message>
+  <message>
+   <source>Where recipe, study and the files of every variant are kept; a run that was stopped goes on there. Empty: only the table is kept</source>
+   <translation>Wo Rezept, Studie und die Dateien jeder Variante bleiben; ein angehaltener Lauf geht dort weiter. Leer: nur die Tabelle bleibt</translation>
+  </message>
+  <message>
+   <source>keep only the table</source>
+   <translation>nur die Tabelle behalten</translation>
+  </message>
+  <message>
+   <source>Chooses a folder</source>
+   <translation>Wählt einen Ordner</translation>
+  </message>
+  <message>
+   <source>Computes the variants in processes of their own; FreeCAD stays free</source>
+   <translation>Rechnet die Varianten in eigenen Prozessen; FreeCAD bleibt frei</translation>
+  </message>
+  <message>
+   <source>Run</source>
+   <translation>Starten</translation>
+  </message>
+  <message>
+   <source>Stops; what is done becomes the table</source>
+   <translation>Hält an; was fertig ist, wird zur Tabelle</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Variants that are done</source>
+   <translation>Fertige Varianten</translation>
+  </message>
+  <message>
+   <source>One row for each variant; point at its state to read why it did not pass. A double click takes the morph there</source>
+   <translation>Eine Zeile je Variante; zeigen Sie auf ihren Zustand, um zu lesen, warum sie durchfiel. Ein Doppelklick bringt den Morph dorthin</translation>
   </message>
  </context>
  <context>

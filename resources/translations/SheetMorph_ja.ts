@@ -262,8 +262,8 @@
    <translation>準備ができました。ハンドルを動かしてみてください。</translation>
   </message>
   <message>
-   <source>Moved. Move on, export the parts, or keep this as a pose.</source>
-   <translation>動かしました。さらに動かすか、部品を書き出すか、姿勢として保存してください。</translation>
+   <source>Moved. Move on, export the parts, keep this as a pose, or study variants.</source>
+   <translation>動かしました。さらに動かすか、部品を書き出すか、ポーズとして残すか、変種を調べてください。</translation>
   </message>
  </context>
  <context>
@@ -476,6 +476,17 @@
   <message>
    <source>Makes the selected part the primary: it is deformed first, the others follow it</source>
    <translation>選択した部品を主部品にします。最初に変形し、他の部品が追従します</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_Study</name>
+  <message>
+   <source>Study…</source>
+   <translation>スタディ…</translation>
+  </message>
+  <message>
+   <source>Computes many variants in the background, each certified, and shows them in a table</source>
+   <translation>多くの変種を背景で計算し、それぞれ検証して表に示します</translation>
   </message>
  </context>
  <context>
@@ -919,6 +930,10 @@
    <translation>主部品にする</translation>
   </message>
   <message>
+   <source>Study…</source>
+   <translation>スタディ…</translation>
+  </message>
+  <message>
    <source>Edit Region…</source>
    <translation>領域を編集…</translation>
   </message>
@@ -1016,6 +1031,10 @@
   <message>
    <source>Z component of the axis</source>
    <translation>軸のZ成分</translation>
+  </message>
+  <message>
+   <source>How far the value that was changed last may go: red beyond, where something breaks. The mark is where it is</source>
+   <translation>最後に変えた値がどこまで行けるか：赤はその先で、何かが壊れます。印は現在の値です</translation>
   </message>
   <message>
    <source>Pivot</source>
@@ -1449,6 +1468,30 @@
    <translation>段 {0}</translation>
   </message>
   <message>
+   <source>Change a value to see how far it may go.</source>
+   <translation>値を変えると、どこまで行けるかを示します。</translation>
+  </message>
+  <message>
+   <source>a triangle turns over</source>
+   <translation>三角形が裏返ります</translation>
+  </message>
+  <message>
+   <source>The angle</source>
+   <translation>角度</translation>
+  </message>
+  <message>
+   <source>{0}: {1} to {2}{3}</source>
+   <translation>{0}：{1} ～ {2}{3}</translation>
+  </message>
+  <message>
+   <source>{0}; beyond: {1}</source>
+   <translation>{0}；その先：{1}</translation>
+  </message>
+  <message>
+   <source>{0}, as far as was looked</source>
+   <translation>{0}（調べた範囲）</translation>
+  </message>
+  <message>
    <source>Elements: aspect</source>
    <translation>要素: アスペクト比</translation>
   </message>
@@ -1483,6 +1526,70 @@
   <message>
    <source>; {0} of {1} elements beyond {2:g}</source>
    <translation>；{1} 要素中 {0} が {2:g} を超過</translation>
+  </message>
+  <message>
+   <source>No variants yet.</source>
+   <translation>まだ変種がありません。</translation>
+  </message>
+  <message>
+   <source>Folder for the Variants</source>
+   <translation>変種のフォルダ</translation>
+  </message>
+  <message>
+   <source>{0}. A double click takes the morph there.</source>
+   <translation>{0}。ダブルクリックでモーフがその形になります。</translation>
+  </message>
+  <message>
+   <source>Wait for the variants, or stop them.</source>
+   <translation>変種を待つか、中止してください。</translation>
+  </message>
+  <message>
+   <source>Stopped: the document has changed.</source>
+   <translation>中止しました：ドキュメントが変わりました。</translation>
+  </message>
+  <message>
+   <source>Name</source>
+   <translation>名前</translation>
+  </message>
+  <message>
+   <source>Changes</source>
+   <translation>変えるもの</translation>
+  </message>
+  <message>
+   <source>From</source>
+   <translation>から</translation>
+  </message>
+  <message>
+   <source>To</source>
+   <translation>まで</translation>
+  </message>
+  <message>
+   <source>passed</source>
+   <translation>合格</translation>
+  </message>
+  <message>
+   <source>failed</source>
+   <translation>不合格</translation>
+  </message>
+  <message>
+   <source>refused</source>
+   <translation>拒否</translation>
+  </message>
+  <message>
+   <source>error</source>
+   <translation>エラー</translation>
+  </message>
+  <message>
+   <source>Run</source>
+   <translation>番号</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <translation>状態</translation>
+  </message>
+  <message>
+   <source>“{0}” of “{1}” is no number.</source>
+   <translation>「{1}」の「{0}」は数ではありません。</translation>
   </message>
   <message>
    <source>'{0}' is no thin solid: {1}.</source>
@@ -2129,6 +2236,137 @@
   <message>
    <source>Separate pieces of the selection become separate form features that move independently</source>
    <translation>選択の離れた部分は、独立に動く別々の形状特徴になります</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_study</name>
+  <message>
+   <source>Study</source>
+   <translation>スタディ</translation>
+  </message>
+  <message>
+   <source>Parameters</source>
+   <translation>パラメータ</translation>
+  </message>
+  <message>
+   <source>What changes between which numbers; a double click edits a name or a number</source>
+   <translation>何がどの数の間で変わるか。ダブルクリックで名前や数を編集します</translation>
+  </message>
+  <message>
+   <source>Motions of handles, sizes of form features, and cells of the spreadsheets that drive them</source>
+   <translation>ハンドルの動き、形状要素の寸法、それらを動かすスプレッドシートのセル</translation>
+  </message>
+  <message>
+   <source>Lets the study change this number</source>
+   <translation>この数をスタディで変えます</translation>
+  </message>
+  <message>
+   <source>Add</source>
+   <translation>追加</translation>
+  </message>
+  <message>
+   <source>Takes the selected parameters out</source>
+   <translation>選んだパラメータを外します</translation>
+  </message>
+  <message>
+   <source>Remove</source>
+   <translation>削除</translation>
+  </message>
+  <message>
+   <source>Variants</source>
+   <translation>変種</translation>
+  </message>
+  <message>
+   <source>Sampling</source>
+   <translation>標本化</translation>
+  </message>
+  <message>
+   <source>How values are chosen: three ways that fill the ranges evenly, or a grid of all combinations</source>
+   <translation>値の選び方：範囲を一様に満たす三つの方法、または全組み合わせの格子</translation>
+  </message>
+  <message>
+   <source>Latin hypercube</source>
+   <translation>ラテン超方格</translation>
+  </message>
+  <message>
+   <source>Sobol</source>
+   <translation>Sobol</translation>
+  </message>
+  <message>
+   <source>Halton</source>
+   <translation>Halton</translation>
+  </message>
+  <message>
+   <source>Full grid</source>
+   <translation>全格子</translation>
+  </message>
+  <message>
+   <source>Count</source>
+   <translation>数</translation>
+  </message>
+  <message>
+   <source>How many variants; of a full grid at most so many</source>
+   <translation>変種の数。全格子では最大数</translation>
+  </message>
+  <message>
+   <source>Seed</source>
+   <translation>シード</translation>
+  </message>
+  <message>
+   <source>Another number gives other values</source>
+   <translation>別の数にすると別の値になります</translation>
+  </message>
+  <message>
+   <source>Criteria</source>
+   <translation>基準</translation>
+  </message>
+  <message>
+   <source>What every variant must keep, commas between: stretch, angle, gap change, edge error, displacement, touching and more, or a parameter. That no triangle turns over is always asked for</source>
+   <translation>各変種が守ること（コンマ区切り）：stretch, angle, gap change, edge error, displacement, touching など、またはパラメータ。三角形が裏返らないことは常に求めます</translation>
+  </message>
+  <message>
+   <source>such as stretch &lt;= 0.2, angle &gt;= 12</source>
+   <translation>例：stretch &lt;= 0.2, angle &gt;= 12</translation>
+  </message>
+  <message>
+   <source>Folder</source>
+   <translation>フォルダ</translation>
+  </message>
+  <message>
+   <source>Where recipe, study and the files of every variant are kept; a run that was stopped goes on there. Empty: only the table is kept</source>
+   <translation>レシピ、スタディ、各変種のファイルを置く場所。中止した計算はそこから続きます。空なら表だけを残します</translation>
+  </message>
+  <message>
+   <source>keep only the table</source>
+   <translation>表だけを残す</translation>
+  </message>
+  <message>
+   <source>Chooses a folder</source>
+   <translation>フォルダを選びます</translation>
+  </message>
+  <message>
+   <source>Computes the variants in processes of their own; FreeCAD stays free</source>
+   <translation>変種を別プロセスで計算します。FreeCAD はそのまま使えます</translation>
+  </message>
+  <message>
+   <source>Run</source>
+   <translation>実行</translation>
+  </message>
+  <message>
+   <source>Stops; what is done becomes the table</source>
+   <translation>止めます。終わった分が表になります</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>中止</translation>
+  </message>
+  <message>
+   <source>Variants that are done</source>
+   <translation>終わった変種</translation>
+  </message>
+  <message>
+   <source>One row for each variant; point at its state to read why it did not pass. A double click takes the morph there</source>
+   <translation>変種ごとに一行。状態を指すと不合格の理由が読めます。ダブルクリックでモーフがその形になります</translation>
   </message>
  </context>
  <context>

@@ -40,8 +40,8 @@ WORKERS = (1, 2, 10, 100, 1000)
 
 @dataclass(frozen=True)
 class Costs:
-    """Processor seconds: of a worker until it begins, of a variant in it, of a variant in the
-    process that hands out; bytes of a variant on the disk."""
+    """Processor seconds: until workers begin, once for all of them, of a variant in one, of a
+    variant in the process that hands out; bytes of a variant on the disk."""
 
     begin: float
     variant: float
@@ -79,10 +79,9 @@ def computed(study: Path, workers: int) -> tuple[dict, float]:
 
 
 def begin_cost(study: Path) -> float:
-    """Processor seconds of a worker before its first variant: reading, pre-processing."""
+    """Processor seconds before the first variant, once for all workers: reading, pre-processing."""
     start = time.process_time()
-    plan = Plan(study)
-    Workshop(plan).result(plan.samples[0])
+    Workshop(Plan(study)).begin(0)
     return time.process_time() - start
 
 
@@ -116,8 +115,8 @@ def main(variants: int) -> None:
             f"| {workers} | {told['seconds']:.1f} | {rate:.2f} | {cpu:.3f} | {100 * share:.0f} % |"
         )
     one, own = measured[1]
-    variant = (one["cpu_seconds_of_workers"] - begin) / variants
-    costs = Costs(begin, variant, own / variants, size)
+    variant = one["cpu_seconds_of_workers"] / variants
+    costs = Costs(begin, variant, (own - begin) / variants, size)
     print(f"\nbegin {begin:.2f} s, variant {variant:.3f} s, handing out {costs.handing:.4f} s, ")
     print(f"{size / 1e6:.2f} MB a variant\n")
     print("| workers | 10,000 variants, s | variants a second | of the workers' time used | MB/s |")

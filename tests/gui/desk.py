@@ -217,6 +217,7 @@ def panel():
             "find",
             "guide",
             "pose",
+            "study",
         )
         for widget in Gui.getMainWindow().findChildren(QtGui.QWidget, name)
         if widget.isVisible()

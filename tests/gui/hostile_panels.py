@@ -7,6 +7,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from desk import WORK, activate, panel
 from freecad.sheetmorph import api
+from freecad.sheetmorph.objects import model
+from hostile_traces import child_processes
 from PySide import QtGui
 from scenes import assembly, contacts, labelled, new_assembly, part, regions
 
@@ -89,6 +91,19 @@ def preview() -> None:
     press_button("preview")
 
 
+def a_study():
+    """A study of the second handle that is not done before something is done to it."""
+    known = model.studies(assembly())
+    parameters = [("lift", second_handle(), "TranslationZ", 0.0, 20.0)]
+    return known[0] if known else api.add_study(assembly(), parameters=parameters, count=500)
+
+
+def run_study() -> None:
+    press_button("run")
+    message = panel().findChild(QtGui.QLabel, "message").text()
+    assert child_processes(), f"no process was started: {message}"
+
+
 def nothing() -> None:
     pass
 
@@ -121,6 +136,7 @@ PANELS = {
         set_percent,
         lambda: api.poses(assembly())[0],
     ),
+    "study": (lambda: open_by("Study", a_study()), run_study, a_study),
     "prepare": (lambda: open_by("PrepareMesh", part()), preview, part),
     "propagation": (
         lambda: open_by("Propagation"),

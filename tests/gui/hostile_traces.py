@@ -2,10 +2,11 @@
 """What a panel may have left behind: nodes, widgets, a dead selection, open steps."""
 
 import gc
+import glob
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import report_view
+from desk import WORK, report_view
 from freecad.sheetmorph import generations
 from freecad.sheetmorph.api.poses import motion_of
 from freecad.sheetmorph.objects import model
@@ -77,6 +78,22 @@ def count(root) -> int:
     return search.getPaths().getLength()
 
 
+def child_processes() -> list[str]:
+    """The studies that FreeCAD has started and that are alive, one line each."""
+    found = []
+    for folder in glob.glob("/proc/[0-9]*"):
+        try:
+            with open(f"{folder}/cmdline", encoding="utf-8") as file:
+                words = file.read().split("\0")
+        except OSError:
+            continue  # it has just ended
+        if "sheetmorph" in words and "study" in words:
+            environment = open(f"{folder}/environ", "rb").read().split(b"\0")
+            if f"SHEETMORPH_GUI_WORK={WORK}".encode() in environment:
+                found.append(" ".join(words))
+    return found
+
+
 def motions() -> dict:
     return {r.Name: motion_of(r) for r in regions("handle")}
 
@@ -92,6 +109,7 @@ def left(traces, before) -> list[str]:
     if App.getActiveTransaction() is not None:
         faults.append(f"an open transaction: {App.getActiveTransaction()}")
         App.closeActiveTransaction(True)
+    faults += [f"a process is left: {line}" for line in child_processes()]
     if not gc.isenabled():
         faults.append("garbage is not collected any more")
     if App.ActiveDocument is None:

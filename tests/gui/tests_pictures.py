@@ -16,6 +16,8 @@ from checks_moving import open_panel
 from checks_preparing import coarse_plate, is_previewed
 from checks_propagation import click_row
 from checks_steel import choose_property
+from checks_reach import is_marked
+from checks_study import mirror_study
 from checks_thickness import is_drawn, thin_plate
 from checks_tutorial import mark, menu, near_edge
 from desk import (
@@ -226,4 +228,25 @@ def test_preparing():
     yield from press("Preview")
     yield from until(is_previewed, "the preview", 60.0)
     yield from taken("prepare")
+    yield from press("Cancel")
+
+
+def test_a_study():
+    yield from large_view()
+    yield from mirror_study()
+    yield from taken("study")
+    yield from press("Cancel")
+
+
+def test_how_far_a_value_may_go():
+    yield from cover()
+    yield from mark("Mark Fixed Region…", near_edge(-1.0))
+    yield from press("OK")
+    yield from mark("Mark Handle…", near_edge(1.0))
+    yield from press("OK")
+    yield from menu("SheetMorph", "Move Handle…")
+    yield from until(is_shown, "the panel")
+    yield from enter(child("translation_x"), "-40 mm")
+    yield from until(is_marked, "the scale")
+    yield from taken("reach")
     yield from press("Cancel")

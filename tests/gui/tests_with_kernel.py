@@ -17,10 +17,12 @@ from checks_poses import *  # noqa: F401,F403
 from checks_preferences import *  # noqa: F401,F403
 from checks_preparing import *  # noqa: F401,F403
 from checks_propagation import *  # noqa: F401,F403
+from checks_reach import *  # noqa: F401,F403
 from checks_sentences import *  # noqa: F401,F403
 from checks_showing import *  # noqa: F401,F403
 from checks_speed import *  # noqa: F401,F403
 from checks_steel import *  # noqa: F401,F403
+from checks_study import *  # noqa: F401,F403
 from checks_thickness import *  # noqa: F401,F403
 from checks_tree import *  # noqa: F401,F403
 from checks_tutorial import *  # noqa: F401,F403

@@ -13,7 +13,7 @@ from sheetmorph.cli import main
 from sheetmorph.study.plan import Plan
 from sheetmorph.study.ranges import limit_of
 from sheetmorph.study.working import Workshop
-from study_samples import write_study
+from study_samples import rows_of, write_study
 
 PARAMETERS = {
     "along": {"path": "pose.tip.translation[0]", "range": [-20, 20]},
@@ -95,3 +95,61 @@ def test_live_answers_that_are_wrong_are_put_right_by_exact_ones():
     for verdict, limit in ((lying, 0.3), (blind, 0.9)):
         assert limit_of(verdict).share == pytest.approx(limit, abs=1e-4)
         assert limit_of(verdict).why == "broken"
+
+
+def rows_after_a_range(folder: Path, **keys) -> list[dict]:
+    """The table of a study that is computed after its range was found."""
+    found_range(folder, parameters=PARAMETERS, criteria=CRITERIA)
+    path = write_study(folder, **{"parameters": PARAMETERS, "criteria": CRITERIA, **keys})
+    assert main(["study", str(path), "-o", str(folder / "out"), "--quiet"]) == 0
+    return rows_of(folder / "out")
+
+
+SAMPLING = {"method": "sobol", "count": 24, "seed": 3}
+
+
+def test_what_lies_beyond_a_range_is_refused_and_costs_nothing(tmp_path: Path):
+    rows = rows_after_a_range(tmp_path, sampling=SAMPLING)
+    limits = json.loads((tmp_path / "out" / "range.json").read_text())["parameters"]
+    refused = [row for row in rows if row["status"] == "refused"]
+    assert 0 < len(refused) < 24
+    for row in refused:
+        assert "of range.json: " in row["why"]
+        assert sorted(p.name for p in (tmp_path / "out" / f"{int(row['run']):06d}").iterdir()) == [
+            "parameters.json"
+        ]
+    for row in rows:
+        lift, entry = float(row["lift"]), limits["lift"]
+        if not entry["low"] <= lift <= entry["high"]:
+            assert row["status"] == "refused" and " is beyond " in row["why"]
+    costs = json.loads((tmp_path / "out" / "costs.json").read_text())
+    assert costs["computed"] == 24 - len(refused)
+
+
+def test_without_its_range_the_same_samples_are_computed(tmp_path: Path):
+    before = rows_after_a_range(tmp_path, sampling=SAMPLING)
+    (tmp_path / "out" / "range.json").unlink()
+    assert (
+        main(["study", str(tmp_path / "study.json"), "-o", str(tmp_path / "out"), "--quiet"]) == 0
+    )
+    after = rows_of(tmp_path / "out")
+    assert {row["status"] for row in after} == {"passed", "failed"}
+    costs = json.loads((tmp_path / "out" / "costs.json").read_text())
+    assert costs["computed"] == sum(row["status"] == "refused" for row in before)
+    kept = [row for row in before if row["status"] != "refused"]
+    assert kept == [row for row in after if row["run"] in {k["run"] for k in kept}]
+
+
+def test_the_range_of_another_study_refuses_nothing(tmp_path: Path):
+    looser = {"stretch": {"max": 0.5}, "angle": {"min": 12}}
+    rows = rows_after_a_range(tmp_path, sampling=SAMPLING, criteria=looser)
+    assert all(row["status"] != "refused" for row in rows)
+
+
+@pytest.mark.parametrize("text", ["", "[1]", "{", '{"hash": 3}'])
+def test_a_range_that_cannot_be_read_refuses_nothing(tmp_path: Path, text: str):
+    path = write_study(tmp_path)
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "range.json").write_text(text)
+    assert main(["study", str(path), "-o", str(tmp_path / "out"), "--quiet"]) == 0
+    assert {row["status"] for row in rows_of(tmp_path / "out")} == {"passed"}

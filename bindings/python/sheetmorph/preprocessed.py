@@ -17,6 +17,7 @@ from .recipe import check_with_meshes
 from .recipe.found import Found
 from .recipe.model import Model, RegionEntry
 from .results import FeatureResult
+from .strain import EdgeChanges
 from .translation import Translator, kernel_faults
 
 _MOST_SAMPLES = 400
@@ -52,6 +53,7 @@ class Preprocessed:
         self._core = load_kernel()
         self._rest_gaps: dict[str, float] = {}
         self._feature_edges: dict[str, np.ndarray] = {}
+        self._edge_changes: dict[str, EdgeChanges] = {}
         with kernel_faults(self._core):
             self._translator = Translator(self._core, model, self.meshes)
             assembly = self._translator.assembly()
@@ -136,6 +138,13 @@ class Preprocessed:
             mesh = self.meshes[self.parts[part]]
             self._feature_edges[name] = feature_edges(mesh, self.feature_vertices(name))
         return self._feature_edges[name]
+
+    def edge_changes(self, part: str) -> EdgeChanges:
+        """Measures by how much edges of a part change."""
+        if part not in self._edge_changes:
+            mesh = self.meshes[part]
+            self._edge_changes[part] = EdgeChanges(mesh.points, mesh.triangles)
+        return self._edge_changes[part]
 
     @property
     def timings(self) -> dict[str, float]:

@@ -17,12 +17,10 @@ import numpy as np
 from .answer import Answer
 from .certificate import edge_error, tolerance
 from .notes import notes_of, shape_notes
-from .part_mesh import PartMesh
 from .recipe.feature_entries import SymmetryEntry
 from .regions_report import region_entries
 from .results import FeatureResult
 from .shape_report import WrittenShapes, kink_notes, shape_failures, shape_report
-from .strain import worst_fold, worst_strain
 from .stretch import steel_report, stretch_report
 from .thin import crossings, thickness_in_file, thin_failures, thin_report
 from .cautions import warnings_of
@@ -64,18 +62,18 @@ def make_report(
     timings: Mapping[str, float] | None = None,
     *,
     beside: FilesTold | None = None,
+    is_brief: bool = False,
 ) -> dict[str, Any]:
-    """The report of a result; `written`: its files read again, by part name; timings: seconds;
-    beside: what decks and files of joints say."""
-    session, files = result.session, written or {}
+    """The report of a result; `written`: its files read again, by part name; beside: what decks and
+    files of joints say; is_brief: without where the sheet is stretched, and the regions."""
+    session, files, beside = result.session, written or {}, beside or FilesTold()
     rest = (mesh.points for mesh in session.meshes.values())
     tol = tolerance(session.size, [*rest, *result.positions.values()])
     features = _features(result, files)
-    parts = [part_report(result, name, files.get(name)) for name in session.parts]
+    parts = [part_report(result, name, files.get(name), is_brief) for name in session.parts]
     warnings = warnings_of(result, parts)
     failures = [*_torn(features, tol), *thin_failures(result, tol)]
     failures += [*unsettled_failures({"parts": parts}), *shape_faults(parts)]
-    beside = beside or FilesTold()
     failures += beside.texts("failures")
     told = [*_kinks(parts), *beside.texts("notes")]
     return {
@@ -90,7 +88,7 @@ def make_report(
         **{"decks": beside.decks, "joint_files": beside.joint_files},
         "contacts": [asdict(contact) for contact in result.contacts],
         "spread": result.spread,
-        "regions": region_entries(session),
+        "regions": [] if is_brief else region_entries(session),
         **{"parts": parts, "repairs": result.repairs},
         **{"order": session.order, "levels": session.levels, "unreached": session.unreached},
         "notes": [*notes_of(session), *shape_notes(result, parts), *told, *warnings],
@@ -181,8 +179,10 @@ def _feature(
     }
 
 
-def part_report(result: Answer, name: str, written: WrittenPart | None = None) -> dict[str, Any]:
-    """The entry of a part in the report."""
+def part_report(
+    result: Answer, name: str, written: WrittenPart | None = None, is_brief: bool = False
+) -> dict[str, Any]:
+    """The entry of a part in the report; is_brief: without where it is stretched."""
     mesh = result.session.meshes[name]
     positions = result.positions[name]
     report = {
@@ -191,8 +191,8 @@ def part_report(result: Answer, name: str, written: WrittenPart | None = None) -
         "triangles": len(mesh.triangles),
         "is_reached": name not in result.session.unreached,
         "largest_displacement": _largest_distance(mesh.points, positions),
-        "quality": _quality(result.session.core, mesh, positions),
-        "stretch": stretch_report(result, name),
+        "quality": _quality(result, name),
+        "stretch": None if is_brief else stretch_report(result, name),
         "steel": steel_report(result.session, name),
         "thin": thin_report(result, name),
         "preparation": mesh.preparation,
@@ -220,14 +220,16 @@ def _largest_distance(a: np.ndarray, b: np.ndarray) -> float:
     return float(np.linalg.norm(a - b, axis=1).max(initial=0.0))
 
 
-def _quality(core: Any, mesh: PartMesh, positions: np.ndarray) -> dict[str, Any]:
+def _quality(result: Answer, part: str) -> dict[str, Any]:
+    core, mesh = result.session.core, result.session.meshes[part]
+    positions, edges = result.positions[part], result.session.edge_changes(part)
     change = core.compare_quality(mesh.points, positions, mesh.triangles)
     return {
         "before": _shape_of(core.quality(mesh.points, mesh.triangles)),
         "after": _shape_of(change),
         "flipped": int(change.flipped),
-        "worst_strain": worst_strain(mesh.points, positions, mesh.triangles),
-        "worst_fold_degrees": worst_fold(mesh.points, positions, mesh.triangles),
+        "worst_strain": edges.worst_strain(positions),
+        "worst_fold_degrees": edges.worst_fold(positions),
     }
 
 

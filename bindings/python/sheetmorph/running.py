@@ -272,14 +272,16 @@ class Writer:
         return report
 
     def write_parts(self) -> tuple[dict[str, Any], dict[str, WrittenPart]]:
-        """The same into a folder that is new; its owner flushes it, or removes it. Returns the
+        """The same into a folder that is new; its owner flushes it, or removes it. Returns a brief
         report, and the parts as their files hold them, by name."""
         with FileSet(flushed=False) as files:
-            report, parts = self._fill(files)
+            report, parts = self._fill(files, True)
             files.commit()
         return report, parts
 
-    def _fill(self, files: FileSet) -> tuple[dict[str, Any], dict[str, WrittenPart]]:
+    def _fill(
+        self, files: FileSet, is_brief: bool = False
+    ) -> tuple[dict[str, Any], dict[str, WrittenPart]]:
         begin = time.perf_counter()
         parts: dict[str, WrittenPart] = {}
         for source in self.sources:
@@ -290,7 +292,7 @@ class Writer:
             draw(self.pictures, files)
         taken = {**self.timings, "write": time.perf_counter() - begin}
         beside = told_of_files(self.result, self.sources, self.joint_files)
-        report = make_report(self.result, parts, taken, beside=beside)
+        report = make_report(self.result, parts, taken, beside=beside, is_brief=is_brief)
         if self.places.report is not None:
             _put_report(files, self.places.report, report)
         return report, parts

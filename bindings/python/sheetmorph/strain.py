@@ -9,32 +9,44 @@ import numpy as np
 _NO_LENGTH = 1e-12
 
 
-def worst_strain(rest: np.ndarray, positions: np.ndarray, triangles: np.ndarray) -> float | None:
-    """The largest change of an edge's length over its length at rest; None without edges.
+class EdgeChanges:
+    """How edges of a mesh change, and the angles across them; what they are at rest is known once.
 
-    rest, positions: (n, 3); triangles: (m, 3).
+    rest: (n, 3); triangles: (m, 3).
     """
-    edges, _ = _edges(triangles)
-    before = np.linalg.norm(rest[edges[:, 0]] - rest[edges[:, 1]], axis=1)
-    after = np.linalg.norm(positions[edges[:, 0]] - positions[edges[:, 1]], axis=1)
-    has_length = before > _NO_LENGTH * np.ptp(rest, axis=0).max(initial=0.0)
-    if not has_length.any():
-        return None
-    return float(np.abs(after[has_length] / before[has_length] - 1.0).max())
+
+    def __init__(self, rest: np.ndarray, triangles: np.ndarray):
+        edges, owner = _edges(triangles)
+        lengths = _lengths(rest, edges)
+        has_length = lengths > _NO_LENGTH * np.ptp(rest, axis=0).max(initial=0.0)
+        self._triangles = triangles
+        self._edges, self._lengths = edges[has_length], lengths[has_length]
+        pairs = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
+        self._sides = owner[pairs], owner[pairs + 1]
+        self._angles = _angles(rest, triangles, self._sides)
+
+    def worst_strain(self, positions: np.ndarray) -> float | None:
+        """The largest change of an edge's length over its length at rest; None without edges.
+
+        positions: (n, 3).
+        """
+        if not len(self._edges):
+            return None
+        return float(np.abs(_lengths(positions, self._edges) / self._lengths - 1.0).max())
+
+    def worst_fold(self, positions: np.ndarray) -> float | None:
+        """The largest change of the angle between two triangles with a common edge, degrees; None
+        without such.
+
+        positions: (n, 3).
+        """
+        change = np.abs(_angles(positions, self._triangles, self._sides) - self._angles)
+        change = change[np.isfinite(change)]
+        return float(np.degrees(change.max())) if len(change) else None
 
 
-def worst_fold(rest: np.ndarray, positions: np.ndarray, triangles: np.ndarray) -> float | None:
-    """The largest change of the angle between two triangles with a common edge, degrees; None
-    without such.
-
-    rest, positions: (n, 3); triangles: (m, 3).
-    """
-    edges, owner = _edges(triangles)
-    pairs = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
-    sides = owner[pairs], owner[pairs + 1]
-    change = np.abs(_angles(positions, triangles, sides) - _angles(rest, triangles, sides))
-    change = change[np.isfinite(change)]
-    return float(np.degrees(change.max())) if len(change) else None
+def _lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    return np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
 
 
 def _edges(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -10,7 +10,8 @@ POSE = "SheetMorph::Pose"
 REGION = "SheetMorph::Region"
 RELATION = "SheetMorph::Relation"
 SHELLS = "SheetMorph::Shells"
-ALL = (ASSEMBLY, CONTACT, DECK, DEFORMATION, PART, POSE, REGION, RELATION, SHELLS)
+STUDY = "SheetMorph::Study"
+ALL = (ASSEMBLY, CONTACT, DECK, DEFORMATION, PART, POSE, REGION, RELATION, SHELLS, STUDY)
 
 
 def kind(obj) -> str:

@@ -4,10 +4,10 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION, kind
+from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION, STUDY, kind
 from freecad.sheetmorph.objects import model
 
-__all__ = ["ASSEMBLY", "PART", "POSE", "REGION", "kind"]
+__all__ = ["ASSEMBLY", "PART", "POSE", "REGION", "STUDY", "kind"]
 
 
 def selected(wanted: str = "") -> list:

@@ -217,11 +217,19 @@ def _histogram(before: np.ndarray, after: np.ndarray) -> dict[str, list[float]]:
     low = float(min(before.min(), after.min()))
     high = float(max(before.max(), after.max()))
     span = (low, high if high > low else low + 1.0)
+    edges = np.linspace(*span, _BINS + 1)
     return {
-        "edges": np.linspace(*span, _BINS + 1).tolist(),
-        "before": np.histogram(before, _BINS, span)[0].tolist(),
-        "after": np.histogram(after, _BINS, span)[0].tolist(),
+        "edges": edges.tolist(),
+        "before": _counts(before, edges),
+        "after": _counts(after, edges),
     }
+
+
+def _counts(values: np.ndarray, edges: np.ndarray) -> list[int]:
+    """How many values lie between each two edges, on the last one too."""
+    before = np.searchsorted(np.sort(values), edges)
+    before[-1] = len(values)
+    return np.diff(before).tolist()
 
 
 def _fails(values: np.ndarray, limits: dict[str, float]) -> np.ndarray:

@@ -98,18 +98,23 @@ class CoordinateText:
 
         Changed ones get the shortest text that reads back to the same double (17 digits at most).
         """
-        changed = np.flatnonzero(positions.ravel() != self.values.ravel())
-        spans = self.spans.reshape(-1, 2)[changed]
+        order, pieces = self._pieces
+        changed = np.flatnonzero((positions.ravel() != self.values.ravel())[order])
+        numbers = positions.ravel()[order[changed]].tolist()
+        texts = "\n".join(map(repr, numbers)).encode().split(b"\n")
+        found = [*pieces]
+        for k, text in zip((2 * changed + 1).tolist(), texts):
+            found[k] = text
+        return b"".join(found)
+
+    @cached_property
+    def _pieces(self) -> tuple[np.ndarray, list[bytes]]:
+        """The coordinates (3 n,) in the order of the file, and its bytes: what stands before the
+        first one, that one, what is between, and so on."""
+        spans = self.spans.reshape(-1, 2)
         order = np.argsort(spans[:, 0], kind="stable")
-        numbers = positions.ravel()[changed][order].tolist()
-        pieces = []
-        done = 0
-        for (begin, end), number in zip(spans[order].tolist(), numbers):
-            pieces.append(self.data[done:begin])
-            pieces.append(repr(number).encode())
-            done = end
-        pieces.append(self.data[done:])
-        return b"".join(pieces)
+        ends = [0, *spans[order].ravel().tolist(), len(self.data)]
+        return order, [self.data[begin:end] for begin, end in zip(ends, ends[1:])]
 
     @cached_property
     def _words(self) -> tuple[list[bytes], list[int]] | None:

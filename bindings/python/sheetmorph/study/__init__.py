@@ -2,7 +2,19 @@
 """Studies: variants of a recipe, sampled, computed, certified and told in one table."""
 
 from .evaluating import Evaluator
+from .reaching import Reach
 from .reading import Study, read_study, study_schema
 from .running import Ways, run_study, study_range
+from .sampling import samples_of
 
-__all__ = ["Evaluator", "Study", "Ways", "read_study", "run_study", "study_range", "study_schema"]
+__all__ = [
+    "Evaluator",
+    "Reach",
+    "Study",
+    "Ways",
+    "read_study",
+    "run_study",
+    "samples_of",
+    "study_range",
+    "study_schema",
+]

@@ -159,7 +159,7 @@ class Evaluator:
 
         @cache
         def figures() -> Figures:
-            return Figures(result, make_report(result))
+            return Figures(result, make_report(result, is_brief=True))
 
         def figure(name: str, part: str) -> float | None:
             return figures().figure(name, part)

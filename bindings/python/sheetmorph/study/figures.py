@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..answer import Answer
+from ..report import part_report
 from ..thin import crossings
 from .gaps import touching
 
@@ -28,6 +29,17 @@ _OF_PART: dict[str, Callable[[dict[str, Any]], Any]] = {
     "thickness change": lambda part: (part["thin"] or {}).get("largest_change"),
 }
 FIGURES = (*_OF_PART, "gap change", "edge error", "crossings", "touching", "warnings")
+
+
+def live_report(result: Answer) -> dict[str, Any]:
+    """What a report tells of parts, of an answer that is not exact."""
+    return {
+        "parts": [part_report(result, name, None, True) for name in result.session.parts],
+        "features": [],
+        "contacts": [],
+        "warnings": [],
+        "certificate": {"failures": []},
+    }
 
 
 class Figures:

@@ -73,9 +73,20 @@ class Plan:
         """Why a sample is not computed at all; empty if it is."""
         return out_of_range(self.study, values)
 
-    def hash_of(self, values: Values) -> str:
-        """What all files of a variant depend on, as one number in hex."""
-        return _digest([self._common, [values[name] for name in self.study.names]])
+    def hash_of(self, values: Values, refusal: str = "") -> str:
+        """What all files of a variant depend on, as one number in hex; refusal: why it is not
+        computed, if it is not."""
+        told = [refusal] if refusal else []
+        return _digest([self._common, [values[name] for name in self.study.names], *told])
+
+    @property
+    def range_hash(self) -> str:
+        """What the range that is possible depends on, as one number in hex."""
+        study = self.study
+        limits = [[entry.low, entry.high, entry.values] for entry in study.parameters]
+        constraints = [entry.text for entry in study.constraints]
+        asked = [study.measure, study.criteria, asdict(study.certify)]
+        return _digest([*self._inputs(), limits, constraints, asked])
 
     def _place_of(self, told: Any, where: str) -> np.ndarray:
         rest = {name: mesh.points for name, mesh in self.parts.meshes.items()}
@@ -105,18 +116,22 @@ class Plan:
 
     def _depended_on(self) -> Any:
         study = self.study
-        files = {
-            source.file.origin.name: [*map(_digest_of_file, source.file.files_read)]
-            for source in self.parts.sources
-        }
-        meanings = [entry.meaning() for entry in study.parameters]
         limits = [[entry.low, entry.high, entry.values] for entry in study.parameters]
         constraints = [entry.text for entry in study.constraints]
         asked = [study.measure, study.criteria, study.write, asdict(study.certify)]
         # Where a range or a constraint refuses nothing, what is computed does not depend on it.
         refuses = any(map(self.refusal, self.samples))
         told = [limits, constraints] if refuses else []
-        return [_FORMAT, _version(), self.recipe, files, meanings, asked, told]
+        return [*self._inputs(), asked, told]
+
+    def _inputs(self) -> list[Any]:
+        """The recipe with its files, and what the parameters do to it."""
+        files = {
+            source.file.origin.name: [*map(_digest_of_file, source.file.files_read)]
+            for source in self.parts.sources
+        }
+        meanings = [entry.meaning() for entry in self.study.parameters]
+        return [_FORMAT, _version(), self.recipe, files, meanings]
 
 
 def _version() -> str:

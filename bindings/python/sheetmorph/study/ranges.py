@@ -17,6 +17,7 @@ from .reading import Parameter
 from .sampling import Values
 from .working import Workshop
 
+FILE = "range.json"
 # Places looked at from the start to the end of a range, before one is halved.
 _STEPS = 12
 # Of the range: how near the limit is found.
@@ -53,7 +54,7 @@ def possible_ranges(plan: Plan, progress: Progress | None = None) -> dict[str, A
             raise KeyboardInterrupt
         ends = {name: _end(plan.study.parameter(name), sign) for name, sign in way.items()}
         found.append((way, ends, _along(shop, start, ends)))
-    return _told(start, moving, found)
+    return {"sheetmorph_study_range": 1, "hash": plan.range_hash, **_told(start, moving, found)}
 
 
 def _along(shop: Workshop, start: Values, ends: Mapping[str, float]) -> Limit:
@@ -65,7 +66,7 @@ def _along(shop: Workshop, start: Values, ends: Mapping[str, float]) -> Limit:
 
 def limit_of(verdict: Verdict) -> Limit:
     """The limit of a way: found on live answers, confirmed on exact ones on both sides of it."""
-    near = _searched(lambda share: verdict(share, False), 0.0, 1.0)
+    near = searched(lambda share: verdict(share, False), 0.0, 1.0)
     low = max(0.0, near.share - _FINE)
     high = min(1.0, near.share + 2.0 * _FINE)
     confirmed = not verdict(low, True) and (bool(verdict(high, True)) if near.why else True)
@@ -75,10 +76,10 @@ def limit_of(verdict: Verdict) -> Limit:
 
 
 def _exactly(verdict: Verdict, low: float, high: float) -> Limit:
-    return _searched(lambda share: verdict(share, True), low, high)
+    return searched(lambda share: verdict(share, True), low, high)
 
 
-def _searched(verdict: Callable[[float], str], low: float, high: float) -> Limit:
+def searched(verdict: Callable[[float], str], low: float = 0.0, high: float = 1.0) -> Limit:
     """Step by step to the first place that is not possible, then by halves; low is possible."""
     steps = max(1, math.ceil(_STEPS * (high - low)))
     possible, why = low, ""
@@ -155,9 +156,4 @@ def _told(
         else:
             place = {name: at[name] for name in way}
             between.append({"towards": dict(ends), "limit": place, "why": limit.why})
-    return {
-        "sheetmorph_study_range": 1,
-        "start": start,
-        "parameters": alone,
-        "directions": between,
-    }
+    return {"start": start, "parameters": alone, "directions": between}

@@ -20,15 +20,16 @@ from .engines.processes import processes_driver
 from .engines.scripts import Call
 from .engines.slurm import submit
 from .engines.snakemake import write_snakefile
+from . import ranges
 from .plan import Plan
-from .ranges import possible_ranges
+from .refusing import Refusals
 from .rows import ERROR, FILE, REFUSED, Row
 from .storing import Store, write_json
 from .summary import write_summary
-from .working import Cost, Task, own_workshop
+from .working import Cost, Task, Workshop, adopt, work
 
 ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
-COSTS, RANGE = "costs.json", "range.json"
+COSTS = "costs.json"
 # Array jobs of a batch system where nobody says how many.
 _JOBS = 16
 
@@ -60,12 +61,13 @@ def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> li
     if ways.runs is not None:
         return _Run(plan, store, ways).some(*ways.runs)
     with _alone(store.out):
-        store.tidy([plan.hash_of(values) for values in plan.samples])
+        run = _Run(plan, store, ways)
+        store.tidy(run.hashes)
         if ways.engine in ("slurm", "snakemake"):
             call = Call(plan.study.path, store.out, len(plan.samples))
             hand_over = submit if ways.engine == "slurm" else write_snakefile
             return hand_over(call, ways.workers or _JOBS)
-        return _Run(plan, store, ways).all()
+        return run.all()
 
 
 def study_range(path: str | Path, out: str | Path, progress: Progress | None = None) -> list[str]:
@@ -75,10 +77,10 @@ def study_range(path: str | Path, out: str | Path, progress: Progress | None = N
     """
     plan = Plan(path, progress)
     _require_apart(plan, Path(out))
-    found = possible_ranges(plan, progress)
+    found = ranges.possible_ranges(plan, progress)
     store = Store(Path(out))
     store.open()
-    write_json(store.out, {RANGE: found})
+    write_json(store.out, {ranges.FILE: found})
     return [_range_sentence(name, entry) for name, entry in found["parameters"].items()]
 
 
@@ -93,18 +95,21 @@ def _range_sentence(name: str, entry: dict[str, Any]) -> str:
 
 
 class _Run:
-    """One call for one study; rows: of the variants that are done, by run."""
+    """One call for one study; hashes: of its variants, by run."""
 
     def __init__(self, plan: Plan, store: Store, ways: Ways):
         self._plan, self._store, self._ways = plan, store, ways
-        self._hashes = [plan.hash_of(values) for values in plan.samples]
+        refusals = Refusals(plan, store.out)
+        whys = [plan.refusal(values) or refusals.why(values) for values in plan.samples]
+        self._whys = {run: why for run, why in enumerate(whys) if why}
+        self.hashes = [plan.hash_of(values, why) for values, why in zip(plan.samples, whys)]
         self._costs: list[Cost] = []
         self._rows: dict[int, Row] = {}
         self._total = 0
 
     def some(self, first: int, last: int) -> list[str]:
         """Compute some of the runs, without a table: others are at work on the others."""
-        runs = range(first, min(last, len(self._hashes) - 1) + 1)
+        runs = range(first, min(last, len(self.hashes) - 1) + 1)
         self._compute(runs)
         return [f"{self._store.out}: {len(runs)} run(s) done"]
 
@@ -112,7 +117,7 @@ class _Run:
         """Compute what is missing and write the table."""
         begin = time.perf_counter()
         try:
-            self._compute(range(len(self._hashes)))
+            self._compute(range(len(self.hashes)))
         except KeyboardInterrupt:
             self._tell()
             raise
@@ -128,13 +133,11 @@ class _Run:
     def _compute(self, runs: Sequence[int]) -> None:
         self._total = len(runs)
         missing = [run for run in runs if not self._take(run)]
-        refused = [run for run in missing if self._plan.refusal(self._plan.samples[run])]
-        for run in refused:
-            why = self._plan.refusal(self._plan.samples[run])
-            self._put(run, REFUSED, why)
-        computed = set(missing).difference(refused)
+        for run in filter(self._whys.get, missing):
+            self._put(run, REFUSED, self._whys[run])
+        computed = [run for run in missing if run not in self._whys]
         study, out = str(self._plan.study.path.resolve()), str(self._store.out.resolve())
-        tasks = [Task(study, out, run, self._hashes[run]) for run in sorted(computed)]
+        tasks = [Task(study, out, run, self.hashes[run]) for run in computed]
         if tasks:
             self._hand_out(tasks)
 
@@ -142,18 +145,21 @@ class _Run:
         ways = self._ways
         hopes = Hopes(self._finished, self._lost, lambda task: self._take(task.run))
         workers = ways.workers or os.cpu_count() or 1
-        if ways.engine == "processes":
-            processes_driver(workers, hopes).drive(tasks)
-        elif ways.engine == "dask":
+        if ways.engine == "dask":
             dask_driver(ways.scheduler, workers, hopes).drive(tasks)
+            return
+        shop = Workshop(self._plan)
+        adopt(shop, tasks[0].study)
+        if ways.engine == "processes":
+            shop.begin(tasks[0].run)
+            processes_driver(workers, hopes).drive(tasks)
         else:
-            work = own_workshop(self._plan)
             for task in tasks:
                 self._finished(task, work(task))
 
     def _take(self, run: int) -> bool:
         """Whether a variant is done; then its row is taken over."""
-        row = self._store.row(run, self._hashes[run])
+        row = self._store.row(run, self.hashes[run])
         if row is None or row.status == ERROR:
             return False
         self._rows[run] = row
@@ -172,7 +178,7 @@ class _Run:
         self._put(task.run, ERROR, why)
 
     def _put(self, run: int, status: str, why: str) -> None:
-        row = Row(self._hashes[run], self._plan.samples[run], status, why)
+        row = Row(self.hashes[run], self._plan.samples[run], status, why)
         with self._store.folder(run) as folder:
             write_json(folder, {FILE: row.to_json()})
         self._rows[run] = row

@@ -6,11 +6,12 @@ from __future__ import annotations
 import shutil
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from ..certifying import Certifier, Inputs
@@ -20,11 +21,11 @@ from ..joint_files.following import JointSource, joint_sources
 from ..places import Places
 from ..recipe import prepare
 from ..recipe.parts import Parts, Source
-from ..report import make_report, part_report
+from ..report import make_report
 from ..running import Writer, told_of_files
 from ..session import Result, Session
 from .certifying import certificate, failures_of, judged
-from .figures import Figures
+from .figures import Figures, live_report
 from .measures import Measures, Scene
 from .pictures import picture_of
 from .plan import Plan
@@ -100,6 +101,14 @@ class Workshop:
         self._bases: OrderedDict[str, _Base] = OrderedDict()
         self._watch = _Watch()
 
+    def begin(self, run: int) -> None:
+        """Pre-process what a variant needs, write the morph at rest and certify it: what is read
+        and measured for that is there for all variants. What is wrong is told by the variants."""
+        with suppress(RecipeError, FileError, RuntimeError), TemporaryDirectory() as folder:
+            variant = replace(self.plan.variant(self.plan.samples[run]), pose={})
+            base = self._base(variant)
+            self._written(base, variant, base.session.deform({}), Path(folder))
+
     def work(self, run: int, store: Store) -> Cost:
         """Compute a variant into its folder. What is wrong with it is in its row."""
         begin, cpu = time.perf_counter(), time.process_time()
@@ -133,7 +142,7 @@ class Workshop:
             return "; ".join(map(str, error.faults))
         except RuntimeError as error:  # the solver gave up
             return " ".join(str(error).split())
-        report = report_of(result, base.parts, base.joint_files) if exact else _live_report(result)
+        report = report_of(result, base.parts, base.joint_files) if exact else live_report(result)
         figures = Figures(result, report)
         measures = base.measures.taken(Scene(result.positions, values, figures.figure))
         criteria = judged(self.plan.study.criteria, {**values, **measures}, figures.figure)
@@ -244,18 +253,8 @@ def report_of(
     result: Result, parts: Parts, joint_files: Sequence[JointSource] = ()
 ) -> dict[str, Any]:
     """The report of an exact answer that is not written."""
-    return make_report(result, beside=told_of_files(result, parts.sources, joint_files))
-
-
-def _live_report(result: Result) -> dict[str, Any]:
-    """What a report tells of parts, of an answer that is not exact."""
-    return {
-        "parts": [part_report(result, name) for name in result.session.parts],
-        "features": [],
-        "contacts": [],
-        "warnings": [],
-        "certificate": {"failures": []},
-    }
+    beside = told_of_files(result, parts.sources, joint_files)
+    return make_report(result, beside=beside, is_brief=True)
 
 
 def _remove(source: Source, folder: Path) -> None:
@@ -278,7 +277,7 @@ def _clear(folder: Path) -> None:
 
 def work(task: Task) -> Cost:
     """Compute a variant in this process; the study is read once. For workers of all engines."""
-    shop = _workshop(task.study, Path(task.study).stat().st_mtime_ns)
+    shop = _workshop(task.study)
     if task.run >= len(shop.plan.samples):
         raise FileError(task.study, "it was changed meanwhile", "start the study again")
     if shop.plan.hash_of(shop.plan.samples[task.run]) != task.key:
@@ -286,15 +285,24 @@ def work(task: Task) -> Cost:
     return shop.work(task.run, Store(Path(task.out)))
 
 
-@lru_cache(maxsize=1)
-def _workshop(study: str, _changed: int) -> Workshop:
-    return Workshop(Plan(study))
+# The one of this process, by file and time of the study: processes that are forked have it too.
+_shops: dict[tuple[str, int], Workshop] = {}
 
 
-def own_workshop(plan: Plan) -> Callable[[Task], Cost]:
-    """work() for a plan that was read already."""
-    shop = Workshop(plan)
-    return lambda task: shop.work(task.run, Store(Path(task.out)))
+def adopt(shop: Workshop, study: str) -> None:
+    """Let work() use a workshop for a study's file as it is now."""
+    _shops.clear()
+    _shops[_key(study)] = shop
+
+
+def _workshop(study: str) -> Workshop:
+    if _key(study) not in _shops:
+        adopt(Workshop(Plan(study)), study)
+    return _shops[_key(study)]
+
+
+def _key(study: str) -> tuple[str, int]:
+    return study, Path(study).stat().st_mtime_ns
 
 
 def attempt(task: Task) -> tuple[Cost, str]:

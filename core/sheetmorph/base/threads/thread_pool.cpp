@@ -213,10 +213,15 @@ ThreadPool& ThreadPool::common()
     return pool;
 }
 
-// A process that was forked has none of the threads: it starts its own.
+// A process that was forked has none of the threads: it starts its own, as many as it is told.
 ThreadPool::ThreadPool() : threads_(threads_wanted()), shared_(std::make_shared<Shared>())
 {
-    pthread_atfork(nullptr, nullptr, [] { common().shared_ = std::make_shared<Shared>(); });
+    pthread_atfork(nullptr, nullptr,
+                   []
+                   {
+                       common().shared_ = std::make_shared<Shared>();
+                       common().threads_ = threads_wanted();
+                   });
 }
 
 void ThreadPool::set_threads(int threads)

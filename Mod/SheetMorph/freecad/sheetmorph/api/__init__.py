@@ -108,6 +108,15 @@ from freecad.sheetmorph.api.regions import (
 )
 from freecad.sheetmorph.api.shapes import deformed_shape, update_shapes
 from freecad.sheetmorph.api.flat import flatten
+from freecad.sheetmorph.api.studies import (
+    add_study,
+    apply_variant,
+    results,
+    run_study,
+    set_study,
+    variables,
+    write_study,
+)
 from freecad.sheetmorph.api.thin import (
     add_through_holes,
     propose_thin,
@@ -126,8 +135,10 @@ __all__ = [
     "add_handle",
     "add_part",
     "add_shape",
+    "add_study",
     "add_through_holes",
     "apply_pose",
+    "apply_variant",
     "blend_poses",
     "certify",
     "coaxial",
@@ -172,6 +183,8 @@ __all__ = [
     "remove_dependents",
     "reset_motion",
     "rest_mesh",
+    "results",
+    "run_study",
     "save_pose",
     "select",
     "set_active",
@@ -190,6 +203,7 @@ __all__ = [
     "set_size",
     "set_symmetry",
     "set_sheet",
+    "set_study",
     "set_thin",
     "set_unheld",
     "set_vertices",
@@ -198,10 +212,12 @@ __all__ = [
     "take_out",
     "thin_solid",
     "touching_vertices",
+    "variables",
     "vertices",
     "vertices_inside",
     "vertices_of_facets",
     "where",
     "write_parts",
+    "write_study",
     "update_shapes",
 ]

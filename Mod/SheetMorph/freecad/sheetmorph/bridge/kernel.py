@@ -97,6 +97,12 @@ def stretches() -> type:
     return importlib.import_module("sheetmorph.strain").PrincipalStretches
 
 
+def studies() -> ModuleType:
+    """Return the module of the package that computes studies."""
+    load()
+    return importlib.import_module("sheetmorph.study")
+
+
 def is_available() -> bool:
     """Whether `load` would succeed."""
     try:

@@ -7,7 +7,7 @@ of its own may compute frames, one at a time.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -27,6 +27,10 @@ from freecad.sheetmorph.bridge.solving import (
 )
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.reporting import Progress
+
+
+TURN, HALF_TURN = 3, 180.0
+"""Which number of a motion is its angle, and how far that is tried, degrees."""
 
 
 @dataclass(frozen=True)
@@ -58,6 +62,32 @@ class Frame:
     def unsettled(self) -> str:
         """What was not solved to its end, in sentences; empty if everything was."""
         return "" if self.result is None else unsettled_words(self.result)
+
+
+@dataclass(frozen=True)
+class ReachQuestion:
+    """How far one number of a handle may go while the rest of a pose stays.
+
+    `handle`: its name in the recipe; `number`: 0 to 2 a translation, mm, 3 the angle, degrees;
+    `criteria`: as a study has them.
+    """
+
+    pose: dict
+    moved: tuple[str, ...]
+    handle: str
+    number: int
+    axis: tuple[float, float, float]
+    criteria: dict
+
+
+@dataclass(frozen=True)
+class Reached:
+    """From where to where that number may go, and what breaks beyond, empty if nothing does; both
+    are empty if it may not be anywhere near 0."""
+
+    question: ReachQuestion
+    ends: tuple[float, ...] = ()
+    whys: tuple[str, ...] = ()
 
 
 class LiveSession:
@@ -114,6 +144,27 @@ class LiveSession:
         self._shown = Frame(question, positions, found)
         return self._shown
 
+    def ask_reach(self, handle, number: int, criteria: dict) -> ReachQuestion:
+        """Return the question for the pose of the document; `handle`: a document object."""
+        asked, name = self.ask([handle.Name]), self.names[handle.Name]
+        return ReachQuestion(asked.pose, asked.moved, name, number, tuple(handle.Axis), criteria)
+
+    def reach(self, asked: ReachQuestion, goes_on: Callable[[], bool]) -> Reached | None:
+        """Return how far a number may go; None as soon as nobody waits."""
+        if self._session is None:
+            return Reached(asked)
+        farthest = HALF_TURN if asked.number == TURN else float(self._session.size)
+        ends = (-farthest, farthest)
+
+        def answered(value: float):
+            return self._live.deform(posed(asked, value), asked.moved)
+
+        found = kernel.studies().Reach(answered, asked.criteria, goes_on).limits(ends)
+        if found is None:
+            return None
+        reached = tuple(limit.share * end for limit, end in zip(found, ends))
+        return Reached(asked, reached, tuple(limit.why for limit in found))
+
     def keep(self, frame: Frame) -> None:
         """Let the next recompute in the pose of an exact frame find its result."""
         if frame.result is not None and frame.question.is_exact:
@@ -147,6 +198,18 @@ class LiveSession:
             except kernel.core().Cancelled:
                 question = replace(question, is_exact=False)
         return self._live.deform(question.pose, question.moved), question
+
+
+def posed(asked: ReachQuestion, value: float) -> dict:
+    """Return the pose of a question with another value of its number."""
+    entry = dict(asked.pose.get(asked.handle, {}))
+    if asked.number == TURN:
+        entry["rotation"] = {"axis": list(asked.axis), "degrees": value}
+    else:
+        shift = list(entry.get("translation", (0.0, 0.0, 0.0)))
+        shift[asked.number] = value
+        entry["translation"] = shift
+    return {**asked.pose, asked.handle: entry}
 
 
 def live(assembly) -> LiveSession:

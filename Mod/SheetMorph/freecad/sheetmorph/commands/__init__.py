@@ -4,7 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.commands import contacts, create, exchange, features, finding, guide
-from freecad.sheetmorph.commands import installation, motion, poses, regions, sheets
+from freecad.sheetmorph.commands import installation, motion, poses, regions, sheets, study
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
@@ -44,6 +44,7 @@ _TOOLBARS = {
         poses.BlendPoses,
         poses.CopyInPose,
         poses.CopyAsMeshes,
+        study.Study,
         sheets.DeformedShape,
     ),
     QT_TRANSLATE_NOOP("Workbench", "SheetMorph Exchange"): (

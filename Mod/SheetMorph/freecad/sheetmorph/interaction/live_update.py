@@ -18,12 +18,13 @@ class LiveUpdate(QtCore.QObject):
 
     Frames are computed in a thread; ``drawn`` is sent when one is in the view, ``failed`` with
     words when it cannot be computed or the document not recomputed, ``settling`` with what is under
-    way to an exact shape.
+    way to an exact shape, ``reached`` with the live_session.Reached of a number.
     """
 
     drawn = QtCore.Signal()
     failed = QtCore.Signal(str)
     settling = QtCore.Signal(str)
+    reached = QtCore.Signal(object)
 
     def __init__(self, assembly, updating, session):
         """``session``: the EditingSession; raises MorphError if the morph cannot be computed."""
@@ -47,6 +48,14 @@ class LiveUpdate(QtCore.QObject):
         """
         self._recompute_regions()
         self._worker.ask(self._live.ask([handle.Name for handle in moved], exact))
+
+    def ask_reach(self, handle, number: int, criteria: dict) -> bool:
+        """Asks how far a number of a handle may go, if nothing else is under way: any other
+        question ends that. Returns whether it was asked."""
+        if self._worker.is_idle:
+            self._worker.ask(self._live.ask_reach(handle, number, criteria))
+            return True
+        return False
 
     def grab(self, ray):
         """The grabbing.Grabbed vertex that a ray meets first on the parts as they are seen."""
@@ -80,6 +89,9 @@ class LiveUpdate(QtCore.QObject):
 
     def on_answer(self, answer) -> None:
         """Draws a frame; the result objects follow an exact one, or at once if that is quick."""
+        if answer is None or isinstance(answer, live_session.Reached):
+            self.reached.emit(answer)
+            return
         self._frame, values, self.legend, self.kernel_ms = answer
         start = time.perf_counter()
         self.scene.show(self._frame, values, self.legend)
@@ -131,7 +143,10 @@ class LiveUpdate(QtCore.QObject):
         return self._worker.is_free
 
     def _compute(self, question):
-        """In the thread: a frame, the values of its colours, their legend, the milliseconds."""
+        """In the thread: a frame, the values of its colours, their legend, the milliseconds; or
+        how far a number may go, None if something else was asked meanwhile."""
+        if isinstance(question, live_session.ReachQuestion):
+            return self._live.reach(question, lambda: self._worker.is_free)
         start, valuer = time.perf_counter(), self._valuer
         frame = self._live.answer(question, self._goes_on)
         values = None if valuer is None else valuer(frame.positions)

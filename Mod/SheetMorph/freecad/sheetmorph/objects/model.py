@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DECK, DEFORMATION, PART, POSE, REGION
-from freecad.sheetmorph.kinds import RELATION, kind
+from freecad.sheetmorph.kinds import RELATION, STUDY, kind
 
 
 def assembly_of(obj):
@@ -61,6 +61,11 @@ def poses(assembly) -> list:
 def decks(assembly) -> list:
     """Return the decks of an assembly in the order of its group."""
     return [obj for obj in assembly.Group if kind(obj) == DECK]
+
+
+def studies(assembly) -> list:
+    """Return the studies of an assembly in the order of its group."""
+    return [obj for obj in assembly.Group if kind(obj) == STUDY]
 
 
 def deformation_of(assembly):

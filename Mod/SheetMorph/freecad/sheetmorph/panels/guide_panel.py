@@ -20,7 +20,7 @@ COMMANDS = {
     guide.FEATURES: ("FindFeatures", "MarkFeature"),
     guide.CONTACTS: ("FindContacts", "MarkContact", "Propagation"),
     guide.HANDLE: ("MarkHandle",),
-    guide.DRAG: ("MoveHandle", "ResetMotion", "SavePose", "ExportParts"),
+    guide.DRAG: ("MoveHandle", "ResetMotion", "SavePose", "Study", "ExportParts"),
 }
 
 

@@ -17,6 +17,7 @@ from freecad.sheetmorph.interaction.handle_drag import HandleDrag
 from freecad.sheetmorph.interaction.live_update import LiveUpdate
 from freecad.sheetmorph.panels.mouse_fields import MouseFields
 from freecad.sheetmorph.panels.motion_fields import MotionFields
+from freecad.sheetmorph.panels.reach_marks import ReachMarks, criteria_of
 from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets, number, translate
@@ -57,6 +58,7 @@ class MovePanel(Panel):
         self._faults.mended.connect(self._follow_later)
         form = self.form
         Folds({form.pivot: "OpenPivot", form.mouse: "OpenMouse", form.showing: "OpenShow"})
+        self._reach = ReachMarks(form, criteria_of(assembly), self._ask_reach)
         self._frame = self._timer(0, self._show)
         self._pause = self._timer(round(1000 * PAUSE), self.settle)
         self._prepare_widgets()
@@ -190,8 +192,15 @@ class MovePanel(Panel):
         live.drawn.connect(self._on_drawn)
         live.failed.connect(self._faults.say)
         live.settling.connect(self._on_settling)
+        live.reached.connect(self._reach.on_reached)
         self._shown.connect(live)
         return live
+
+    def _ask_reach(self, number: int, criteria: dict) -> bool:
+        """Asks how far a number may go; False while that has to wait."""
+        if self._live is None or self._handle is None:
+            return True
+        return self._live.ask_reach(self._handle, number, criteria)
 
     def _follow_later(self) -> None:
         self.session.later(self._follow)
@@ -203,6 +212,7 @@ class MovePanel(Panel):
         if not handles:
             self.session.end()
             return
+        self._reach.forget()
         if self._handle not in handles:
             self._name = handles[0].Name
         self._fill_list()
@@ -224,6 +234,7 @@ class MovePanel(Panel):
         if motion.fault() or self.session.is_ending:
             return
         if motion != motion_of(self._handle):
+            self._reach.follow(motion_of(self._handle), motion)
             self._handles.move(self._handle, asdict(motion))
             self._fields.show_pivot(self.pivot())
             self._frame.start()
@@ -264,6 +275,7 @@ class MovePanel(Panel):
             self._live.hush()
 
     def _stop_timers(self) -> None:
+        self._reach.stop()
         self._frame.stop()
         self._pause.stop()
 
@@ -323,6 +335,7 @@ class MovePanel(Panel):
 
     def _on_choice(self, index: int) -> None:
         self._name = self._handles.all[index].Name
+        self._reach.forget()
         self._fill()
         self._drag.place()
 

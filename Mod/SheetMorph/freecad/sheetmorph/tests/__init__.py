@@ -33,6 +33,7 @@ MODULES = tuple(
         "workbench",
         "live",
         "poses",
+        "studies",
         "scripting",
         "reporting",
     )

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import sys
 import tempfile
 import unittest
 
@@ -18,11 +17,6 @@ from freecad.sheetmorph.objects import model
 LENGTH, WIDTH = 300.0, 100.0
 HOLES = ((75.0, 50.0), (150.0, 50.0), (225.0, 50.0))
 ORIGIN = np.zeros(3)
-
-
-def interpreter() -> str:
-    """Return the path of the Python that this FreeCAD embeds: `sys.executable` may be FreeCAD."""
-    return os.path.join(sys.base_prefix, "bin", "python{}.{}".format(*sys.version_info))
 
 
 def strip(columns: int = 31, rows: int = 11) -> tuple[np.ndarray, np.ndarray]:

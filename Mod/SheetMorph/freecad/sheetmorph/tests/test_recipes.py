@@ -10,6 +10,7 @@ import numpy as np
 
 from freecad.sheetmorph import api, objects
 from freecad.sheetmorph.bridge import kernel, recipes, solving
+from freecad.sheetmorph.bridge.study_run import interpreter
 from freecad.sheetmorph.tests import support
 
 
@@ -73,7 +74,7 @@ class TestRoundTrip(RecipeTest):
         path = self.exported(self.rich_morph())
         package = os.path.dirname(kernel.package_folder())
         result = subprocess.run(
-            [support.interpreter(), "-m", "sheetmorph", "check", path],
+            [interpreter(), "-m", "sheetmorph", "check", path],
             env={**os.environ, "PYTHONPATH": package},
             capture_output=True,
             text=True,

@@ -9,6 +9,7 @@ from unittest import mock
 import FreeCAD
 
 from freecad.sheetmorph import api, tests
+from freecad.sheetmorph.bridge.study_run import interpreter
 from freecad.sheetmorph.objects import watcher
 from freecad.sheetmorph.tests import support
 
@@ -33,7 +34,7 @@ class TestRegistration(unittest.TestCase):
 
     def test_the_start_is_light(self):
         result = subprocess.run(
-            [support.interpreter(), "-c", QUIET_START],
+            [interpreter(), "-c", QUIET_START],
             env={"PYTHONPATH": str(PACKAGE.parent.parent)},
             capture_output=True,
             text=True,

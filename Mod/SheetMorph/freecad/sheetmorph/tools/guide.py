@@ -60,7 +60,8 @@ NOT_READY = QT_TRANSLATE_NOOP(
 )
 NOT_MOVED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Everything is ready: move the handle and watch.")
 MOVED = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "Moved. Move on, export the parts, or keep this as a pose."
+    "SheetMorph_Guide",
+    "Moved. Move on, export the parts, keep this as a pose, or study variants.",
 )
 
 

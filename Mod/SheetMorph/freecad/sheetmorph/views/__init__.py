@@ -5,6 +5,7 @@
 def attach(obj) -> None:
     """Gives one of our objects its view provider; the objects call it through ``doors``."""
     from freecad.sheetmorph.views import assembly, contact, deck, part, pose, region, relation
+    from freecad.sheetmorph.views import study
 
     providers = {
         "SheetMorph::Assembly": assembly.AssemblyView,
@@ -16,6 +17,7 @@ def attach(obj) -> None:
         "SheetMorph::Region": region.RegionView,
         "SheetMorph::Relation": relation.RelationView,
         "SheetMorph::Shells": deck.ShellsView,
+        "SheetMorph::Study": study.StudyView,
     }
     provider = providers.get(getattr(obj.Proxy, "Type", ""))
     view = obj.ViewObject

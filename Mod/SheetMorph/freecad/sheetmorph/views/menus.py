@@ -131,6 +131,19 @@ def blend_poses(pose) -> None:
     _opened("Blend Poses", lambda: pose_panel.open_panel(owner, pose))
 
 
+def edit_study(study) -> None:
+    """Opens the panel of a study."""
+    from freecad.sheetmorph.panels import study_panel
+
+    owner = model.assembly_of(study)
+    _opened("Study", lambda: study_panel.open_panel(owner, study))
+
+
+def add_study_actions(menu, study) -> None:
+    """Its panel."""
+    _add(menu, "Study", QT_TRANSLATE_NOOP("SheetMorph_menus", "Study…"), lambda: edit_study(study))
+
+
 def add_pose_actions(menu, pose) -> None:
     """Going there, a copy there, blending."""
     line = call("copy_as_meshes", name(model.assembly_of(pose)), name(pose))

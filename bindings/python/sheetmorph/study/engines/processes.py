@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from .driving import Driver, Hopes, Pool
 
 BROKEN = (BrokenProcessPool,)
+THREADS = "SHEETMORPH_THREADS"
 
 
 def processes_driver(workers: int, hopes: Hopes) -> Driver:
@@ -21,23 +22,33 @@ def processes_driver(workers: int, hopes: Hopes) -> Driver:
 
     @contextmanager
     def opened() -> Iterator[Pool]:
-        # Forked processes would have the kernel's locks without its threads.
-        context = multiprocessing.get_context("spawn")
-        threads = max(1, (os.cpu_count() or 1) // workers)
-        executor = ProcessPoolExecutor(
-            workers, mp_context=context, initializer=_begin, initargs=(threads,)
-        )
-        try:
-            yield Pool(executor, 2 * workers)
-        finally:
-            executor.shutdown(wait=True, cancel_futures=True)
+        # Forked: they have what was pre-processed. The kernel starts threads of its own in each.
+        context = multiprocessing.get_context("fork")
+        executor = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin)
+        with _share_of_cores(workers):
+            try:
+                yield Pool(executor, 2 * workers)
+            finally:
+                executor.shutdown(wait=True, cancel_futures=True)
 
     return Driver(opened, BROKEN, hopes)
 
 
-def _begin(threads: int) -> None:
-    """In a new worker: its share of the cores, and an end when the one who started it ends."""
-    os.environ.setdefault("SHEETMORPH_THREADS", str(threads))
+@contextmanager
+def _share_of_cores(workers: int) -> Iterator[None]:
+    """In this context processes that are forked have so many threads that all cores are used."""
+    if THREADS in os.environ:
+        yield
+        return
+    os.environ[THREADS] = str(max(1, (os.cpu_count() or 1) // workers))
+    try:
+        yield
+    finally:
+        del os.environ[THREADS]
+
+
+def _begin() -> None:
+    """In a new worker: an end when the one who started it ends."""
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 

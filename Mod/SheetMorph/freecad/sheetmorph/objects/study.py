@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A study: which numbers of a morph change between which others, and what came of it."""
+
+from __future__ import annotations
+
+import json
+
+from freecad.sheetmorph.objects.model import STUDY
+from freecad.sheetmorph.objects.properties import HIDDEN, Property
+from freecad.sheetmorph.objects.proxy import ObjectProxy
+from freecad.sheetmorph.tools import studies
+from freecad.sheetmorph.tools.studies import METHODS, Parameter
+
+CRITERIA_DOC = (
+    "What every variant must keep, such as: stretch <= 0.2, angle >= 12. No triangle may turn over"
+)
+FOLDER_DOC = "Where recipe, study and variants are written; empty: only the table is kept"
+
+
+class StudyProxy(ObjectProxy):
+    """Proxy of a study; nothing depends on it."""
+
+    Type = STUDY
+    PROPERTIES = (
+        Property("String", "Parameters", "Study", "What changes, as JSON", "", HIDDEN),
+        Property("LinkListHidden", "Owners", "Study", "Whose numbers those are", mode=HIDDEN),
+        Property("Enumeration", "Sampling", "Study", "How values are chosen", METHODS),
+        Property("Integer", "Count", "Study", "How many variants", 20),
+        Property("Integer", "Seed", "Study", "Another number gives other values", 1),
+        Property("String", "Criteria", "Study", CRITERIA_DOC),
+        Property("Path", "Folder", "Study", FOLDER_DOC),
+        Property("String", "Results", "Study", "The table, as JSON", "", HIDDEN, is_output=True),
+    )
+
+    def execute(self, _obj) -> None:
+        """Do nothing: a study is computed when the user says so."""
+
+
+def keep_parameters(study, parameters: list[Parameter]) -> None:
+    """Store parameters, and links to the objects whose numbers they are."""
+    study.Parameters = studies.to_text(parameters)
+    study.Owners = [study.Document.getObject(name) for name in studies.owners(parameters)]
+
+
+def kept_parameters(study) -> list[Parameter]:
+    """Return the parameters whose objects are still there.
+
+    In a copy the objects have other names: there the links tell which they are. When one is
+    deleted its link vanishes: then the names do.
+    """
+    kept = studies.from_text(study.Parameters)
+    names = studies.owners(kept)
+    links = [owner.Name for owner in study.Owners if owner is not None]
+    if len(links) == len(names):
+        kept = studies.renamed(kept, dict(zip(names, links)))
+    return [one for one in kept if study.Document.getObject(one.owner) is not None]
+
+
+def kept_results(study) -> dict:
+    """Return the table as summary.json of a study has it, empty before the first run."""
+    return json.loads(study.Results or "{}")

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far the value that is changed may go, as marks on a scale in the Move Handle panel."""
+
+from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels.base import say
+from freecad.sheetmorph.qt import QtCore, QtGui, translate
+from freecad.sheetmorph.tools import studies, words
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
+from freecad.sheetmorph.tools.motion import Motion
+from freecad.sheetmorph.tools.reach_scale import scale_for
+
+CALM = 300  # ms without a change until it is looked for; and between two looks whether it may be
+HEIGHT, GROOVE = 18, 6  # px
+POSSIBLE, BEYOND = "#2e9e5b", "#d64545"  # on any theme
+NUMBERS = ("X", "Y", "Z", QT_TRANSLATE_NOOP("SheetMorph_panels", "The angle"))
+HINT = QT_TRANSLATE_NOOP("SheetMorph_panels", "Change a value to see how far it may go.")
+TURNS_OVER = QT_TRANSLATE_NOOP("SheetMorph_panels", "a triangle turns over")
+
+
+def criteria_of(assembly) -> dict:
+    """What must hold beside that no triangle turns over: what the last study of a morph asks."""
+    for study in reversed(model.studies(assembly)):
+        try:
+            return studies.criteria_in(study.Criteria)
+        except ValueError:
+            continue
+    return {}
+
+
+class ReachMarks(QtCore.QObject):
+    """A scale of the number that was changed last, red where it is not possible.
+
+    ``ask(number, criteria)`` asks for it, False if that has to wait; ``on_reached`` is told.
+    """
+
+    def __init__(self, form, criteria: dict, ask):
+        super().__init__()
+        self._form, self._criteria, self._ask = form, criteria, ask
+        self._number, self._value, self._reached = None, 0.0, None
+        self._calm = QtCore.QTimer(self, singleShot=True, interval=CALM)
+        self._calm.timeout.connect(self._look)
+        self._show()
+
+    def follow(self, before: Motion, now: Motion) -> None:
+        """A value was changed; marks of another one, or of another pose, are taken away."""
+        pairs = zip((*before.translation, before.angle), (*now.translation, now.angle))
+        changed = [k for k, (old, new) in enumerate(pairs) if old != new]
+        is_one = len(changed) == 1 and (before.axis, before.pivot) == (now.axis, now.pivot)
+        number = changed[0] if is_one else None
+        if number is None or number != self._number:
+            self._reached = None
+        self._number = number
+        if number is not None:
+            self._value = (*now.translation, now.angle)[number]
+            if self._reached is None:
+                self._calm.start()
+        self._show()
+
+    def forget(self) -> None:
+        """Another handle, or another pose: nothing is known."""
+        self.stop()
+        self._number = self._reached = None
+        self._show()
+
+    def stop(self) -> None:
+        """Nothing is asked for any more until the next change."""
+        self._calm.stop()
+
+    def on_reached(self, reached) -> None:
+        """How far it may go; None if something else was asked meanwhile: it is looked for again."""
+        if reached is None:
+            self._calm.start()
+        elif reached.question.number == self._number:
+            self._reached = reached
+            self._show()
+
+    def _look(self) -> None:
+        is_due = self._number is not None and self._reached is None
+        if is_due and not self._ask(self._number, self._criteria):
+            self._calm.start()
+
+    def _show(self) -> None:
+        form = self._form
+        if self._number is None or self._reached is None or not self._reached.ends:
+            form.reach.setPixmap(QtGui.QPixmap())
+            say(form.reach_text, translate("SheetMorph_panels", HINT))
+            return
+        form.reach.setPixmap(self._picture())
+        say(form.reach_text, self._text())
+
+    def _text(self) -> str:
+        """From where to where, and what breaks where the value is, or beyond the nearer end."""
+        (low, high), whys = self._reached.ends, self._reached.whys
+        unit = "°" if self._number == len(NUMBERS) - 1 else " mm"
+        text = translate("SheetMorph_panels", "{0}: {1} to {2}{3}").format(
+            translate("SheetMorph_panels", NUMBERS[self._number]),
+            words.plain(low),
+            words.plain(high),
+            unit,
+        )
+        is_upper = abs(high - self._value) < abs(low - self._value)
+        why = whys[is_upper] or whys[not is_upper]
+        if not why:
+            return translate("SheetMorph_panels", "{0}, as far as was looked").format(text)
+        told = translate("SheetMorph_panels", TURNS_OVER) if why.startswith("flipped") else why
+        return translate("SheetMorph_panels", "{0}; beyond: {1}").format(text, told)
+
+    def _picture(self):
+        """The scale, a QPixmap as wide as its label."""
+        ends, whys = self._reached.ends, self._reached.whys
+        ratio = self._form.reach.devicePixelRatioF()
+        width = max(60, self._form.reach.width())
+        picture = QtGui.QPixmap(round(width * ratio), round(HEIGHT * ratio))
+        picture.setDevicePixelRatio(ratio)
+        picture.fill(QtCore.Qt.transparent)
+        scale = scale_for(ends, (bool(whys[0]), bool(whys[1])), self._value)
+        low, high, zero, here = (
+            round(scale.place(value) * (width - 9)) + 4 for value in (*ends, 0.0, self._value)
+        )
+        painter = QtGui.QPainter(picture)
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        text = self._form.palette().color(QtGui.QPalette.WindowText)
+        top = HEIGHT - GROOVE - 2
+        painter.fillRect(4, top, width - 9, GROOVE, QtGui.QColor(BEYOND))
+        painter.fillRect(low, top, high - low, GROOVE, QtGui.QColor(POSSIBLE))
+        painter.fillRect(zero, top - 2, 1, GROOVE + 4, text)
+        painter.setPen(QtCore.Qt.NoPen)
+        painter.setBrush(text)
+        corners = ((here - 5, 1), (here + 5, 1), (here, top))
+        painter.drawPolygon(QtGui.QPolygonF([QtCore.QPointF(x, y) for x, y in corners]))
+        painter.end()
+        return picture

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The two tables of the study panel: what changes, and what came of it."""
+
+from freecad.sheetmorph.bridge.units import number_in
+from freecad.sheetmorph.panels.find_table import VALUE, Cell
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, translate
+from freecad.sheetmorph.tools import words
+from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
+from freecad.sheetmorph.tools.studies import LENGTH, NUMBER
+
+NAME, WHAT, LOW, HIGH = range(4)
+HEADS = (
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Name"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "Changes"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "From"),
+    QT_TRANSLATE_NOOP("SheetMorph_panels", "To"),
+)
+MARKS = {
+    "passed": ("✓", "#2e9e5b", QT_TRANSLATE_NOOP("SheetMorph_panels", "passed")),
+    "failed": ("✗", "#d64545", QT_TRANSLATE_NOOP("SheetMorph_panels", "failed")),
+    "refused": ("–", "#c98500", QT_TRANSLATE_NOOP("SheetMorph_panels", "refused")),
+    "error": ("!", "#d64545", QT_TRANSLATE_NOOP("SheetMorph_panels", "error")),
+}
+READ_ONLY = QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable
+RIGHT = QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter
+
+
+def prepare(table, heads, stretched: int) -> None:
+    """Sets the columns; one of them takes what is left."""
+    table.setColumnCount(len(heads))
+    table.setHorizontalHeaderLabels(heads)
+    table.verticalHeader().setVisible(False)
+    table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+    header = table.horizontalHeader()
+    for column in range(len(heads)):
+        fit = QtWidgets.QHeaderView.ResizeToContents
+        fit = QtWidgets.QHeaderView.Stretch if column == stretched else fit
+        header.setSectionResizeMode(column, fit)
+
+
+def fill_parameters(table, rows) -> None:
+    """Shows (name, variable, low, high) each."""
+    table.setRowCount(len(rows))
+    for row, (name, variable, low, high) in enumerate(rows):
+        texts = (name, variable.label, told(low, variable.unit), told(high, variable.unit))
+        for column, text in enumerate(texts):
+            item = QtWidgets.QTableWidgetItem(text)
+            if column == WHAT:
+                item.setFlags(READ_ONLY)
+            if column in (LOW, HIGH):
+                item.setTextAlignment(RIGHT)
+            table.setItem(row, column, item)
+
+
+def parameters_in(table, variables) -> list:
+    """What the user has made of it, (name, variable, low, high) each; raises ValueError."""
+    found = []
+    for row, variable in enumerate(variables):
+        name = table.item(row, NAME).text().strip()
+        ends = []
+        for column in (LOW, HIGH):
+            text = table.item(row, column).text()
+            value = number_in(text, variable.unit)
+            if value is None:
+                fault = translate("SheetMorph_panels", "“{0}” of “{1}” is no number.")
+                raise ValueError(fault.format(text, name))
+            ends.append(value)
+        found.append((name, variable, *ends))
+    return found
+
+
+def told(value: float, unit: str) -> str:
+    """A number with its unit, so that what is read again is the same."""
+    if unit == NUMBER:
+        return repr(value)
+    return f"{value!r} mm" if unit == LENGTH else f"{value!r}°"
+
+
+def fill_results(table, results: dict) -> None:
+    """Shows the table of a study; empty before the first run."""
+    names, measures = list(results.get("parameters", {})), results.get("measures", [])
+    heads = [
+        translate("SheetMorph_panels", "Run"),
+        translate("SheetMorph_panels", "State"),
+        *names,
+        *measures,
+    ]
+    prepare(table, heads, len(heads) - 1)
+    table.setSortingEnabled(False)
+    rows = results.get("runs", [])
+    table.setRowCount(len(rows))
+    for number, row in enumerate(rows):
+        put(table, (number, 0), str(row["run"]), row["run"])
+        mark, colour, word = MARKS[row["status"]]
+        state = f"{mark} {translate('panels', word)}"
+        cell = put(table, (number, 1), state, row["status"])
+        cell.setForeground(QtGui.QBrush(QtGui.QColor(colour)))
+        cell.setToolTip(row["why"])
+        values = [row["parameters"].get(name) for name in names]
+        values += [row["measures"].get(name) for name in measures]
+        for column, value in enumerate(values, 2):
+            text = "" if value is None else words.plain(value, 4)
+            put(table, (number, column), text, value)
+    table.setSortingEnabled(True)
+
+
+def put(table, place: tuple, text: str, value):
+    """A cell that is sorted by its value; returns it."""
+    cell = Cell(text)
+    cell.setData(VALUE, value)
+    cell.setFlags(READ_ONLY)
+    cell.setTextAlignment(RIGHT)
+    table.setItem(*place, cell)
+    return cell
+
+
+def run_in(table, row: int) -> int:
+    """Which run stands in a row."""
+    return int(table.item(row, 0).data(VALUE))
+
+
+def counted(results: dict) -> str:
+    """How many variants came out how, in words."""
+    texts = [
+        f"{count} {translate('panels', MARKS[status][2])}"
+        for status, count in results.get("counts", {}).items()
+        if count
+    ]
+    return ", ".join(texts)

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far one number of a pose may go, on live answers alone: for marks while it is dragged."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from ..errors import RecipeError
+from ..session import Result
+from .certifying import failures_of, judged
+from .figures import FIGURES, Figures, live_report
+from .ranges import Limit, searched
+
+Criteria = Mapping[str, Mapping[str, float]]
+
+
+class _Stopped(Exception):
+    """Nobody waits for it any more."""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """Asks how far a number may go. answered: the live answer for a value; criteria: as a study has
+    them; goes_on: whether somebody still waits."""
+
+    answered: Callable[[float], Result]
+    criteria: Criteria
+    goes_on: Callable[[], bool]
+
+    def limits(self, ends: tuple[float, float]) -> list[Limit] | None:
+        """How far it may go from 0 to both ends, as shares of the ways; none if 0 itself is not
+        possible. None as soon as nobody waits.
+        """
+        try:
+            if self._why(0.0):
+                return []
+            return [searched(lambda share, end=end: self._why(share * end)) for end in ends]
+        except _Stopped:
+            return None
+
+    def _why(self, value: float) -> str:
+        """What breaks at a value; empty if nothing does. What only exact answers measure is not
+        asked for."""
+        if not self.goes_on():
+            raise _Stopped
+        try:
+            result = self.answered(value)
+        except RecipeError as error:
+            return "; ".join(map(str, error.faults))
+        except RuntimeError as error:  # the solver gave up
+            return " ".join(str(error).split())
+        figures = Figures(result, live_report(result))
+        asked = {name: limits for name, limits in self.criteria.items() if name in FIGURES}
+        found = judged(asked, {}, figures.figure)
+        return "; ".join(failures_of([entry for entry in found if entry["value"] is not None]))

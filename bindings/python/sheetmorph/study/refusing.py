@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Samples beyond the range that was found possible: they are refused before they cost anything."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from .plan import Plan
+from .ranges import FILE
+from .sampling import Values
+
+
+class Refusals:
+    """What range.json in a folder forbids, if it is of the same study; else nothing.
+
+    What lies beyond a limit is taken for impossible as well: beyond that of one parameter, or of
+    two that go together, in both of them.
+    """
+
+    def __init__(self, plan: Plan, out: Path):
+        found = _read(out / FILE)
+        is_mine = found.get("hash") == plan.range_hash
+        self._start: Values = found["start"] if is_mine else {}
+        self._limits = _limits(found) if is_mine else []
+
+    def why(self, values: Values) -> str:
+        """Why a sample is not computed; empty if it may be."""
+        for limit, towards, why in self._limits:
+            if all(self._is_beyond(name, values[name], limit, towards) for name in limit):
+                told = ", ".join(f"{name} = {values[name]:.6g}" for name in limit)
+                ends = ", ".join(f"{end:.6g}" for end in limit.values())
+                return f"{told} is beyond {ends} of {FILE}: {why}"
+        return ""
+
+    def _is_beyond(self, name: str, value: float, limit: Values, towards: Values) -> bool:
+        sign = 1.0 if towards[name] > self._start[name] else -1.0
+        return sign * value > sign * limit[name]
+
+
+def _limits(found: dict[str, Any]) -> list[tuple[Values, Values, str]]:
+    """Every limit behind which something breaks, towards what, and why."""
+    alone = [
+        ({name: entry[side]}, {name: entry["range"][end]}, entry[f"{side}_why"])
+        for name, entry in found["parameters"].items()
+        for end, side in enumerate(("low", "high"))
+    ]
+    together = [(entry["limit"], entry["towards"], entry["why"]) for entry in found["directions"]]
+    return [entry for entry in alone + together if entry[2]]
+
+
+def _read(path: Path) -> dict[str, Any]:
+    """What a range.json says; nothing if there is none, or it cannot be understood."""
+    try:
+        found = json.loads(path.read_text("utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
