@@ -222,6 +222,7 @@ def test_steel_is_a_preview_first_and_its_stretch_has_colours():
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
     assert ", near " in child("scale_text").text(), child("scale_text").text()
+    assert "Steel, final" in child("status").text(), child("status").text()
     assert marks_of_places() > 0
     picture("stretch")
     yield from choose_below(child("colours"), -4)

@@ -74,7 +74,10 @@ class LiveUpdate(QtCore.QObject):
     def use_colours(self, kind: int) -> None:
         """What the colours say: NONE, DISPLACEMENT, QUALITY, GAPS or STRETCH of live_scene."""
         self._valuer, self.legend = self.scene.valuer(kind), None
-        self.ask()
+        if self._frame is None:
+            self.ask()
+        elif self._worker.is_idle:
+            self._worker.ask(self._frame.question)  # the frame that is shown, in other colours
 
     def hush(self) -> None:
         """Draws and commits nothing any more; what is shown stays until ``remove``."""
@@ -92,7 +95,9 @@ class LiveUpdate(QtCore.QObject):
         if answer is None or isinstance(answer, live_session.Reached):
             self.reached.emit(answer)
             return
-        self._frame, values, self.legend, self.kernel_ms = answer
+        is_new = answer[0] is not self._frame
+        self._frame, values, self.legend, milliseconds = answer
+        self.kernel_ms = milliseconds if is_new else self.kernel_ms
         start = time.perf_counter()
         self.scene.show(self._frame, values, self.legend)
         self.draw_ms = 1000.0 * (time.perf_counter() - start)
@@ -100,9 +105,9 @@ class LiveUpdate(QtCore.QObject):
         self.drawn.emit()
         self._warn_of_learning()
         question = self._frame.question
-        if question.is_exact:
+        if question.is_exact and is_new:
             self._commit()
-        elif self._worker.is_free and self._updating.is_due_now():
+        elif is_new and self._worker.is_free and self._updating.is_due_now():
             self._worker.ask(live_session.Question(question.pose, question.moved, True))
 
     @property
@@ -148,7 +153,9 @@ class LiveUpdate(QtCore.QObject):
         if isinstance(question, live_session.ReachQuestion):
             return self._live.reach(question, lambda: self._worker.is_free)
         start, valuer = time.perf_counter(), self._valuer
-        frame = self._live.answer(question, self._goes_on)
+        frame = self._frame
+        if frame is None or question is not frame.question:
+            frame = self._live.answer(question, self._goes_on)
         values = None if valuer is None else valuer(frame.positions)
         legend = None
         if valuer is not None:
