@@ -12,6 +12,8 @@ from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools import grabbing, live_values, words
 
+SHOWN = object()  # the question for what is shown already, in other colours
+
 
 class LiveUpdate(QtCore.QObject):
     """Previews of all parts of a morph, and commits of its document; ``remove`` takes them away.
@@ -76,8 +78,8 @@ class LiveUpdate(QtCore.QObject):
         self._valuer, self.legend = self.scene.valuer(kind), None
         if self._frame is None:
             self.ask()
-        elif self._worker.is_idle:
-            self._worker.ask(self._frame.question)  # the frame that is shown, in other colours
+        elif self._worker.is_free:
+            self._worker.ask(SHOWN)
 
     def hush(self) -> None:
         """Draws and commits nothing any more; what is shown stays until ``remove``."""
@@ -153,9 +155,8 @@ class LiveUpdate(QtCore.QObject):
         if isinstance(question, live_session.ReachQuestion):
             return self._live.reach(question, lambda: self._worker.is_free)
         start, valuer = time.perf_counter(), self._valuer
-        frame = self._frame
-        if frame is None or question is not frame.question:
-            frame = self._live.answer(question, self._goes_on)
+        is_shown = question is SHOWN
+        frame = self._frame if is_shown else self._live.answer(question, self._goes_on)
         values = None if valuer is None else valuer(frame.positions)
         legend = None
         if valuer is not None:
