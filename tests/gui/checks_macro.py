@@ -2,6 +2,7 @@
 """What a user does is recorded as lines of the API; replayed without a window it does the same."""
 
 import os
+import re
 import subprocess
 
 import FreeCAD as App
@@ -69,8 +70,7 @@ def macro_path(name: str) -> str:
 def calls_in(name: str) -> list[str]:
     """The functions of the API that a macro calls, in order."""
     with open(macro_path(name), encoding="utf-8") as file:
-        lines = [line for line in file if "freecad.sheetmorph.api." in line]
-    return [line.split("freecad.sheetmorph.api.")[1].split("(")[0] for line in lines]
+        return re.findall(r"^(?:\w+ = )?api\.(\w+)\(", file.read(), re.MULTILINE)
 
 
 def replay(name: str):

@@ -8,6 +8,8 @@ from freecad.sheetmorph.tools.figures import BRUSH, LASSO, RECTANGLE, Camera, Dr
 from freecad.sheetmorph.tools.part_mesh import PartMesh, nearest_part
 from freecad.sheetmorph.tools.picking import ADD, REMOVE, REPLACE, VERTEX, Options, RegionPicker
 from freecad.sheetmorph.tools.rims import Ray
+from freecad.sheetmorph.tools.sentences import DrawnFigure
+from freecad.sheetmorph.tools.shortening import farthest, shortened
 from sheetmorph import _core
 
 FROM_ABOVE = Camera(np.diag([0.1, 0.1, -0.01, 1.0]), 200.0, 200.0)  # 10 px are 1 mm
@@ -168,3 +170,43 @@ def test_the_part_in_front_is_named():
     assert nearest_part(meshes, Ray(np.array([0.1, 0.2, 9.0]), np.array([0.0, 0, -1]))) == "high"
     assert nearest_part(meshes, Ray(np.array([90.0, 0, 9]), np.array([0.0, 0, -1]))) == ""
     assert nearest_part({}, Ray(np.zeros(3), np.array([0.0, 0, 1]))) == ""
+
+
+def drawn_around(radius: float, waves: int, tool: str = LASSO) -> dict:
+    """A wavy figure around the middle of the square, as a mouse draws it."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 90)
+    reach = radius * (1.0 + 0.12 * np.sin(waves * angle))
+    places = 100.0 + np.round(np.stack([reach * np.cos(angle), reach * np.sin(angle)], axis=1))
+    places = figures.lasso(places.tolist()) if tool == LASSO else places
+    return DrawnFigure(tool, places.tolist(), FROM_ABOVE.to_pixels.ravel().tolist(), 9.0).said()
+
+
+@pytest.mark.parametrize("radius, waves", [(20.0, 3), (33.0, 5), (45.0, 2), (47.0, 11)])
+def test_a_lasso_with_fewer_places_passes_every_vertex_on_the_same_side(radius, waves):
+    part, told = square(count=21), drawn_around(radius, waves)
+    short = shortened({"minus": [told, told]}, part._seen, 6.0)["minus"][1]["drawn"]
+    line, few = (np.array(one["lasso"], float).reshape(-1, 2) for one in (told["drawn"], short))
+    assert len(few) < 0.6 * len(line)
+    taken = [part.inside(FROM_ABOVE, figures.lasso(one), None).tolist() for one in (line, few)]
+    assert taken[0] == taken[1] and len(taken[0]) > 20
+    rows = [int(np.flatnonzero((line == corner).all(axis=1))[0]) for corner in few]
+    gaps = [farthest(line, a, b) for a, b in zip(rows, rows[1:])]
+    assert max(gaps) <= 6.0
+
+
+def test_a_stroke_keeps_the_places_where_it_bends():
+    stroke = drawn_around(40.0, 3, BRUSH)
+    short = shortened(stroke, square()._seen, 3.0)["drawn"]
+    line, few = (np.array(one["brush"], float).reshape(-1, 2) for one in (stroke["drawn"], short))
+    assert 5 < len(few) < 40 and short["radius"] == 9.0
+    assert (few[0] == line[0]).all() and (few[-1] == line[-1]).all()
+    assert shortened(stroke, square()._seen, 0.0) == stroke
+
+
+def test_a_camera_is_the_same_by_its_pixels():
+    for clip in (FROM_ABOVE.to_clip, FROM_ABOVE.to_clip + np.eye(4)[3][:, None] * [0, 0, 0.1, 0]):
+        camera = Camera(clip, 300.0, 200.0)
+        again = Camera.of_pixels(camera.to_pixels)
+        place = (120.0, 70.0)
+        for one, other in zip(camera.line(*place), again.line(*place)):
+            assert np.allclose(one, other)

@@ -14,15 +14,19 @@ from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.progress_dialog import Progress
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
-API = "freecad.sheetmorph.api"
-IMPORTS = ("import FreeCAD as App", f"import {API}")
+API = "api"
+IMPORTS = (f"import freecad.sheetmorph.api as {API}",)
+DOCUMENT = f"{API}.doc"
 LONGEST_SHOWN = 300  # characters
 FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
 
 
 def name(obj) -> str:
-    """How a macro line addresses a document object."""
-    return f"App.ActiveDocument.getObject({obj.Name!r})"
+    """How a macro line addresses a document object: as an attribute of its document, unless that
+    has one of its own of this name."""
+    if getattr(obj.Document, obj.Name, None) == obj:
+        return f"{DOCUMENT}.{obj.Name}"
+    return f"{DOCUMENT}.getObject({obj.Name!r})"
 
 
 def call(function: str, *arguments: str, **keywords: str) -> str:
@@ -54,7 +58,7 @@ def note(*lines: str) -> None:
     record()
     names = vars(sys.modules["__main__"])  # where FreeCAD runs lines
     before = dict(names)
-    names[API.split(".", maxsplit=1)[0]] = Idle()
+    names[API] = Idle()
     try:
         for line in lines:
             Gui.doCommand(line)
@@ -98,7 +102,7 @@ def run(title: str, *lines: str, document=None) -> None:
     before = faults.faults_in(document)
     try:
         with transactions.step(document, title), followed(title):
-            record(*lines, "App.ActiveDocument.recompute()")
+            record(*lines, f"{DOCUMENT}.recompute()")
             refuse(faults.new_fault(document, before))
     except MorphError:
         document.recompute()  # FreeCAD counts as due what was taken back

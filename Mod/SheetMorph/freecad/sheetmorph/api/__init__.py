@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The scripting interface of SheetMorph: everything the workbench does, without a window.
 
+`doc` is the active document, as macros write it.
+
 Lengths in mm, angles in degrees, vectors and points in the global coordinates a user sees,
 vertices as indices into the mesh of their part. No call recomputes: say `document.recompute()`
 when the objects are as wanted. Bad arguments raise ValueError with one sentence that says what
 to do, and change nothing.
 """
+
+import FreeCAD
 
 from freecad.sheetmorph.api.assemblies import (
     add_part,
@@ -124,6 +128,14 @@ from freecad.sheetmorph.api.thin import (
     set_thin,
     thin_solid,
 )
+
+
+def __getattr__(name: str):
+    """Return the active document for `doc`."""
+    if name == "doc":
+        return FreeCAD.ActiveDocument
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+
 
 __all__ = [
     "add_contact",

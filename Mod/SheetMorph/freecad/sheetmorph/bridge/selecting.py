@@ -20,6 +20,7 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools import sentences, spaces
 from freecad.sheetmorph.tools.figures import Camera, outlines
 from freecad.sheetmorph.tools.part_mesh import PartMesh
+from freecad.sheetmorph.tools.shortening import shortened
 
 
 def is_selector(given: Any) -> bool:
@@ -69,7 +70,7 @@ def drawn(part, kept: Kept, told: dict) -> np.ndarray:
     core = kernel.core()
     mesh = PartMesh(core, (kept.points, kept.triangles), kept.points)
     hiding = None if figure.through else [mesh, *others_in_front(part, kept.frame)]
-    camera = Camera(np.array(figure.camera).reshape(4, 4), *figure.view)
+    camera = Camera.of_pixels(np.array(figure.camera).reshape(-1, 4))
     taken = [mesh.inside(camera, outline, hiding) for outline in outlines(figure)]
     return np.unique(np.concatenate([np.zeros(0, np.int32), *taken]))
 
@@ -85,9 +86,9 @@ def others_in_front(part, frame: Frame) -> list[PartMesh]:
     return found
 
 
-def words_of(part, said: Any, digits: int) -> Any:
-    """Return what a pick said in the coordinates of the part's file, with so many digits."""
-    return sentences.simplest(sentences.in_file(said, read_kept(part).frame, digits))
+def words_of(part, said: Any, length: sentences.Length = sentences.SHOWN) -> Any:
+    """Return what a pick said in the coordinates of the part's file, no longer than that."""
+    return sentences.simplest(sentences.in_file(said, read_kept(part).frame, length))
 
 
 def spaces_of(part, where: Any) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -106,8 +107,8 @@ def sentence_for(part, said: Any, vertices: np.ndarray) -> Any:
     if said is None:
         return None
     shape = shape_of(part)
-    for digits in sentences.DIGITS:
-        where = words_of(part, said, digits)
+    for length in sentences.LENGTHS_TRIED:
+        where = shortened(words_of(part, said, length), shape.points, length.away)
         try:
             if np.array_equal(chosen_on(shape, where).vertices, vertices):
                 return where

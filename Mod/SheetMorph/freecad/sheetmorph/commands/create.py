@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, subject
-from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.actions import DOCUMENT, call, name
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
@@ -19,7 +19,7 @@ FILTER = (
     "All files (*)"
 )
 
-NEW = call("create_assembly", "App.ActiveDocument")
+NEW = call("create_assembly", DOCUMENT)
 
 
 def ensure_document() -> None:

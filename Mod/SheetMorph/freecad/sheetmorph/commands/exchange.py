@@ -7,7 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, paths, subject
-from freecad.sheetmorph.actions import call, name
+from freecad.sheetmorph.actions import DOCUMENT, call, name
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
@@ -20,7 +20,7 @@ def open_recipe(path: str, document_name: str = "") -> bool:
     """Opens a recipe in a new document, or in the active one; False if it could not be read."""
     if document_name or App.ActiveDocument is None:
         actions.record(f"App.newDocument({document_name!r})")
-    done = actions.attempt("Import Recipe", call("import_recipe", "App.ActiveDocument", repr(path)))
+    done = actions.attempt("Import Recipe", call("import_recipe", DOCUMENT, repr(path)))
     if done:
         Gui.activeDocument().activeView().viewIsometric()
         Gui.SendMsgToActiveView("ViewFit")

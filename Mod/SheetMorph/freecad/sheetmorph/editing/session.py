@@ -47,7 +47,8 @@ class Session(QtCore.QObject):
     def put_selection_aside(self) -> None:
         """Takes the colour of the selection out of the view until the end."""
         self._aside = [(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection()]
-        Gui.Selection.clearSelection()
+        if self._aside:  # else a line of the macro for nothing
+            Gui.Selection.clearSelection()
         self.over.connect(self._select_again)
 
     def end(self) -> None:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mouse while a region is picked: hover, clicks, and figures drawn on the screen."""
 
-import numpy as np
-
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.figure import Figure
 from freecad.sheetmorph.scene.viewport import Listener, Viewport, take_every_move
@@ -126,9 +124,8 @@ class PickMouse(Listener):
         return DrawnFigure(
             options.what,
             self._drawing.places,
-            np.asarray(camera.to_clip, float).ravel().tolist(),
-            [camera.width, camera.height],
-            options.radius if self._is_brush() else 0.0,
+            camera.to_pixels.ravel().tolist(),
+            figures.number(options.radius) if self._is_brush() else 0,
             options.through,
         ).said()
 

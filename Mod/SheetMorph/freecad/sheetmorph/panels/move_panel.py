@@ -97,7 +97,7 @@ class MovePanel(Panel):
             if fault:
                 self._faults.say(fault)
                 return False
-            actions.note(*lines, "App.ActiveDocument.recompute()")
+            actions.note(*lines, f"{actions.DOCUMENT}.recompute()")
             self._let_shapes_follow()
         self._pending.keep()
         self._handles.begin()

@@ -64,7 +64,7 @@ class PosePanel(Panel):
             if fault:
                 self._faults.say(fault)
                 return False
-            actions.note(line, "App.ActiveDocument.recompute()")
+            actions.note(line, f"{actions.DOCUMENT}.recompute()")
         self._pending.keep()
         return True
 

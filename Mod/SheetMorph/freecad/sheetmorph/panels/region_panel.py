@@ -194,7 +194,7 @@ class RegionPanel(Panel):
 
     def _show_sentence(self) -> None:
         """Shows what the picks say, in the field in which another selector may be typed."""
-        where = selecting.words_of(self._part, self._picker.said, 3)
+        where = selecting.words_of(self._part, self._picker.said)
         self.form.where.setText(json.dumps(where) if where else "")
         self._spaces.show(selecting.spaces_of(self._part, where))
 

@@ -169,8 +169,8 @@ class TestSelectors(DocumentTest):
         rest = drawing.rest()
         if rest is not None:
             picker.paint(camera, rest)
-        matrix = camera.to_clip.ravel().tolist()
-        figure = DrawnFigure(figures.BRUSH, drawing.places, matrix, [1000.0, 500.0], 25.0)
+        matrix = camera.to_pixels.ravel().tolist()
+        figure = DrawnFigure(figures.BRUSH, drawing.places, matrix, 25.0)
         picker.take_painted(picking.REPLACE, figure.said())
         where = self.said(picker)
         self.assertLess(len(repr(where)), 900)

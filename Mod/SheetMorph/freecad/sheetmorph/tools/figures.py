@@ -27,6 +27,21 @@ class Camera:
     width: float
     height: float
 
+    @classmethod
+    def of_pixels(cls, matrix: np.ndarray) -> Camera:
+        """From the rows (4, 4), or (3, 4) without perspective, that give px, depth and divisor."""
+        clip = np.vstack([matrix, [[0.0, 0.0, 0.0, 1.0]]])[:4]
+        clip[:2] -= clip[3]
+        return cls(clip, 2.0, 2.0)
+
+    @property
+    def to_pixels(self) -> np.ndarray:
+        """(4, 4) to px from the lower left corner, depth, and what to divide by."""
+        found = self.to_clip.astype(float)
+        found[0] = 0.5 * self.width * (found[0] + found[3])
+        found[1] = 0.5 * self.height * (found[1] + found[3])
+        return found
+
     def line(self, x: float, y: float) -> tuple[np.ndarray, np.ndarray]:
         """Where the line of sight through a pixel enters and leaves what is shown, (3,) mm each."""
         place = (2.0 * x / self.width - 1.0, 2.0 * y / self.height - 1.0)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from freecad.sheetmorph.tools.figures import BRUSH, Camera
+from freecad.sheetmorph.tools.figures import BRUSH, Camera, number
 from freecad.sheetmorph.tools.part_mesh import NOTHING, to_ids
 from freecad.sheetmorph.tools.rims import Ray
 from freecad.sheetmorph.tools.sentences import KEPT, Said, added, changed, removed
@@ -148,7 +148,7 @@ class RegionPicker:
         """What a click along the ray says: the face, rim or piece at this place."""
         options, mesh = self._options, self._mesh
         found = mesh.hit(ray)
-        crease = round(math.degrees(options.crease), 9)
+        crease = number(round(math.degrees(options.crease), 9))
         if options.what == RIM:
             place = mesh.place_on_rim(ray, options.crease, options.holes_only)
             rings = {"rings": options.rings} if options.rings else {}

@@ -10,8 +10,23 @@ from typing import Any
 
 import numpy as np
 
-DIGITS = (3, 6, 17)
-"""Digits behind the point with which a sentence is tried, the shortest first."""
+from freecad.sheetmorph.tools.figures import DRAWN, number
+
+
+@dataclass(frozen=True)
+class Length:
+    """How long a sentence is: digits behind the point, of a camera in all; how far a figure may be
+    from the one that was drawn, px."""
+
+    digits: int
+    camera: int
+    away: float = 0.0
+
+
+LENGTHS_TRIED = (Length(3, 4, 6.0), Length(3, 5, 2.0), Length(3, 7), Length(6, 10), Length(17, 17))
+"""With which a sentence is tried, the shortest first."""
+SHOWN = LENGTHS_TRIED[2]
+EXACT = LENGTHS_TRIED[-1]
 KEPT = "kept"
 """A key around what is in the coordinates of the file already."""
 POINTS = ("face_at", "rim_at", "piece_at")
@@ -23,20 +38,19 @@ Said = Any  # a selector, None where nobody knows what to say
 class DrawnFigure:
     """A figure on the screen: places (px), of a brush its radius, and what the view showed.
 
-    camera: 16 numbers, rows of the matrix to clip coordinates; view: width and height, px.
+    camera: the rows that give px, depth and divisor, the last one left out without perspective.
     """
 
     tool: str
     places: list
     camera: list
-    view: list
     radius: float = 0.0
     through: bool = False
 
     def said(self) -> dict:
         """As a selector has it."""
-        told = {"figure": self.tool, "places": self.places, "camera": self.camera}
-        told["view"] = self.view
+        places = [value for place in self.places for value in place]
+        told = {self.tool: places, "camera": self.camera}
         if self.radius:
             told["radius"] = self.radius
         if self.through:
@@ -44,21 +58,29 @@ class DrawnFigure:
         return {"drawn": told}
 
 
+def tool_of(told: dict) -> str:
+    """What a figure was drawn with: the key of its places. Raises KeyError if there is none."""
+    found = [tool for tool in DRAWN if tool in told]
+    if len(found) != 1:
+        raise KeyError("figure")
+    return found[0]
+
+
 def figure_of(told: dict) -> DrawnFigure:
     """The figure of a selector. Raises ValueError if it is none."""
     try:
+        tool = tool_of(told)
         figure = DrawnFigure(
-            str(told["figure"]),
-            [[float(x), float(y)] for x, y in told["places"]],
+            tool,
+            np.array(told[tool], float).reshape(-1, 2).tolist(),
             [float(value) for value in told["camera"]],
-            [float(value) for value in told["view"]],
             float(told.get("radius", 0.0)),
             bool(told.get("through", False)),
         )
     except (KeyError, TypeError, ValueError) as error:
-        raise ValueError("A drawn figure has figure, places, camera and view.") from error
-    if not figure.places or len(figure.camera) != 16 or len(figure.view) != 2:
-        raise ValueError("A drawn figure has places, a camera of 16 numbers, a view of two.")
+        raise ValueError(f"A drawn figure has a {', '.join(DRAWN)}, and a camera.") from error
+    if not figure.places or len(figure.camera) not in (12, 16):
+        raise ValueError("A drawn figure has places, and a camera of 12 or 16 numbers.")
     return figure
 
 
@@ -79,13 +101,13 @@ def changed(key: str, said: Said) -> Said:
     return None if said is None else {key: 1, "of": said}
 
 
-def in_file(said: Said, frame: Any, digits: int = 17) -> Said:
-    """The same in the coordinates of a part's file, points rounded to digits behind the point.
+def in_file(said: Said, frame: Any, length: Length = EXACT) -> Said:
+    """The same in the coordinates of a part's file, no longer than that.
 
     `frame`: has rotation, base, origin, as conversion.Frame.
     """
     if isinstance(said, list):
-        return [in_file(one, frame, digits) for one in said]
+        return [in_file(one, frame, length) for one in said]
     if not isinstance(said, dict):
         return said
     if KEPT in said:
@@ -94,37 +116,39 @@ def in_file(said: Said, frame: Any, digits: int = 17) -> Said:
     for key, value in said.items():
         if key in POINTS:
             local = (np.asarray(value, float) - frame.base) @ frame.rotation + frame.origin
-            found[key] = rounded(local, digits)
+            found[key] = rounded(local, length.digits)
         elif key == "drawn":
-            found[key] = {**value, "camera": camera_in_file(value["camera"], frame, digits)}
+            found[key] = {**value, "camera": camera_in_file(value["camera"], frame, length.camera)}
         elif key in ("union", "intersection", "minus", "of"):
-            found[key] = in_file(value, frame, digits)
+            found[key] = in_file(value, frame, length)
         else:
             found[key] = value
     return found
 
 
 def rounded(values: np.ndarray, digits: int) -> list[float]:
-    """Plain numbers, without minus zero."""
-    return [round(float(value), digits) + 0.0 for value in values]
+    """Plain numbers, whole ones as such."""
+    return [number(round(float(value), digits)) for value in values]
 
 
 def camera_in_file(camera: Sequence[float], frame: Any, digits: int) -> list[float]:
-    """The matrix to clip coordinates from those of the file, with so many digits in all and 4."""
+    """The rows of a camera for the coordinates of the file, with so many digits in all."""
     to_global = np.eye(4)
     to_global[:3, :3] = frame.rotation
     to_global[:3, 3] = frame.base - frame.rotation @ frame.origin
-    matrix = np.array(camera, float).reshape(4, 4)
+    matrix = np.array(camera, float).reshape(-1, 4)
+    if np.array_equal(matrix[3:], [[0.0, 0.0, 0.0, 1.0]]):
+        matrix = matrix[:3]
     if not np.array_equal(to_global, np.eye(4)):
         matrix = matrix @ to_global
-    return [significant(value, digits + 4) for value in matrix.ravel().tolist()]
+    return [significant(value, digits) for value in matrix.ravel().tolist()]
 
 
 def significant(value: float, digits: int) -> float:
     """A number with so many significant digits."""
     if value == 0.0 or not math.isfinite(value):
-        return 0.0
-    return float(f"{value:.{min(digits, 17)}g}")
+        return 0
+    return number(float(f"{value:.{digits}g}"))
 
 
 def with_moved_ids(where: Said, moved: Callable[[list], list]) -> Said:
@@ -190,7 +214,7 @@ def scaled(where: Said, factor: float) -> Said:
             found[key] = (factor * np.asarray(value, float)).tolist()
         elif key == "drawn":
             shrunk = np.diag([1.0 / factor] * 3 + [1.0])
-            camera = np.array(value["camera"], float).reshape(4, 4) @ shrunk
+            camera = np.array(value["camera"], float).reshape(-1, 4) @ shrunk
             found[key] = {**value, "camera": camera.ravel().tolist()}
         else:
             found[key] = scaled(value, factor) if isinstance(value, (dict, list)) else value
