@@ -133,3 +133,26 @@ def test_what_is_not_differentiated_is_differenced_and_told(tmp_path: Path):
     assert "pre-processing" in evaluator.differenced["smooth"]
     assert np.abs(found[:, :, 0]).max() == pytest.approx(1.0, abs=0.2)
     assert not found[:, :, 1:].any()
+
+
+@pytest.mark.parametrize("figure", ["stretch", "displacement", "angle", "fold"])
+def test_figures_of_positions_have_slopes_without_further_answers(tmp_path: Path, figure: str):
+    measure = {"worst": {"worst": figure}, "of part": {"worst": figure, "part": "plate"}}
+    path = write_study(tmp_path, parameters={"lift": PARAMETERS["lift"]}, measure=measure)
+    evaluator, asked = Evaluator(path), []
+    answered = evaluator._shop.result
+    evaluator._shop.result = lambda values: asked.append(values) or answered(values)
+    slopes = evaluator.gradient({"lift": 6.3})
+    assert len(asked) == 1 and evaluator.differenced == {}
+    step = 1e-3
+    beyond, before = (evaluator.array({"lift": 6.3 + s}) for s in (step, -step))
+    assert slopes[:, 0] == pytest.approx((beyond - before) / (2.0 * step), rel=1e-4, abs=1e-7)
+    assert abs(slopes[0, 0]) > 1e-6
+
+
+def test_a_figure_of_exact_answers_is_differenced_and_told(tmp_path: Path):
+    measure = {"holes": {"worst": "edge error"}}
+    path = write_study(tmp_path, parameters={"lift": PARAMETERS["lift"]}, measure=measure)
+    evaluator = Evaluator(path)
+    assert abs(evaluator.gradient({"lift": 6.3})[0, 0]) < 1e-6
+    assert "edge error" in evaluator.differenced["lift"]

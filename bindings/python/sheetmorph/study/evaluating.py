@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from dataclasses import replace
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from ..errors import Fault, RecipeError
 from ..report import make_report
 from ..session import Result
 from ..translation import Numbers
-from .figures import Figures
+from .figures import OF_POSITIONS, Figures, live_report
 from .measures import Numbers as Measured
 from .measures import Scene
 from .plan import Plan
@@ -47,7 +48,8 @@ class Evaluator:
         self._plan = Plan(study)
         self._shop = Workshop(self._plan)
         self._last: tuple[Values, Result] | None = None
-        self._has_figures = any("worst" in told for told in self._plan.study.measure.values())
+        worst = [told["worst"] for told in self._plan.study.measure.values() if "worst" in told]
+        self._needs_answers = [name for name in worst if name not in OF_POSITIONS]
         self.differenced: dict[str, str] = {}
         self.names: list[str] = self._plan.study.names
         self.columns: list[str] = self._plan.columns
@@ -64,7 +66,11 @@ class Evaluator:
     def gradient(self, values: Given) -> np.ndarray:
         """Slopes (m, k) of the measures over the parameters."""
         told = self._values(values)
-        rates = {} if self._has_figures else self._rates(told)
+        if self._needs_answers:
+            why = f'"{self._needs_answers[0]}" is measured of an exact answer'
+            rates, self.differenced = {}, dict.fromkeys(self.names, why)
+        else:
+            rates = self._rates(told)
         return np.stack([self._measure_slope(told, name, rates) for name in self.names], axis=-1)
 
     def positions(self, values: Given) -> dict[str, np.ndarray]:
@@ -129,15 +135,16 @@ class Evaluator:
         self, values: Values, name: str, rates: Mapping[str, dict[str, np.ndarray]]
     ) -> np.ndarray:
         """Along the positions' own slopes where they are known, else of exact answers."""
-        here = self._result(values).positions if name in rates else {}
+        here = self._result(values)
 
         def measured(step: float) -> dict[str, np.ndarray]:
             at = {**values, name: values[name] + step}
             if name not in rates:
                 return {"": _array(self._measured(at))}
-            moved = {part: here[part] + step * rate for part, rate in rates[name].items()}
-            taken = self._shop.measures(values).taken(Scene(moved, at, _no_figure))
-            return {"": _array(taken)}
+            moved = {p: here.positions[p] + step * rate for p, rate in rates[name].items()}
+            there = replace(here, positions=moved)
+            scene = Scene(moved, at, lambda *asked: _figures(there).figure(*asked))
+            return {"": _array(self._shop.measures(values).taken(scene))}
 
         return self._stencil(name, measured)[""]
 
@@ -184,8 +191,10 @@ class Evaluator:
         return {name: _finite(name, values[name]) for name in self.names}
 
 
-def _no_figure(_name: str, _part: str) -> None:
-    """Only asked for where the study measures none."""
+@lru_cache(maxsize=1)
+def _figures(moved: Result) -> Figures:
+    """Those that positions alone decide."""
+    return Figures(moved, live_report(moved))
 
 
 def _array(measures: Mapping[str, float | None]) -> np.ndarray:

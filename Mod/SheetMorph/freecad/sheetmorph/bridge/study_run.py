@@ -22,6 +22,11 @@ class StudyRun:
 
     def __init__(self, study_file: Path):
         """Begin; raises OSError where there is no Python to run it."""
+        if not os.path.isfile(interpreter()):
+            raise OSError(
+                f"There is no Python at {interpreter()} to compute the study with; write it with "
+                "api.write_study and compute it on the command line."
+            )
         self._out = study_file.parent / OUT
         self._said = tempfile.TemporaryFile()
         package = str(kernel.package_folder().parent)

@@ -152,13 +152,14 @@ class StudyPanel(Panel):
         """Keeps what is typed, and computes it in processes of their own."""
         if self._run is not None or not self._kept():
             return
-        self._running = studies.begun(self._study)
+        running = studies.begun(self._study)
         try:
             with actions.waiting():
-                self._run = self._running.__enter__()
+                self._run = running.__enter__()
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return
+        self._running = running
         self._look.start()
         self._show_running()
 
@@ -172,8 +173,11 @@ class StudyPanel(Panel):
         """Shows how far it is; takes the table when it is over."""
         if self._run is None or self.session.is_ending or self.session.is_busy():
             return
-        self.form.progress.setMaximum(max(1, self._study.Count))
-        self.form.progress.setValue(min(self._run.done, self._study.Count))
+        study = self._study
+        if study is None:
+            return  # deleted: the panel is about to follow
+        self.form.progress.setMaximum(max(1, study.Count))
+        self.form.progress.setValue(min(self._run.done, study.Count))
         if self._run.is_over:
             self._take_results()
 
@@ -206,7 +210,7 @@ class StudyPanel(Panel):
 
     def _apply(self, row: int, *_) -> None:
         """A double click on a variant: the document gets its numbers in one undo step."""
-        if self._run is not None:
+        if self._run is not None or self._study is None:
             return
         run = study_table.run_in(self.form.results, row)
         line = call("apply_variant", name(self._study), repr(run))
