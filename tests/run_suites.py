@@ -149,6 +149,10 @@ class Suites:
         """Every reader of decks and of files of welds on mutated files, 10 minutes each."""
         return self._pytest("fuzz", ["tests/decks/test_fuzzed_files.py"], self.staged)
 
+    def million(self) -> Count:
+        """A deck of 1,000,000 nodes in every format; the lines `NOTE` are its table."""
+        return self._pytest("million", ["-s", "tests/decks/test_million_nodes.py"], self.staged)
+
     def shapes(self) -> Count:
         """CAD parts bent and written as CAD again; its log has the table. Minutes."""
         return self._pytest("shapes", ["-s", "tests/shapes"], self.staged)
@@ -385,7 +389,7 @@ def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
     names = [*default, "tidy", "scale", "pictures", "real", "sanitize", "slurm"]
-    names += ["decks", "fuzz", "shapes"]
+    names += ["decks", "fuzz", "million", "shapes"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

@@ -30,6 +30,8 @@ _PART_HEADS = (
 _QUALITY_HEADS = (
     *("part", "measure", "worst before", "after", "failing before", "after", "largest change"),
 )
+_WELD_HEADS = ["weld", "line", "gap before, mm", "to the other", "gap after, mm", "to the other",
+               "change, mm"]  # fmt: skip
 _JOINT_HEADS = (
     *("joint", "kind", "parts", "line", "gap before, mm", "after", "came apart by", "allowed"),
 )
@@ -140,9 +142,28 @@ def _deck(deck: dict[str, Any]) -> str:
     stale = [[s["card"], s["what"], s["count"], ", ".join(map(str, s["lines"][:8]))]
              for s in deck["stale"]]  # fmt: skip
     heads = ["card", "why", "how many", "lines"]
-    return _table(f"Deck {deck['file']}", ["what", ""], rows) + _table(
-        f"Stale in {deck['file']}", heads, stale
-    )
+    tables = [_table(f"Deck {deck['file']}", ["what", ""], rows), _welds(deck)]
+    return "".join([*tables, _table(f"Stale in {deck['file']}", heads, stale)])
+
+
+def _welds(deck: dict[str, Any]) -> str:
+    """The welds of a deck, those whose gaps changed most first."""
+    welds = deck["joints"]["welds"]
+
+    def change(weld: dict[str, Any]) -> float:
+        return max(abs(b - a) for a, b in zip(weld["before"], weld["after"]))
+
+    rows = [
+        [f"{w['card']} {w['id']}", w["line"], *_two(w["before"]), *_two(w["after"]), change(w)]
+        for w in sorted(welds, key=change, reverse=True)[:_MOST_JOINTS]
+    ]
+    title = f"Welds of {deck['file']}: {len(welds)}"
+    title += f", the worst {_MOST_JOINTS}" if len(welds) > _MOST_JOINTS else ""
+    return _table(title, _WELD_HEADS, rows) if rows else ""
+
+
+def _two(gaps: list[float]) -> list[object]:
+    return [*gaps, "none near"][:2]
 
 
 def _joints(file: dict[str, Any]) -> str:

@@ -238,14 +238,15 @@ class _Reader:
         number = self._elsets.setdefault(group, len(self._elsets) + 1)
         self.raw.names[number] = keyword.options.get("ELSET", "")
         for heads, table in self._tables(source, rows, count):
-            parts = np.full(len(heads), number, np.int32)
-            nodes = small(table[:, 1:])
+            parts = np.broadcast_to(np.int32(number), len(heads))
+            table = small(table) if table.dtype != np.int32 else table
+            nodes = table[:, 1:]
             np.maximum(nodes, 0, out=nodes)
             self._owner().elements.append(len(self.raw.elements))
             self.raw.elements.append(
                 Elements(
-                    name or "*ELEMENT", kind, small(table[:, 0]), parts,
-                    nodes, source.file, heads.astype(np.int32),
+                    name or "*ELEMENT", kind, table[:, 0], parts,
+                    nodes, source.file, heads.astype(np.int32, copy=False),
                 )
             )  # fmt: skip
 

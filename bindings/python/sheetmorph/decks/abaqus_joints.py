@@ -17,13 +17,13 @@ class Sets:
 
     def __init__(self, raw: Raw):
         self._raw = raw
-        self._sets: dict[str, list[int]] = {}
+        self._sets: dict[str, list[np.ndarray]] = {}
         self._joints: list[tuple[str, list[str], int, int]] = []
 
     def add_nodes(self, name: str, ids: np.ndarray) -> None:
         """Put nodes into a set, if it has a name."""
         if name:
-            self._sets.setdefault(name.upper(), []).extend(ids.tolist())
+            self._sets.setdefault(name.upper(), []).append(ids)
 
     def add_joint(self, name: str, members: list[str], file: int, line: int) -> None:
         """A joint of nodes and sets of nodes, by number and name."""
@@ -32,7 +32,8 @@ class Sets:
     def finish(self) -> None:
         """Add the joints to what was read, and the sets."""
         for name, members in self._sets.items():
-            self._raw.sets.append(NamedSet(f"NSET {name}", "nodes", members))
+            ids = members[0] if len(members) == 1 else np.concatenate(members)
+            self._raw.sets.append(NamedSet(f"NSET {name}", "nodes", ids))
         for name, members, file, line in self._joints:
             nodes = list(dict.fromkeys(self._resolved(members)))
             if len(nodes) > 1:
@@ -50,7 +51,8 @@ class Sets:
             if number is not None:
                 found += [number] if number > 0 else []
             else:
-                found += self._sets.get(member.upper(), [])
+                for ids in self._sets.get(member.upper(), []):
+                    found += ids.tolist()
         return found
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from .model import Raw
 from .numbers import parse_integer, parse_real
+from .text import chunks
 
 
 @dataclass(frozen=True)
@@ -32,11 +33,12 @@ class AbaqusLines:
         self.file = file
         self.text = raw.texts[file]
         text = self.text
-        codes = text.columns(text.begins, text.ends, 2) if len(text) else np.zeros((0, 2), np.uint8)
-        first = codes[:, 0].copy()
+        codes = np.empty((2, len(text)), dtype=np.uint8)
+        for part in chunks(len(text)):
+            codes[:, part] = text.columns(text.begins[part], text.ends[part], 2).T
+        first, second = codes
         # Blanks may stand before anything.
         loose = np.flatnonzero((first == 32) & (text.ends > text.begins) | (first == 9))
-        second = codes[:, 1].copy()
         for line in loose.tolist():
             shown = text.line(line).lstrip()
             first[line] = ord(shown[0]) if shown and ord(shown[0]) < 256 else 32
@@ -52,7 +54,7 @@ class AbaqusLines:
 
     def data_rows(self) -> np.ndarray:
         """All data lines."""
-        return np.flatnonzero(self._is_data)
+        return np.flatnonzero(self._is_data).astype(np.int32)
 
     def keywords(self) -> Iterator[Keyword]:
         """The keywords of the file, in order."""
@@ -63,7 +65,8 @@ class AbaqusLines:
                 shown += self.text.line(begin).strip()
                 begin += 1
             name, options = _options(shown)
-            rows = np.flatnonzero(self._is_data[begin:end]) + begin
+            rows = np.flatnonzero(self._is_data[begin:end]).astype(np.int32)
+            rows += np.int32(begin)
             yield Keyword(name, options, line, rows)
 
     def reals(self, line: int) -> list[float | None]:

@@ -36,7 +36,7 @@ def groups_of(deck: Deck, sheet: Sheet) -> list[Group]:
     row[pinned[:, 0]] = pinned[:, 1]
     free = row < 0
     links, ties, kinds = _links(deck, free)
-    labels = _labels(len(deck.ids), links)
+    labels = labels_of(len(deck.ids), links)
     found = np.flatnonzero(free)
     order = found[np.argsort(labels[found], kind="stable")]
     _, first = np.unique(labels[order], return_index=True)
@@ -97,7 +97,7 @@ def _links(deck: Deck, free: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nda
     return np.concatenate(links), np.concatenate(ties), np.concatenate(kinds)
 
 
-def _labels(count: int, links: np.ndarray) -> np.ndarray:
+def labels_of(count: int, links: np.ndarray) -> np.ndarray:
     """(n,) the smallest index of what each node hangs together with."""
     labels = np.arange(count)
     while True:

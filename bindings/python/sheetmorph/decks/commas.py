@@ -76,7 +76,7 @@ def comma_nodes(raw: Raw, file: int, rows: np.ndarray, room: int) -> Block:
     for part in chunks(count):
         found = _comma_nodes(raw, file, rows[part], (part.start, leads))
         ids[part], values[part], begins[part], widths[part] = found
-    lines = rows.astype(np.int32)
+    lines = rows.astype(np.int32, copy=False)
     return Block(file, lines, ids, values, begins, widths, room, FREE, None, leads)
 
 

@@ -36,7 +36,7 @@ class Deck:
         self.notes = list(raw.notes)
         table = table_of(raw)
         self.ids, self._values, self._systems = table.ids, table.values, table.systems
-        self._places, self._rows = table.places, table.rows
+        self._files, self._lines, self._rows = table.files, table.lines, table.rows
         self._order: np.ndarray | None = None
         self.points = self._basic()
 
@@ -58,7 +58,7 @@ class Deck:
 
     def place_of(self, node: int) -> tuple[int, int]:
         """File and line, from 0, of the node with an index."""
-        return int(self._places[node, 0]), int(self._places[node, 1])
+        return int(self._files[node]), int(self._lines[node])
 
     def width_of(self, nodes: np.ndarray) -> int:
         """The fewest characters that a number of these nodes (indices) may take."""
@@ -72,10 +72,9 @@ class Deck:
         return min(rooms, default=0)
 
     def _basic(self) -> np.ndarray:
-        numbers = np.unique(self._systems)
-        if not numbers.any():
+        if not self._systems.any():
             return self._values
-        points = self._values.copy()
+        points, numbers = self._values.copy(), np.unique(self._systems)
         frames = Frames(self.frames, self._locate_at_rest)
         # A system may be by nodes that stand in another one: each is worked out when it is needed.
         self._frames_at_rest = frames
@@ -158,10 +157,9 @@ class Deck:
         """(n, 3) numbers for the file; those of nodes that stay are those that are there."""
         moved = (positions != self.points).any(axis=1)
         values = np.where(moved[:, None], positions, self._values)
-        numbers = np.unique(self._systems)
-        if not numbers.any():
+        if not self._systems.any():
             return values
-        frames = self._moved_frames(positions)
+        frames, numbers = self._moved_frames(positions), np.unique(self._systems)
         for number in numbers[numbers != 0].tolist():
             rows = np.flatnonzero(self._systems == number)
             is_still = self._stays(number, frames)

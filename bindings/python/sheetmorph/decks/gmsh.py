@@ -96,6 +96,7 @@ class _Text:
                     self._nodes()
                 else:
                     self._elements()
+                self._words = None  # what comes next has none, or its own
         for mark in self._text.matches(rb"^\$(NodeData|ElementData|ElementNodeData|Periodic)\b"):
             line = self._text.line_of(mark.start())
             card = f"${mark.group(1).decode()}"
@@ -141,24 +142,28 @@ class _Text:
         if count < 0 or self._at + count * each > len(begins):
             raise self._cut()
         here = slice(self._at, self._at + count * each)
-        one = begins[here].reshape(count, each)[:, :3]
-        two = ends[here].reshape(count, each)[:, :3]
-        values = np.empty((count, 3))
-        for at in range(0, count, CHUNK):
-            for axis in range(3):
-                part = slice(at, at + CHUNK)
-                values[part, axis] = reals(self._text, one[part, axis], two[part, axis])
         self._at += count * each
-        kind = self._text.begins.dtype
-        return values, one.astype(kind), np.minimum(two - one, 255).astype(np.uint8)
+        one, two = (some[here].reshape(count, each)[:, :3] for some in (begins, ends))
+        return self._points(one, two)
+
+    def _points(self, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Values, begins, widths (n, 3) of numbers from places (n, 3) to others."""
+        values, widths = np.empty(one.shape), np.empty(one.shape, dtype=np.uint8)
+        for part in chunks(len(one)):
+            for axis in range(3):
+                values[part, axis] = reals(self._text, one[part, axis], two[part, axis])
+            widths[part] = np.minimum(two[part] - one[part], 255)
+        return values, one.astype(self._text.begins.dtype), widths
 
     def _add(self, ids: np.ndarray, found: tuple[np.ndarray, ...]) -> None:
         values, begins, widths = found
         if len(ids):
-            lines = np.searchsorted(self._text.begins, begins[:, 0], side="right") - 1
-            self.raw.blocks.append(
-                Block(0, lines.astype(np.int32), ids, values, begins, widths, _ROOM, WORD)
-            )
+            lines = np.empty(len(ids), dtype=np.int32)
+            for part in chunks(len(ids)):
+                at = np.searchsorted(self._text.begins, begins[part, 0], side="right")
+                lines[part] = at - 1
+            block = Block(0, lines, small(ids), values, begins, widths, _ROOM, WORD)
+            self.raw.blocks.append(block)
 
     def _nodes(self) -> None:
         if self._version < 4.0:
@@ -189,16 +194,12 @@ class _Text:
         each = 4 + more
         if not 0 <= count * each <= len(begins) - self._at:
             raise self._cut()
-        start, whole = self._at, self._words
-        self._words = tuple(some[start : start + count * each : each] for some in whole)
-        self._at = 0
+        here, whole = slice(self._at, self._at + count * each), self._words
+        one, two = (some[here].reshape(count, each) for some in whole)
+        self._words, self._at = (one[:, 0], two[:, 0]), 0
         ids = self._integers(count)
-        keep = np.ones(count * each, dtype=bool)
-        keep[::each] = False
-        self._words = tuple(some[start : start + count * each][keep] for some in whole)
-        self._at = 0
-        self._add(ids, self._reals(count, each - 1))
-        self._words, self._at = whole, start + count * each
+        self._add(ids, self._points(one[:, 1:4], two[:, 1:4]))
+        self._words, self._at = whole, here.stop
 
     def _elements(self) -> None:
         blocks = int(self._integers(2 if self._version == 4.0 else 4)[0])

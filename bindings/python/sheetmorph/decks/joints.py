@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..kernel import load_kernel
 from .deck import Deck
 from .model import Elements, Place
 from .shells import Sheet
+from .welds import WeldGaps, weld_gaps
 
 _JOINTS = ("line", "rigid", "weld")
 # A joint is broken by half its gap, by half the thickness of the sheet, or by this part of the
@@ -35,11 +35,13 @@ class Joint:
 
 @dataclass(frozen=True)
 class Joints:
-    """count: how many joints have a node that moved; worst: of them (None if there is none)."""
+    """count: how many joints have a node that moved, or are welds near a sheet; worst: of them
+    (None if there is none); welds: how far each is from its sheets."""
 
     count: int
     worst: Joint | None
     broken: list[Joint]
+    welds: list[WeldGaps]
 
 
 def joints_of(
@@ -51,22 +53,20 @@ def joints_of(
     """
     moved = (positions != deck.points).any(axis=1)
     least = _least(deck, sheet)
-    count, worst, broken = 0, None, []
-    for block in deck.elements:
-        if block.kind not in _JOINTS:
-            continue
-        found = [_changes(deck, block, positions, moved)]
-        if block.kind == "weld":
-            found.append(_off_the_sheet(deck, sheet, block, positions))
-        for row, change, gap in (one for some in found for one in zip(*some)):
-            count += 1
-            allowed = max(_HALF * gap, least) if limit is None else limit
-            one = Joint(_place(block, int(row)), float(change), float(allowed))
-            if worst is None or one.change / one.limit > worst.change / worst.limit:
-                worst = one
-            if one.is_broken:
-                broken.append(one)
-    return Joints(count, worst, broken)
+
+    def joint(place: Place, change: float, gap: float) -> Joint:
+        return Joint(place, change, max(_HALF * gap, least) if limit is None else limit)
+
+    found = [
+        joint(_place(block, int(row)), float(change), float(gap))
+        for block in deck.elements
+        if block.kind in _JOINTS
+        for row, change, gap in zip(*_changes(deck, block, positions, moved))
+    ]
+    welds = weld_gaps(deck, sheet, positions) if moved.any() else []
+    found += [joint(weld.place, weld.change, sum(weld.before)) for weld in welds]
+    worst = max(found, key=lambda one: one.change / max(one.limit, 1e-30), default=None)
+    return Joints(len(found), worst, [one for one in found if one.is_broken], welds)
 
 
 def _place(block: Elements, row: int) -> Place:
@@ -79,28 +79,6 @@ def _least(deck: Deck, sheet: Sheet) -> float:
     edge = float(np.median(edges)) if edges.size else 0.0
     thickness = [value for value in deck.raw.thickness.values() if value > 0.0]
     return max(_OF_EDGE * edge, _HALF * min(thickness, default=0.0), 1e-9)
-
-
-def _off_the_sheet(
-    deck: Deck, sheet: Sheet, block: Elements, positions: np.ndarray
-) -> tuple[list[int], list[float], list[float]]:
-    """The same of welds by one point: how its distance from the sheet changed."""
-    index = np.where(block.nodes == 0, -1, deck.find(block.nodes))
-    rows = np.flatnonzero((index >= 0).sum(axis=1) == 1)
-    found: tuple[list[int], list[float], list[float]] = ([], [], [])
-    rest, after = deck.points[sheet.nodes], positions[sheet.nodes]
-    if not len(rows) or np.array_equal(rest, after):
-        return found
-    kernel = load_kernel()
-    trees = [kernel.PickingTree(points, sheet.triangles) for points in (rest, after)]
-    for row in rows.tolist():
-        node = int(index[row].max())
-        hits = [tree.nearest_point(p[node]) for tree, p in zip(trees, (deck.points, positions))]
-        if None not in hits:
-            gap = float(hits[0].distance)
-            for some, value in zip(found, (row, abs(float(hits[1].distance) - gap), gap)):
-                some.append(value)
-    return found
 
 
 def _changes(

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -78,7 +78,7 @@ class NamedSet:
 
     name: str
     kind: str
-    ids: list[int]
+    ids: Sequence[int] | np.ndarray
 
 
 @dataclass
@@ -113,14 +113,15 @@ class Raw:
 
 @dataclass(frozen=True)
 class Table:
-    """The nodes of a deck, each once: ids (n,), values (n, 3) as written, systems (n,), the place
-    (file, line) of each; rows: per block the node (k,) of each of its lines, -1 where another
+    """The nodes of a deck, each once: ids (n,), values (n, 3) as written, systems, files and
+    lines (n,); rows: per block the node (k,) of each of its lines, -1 where another
     definition counts."""
 
     ids: np.ndarray
     values: np.ndarray
     systems: np.ndarray
-    places: np.ndarray
+    files: np.ndarray
+    lines: np.ndarray
     rows: list[np.ndarray]
 
 
@@ -129,35 +130,33 @@ def table_of(raw: Raw) -> Table:
     for block in raw.blocks:
         _check(raw, block)
     if not raw.blocks:
-        none = np.zeros((0, 3))
-        empty = np.zeros(0, dtype=np.int64)
-        return Table(empty, none, empty.astype(np.int32), np.zeros((0, 2), np.int32), [])
-    ids = _whole([block.ids for block in raw.blocks])
-    values = _whole([block.values for block in raw.blocks])
-    systems = _whole([_systems(block) for block in raw.blocks])
-    places = _whole([_places(block) for block in raw.blocks])
-    row = np.arange(len(ids), dtype=np.int32)
+        empty = np.zeros(0, dtype=np.int32)
+        return Table(empty.astype(np.int64), np.zeros((0, 3)), empty, empty, empty, [])
+    blocks = raw.blocks
+    found = (
+        _whole([block.ids for block in blocks]),
+        _whole([block.values for block in blocks]),
+        _whole([_systems(block) for block in blocks]),
+        _whole([np.broadcast_to(np.int32(b.file), len(b.ids)) for b in blocks]),
+        _whole([block.lines.astype(np.int32, copy=False) for block in blocks]),
+    )
+    ids, row = found[0], np.arange(len(found[0]), dtype=np.int32)
     if (np.diff(ids) <= 0).any():
-        order = np.argsort(ids, kind="stable")
-        if raw.wins == "same":
-            order = np.lexsort((places[:, 1], places[:, 0], ids))
+        by_place = (found[4], found[3], ids)
+        order = np.lexsort(by_place) if raw.wins == "same" else np.argsort(ids, kind="stable")
         ordered = ids[order]
-        again = bool((ordered[1:] == ordered[:-1]).any())
-        del ordered
-    else:
-        again = False
-    if again:
-        keep, row = _without_doubles(raw, (ids, values, systems, places), order)
-        ids, values, systems, places = (ids[keep], values[keep], systems[keep], places[keep])
-    order = np.lexsort((places[:, 1], places[:, 0])) if len(raw.blocks) > 1 else np.arange(0)
+        if (ordered[1:] == ordered[:-1]).any():
+            keep, row = _without_doubles(raw, found, order)
+            found = tuple(some[keep] for some in found)
+    order = np.lexsort((found[4], found[3])) if len(blocks) > 1 else np.arange(0)
     if (np.diff(order) != 1).any():
         # In the order of the file, whatever way each of them is written.
-        ids, values, systems, places = (ids[order], values[order], systems[order], places[order])
+        found = tuple(some[order] for some in found)
         back = np.empty(len(order) + 1, dtype=np.int32)
         back[order], back[-1] = np.arange(len(order)), -1
         row = back[row]
-    ends = np.cumsum([len(block.ids) for block in raw.blocks])
-    return Table(ids, values, systems, places, np.split(row, ends[:-1]))
+    ends = np.cumsum([len(block.ids) for block in blocks])
+    return Table(*found, np.split(row, ends[:-1]))
 
 
 def _whole(parts: list[np.ndarray]) -> np.ndarray:
@@ -165,12 +164,8 @@ def _whole(parts: list[np.ndarray]) -> np.ndarray:
 
 
 def _systems(block: Block) -> np.ndarray:
-    none = np.zeros(len(block.ids), dtype=np.int32)
-    return none if block.systems is None else block.systems.astype(np.int32)
-
-
-def _places(block: Block) -> np.ndarray:
-    return np.stack([np.full(len(block.lines), block.file), block.lines], axis=1).astype(np.int32)
+    none = np.broadcast_to(np.int32(0), len(block.ids))
+    return none if block.systems is None else block.systems.astype(np.int32, copy=False)
 
 
 def _check(raw: Raw, block: Block) -> None:
@@ -191,7 +186,7 @@ def _without_doubles(
     raw: Raw, found: tuple[np.ndarray, ...], order: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Which rows count, and for every row the number of the one that does, -1 if it is another."""
-    ids, values, systems, places = found
+    ids, values, systems, files, lines = found
     starts = np.flatnonzero(np.diff(ids[order], prepend=ids[order][0] - 1) != 0)
     group = np.zeros(len(ids), dtype=np.int64)
     group[starts[1:]] = 1
@@ -205,10 +200,10 @@ def _without_doubles(
         if not same.all():
             row = int(order[np.flatnonzero(~same)[0]])
             other = int(first[np.flatnonzero(~same)[0]])
-            name = raw.texts[places[other, 0]].path.name
+            name = raw.texts[files[other]].path.name
             what = f"node {ids[row]} is defined twice, differently"
-            what += f" (first in {name}, line {places[other, 1] + 1})"
-            raise raw.error(tuple(places[row]), what, "remove one of the cards")
+            what += f" (first in {name}, line {lines[other] + 1})"
+            raise raw.error((int(files[row]), int(lines[row])), what, "remove one of the cards")
     keep = np.sort(chosen)
     row = np.full(len(ids), -1, dtype=np.int32)
     row[order] = np.searchsorted(keep, chosen[group])

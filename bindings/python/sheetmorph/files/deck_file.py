@@ -12,6 +12,7 @@ import numpy as np
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
 from ..decks.contents import Shells, shells_of
 from ..decks.joints import Joint, joints_of
+from ..decks.model import Place
 from ..decks.passengers import Carried, Passengers, rules_of
 from ..decks.placing import require_places
 from ..decks.stale import stale_report
@@ -179,6 +180,10 @@ class DeckFile(PartFile):
                 "count": joints.count,
                 "worst": None if joints.worst is None else self._joint(joints.worst),
                 "broken": broken,
+                "welds": [
+                    {**self._at(weld.place), "before": [*weld.before], "after": [*weld.after]}
+                    for weld in joints.welds
+                ],
             },
             "stale": stale_report(self.deck) if moved.any() else [],
             "failures": texts if is_refused else [],
@@ -186,15 +191,11 @@ class DeckFile(PartFile):
         }
 
     def _joint(self, joint: Joint) -> dict[str, Any]:
-        place = joint.place
-        return {
-            "card": place.card,
-            "id": place.number,
-            "file": self.deck.texts[place.file].path.name,
-            "line": place.line + 1,
-            "change": joint.change,
-            "limit": joint.limit,
-        }
+        return {**self._at(joint.place), "change": joint.change, "limit": joint.limit}
+
+    def _at(self, place: Place) -> dict[str, Any]:
+        name = self.deck.texts[place.file].path.name
+        return {"card": place.card, "id": place.number, "file": name, "line": place.line + 1}
 
     def stored_positions(self, path: Path) -> np.ndarray:
         return self.stored_deck(path).points[self.sheet.nodes]

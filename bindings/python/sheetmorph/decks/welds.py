@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far welds and fasteners are from the sheets that they join, before and after."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..kernel import load_kernel
+from .attachment import labels_of
+from .deck import Deck
+from .model import Elements, Place
+from .shells import Sheet
+
+# Sheets that a weld's point is nearer to than this, in middle edges, may be what it joins.
+_REACH, _MOST = 3.0, 2
+
+
+@dataclass(frozen=True)
+class WeldGaps:
+    """A weld: where it stands; its distances, mm, from the two nearest sheets (from one where there
+    is no other near), or between its two nodes where these are nodes of sheets."""
+
+    place: Place
+    before: tuple[float, ...]
+    after: tuple[float, ...]
+
+    @property
+    def change(self) -> float:
+        """The largest change of a distance, mm."""
+        return max(abs(b - a) for a, b in zip(self.before, self.after))
+
+
+def weld_gaps(deck: Deck, sheet: Sheet, positions: np.ndarray) -> list[WeldGaps]:
+    """All welds of a deck that have a point near a sheet, its nodes at (n, 3) positions."""
+    blocks = [block for block in deck.elements if block.kind == "weld"]
+    if not blocks or not len(sheet.triangles):
+        return []
+    is_shell = np.zeros(len(deck.ids), dtype=bool)
+    is_shell[sheet.nodes] = True
+    sheets = _Sheets(deck.points[sheet.nodes], positions[sheet.nodes], sheet.triangles)
+    found = [_gaps(deck, block, (is_shell, sheets, positions)) for block in blocks]
+    return [gaps for some in found for gaps in some]
+
+
+def _gaps(deck: Deck, block: Elements, given: tuple[Any, ...]) -> list[WeldGaps]:
+    is_shell, sheets, positions = given
+    found = []
+    index = np.where(block.nodes == 0, -1, deck.find(block.nodes))
+    for row, nodes in enumerate(index):
+        nodes = nodes[nodes >= 0]
+        points = nodes[~is_shell[nodes]]
+        if len(points):
+            before, after = sheets.gaps(deck.points[points[0]], positions[points[0]])
+        elif len(nodes) == 2:
+            before, after = (
+                (float(np.linalg.norm(at[nodes[0]] - at[nodes[1]])),)
+                for at in (deck.points, positions)
+            )
+        else:
+            continue
+        if before:
+            number = int(block.ids[row])
+            place = Place(block.name, number, block.file, int(block.lines[row]))
+            found.append(WeldGaps(place, before, after))
+    return found
+
+
+class _Sheets:
+    """The sheets of a deck that hang together, each with trees of before and after."""
+
+    def __init__(self, rest: np.ndarray, moved: np.ndarray, triangles: np.ndarray):
+        corners = rest[triangles]
+        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+        self._reach = _REACH * float(np.median(edges))
+        links = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]]]).astype(np.int64)
+        label = labels_of(len(rest), links)[triangles[:, 0]]
+        order = np.argsort(label, kind="stable")
+        _, first = np.unique(label[order], return_index=True)
+        self._pieces = [triangles[rows] for rows in np.split(order, first[1:])]
+        self._boxes = np.array(
+            [(rest[piece].min(axis=(0, 1)), rest[piece].max(axis=(0, 1))) for piece in self._pieces]
+        )
+        self._states, self._trees = (rest, moved), {}
+
+    def gaps(self, before: np.ndarray, after: np.ndarray) -> tuple[tuple[float, ...], ...]:
+        """Distances of a point from the nearest sheets, the nearest first, before and after."""
+        low, high = self._boxes[:, 0], self._boxes[:, 1]
+        away = np.linalg.norm(np.maximum(np.maximum(low - before, before - high), 0.0), axis=1)
+        near = [
+            (distance, k)
+            for k in np.flatnonzero(away <= self._reach).tolist()
+            if (distance := self._distance(0, k, before)) <= self._reach
+        ]
+        chosen = sorted(near)[:_MOST]
+        now = tuple(self._distance(1, k, after) for _, k in chosen)
+        return tuple(distance for distance, _ in chosen), now
+
+    def _distance(self, state: int, piece: int, point: np.ndarray) -> float:
+        if (state, piece) not in self._trees:
+            rows, corners = np.unique(self._pieces[piece], return_inverse=True)
+            triangles = np.ascontiguousarray(corners.reshape(-1, 3), np.int32)
+            places = np.ascontiguousarray(self._states[state][rows])
+            self._trees[state, piece] = load_kernel().PickingTree(places, triangles)
+        hit = self._trees[state, piece].nearest_point(point)
+        return float("inf") if hit is None else float(hit.distance)
