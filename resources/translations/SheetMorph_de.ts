@@ -434,6 +434,21 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_ReplaceFile</name>
+  <message>
+   <source>Replace File…</source>
+   <translation>Datei ersetzen…</translation>
+  </message>
+  <message>
+   <source>Reads the changed file of the selected part; what was picked on it is found again, and what came out different is told and selected</source>
+   <translation>Liest die geänderte Datei des gewählten Teils; was darauf gewählt war, wird wiedergefunden, und was anders ausfiel, wird gesagt und markiert</translation>
+  </message>
+  <message>
+   <source>Replace File</source>
+   <translation>Datei ersetzen</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_ResetMotion</name>
   <message>
    <source>Reset Motion</source>

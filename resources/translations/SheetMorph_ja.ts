@@ -434,6 +434,21 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_ReplaceFile</name>
+  <message>
+   <source>Replace File…</source>
+   <translation>ファイルを置き換え…</translation>
+  </message>
+  <message>
+   <source>Reads the changed file of the selected part; what was picked on it is found again, and what came out different is told and selected</source>
+   <translation>選択した部品の変更されたファイルを読み込みます。選択していた箇所は再び見つけられ、変わったものは通知され選択されます</translation>
+  </message>
+  <message>
+   <source>Replace File</source>
+   <translation>ファイルを置き換え</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_ResetMotion</name>
   <message>
    <source>Reset Motion</source>

@@ -2,14 +2,30 @@
 """What is picked keeps its sentence: on another mesh, in a macro, and typed by hand."""
 
 import json
+import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
+import Part
 from checks_drawing import ring, start, top
 from checks_macro import calls_in, macro_path, replay, start_recording, stop_recording
 from checks_picking import start_morph, view_from
-from desk import child, click_point, draw_along, enter, press, press_tool, until, view, xdotool
+from desk import (
+    WORK,
+    child,
+    click_point,
+    draw_along,
+    enter,
+    import_files,
+    picture,
+    press,
+    press_tool,
+    replace_file,
+    until,
+    view,
+    xdotool,
+)
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import selecting
 from freecad.sheetmorph.objects import model
@@ -21,6 +37,7 @@ from shapes import HOLES
 __all__ = [
     "test_a_macro_of_face_brush_rim_and_lasso_picks_is_short_and_replays_to_the_bit",
     "test_a_part_prepared_anew_by_mouse_keeps_every_region",
+    "test_a_changed_step_file_keeps_every_region_and_lights_up_what_differs",
     "test_a_selector_is_typed_in_the_panel",
 ]
 LONGEST = 2000  # characters of a macro with a pick of every kind
@@ -110,6 +127,62 @@ def test_a_part_prepared_anew_by_mouse_keeps_every_region():
         for name, area in first.items():
             assert abs(now[name] - area) <= 0.03 * max(area, 1e-9), (edge, name, area, now[name])
         assert api.preparation_of(part())["told"] == []
+
+
+def step_file(name: str, width: float, radius: float) -> str:
+    """The path of a new STEP file: a plate of 60 mm x a width x 2 mm with a hole."""
+    path = os.path.join(WORK, name)
+    shape = Part.makeBox(60, width, 2)
+    hole = Part.makeCylinder(radius, 4, App.Vector(40, 20, -1))
+    shape.cut(hole).exportStep(path)
+    return path
+
+
+def test_a_changed_step_file_keeps_every_region_and_lights_up_what_differs():
+    yield from new_document()
+    first = step_file("plate.step", 40.0, 5.0)
+    yield from import_files([first], 5.0, lambda: [o for o in found_parts() if o.ShapeData])
+    (plate,) = [o for o in found_parts() if o.ShapeData]
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(plate)
+    for x, command in ((0.0, "Mark Fixed Region…"), (60.0, "Mark Handle…")):
+        view_from(x)
+        yield from press_tool(command)
+        yield from click_point((x, 20, 1))
+        yield from press("OK")
+    top()
+    yield from press_tool("Mark Form Features…")
+    yield from click_point((40, 26.5, 2))
+    yield from press("OK")
+    marked = [r for r in model.regions(assembly()) if r.Part == plate]
+    said = [api.where(region) for region in marked]
+    assert len(marked) == 3 and all(said)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(plate)
+    yield from replace_file(step_file("changed.step", 50.0, 5.5), 5.0)
+    points = api.rest_mesh(plate)[0]
+    assert abs(np.ptp(points[:, 1]) - 50.0) < 1e-6
+    assert [api.where(region) for region in marked] == said
+    for region in marked:
+        assert api.vertices(region) == api.select(plate, api.where(region)), region.Label
+    ends = [points[api.vertices(region), 0] for region in marked[:2]]
+    assert ends[0].max() < 1e-6 and ends[1].min() > 60.0 - 1e-6
+    hole = points[api.vertices(marked[2])]
+    assert abs(np.hypot(hole[:, 0] - 40.0, hole[:, 1] - 20.0) - 5.5).max() < 0.2
+    lit = {obj.Name for obj in Gui.Selection.getSelection()}
+    assert lit == {marked[0].Name, marked[1].Name}, lit  # a rim alone covers nothing
+    picture("replaced")
+    assert App.ActiveDocument.UndoNames[0] == "Replace File"
+    App.ActiveDocument.undo()
+    App.ActiveDocument.recompute()
+    assert abs(np.ptp(api.rest_mesh(plate)[0][:, 1]) - 40.0) < 1e-6
+    assert [api.where(region) for region in marked] == said
+
+
+def found_parts() -> list:
+    """All parts of the document."""
+    morphs = [o for o in App.ActiveDocument.Objects if model.kind(o) == model.ASSEMBLY]
+    return [found for morph in morphs for found in model.parts(morph)]
 
 
 def wires_in_view() -> np.ndarray:

@@ -39,6 +39,21 @@ def import_files(files: list[str], edge: float, arrived):
         QtWidgets.QInputDialog.getDouble = length
 
 
+def replace_file(file: str, edge: float):
+    """Replace File…, its dialogs answered: the file, and the edge of a CAD file in mm."""
+    from freecad.sheetmorph.qt import QtWidgets
+
+    asked, length = QtWidgets.QFileDialog.getOpenFileName, QtWidgets.QInputDialog.getDouble
+    QtWidgets.QFileDialog.getOpenFileName = lambda *_: (file, "")
+    QtWidgets.QInputDialog.getDouble = lambda *_: (edge, True)
+    try:
+        yield from press_tool("Replace File…")
+        yield 300
+    finally:
+        QtWidgets.QFileDialog.getOpenFileName = asked
+        QtWidgets.QInputDialog.getDouble = length
+
+
 class Recorder:
     """FreeCAD's macro recording: since 1.0 the command that starts it also ends it."""
 

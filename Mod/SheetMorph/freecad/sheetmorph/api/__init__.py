@@ -110,6 +110,7 @@ from freecad.sheetmorph.api.regions import (
     vertices,
     where,
 )
+from freecad.sheetmorph.api.replacing import replace_file
 from freecad.sheetmorph.api.shapes import deformed_shape, update_shapes
 from freecad.sheetmorph.api.flat import flatten
 from freecad.sheetmorph.api.studies import (
@@ -193,6 +194,7 @@ __all__ = [
     "propose_thin",
     "remove",
     "remove_dependents",
+    "replace_file",
     "reset_motion",
     "rest_mesh",
     "results",

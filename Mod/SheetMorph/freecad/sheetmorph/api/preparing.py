@@ -46,15 +46,11 @@ def prepare(part, **cures) -> dict:
     else:
         placed = made
     told: dict[str, str] = {}
-    moved = moved_vertices(part, placed, made, told)
+    moved = moved_vertices(part, (placed, made, scale / old_scale), told)
     features = moved_features(before.features, placed, scale / old_scale)
     extras = moved_extras(part, placed)
     exchange(part, original, made, (scale, features))
-    for owner, side, vertices, where in moved:
-        if side:
-            model.set_contact_vertices(owner, side, vertices, where)
-        else:
-            model.set_vertices(owner, vertices, where)
+    keep_moved(moved)
     if extras is not None:
         assembly_of(part).Extras = extras
     done = {**made.preparation, "told": list(told.values()), "different": list(told)}
@@ -146,12 +142,13 @@ def scale_of(part) -> float:
 
 
 def moved_vertices(
-    part, placed, made, told: dict[str, str]
+    part, meshes: tuple, told: dict[str, str]
 ) -> list[tuple[Any, str, np.ndarray, str]]:
     """Return what is picked on a part on its new mesh: object, side, vertices, selector.
 
-    `made`: that mesh, in file coordinates; told: gets, by its name, a sentence on each that became
-    another one.
+    `meshes`: what finds the vertices of the old mesh on the new one, that mesh in file coordinates,
+    how many times as large it is; told: gets, by its name, a sentence on each that became another
+    one.
     Raises ValueError if something would have none left.
     """
     assembly = assembly_of(part)
@@ -161,14 +158,23 @@ def moved_vertices(
         found += [(contact, side) for side, owner in sides if owner == part]
     moved = []
     for owner, side in found:
-        vertices, where = said_again((owner, side, part), (placed, made), told)
+        vertices, where = said_again((owner, side, part), meshes, told)
         if vertices is None:
             old = model.contact_vertices(owner, side) if side else model.vertices(owner)
-            vertices, _ = placed.find(old)
+            vertices, _ = meshes[0].find(old)
         if len(vertices) == 0:
             raise ValueError(f"'{owner.Label}' has no place on the new mesh; delete it first.")
         moved.append((owner, side, vertices, where))
     return moved
+
+
+def keep_moved(moved: list) -> None:
+    """Give regions and sides of contacts what `moved_vertices` returned."""
+    for owner, side, vertices, where in moved:
+        if side:
+            model.set_contact_vertices(owner, side, vertices, where)
+        else:
+            model.set_vertices(owner, vertices, where)
 
 
 def said_again(picked: tuple, meshes: tuple, told: dict[str, str]) -> tuple[np.ndarray | None, str]:
@@ -176,7 +182,7 @@ def said_again(picked: tuple, meshes: tuple, told: dict[str, str]) -> tuple[np.n
 
     `picked`: a region, or a contact with a side, and the part.
     """
-    (owner, side, part), (placed, made) = picked, meshes
+    (owner, side, part), (placed, made, scale) = picked, meshes
     sentence = selecting.sentence_of(owner, side)
     if sentence is None:
         return None, ""
@@ -187,7 +193,6 @@ def said_again(picked: tuple, meshes: tuple, told: dict[str, str]) -> tuple[np.n
     def new_ids(ids: list) -> list:
         return placed.find(ids)[0].tolist()
 
-    scale = made.preparation["scale"] / scale_of(part)
     said = sentences.scaled(sentence, scale)
     where = sentences.with_moved_ids(said, new_ids)
     vertices, text = selecting.resolved_again(picked, kept, where, scale)

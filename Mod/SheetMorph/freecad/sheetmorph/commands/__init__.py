@@ -14,6 +14,7 @@ _TOOLBARS = {
         create.CreateMorph,
         create.AddPart,
         create.ImportPart,
+        create.ReplaceFile,
         sheets.PrepareMesh,
         sheets.ThicknessMap,
         sheets.Flatten,

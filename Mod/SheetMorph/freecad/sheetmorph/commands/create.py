@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that create a morph and bring parts into it."""
 
+import json
+
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -25,7 +27,7 @@ NEW = call("create_assembly", DOCUMENT)
 def ensure_document() -> None:
     """Makes a document if there is none."""
     if App.ActiveDocument is None:
-        actions.record("App.newDocument()")
+        actions.record("import FreeCAD as App", "App.newDocument()")
 
 
 def added(function: str, *arguments: str) -> str:
@@ -135,6 +137,36 @@ class AddPart(Command):
             "Add Part", *source_lines(name(subject.assembly()), edge)
         ):
             look_at_new(before)
+
+
+class ReplaceFile(Command):
+    """Reads another state of the file of a part."""
+
+    name = "SheetMorph_ReplaceFile"
+    text = QT_TRANSLATE_NOOP("SheetMorph_ReplaceFile", "Replace File…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_ReplaceFile",
+        "Reads the changed file of the selected part; what was picked on it is found again, and "
+        "what came out different is told and selected",
+    )
+
+    def possible(self) -> bool:
+        """With a part."""
+        return subject.part() is not None
+
+    def execute(self) -> None:
+        """Asks for the file; one undo step."""
+        part = subject.part()
+        title = translate("SheetMorph_ReplaceFile", "Replace File")
+        file, _ = QtWidgets.QFileDialog.getOpenFileName(Gui.getMainWindow(), title, "", FILTER)
+        edge = ask_edge() if file.lower().endswith(CAD) else 0.0
+        if not file or edge is None:
+            return
+        line = call("replace_file", name(part), repr(file), **meshed(edge))
+        if actions.attempt("Replace File", line, document=part.Document):
+            from freecad.sheetmorph.panels import differences
+
+            differences.tell(part.Document, json.loads(part.Differences))
 
 
 class ImportPart(Command):

@@ -50,6 +50,7 @@ class PartProxy(ObjectProxy):
         Property("LinkGlobal", "Original", "Part", "The mesh before it was prepared", mode=HIDDEN),
         Property("FileIncluded", "OriginalData", "Part", "Its positions in double", mode=HIDDEN),
         Property("String", "Preparation", "Part", "What was done to the mesh", "", HIDDEN),
+        Property("String", "Differences", "Part", "What another file changed", "{}", HIDDEN),
         Property("FileIncluded", "FileData", "Part", "The file as it was read", mode=HIDDEN),
         Property("FileIncluded", "ShapeData", "Part", "The CAD shape that was meshed", mode=HIDDEN),
         Property("LinkHidden", "Deck", "Part", "The deck that it is in", mode=READ_ONLY),

@@ -3,7 +3,6 @@
 
 import html
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, api
@@ -11,6 +10,7 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.bridge import seen, units
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import differences
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.qt import translate
 from freecad.sheetmorph.scene.highlight import PartLight
@@ -77,18 +77,8 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        self._tell_differences()
+        differences.tell(self._part.Document, api.preparation_of(self._part))
         return True
-
-    def _tell_differences(self) -> None:
-        """Says which regions mean something else on the new mesh, and lights them up."""
-        done = api.preparation_of(self._part)
-        for text in done.get("told", ()):
-            App.Console.PrintWarning(f"SheetMorph: {text}\n")
-        if done.get("different"):
-            Gui.Selection.clearSelection()
-        for region in done.get("different", ()):
-            Gui.Selection.addSelection(self._part.Document.getObject(region))
 
     def _show_part(self) -> None:
         """Which one it is, where there are others: tinted, and brought into view."""

@@ -22,6 +22,7 @@ MODULES = tuple(
         "thin",
         "steel",
         "preparing",
+        "replacing",
         "files",
         "decks",
         "cad",

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A part in place of which its file, changed since, is read again; what was picked stays picked."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+from freecad.sheetmorph import reporting
+from freecad.sheetmorph.api import preparing
+from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.bridge.rest import read_kept, read_original, write_rest_data
+from freecad.sheetmorph.bridge.shapes import keep_shape
+from freecad.sheetmorph.objects import assembly_of, model
+from freecad.sheetmorph.objects.assembly import follow_group
+
+
+def replace_file(part, path: str | os.PathLike, mesh: dict | None = None) -> dict:
+    """Let a part rest on a file, another state of the one it came from, and return what is told.
+
+    `mesh`: how finely a CAD file is meshed, as for `import_cad`; of its solids the one called as
+    the part, or the only one. A part that was prepared is prepared again in the same way. Regions
+    and sides of contacts that say what they are, are resolved on the new mesh, vertices alone go
+    to the nearest places. Returns `told`, a sentence for each that became another one by more than
+    3 % of its area or had only its vertices, and `different`, their names. Raises ValueError,
+    OSError; then nothing has changed.
+    """
+    preparing.checked(part)
+    if getattr(part, "Deck", None) is not None:
+        raise ValueError(f"'{part.Label}' is a part of a deck; import the changed deck anew.")
+    read = Read(part, Path(path), mesh)
+    original, before = read_original(part), read_kept(part)
+    made, scale = prepared_again(part, read.mesh)
+    old = preparing.package_mesh(before.points, before.triangles)
+    placed = preparing.prepared_module().placed_on(kernel.core(), made, old)
+    told: dict[str, str] = {}
+    moved = preparing.moved_vertices(part, (placed, made, 1.0), told)
+    tell_guessed(part, moved, told)
+    extras = preparing.moved_extras(part, placed)
+    exchange(part, original, read, (made, scale))
+    preparing.keep_moved(moved)
+    if extras is not None:
+        assembly_of(part).Extras = extras
+    found = {"told": list(told.values()), "different": list(told)}
+    part.Differences = json.dumps(found)
+    return found
+
+
+class Read:
+    """The mesh, the exact features and the shape of a part in a file. Raises ValueError."""
+
+    def __init__(self, part, path: Path, mesh: dict | None):
+        package = kernel.load()
+        self.path, self.model, self.number = path, None, 0
+        self.features: list[dict] = []
+        is_cad = package.files.is_cad(path)
+        if is_cad and part.FileData or part.ShapeData and not is_cad:
+            wanted = "mesh" if is_cad else "CAD"
+            raise ValueError(f"'{part.Label}' is of a {wanted} file; choose another state of that.")
+        if not is_cad:
+            self.mesh = package.read_part(path).mesh.with_indices()
+        else:
+            file = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
+            cad_file = package.files.cad_file
+            meshes = cad_file.part_meshes(file.model)
+            self.model, self.number = file.model, solid_like(part, meshes, path)
+            self.mesh = meshes[self.number]
+            self.features = cad_file.exact_features(file.model.parts[self.number])
+        if len(self.mesh.triangles) == 0:
+            raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
+
+
+def solid_like(part, meshes: list, path: Path) -> int:
+    """Return which of the solids of a file a part is: the one of its name, or the only one."""
+    names = [mesh.name for mesh in meshes]
+    if len(names) == 1:
+        return 0
+    if names.count(part.Label) != 1:
+        shown = ", ".join(f'"{name}"' for name in names[:8])
+        raise ValueError(
+            f"{path.name} has {len(names)} solids and no single one called '{part.Label}': give "
+            f"the part the name of one of them, {shown}."
+        )
+    return names.index(part.Label)
+
+
+def prepared_again(part, mesh) -> tuple:
+    """Return a mesh after the cures that a part had, as `preparing.preparation`, and its scale."""
+    done = preparing.preparation_of(part)
+    if not done:
+        return mesh, 1.0
+    remesh = done["remesh"] or {}
+    cures = {"weld": done["weld"], "edge": remesh.get("edge"), "scale": done["scale"]}
+    wanted = preparing.wanted_of({**cures, "rims": remesh.get("rims", "polygon")})
+    told = reporting.progress()
+    made, _ = preparing.prepared_module().prepared_mesh(kernel.core(), mesh, wanted, told)
+    return made, done["scale"]
+
+
+def tell_guessed(part, moved: list, told: dict[str, str]) -> None:
+    """Tell of what has vertices alone: another state of the file has none for them."""
+    for owner, _, vertices, where in moved:
+        if not where and owner.Name not in told:
+            told[owner.Name] = (
+                f"'{owner.Label}' knew its vertices alone: it has the {len(vertices)} nearest "
+                f"ones of '{part.Label}' now."
+            )
+
+
+def exchange(part, original, read: Read, prepared: tuple) -> None:
+    """Let a part rest on what was read from a file, and on what was prepared of that."""
+    made, scale = prepared
+    is_prepared = bool(part.Preparation)
+    gone = [obj for obj in (part.Source, part.Original) if obj is not None and is_ours(part, obj)]
+    first = added_source(part, original.frame, read.mesh, 1.0)
+    first.Label = f"{part.Label} at rest"
+    with conversion.temporary_folder() as folder:
+        stored = os.path.join(folder, "rest.npz")
+        write_rest_data(stored, read.mesh, conversion.near_origin(read.mesh.points), read.features)
+        if is_prepared:
+            part.OriginalData = stored
+        else:
+            part.RestData = stored
+    part.Original = first if is_prepared else None
+    part.Source = first
+    if is_prepared:
+        part.Source = added_source(part, original.frame, made, scale)
+        part.Source.Label = f"{part.Label} prepared"
+        features = preparing.moved_features(read.features, made, scale)
+        with conversion.temporary_folder() as folder:
+            stored = os.path.join(folder, "rest.npz")
+            origin = conversion.near_origin(made.points)
+            write_rest_data(stored, made.with_indices(), origin, features)
+            part.RestData = stored
+        part.Preparation = json.dumps(made.preparation)
+    keep_file(part, read)
+    for obj in gone:
+        part.Document.removeObject(obj.Name)
+    part.Mesh = conversion.copy_at(part.Source.Mesh, conversion.result_placement(part))
+    follow_group(assembly_of(part))
+
+
+def is_ours(part, source) -> bool:
+    """Whether a mesh at rest was made for a part alone, by an import or by *Prepare Mesh*."""
+    was_imported = bool(part.OriginalData if part.Original is not None else part.RestData)
+    is_made = was_imported or source != (part.Original or part.Source)
+    others = [p for p in model.parts(assembly_of(part)) if p != part]
+    return is_made and all(source not in (p.Source, p.Original) for p in others)
+
+
+def added_source(part, frame, mesh, scale: float):
+    """Return a new hidden mesh at rest, standing where the part does."""
+    origin = conversion.near_origin(mesh.points)
+    source = part.Document.addObject("Mesh::Feature", "Rest")
+    placement = conversion.scaled_placement(frame, scale, origin)
+    source.Mesh = conversion.MeshWriter(mesh.triangles).mesh(mesh.points - origin, placement)
+    source.Visibility = False
+    return source
+
+
+def keep_file(part, read: Read) -> None:
+    """Keep the file, or the shape, that a part is of now."""
+    if read.model is not None:
+        keep_shape(part, read.model, read.number)
+    else:
+        part.FileName, part.FileData = read.path.name, str(read.path.absolute())
