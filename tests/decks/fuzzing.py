@@ -43,6 +43,7 @@ TOKENS = (
     *(b"*NODE\n", b"GRID    ", b"*INCLUDE\n", b"/NODE\n", b"BEGIN BULK\n", b"$Nodes\n", b"0"),
     *(b"\0", b"\xff", b"*END\n", b"CORD1R,1,1,1,1\n", b"=,*1,=\n", b" " * 9, b"\xef\xbb\xbf"),
     *(b"<loc>", b"</loc>", b"<!--", b"&#0;", b"<![CDATA[", b'"', b"'", b";", b"-1", b"1.5-3"),
+    *(b"//SUBMODEL/1\n", b"//ENDSUB\n"),
     *(b"INCLUDE 'x'\n", b"#include x\n", b"*INSTANCE,NAME=A,PART=B\n", b"*SYSTEM\n", b"WSPOT,"),
 )
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from deck_samples import ABAQUS, CALCULIX, DYNA, GMSH, NASTRAN, RADIOSS, deck_samples
-from sheetmorph import FileError
+from sheetmorph import FileError, read_part
 from sheetmorph.cli import main
 from sheetmorph.decks import Deck, read_deck, sheet_of
 from sheetmorph.decks.contents import shells_of
@@ -308,3 +308,9 @@ def test_the_shells_of_a_deck_are_listed_by_property():
         "two.msh": ["PID 1 · no thickness", "PID 2 · no thickness"],
     }
     assert [one.elements for one in found["deck.k"]] == [2]
+
+
+def test_a_med_file_is_refused_in_words_with_a_way_round(tmp_path: Path):
+    (tmp_path / "part.med").write_bytes(b"\x89HDF")
+    with pytest.raises(FileError, match="a MED file, .*gmsh -0 -format msh22"):
+        read_part(tmp_path / "part.med")

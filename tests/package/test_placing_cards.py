@@ -31,8 +31,7 @@ ONE = (b"1.0", b"1.0", b"1.0")
 PLACED = {
     "tra.rad": (radioss(b"/TRANSFORM/TRA/1\nshift\n         4                   5\n"),
                 "/TRANSFORM/TRA/1"),
-    "sub.rad": (radioss(b"//SUBMODEL/3\nsub\n       100\n//ENDSUB\n"), "/SUBMODEL/3"),
-    "offset.rad": (radioss(b"//SUBMODEL/3\nsub\n         0       100\n//ENDSUB\n"), "/SUBMODEL/3"),
+    "sub.rad": (radioss(b"//SUBMODEL/3/7\nsub\n         0\n//ENDSUB\n"), "/SUBMODEL/3/7"),
     "node.k": (dyna(b"*NODE_TRANSFORM\n         1         4\n"), r"\*NODE_TRANSFORM"),
     "merge.k": (dyna(b"*NODE_MERGE_SET\n         4\n"), r"\*NODE_MERGE_SET"),
     "first.k": (included(0, ONE, 1), r"\*INCLUDE_TRANSFORM"),

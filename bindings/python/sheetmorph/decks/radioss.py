@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,8 @@ from .deck import Deck
 from .includes import Included
 from .model import Elements, NamedSet, Opener, Place, Raw
 from .numbers import parse_integer, parse_real
-from .placing import note_placing, remember_placing
+from .placing import note_placing
+from .radioss_submodels import Shift, Submodels, shifted
 
 SUFFIXES = (".rad",)
 # Elements: what they are, in which column of 10 their first node stands, how many there are.
@@ -57,6 +59,7 @@ class _Reader:
         self._part_property: dict[int, int] = {}
         self._thickness: dict[int, float] = {}
         self._parameters: dict[str, float] = {}
+        self._shift = Shift()
 
     def read(self) -> Deck:
         self._file(self._included.first(self._path))
@@ -82,7 +85,9 @@ class _Reader:
         first = np.zeros(len(text), np.uint8)
         filled = text.ends > text.begins
         first[filled] = text.codes[text.begins[filled]]
-        is_include = self._includes(file, first)
+        outer = self._shift
+        submodels = Submodels(self.raw, file, outer)
+        is_include = self._includes(file, submodels)
         heads = np.flatnonzero(first == ord("/"))
         # Lines with // are comments, but for those around a submodel.
         heads = heads[[_is_head(text.line(k)) for k in heads.tolist()]]
@@ -92,8 +97,10 @@ class _Reader:
         for line, end in zip(heads.tolist(), [*heads[1:].tolist(), len(text)]):
             words = text.line(line).strip().lstrip("/").split("/")
             rows = np.flatnonzero(is_card[line + 1 : end]) + line + 1
+            self._shift = submodels.at(line)
             if self._block(file, [word.strip().upper() for word in words], (line, rows)):
                 break
+        self._shift = outer
         self._included.leave()
 
     def _require_whole(self, file: int, first: np.ndarray, end: int) -> None:
@@ -104,13 +111,14 @@ class _Reader:
                 what = "this include goes on with a block that begins outside of it"
                 raise self.raw.error((file, line), what, "put whole blocks into the include")
 
-    def _includes(self, file: int, first: np.ndarray) -> np.ndarray:
+    def _includes(self, file: int, submodels: Submodels) -> np.ndarray:
         text = self.raw.texts[file]
         found = np.zeros(len(text), dtype=bool)
         for mark in text.matches(rb"^#include[ \t]+([^\r\n]+)"):
             line = text.line_of(mark.start())
             found[line] = True
             name = mark.group(1).decode("latin-1").strip()
+            self._shift = submodels.at(line)
             self._file(self._included.add(name, (file, line)))
         return found
 
@@ -127,31 +135,24 @@ class _Reader:
             self._nodes(file, at)
         elif name in _ELEMENTS and len(words) > 1:
             self._elements(file, name, (number, rows))
-        elif name == "SUBMODEL":
-            self._submodel(file, words, at)
         elif note_placing(self.raw, "/".join(words), (file, line)):
             pass
         elif name == "RBODY" and len(rows) > 1:
             self._body(file, words, (line, rows))
         elif name == "GRNOD" and words[1:2] == ["NODE"]:
-            self._groups[number] = self._numbers(file, rows[1:])
+            nodes = np.array(self._numbers(file, rows[1:]), dtype=np.int64)
+            self._groups[number + self._shift.other] = shifted(nodes, self._shift.node).tolist()
         elif name == "PART" and len(rows) > 1:
-            self._part_property[number] = self._numbers(file, rows[1:2])[0]
+            number += self._shift.part
+            self._part_property[number] = self._numbers(file, rows[1:2])[0] + self._shift.property
             self.raw.names[number] = self.raw.texts[file].line(int(rows[0])).strip()
         elif name == "PROP" and words[1:2] in (["SHELL"], ["TYPE1"]) and len(rows) > 3:
             fields = self._fields(file, int(rows[3]), (10, 10, 20))
-            self._thickness[number] = parse_real(fields[2]) or 0.0
+            self._thickness[number + self._shift.property] = parse_real(fields[2]) or 0.0
         for key, reason in _STALE.items():
             if "/".join(words).startswith(key):
                 self.raw.stale.append(Place(f"/{'/'.join(words)}", number, file, line, reason))
         return False
-
-    def _submodel(self, file: int, words: list[str], at: tuple[int, np.ndarray]) -> None:
-        """A submodel that may shift ids: behind its title, the offset of all, and of each kind."""
-        line, rows = at
-        shifts = [k for k in rows.tolist() if k > line + 1]
-        if any(number for k in shifts[:1] for number in self._numbers(file, np.array([k]))):
-            remember_placing(self.raw, "/".join(["", *words]), (file, line))
 
     def _version(self, file: int, line: int) -> None:
         version = parse_integer(self._fields(file, line, (10,))[0]) or 0
@@ -181,7 +182,8 @@ class _Reader:
         self._require_no_parameters(file, rows, "/NODE")
         text = self.raw.texts[file]
         cut = Cut(self.raw, file, rows, text.ends, "/NODE")
-        self.raw.blocks.append(cut.nodes(10, 20))
+        block = cut.nodes(10, 20)
+        self.raw.blocks.append(replace(block, ids=shifted(block.ids, self._shift.node)))
 
     def _require_no_parameters(self, file: int, rows: np.ndarray, card: str) -> None:
         text = self.raw.texts[file]
@@ -213,18 +215,21 @@ class _Reader:
             heads = rows
             nodes = Cut(self.raw, file, rows, text.ends, card).table(10, 10, count)
         ids = small(Cut(self.raw, file, heads, text.ends, card).integers(0, 10))
-        parts = np.full(len(ids), part, ids.dtype)
+        ids = shifted(ids, self._shift.element)
+        parts = np.full(len(ids), part + self._shift.part, ids.dtype)
+        nodes = shifted(np.maximum(nodes, 0), self._shift.node)
         self.raw.elements.append(
-            Elements(f"/{name}", kind, ids, parts, np.maximum(nodes, 0), file,
-                     heads.astype(np.int32))
-        )  # fmt: skip
+            Elements(f"/{name}", kind, ids, parts, nodes, file, heads.astype(np.int32))
+        )
 
     def _body(self, file: int, words: list[str], at: tuple[int, np.ndarray]) -> None:
         line, rows = at
         fields = self._fields(file, int(rows[1]), (10,) * 5)
         number = parse_integer(words[1]) or 0 if len(words) > 1 else 0
         lead, group = parse_integer(fields[0]) or 0, parse_integer(fields[4]) or 0
-        self._bodies.append((number, lead, group, file, line))
+        shift = self._shift
+        lead += shift.node if lead else 0
+        self._bodies.append((number + shift.other, lead, group + shift.other, file, line))
 
 
 def _is_head(shown: str) -> bool:

@@ -17,7 +17,7 @@ _MESHES = (
     *(".3ds", ".3mf", ".amf", ".blend", ".ctm", ".dae", ".fbx", ".glb", ".gltf", ".iv", ".lwo"),
     *(".pcd", ".usd", ".usdz", ".wrl", ".x3d", ".xyz"),
 )
-_DECKS = (*(".ans", ".cas", ".cdb", ".e", ".exo", ".med", ".op2", ".unv", ".xdmf"),)
+_DECKS = (*(".ans", ".cas", ".cdb", ".e", ".exo", ".op2", ".unv", ".xdmf"),)
 _PACKED = (".7z", ".bz2", ".rar", ".tar", ".tgz", ".xz", ".zip", ".zst")
 _DRAWINGS = (".dwg", ".dxf", ".pdf", ".svg")
 
@@ -29,6 +29,11 @@ _WAYS = (
         _DECKS,
         "a deck or result of another solver",
         "write Nastran bulk data from its pre-processor, or try `meshio convert FILE part.vtu`",
+    ),
+    (
+        (".med", ".rmed", ".mmed"),
+        "a MED file, which libmedc writes anew as a whole and not in its own bytes",
+        "make a mesh of Gmsh of it: `gmsh -0 -format msh22 -o part.msh FILE`",
     ),
     (_PACKED, "an archive", "unpack it first; of packed files only .gz is read"),
     (_DRAWINGS, "a drawing", "make a solid or a sheet of it in CAD and export STEP"),

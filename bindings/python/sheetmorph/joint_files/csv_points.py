@@ -66,8 +66,9 @@ def read_csv(path: Path, data: bytes) -> JointFile:
         raise file.error(None, "it is empty", "export it again")
     axes, others = _columns(file, head)
     count = len(head.fields)
+    needed = 1 + max(*axes, *(others.get(key, 0) for key in ("id", "kind")))
     for line in rows:
-        if len(line.fields) < max(axes) + 1:
+        if len(line.fields) < needed:
             raise file.error(line.number, f"{len(line.fields)} columns, the first line has {count}")
         name = _shown(data, line.fields[others["id"]]) if "id" in others else str(line.number + 1)
         kind = _shown(data, line.fields[others["kind"]]) if "kind" in others else ""
