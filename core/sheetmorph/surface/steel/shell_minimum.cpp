@@ -117,7 +117,7 @@ public:
 
     Convergence run(int most_rounds, const Progress& progress)
     {
-        Convergence found{"the shape of the sheet", false, 0, 0.0};
+        Convergence found{"the positions of the sheet", false, 0, 0.0};
         stresses_ = shell_.no_stresses();
         energies_ = {merit()};
         for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)

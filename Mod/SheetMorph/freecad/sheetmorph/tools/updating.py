@@ -5,7 +5,7 @@ from __future__ import annotations
 
 AUTOMATIC, WHILE_CHANGING, ON_PAUSE, ON_OK = range(4)
 BUDGET = 0.05  # seconds a commit may take to be done at every change
-PAUSE = 0.35  # seconds without a change that count as a pause
+PAUSE = 0.3  # seconds without a change that count as a pause
 
 
 class Updating:
