@@ -5,15 +5,20 @@ Undo, redo, deletion of what it is about, closing of the document, `closeDialog(
 other workbenches, a spreadsheet on top, other views: under every panel there is.
 """
 
+import pathlib
+import re
+
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import clear_report_view, press, until
+from desk import clear_report_view, panel, press, until
+from freecad.sheetmorph import panels
 from hostile_acts import DELETIONS, DESTRUCTIVE, GENTLE, STEPS, undo_and_redo
 from hostile_panels import PANELS, is_shown, prepared
 from hostile_traces import Traces, left, motions
 from PySide import QtGui
 
-__all__ = []
+__all__ = ["test_every_panel_is_among_those_that_suffer"]
+OWN_WIDGETS = r"super\(\)\.__init__\(\w+(?:\(\))?, \"(\w+)\","
 
 
 def survive(name: str, acts):
@@ -45,6 +50,21 @@ def survive(name: str, acts):
         faults += [f"{act.__name__}: {fault}" for fault in left(traces, motions_before)]
         clear_report_view()
     assert not faults, "\n".join(faults)
+
+
+def test_every_panel_is_among_those_that_suffer():
+    """Opened one after the other; the texts of the panels say how many kinds there are."""
+    yield from prepared()
+    texts = [text.read_text("utf-8") for text in pathlib.Path(panels.__file__).parent.glob("*.py")]
+    kinds = {kind for text in texts for kind in re.findall(OWN_WIDGETS, text)}
+    opened = set()
+    for opener, _, _ in PANELS.values():
+        opener()
+        yield from until(is_shown, "a panel")
+        opened.add(panel().objectName())
+        Gui.Control.closeDialog()
+        yield 60
+    assert opened == kinds and len(kinds) > 8, opened ^ kinds
 
 
 def needs_new() -> bool:

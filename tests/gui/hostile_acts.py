@@ -5,7 +5,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from desk import until
 from PySide import QtCore, QtGui
-from scenes import contacts, part, regions
+from freecad.sheetmorph import api
+from scenes import assembly, contacts, part, regions
 
 
 def undo(_subject):
@@ -76,6 +77,16 @@ def delete_contact(_subject):
     yield 200
 
 
+def delete_feature(_subject):
+    delete(regions("form feature")[0])
+    yield 200
+
+
+def delete_pose(_subject):
+    delete(api.poses(assembly())[0])
+    yield 200
+
+
 def delete_in_python(subject):
     App.ActiveDocument.removeObject(subject.Name)
     yield 100
@@ -94,6 +105,14 @@ def close_dialog(_subject):
 def another_command(_subject):
     Gui.runCommand("Std_Part")
     yield 60
+
+
+def our_commands(_subject):
+    """Those that open no panel and ask for nothing; an open panel has the document for itself."""
+    for command in ("Flatten", "ResetMotion", "SavePose", "CopyInPose", "SetPrimary"):
+        Gui.runCommand(f"SheetMorph_{command}")
+        yield 20
+    yield 40
 
 
 def another_document(_subject):
@@ -136,6 +155,19 @@ def second_view(_subject):
     yield 150
 
 
+def split_view(_subject):
+    """Two views beside each other, each taller than wide, and one again."""
+    mdi = Gui.getMainWindow().findChild(QtGui.QMdiArea)
+    Gui.runCommand("Std_ViewCreate")
+    yield 100
+    mdi.tileSubWindows()
+    yield 150
+    close_active_window()
+    yield 50
+    mdi.activeSubWindow().showMaximized()
+    yield 150
+
+
 def first_view_closed(_subject):
     """The view the panel works in is closed, another one of the document stays."""
     mdi = Gui.getMainWindow().findChild(QtGui.QMdiArea)
@@ -158,9 +190,11 @@ GENTLE = (
     another_workbench,
     tall_view,
     second_view,
+    split_view,
     first_view_closed,
     spreadsheet,
     another_command,
+    our_commands,
 )
 STEPS = (undo, undo_all, undo_all_at_once, undo_and_redo, close_document)
 DELETIONS = (
@@ -169,6 +203,8 @@ DELETIONS = (
     delete_fixed,
     delete_handle,
     delete_contact,
+    delete_feature,
+    delete_pose,
     delete_in_python,
 )
 DESTRUCTIVE = STEPS + DELETIONS

@@ -111,6 +111,12 @@ def nothing() -> None:
 # What it is about is deleted as "subject".
 PANELS = {
     "fixed": (lambda: open_by("MarkFixed", part()), pick_all, part),
+    "handle": (
+        lambda: open_by("MarkHandle", labelled("loose")),
+        pick_all,
+        lambda: labelled("loose"),
+    ),
+    "follower": (lambda: open_by("MarkFollower", part()), pick_all, part),
     "features": (lambda: open_by("MarkFeature", part()), pick_all, part),
     "region": (lambda: edit(regions("fixed")[0]), nothing, lambda: regions("fixed")[0]),
     "contact": (
@@ -142,6 +148,11 @@ PANELS = {
         lambda: open_by("Propagation"),
         lambda: press_button("meshes"),
         lambda: contacts()[0],
+    ),
+    "loose_pieces": (
+        lambda: open_by("Propagation"),
+        lambda: panel().findChild(QtGui.QComboBox, "unheld").setCurrentIndex(1),
+        lambda: labelled("loose"),
     ),
     "thickness": (lambda: open_by("ThicknessMap", part()), nothing, part),
     "guide": (lambda: open_by("Guide"), nothing, part),
