@@ -8,8 +8,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from desk import WORK, report_view
 from freecad.sheetmorph import generations
-from freecad.sheetmorph.api.poses import motion_of
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.region import motion_of
 from pivy import coin
 from PySide import QtGui
 from scenes import regions

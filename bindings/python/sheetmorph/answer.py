@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .preprocessed import Preprocessed
+from .recipe.pose import Pose
 from .results import ContactResult, FeatureResult
 
 
@@ -29,7 +30,7 @@ class Answer:
     features: list[FeatureResult]
     contacts: list[ContactResult]
     spread: float
-    pose: dict[str, Any]
+    pose: Pose
     deformed: Any
     lumps: list[FeatureResult] = field(default_factory=list)
     previews: tuple[str, ...] = ()

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from typing import Any
 
+from .recipe.pose import Pose
 from .session import Drag, Result, Session
 
 
@@ -23,7 +23,7 @@ class LiveFrames:
         """What the learning of the present drag has failed with, empty if it has not."""
         return "" if self._drag is None else self._drag.failure
 
-    def deform(self, pose: dict[str, Any], moved: Collection[str]) -> Result:
+    def deform(self, pose: Pose, moved: Collection[str]) -> Result:
         """All parts in a pose; `moved`: names of what differs from one frame to the next.
 
         Raises RecipeError.

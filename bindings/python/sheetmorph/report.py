@@ -18,6 +18,7 @@ from .answer import Answer
 from .certificate import edge_error, tolerance
 from .notes import notes_of, shape_notes
 from .recipe.feature_entries import SymmetryEntry
+from .recipe.pose import entries_of
 from .regions_report import region_entries
 from .results import FeatureResult
 from .shape_report import WrittenShapes, kink_notes, shape_failures, shape_report
@@ -82,7 +83,7 @@ def make_report(
         **{"energy": session.model.energy, "operator": session.model.operator},
         **{"primary": session.model.primary, "refine": session.model.refine},
         "symmetry": _symmetry(session.model.symmetry),
-        **{"pose": result.pose, "size": session.size, "tolerance": tol},
+        **{"pose": entries_of(result.pose), "size": session.size, "tolerance": tol},
         "certificate": {"passed": not failures, "failures": failures},
         "features": features,
         **{"decks": beside.decks, "joint_files": beside.joint_files},

@@ -15,6 +15,7 @@ from .pictures import scene_of_answer
 from .preprocessed import Preprocessed
 from .progress import Progress
 from .recipe import check_pose
+from .recipe.pose import Pose
 from .report import make_report
 from .results import ContactResult, FeatureResult
 from .translation import Numbers, kernel_faults
@@ -59,7 +60,7 @@ class Session(Preprocessed):
 
     def deform(
         self,
-        pose: dict[str, Any] | None = None,
+        pose: Pose | None = None,
         exact: bool = True,
         progress: Progress | None = None,
     ) -> Result:
@@ -69,17 +70,17 @@ class Session(Preprocessed):
         progress(fraction, task) may return False to cancel (RuntimeError). Raises RecipeError.
         """
         wanted = self._recipe_pose if pose is None else pose
-        motions = check_pose(self._model, wanted)
+        moved = check_pose(self._model, wanted)
         with kernel_faults(self._core):
-            deformed = self._kernel.deform(self._translator.pose(motions), exact, progress)
+            deformed = self._kernel.deform(self._translator.pose(moved), exact, progress)
         return self._result(deformed, wanted)
 
-    def pose_numbers(self, pose: dict[str, Any]) -> Numbers:
+    def pose_numbers(self, pose: Pose) -> Numbers:
         """What a pose tells the kernel, in numbers that are closed forms of its entries."""
         return self._translator.numbers(check_pose(self._model, pose))
 
     def position_rates(
-        self, pose: dict[str, Any], directions: Sequence[Numbers]
+        self, pose: Pose, directions: Sequence[Numbers]
     ) -> list[dict[str, np.ndarray]]:
         """How exact positions (n, 3) change along directions of pose_numbers(), by part.
 
@@ -93,7 +94,7 @@ class Session(Preprocessed):
             found = self._kernel.rates(told, rates)
         return [dict(zip(self.parts, of_parts)) for of_parts in found]
 
-    def begin_drag(self, handles: list[str], pose: dict[str, Any] | None = None) -> Drag:
+    def begin_drag(self, handles: list[str], pose: Pose | None = None) -> Drag:
         """Live frames while the named handles move, the others staying as in `pose`.
 
         Raises RecipeError for a name that is no handle.
@@ -103,13 +104,13 @@ class Session(Preprocessed):
         with kernel_faults(self._core):
             return Drag(self, self._kernel.begin_drag(handles, start))
 
-    def dragged(self, kernel_drag: Any, pose: dict[str, Any]) -> Result:
+    def dragged(self, kernel_drag: Any, pose: Pose) -> Result:
         """What Drag.deform() answers."""
-        motions = check_pose(self._model, pose)
+        moved = check_pose(self._model, pose)
         with kernel_faults(self._core):
-            return self._result(kernel_drag.frame(self._translator.pose(motions)), pose)
+            return self._result(kernel_drag.frame(self._translator.pose(moved)), pose)
 
-    def _result(self, deformed: Any, wanted: dict[str, Any]) -> Result:
+    def _result(self, deformed: Any, wanted: Pose) -> Result:
         features = self._features(deformed.features)
         solids = [self.thin_solid(part) for part in self.parts]
         lumps = sum(len(solid.lumps) for solid in solids if solid is not None)
@@ -183,7 +184,7 @@ class Drag:
         """Return when the background work is done; raises what it failed with."""
         self._drag.wait()
 
-    def deform(self, pose: dict[str, Any]) -> Result:
+    def deform(self, pose: Pose) -> Result:
         """All parts in a pose, from rest. Raises RecipeError.
 
         Memory of results that nobody holds any more is used again.

@@ -13,12 +13,14 @@ import numpy as np
 
 from .errors import Fault, RecipeError
 from .part_mesh import PartMesh
-from .recipe.model import ContactEntry, Model, Motion, PartEntry, RegionEntry, Rotation
+from .recipe.model import ContactEntry, Model, PartEntry, RegionEntry
+from .recipe.pose import Moved, PoseEntry, Rotation
 
 Numbers = dict[tuple[str, str], np.ndarray]
 
 _NO_TURN = (0.0, 0.0, 0.0)
 _UPWARDS = (0.0, 0.0, 1.0)
+_AS_TOLD = PoseEntry()
 
 
 class Translator:
@@ -124,21 +126,21 @@ class Translator:
         place = self._on_mesh(entry)
         return self._core.PointConstraint(entry.name, part, *place, turned, is_free)
 
-    def pose(self, motions: Mapping[str, Motion]) -> Any:
-        """The kernel's Pose; what the motions leave out keeps the recipe's own values."""
-        return self._told(self._core.Pose(), self.numbers(motions))
+    def pose(self, pose: Mapping[str, Moved]) -> Any:
+        """The kernel's Pose; what it leaves out keeps the recipe's own values."""
+        return self._told(self._core.Pose(), self.numbers(pose))
 
     def pose_rate(self, numbers: Numbers) -> Any:
         """The kernel's PoseRate; numbers: how those of the pose change."""
         return self._told(self._core.PoseRate(), numbers)
 
-    def numbers(self, motions: Mapping[str, Motion]) -> Numbers:
+    def numbers(self, pose: Mapping[str, Moved]) -> Numbers:
         """What a pose tells the kernel, by (kind, name): of a handle translation, rotation log and
         pivot (9,), of a point its place and rotation log (6,), of a feature its rotation log (3,)
         or its size (1,); mm, radians."""
         found: Numbers = {}
         for entry in self._model.regions:
-            motion = motions.get(entry.name, Motion(entry.where))
+            motion = pose.get(entry.name, _AS_TOLD)
             if entry.kind == "handle":
                 found |= self._of_handle(entry, motion)
             elif entry.kind == "feature":
@@ -154,7 +156,7 @@ class Translator:
                 found["point", entry.name] = np.concatenate([place, log])
         return found
 
-    def _of_handle(self, entry: RegionEntry, motion: Motion) -> Numbers:
+    def _of_handle(self, entry: RegionEntry, motion: Moved) -> Numbers:
         place = self._places[entry.name]
         pivot = motion.pivot or entry.pivot or tuple(place)
         told = motion.translation or _NO_TURN, self._log(motion.rotation), pivot

@@ -11,7 +11,8 @@ import numpy as np
 
 from ..answer import Answer
 from ..part_mesh import PartMesh
-from ..recipe.model import Model, Motion, RegionEntry, motions_of
+from ..recipe.model import Model, RegionEntry
+from ..recipe.pose import Moved, pose_of
 from .scene import ROLES, SHEET, Arrow, Scene, Sheet
 
 _ROLE_OF = {
@@ -59,7 +60,7 @@ def scene_of_answer(result: Answer, title: str = "") -> Scene:
 def before_and_after(result: Answer) -> tuple[Scene, Scene]:
     """What the recipe means, and the parts in the pose, seen from one place at one scale."""
     session = result.session
-    model = replace(session.model, pose=motions_of(result.pose))
+    model = replace(session.model, pose=pose_of(result.pose))
     before = scene_of_recipe(model, session.meshes, "before")
     after = scene_of_answer(result, "after")
     seen = [_corners(scene) for scene in (before, after)]
@@ -126,7 +127,7 @@ def _vertices(mesh: PartMesh, region: RegionEntry) -> np.ndarray:
 
 
 def _arrows(
-    model: Model, meshes: Mapping[str, PartMesh], motions: Mapping[str, Motion]
+    model: Model, meshes: Mapping[str, PartMesh], motions: Mapping[str, Moved]
 ) -> list[Arrow]:
     """Where every handle goes; an axis where it turns."""
     points = np.concatenate([mesh.points for mesh in meshes.values()])

@@ -17,8 +17,9 @@ from ..selecting.resolving import has_selectors, resolved
 from .auto import asked_sections, filled, in_file_ids, search, without_auto
 from .checks import Known, mesh_faults, meaning_faults, pose_meaning_faults
 from .found import Found, Resolved
-from .model import Model, Motion, model_of, motions_of
+from .model import Model, model_of
 from .parts import Parts, parts_of_meshes, read_parts
+from .pose import Moved, pose_of
 from .reading import named_in, read_json
 from .structure import faults_against, pose_faults, schema, structural_faults, where_faults
 from .unavailable import take_out
@@ -111,17 +112,20 @@ def check_with_meshes(
     return replace(whole, found=found.for_report(asked))
 
 
-def check_pose(model: Model, pose: Any) -> dict[str, Motion]:
-    """The entries of a pose (what stands under "pose" in a recipe). Raises RecipeError."""
-    _require_shallow(pose)
-    available, faults = take_out({"pose": pose})
-    rest = available["pose"]
-    faults += pose_faults(rest)
-    if not faults:
-        faults += pose_meaning_faults(model, motions_of(rest))
+def check_pose(model: Model, pose: Any) -> dict[str, Moved]:
+    """A pose with all its entries typed: the one door on the way to the kernel.
+
+    pose: what stands under "pose" in a recipe, entries that are typed already as they are. Raises
+    RecipeError.
+    """
+    faults = pose_faults(pose)
     if faults:
         raise RecipeError(faults)
-    return motions_of(rest)
+    moved = pose_of(pose)
+    faults = pose_meaning_faults(model, moved)
+    if faults:
+        raise RecipeError(faults)
+    return moved
 
 
 def _model(recipe: Any) -> tuple[Model, list[Fault]]:

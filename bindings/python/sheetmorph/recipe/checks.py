@@ -11,9 +11,10 @@ import numpy as np
 
 from ..errors import Fault, list_ids
 from ..part_mesh import PartMesh
-from .model import Model, Motion, PartEntry, RegionEntry, Rotation
+from .model import Model, PartEntry, RegionEntry
 from ..selecting.grammar import form_faults
 from .places import names_in, place_of
+from .pose import Moved, Rotation
 from .relations import relation_faults
 
 _POSED = ("handles", "features", "points")
@@ -67,24 +68,29 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
     if not known.is_held:
         what = "nothing is fixed and nothing is moved"
         faults.append(Fault("recipe", what, "add a fixed region and a handle"))
-    for pose in (model.pose, *model.poses.values()):
-        faults += pose_meaning_faults(model, pose, known.posed)
+    poses = {"pose": model.pose, **{f"poses.{name}": p for name, p in model.poses.items()}}
+    for where, pose in poses.items():
+        faults += pose_meaning_faults(model, pose, (where, known.posed))
     return faults
 
 
 def pose_meaning_faults(
-    model: Model, pose: Mapping[str, Motion], declared: Set[str] = frozenset()
+    model: Model, pose: Mapping[str, Moved], place: tuple[str, Set[str]] = ("pose", frozenset())
 ) -> list[Fault]:
-    """Faults of a pose; names in `declared` are taken to exist though their entries are faulty."""
+    """Faults of a pose.
+
+    place: where it stands in the recipe, and names that exist though their entries are faulty.
+    """
     regions = {region.name: region for region in model.regions if region.kind not in _NOT_POSED}
     faults = []
-    for name, motion in pose.items():
+    for name, moved in pose.items():
+        where = f"{place[0]}.{name}"
         if name in regions:
-            faults += _motion(regions[name], motion)
-        elif name not in declared:
+            faults += _moved(regions[name], moved, where)
+        elif name not in place[1]:
             known = _list(set(regions)) if regions else "none; add a handle"
             what = f'there is no handle, feature or point "{name}"'
-            faults.append(Fault(motion.where, what, f"names are {known}"))
+            faults.append(Fault(where, what, f"names are {known}"))
     return faults
 
 
@@ -227,20 +233,20 @@ _MEANINGLESS = {
 }
 
 
-def _motion(region: RegionEntry, motion: Motion) -> Iterator[Fault]:
+def _moved(region: RegionEntry, moved: Moved, where: str) -> Iterator[Fault]:
     for key, reason in _MEANINGLESS[region.kind]:
-        if getattr(motion, key) is not None:
+        if getattr(moved, key) is not None:
             what = f'"{key}" has no meaning for the {region.kind} "{region.name}"'
-            yield Fault(f"{motion.where}.{key}", what, f"leave it out: {reason}")
-    if motion.size is not None and region.kind == "feature" and region.size is None:
+            yield Fault(f"{where}.{key}", what, f"leave it out: {reason}")
+    if moved.size is not None and region.kind == "feature" and region.size is None:
         what = f'the feature "{region.name}" has no size in the recipe'
-        yield Fault(f"{motion.where}.size", what, f'add "size": ... to {region.where}')
-    if motion.rotation is not None and region.kind == "handle" and region.turning == "free":
+        yield Fault(f"{where}.size", what, f'add "size": ... to {region.where}')
+    if moved.rotation is not None and region.kind == "handle" and region.turning == "free":
         what = f'the rotation of the handle "{region.name}" is free'
         todo = f'leave it out, or remove "rotation": "free" from {region.where}'
-        yield Fault(f"{motion.where}.rotation", what, todo)
-    if motion.rotation is not None and region.rotation is None and region.kind != "handle":
+        yield Fault(f"{where}.rotation", what, todo)
+    if moved.rotation is not None and region.rotation is None and region.kind != "handle":
         what = f'the {region.kind} "{region.name}" has no rotation of its own in the recipe'
         todo = f'add "rotation": {{"axis": ..., "degrees": 0}} to {region.where}'
-        yield Fault(f"{motion.where}.rotation", what, todo)
-    yield from _axis(motion.where, motion.rotation)
+        yield Fault(f"{where}.rotation", what, todo)
+    yield from _axis(where, moved.rotation)

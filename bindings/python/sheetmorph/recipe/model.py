@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -24,15 +23,8 @@ from .feature_entries import (
     vector_of,
 )
 from .placement import Placement
+from .pose import Moved, Rotation, pose_of, rotation_of
 from .places import driven_in, place_of
-
-
-@dataclass(frozen=True)
-class Rotation:
-    """A turn by `radians` about `axis` (any length but zero); whole turns are kept."""
-
-    axis: Vector
-    radians: float
 
 
 @dataclass(frozen=True)
@@ -110,18 +102,6 @@ class RegionEntry:
 
 
 @dataclass(frozen=True)
-class Motion:
-    """An entry of a pose; what it leaves out is None."""
-
-    where: str
-    translation: Vector | None = None
-    rotation: Rotation | None = None
-    pivot: Vector | None = None
-    target: Vector | None = None
-    size: float | None = None
-
-
-@dataclass(frozen=True)
 class ContactEntry:
     """Two sides that stay together; type: "control mesh", "tied" or "rigid"."""
 
@@ -170,8 +150,8 @@ class Model:
     refine: bool = False
     unheld: str = "rest"
     propagation: PropagationEntry = PropagationEntry()
-    pose: dict[str, Motion] = field(default_factory=dict)
-    poses: dict[str, dict[str, Motion]] = field(default_factory=dict)
+    pose: dict[str, Moved] = field(default_factory=dict)
+    poses: dict[str, dict[str, Moved]] = field(default_factory=dict)
     joint_files: list[JointFileEntry] = field(default_factory=list)
     found: dict[str, Any] | None = None
     told: dict[str, dict[str, Any]] = field(default_factory=dict)
@@ -228,11 +208,8 @@ def model_of(recipe: dict[str, Any]) -> Model:
         refine=bool(recipe.get("refine", False)),
         unheld=recipe.get("unheld", Model.unheld),
         propagation=_propagation(**recipe.get("propagation", {})),
-        pose=motions_of(recipe.get("pose", {})),
-        poses={
-            name: motions_of(pose, f"poses.{name}")
-            for name, pose in recipe.get("poses", {}).items()
-        },
+        pose=pose_of(recipe.get("pose", {})),
+        poses={name: pose_of(pose) for name, pose in recipe.get("poses", {}).items()},
         joint_files=[_joint_file(*entry) for entry in _entries(recipe, "joint_files")],
     )
 
@@ -318,21 +295,6 @@ def _entries(recipe: dict[str, Any], section: str) -> Iterator[tuple[str, int, d
             yield place_of(recipe, [section, k]), k, entry
 
 
-def motions_of(pose: dict[str, Any], where: str = "pose") -> dict[str, Motion]:
-    """The entries of a pose of sound form."""
-    return {
-        name: Motion(
-            f"{where}.{name}",
-            vector_of(entry.get("translation")),
-            _rotation(entry.get("rotation")),
-            vector_of(entry.get("pivot")),
-            vector_of(entry.get("target")),
-            number_of(entry.get("size")),
-        )
-        for name, entry in pose.items()
-    }
-
-
 def _region(kind: str, where: str, k: int, entry: dict[str, Any]) -> RegionEntry:
     vertices = entry.get("vertices")
     triangle = entry.get("triangle")
@@ -345,7 +307,7 @@ def _region(kind: str, where: str, k: int, entry: dict[str, Any]) -> RegionEntry
         triangle=None if triangle is None else int(triangle),
         barycentric=vector_of(entry.get("barycentric")),
         pivot=vector_of(entry.get("pivot")),
-        rotation=_rotation(entry.get("rotation")),
+        rotation=rotation_of(entry.get("rotation")),
         target=vector_of(entry.get("target")),
         turning=_turning(entry.get("rotation"), "free" if kind == "feature" else "prescribed"),
         motion=feature_motion_of(entry.get("motion", {})),
@@ -359,9 +321,3 @@ def _turning(rotation: Any, default: str) -> str:
     if isinstance(rotation, dict):
         return "prescribed"
     return default if rotation is None else rotation
-
-
-def _rotation(value: Any) -> Rotation | None:
-    if not isinstance(value, dict):
-        return None
-    return Rotation(vector_of(value["axis"]), math.radians(value["degrees"]))

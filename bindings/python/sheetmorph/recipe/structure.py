@@ -14,8 +14,8 @@ import jsonschema
 
 from ..errors import Fault
 from .places import place_of
-from .quick import is_plainly_sound
-from .values import are_ids, bad_values, copied
+from .pose import entries_of, is_plainly_sound
+from .values import are_ids, bad_values, copied, depth_faults
 
 
 def schema() -> dict[str, Any]:
@@ -74,6 +74,9 @@ def pose_faults(pose: Any) -> list[Fault]:
     """Faults of form of a pose that stands alone; one without any is recognised at once."""
     if is_plainly_sound(pose):
         return []
+    pose = entries_of(pose)
+    if faults := depth_faults(pose):
+        return faults
     bad = list(bad_values({"pose": pose}, pose, ["pose"]))
     errors = _errors(_pose_validator(), pose, [path[1:] for path, _ in bad])
     faults = [_fault({"pose": pose}, error, ["pose"]) for error in errors]

@@ -10,7 +10,7 @@ import numpy as np
 from freecad.sheetmorph.api.assemblies import set_refine, set_symmetry, set_unheld
 from freecad.sheetmorph.api.contacts import add_contact
 from freecad.sheetmorph.api.features import add_relation, set_feature_motion, set_size
-from freecad.sheetmorph.api.motions import set_free_rotation, set_motion, set_rotation
+from freecad.sheetmorph.api.motions import put, set_free_rotation, set_rotation
 from freecad.sheetmorph.api.propagations import set_propagation
 from freecad.sheetmorph.api.regions import add_feature, add_fixed, add_follower, add_handle
 from freecad.sheetmorph.objects import model
@@ -19,6 +19,7 @@ from freecad.sheetmorph.objects.contact import CONTROL_MESH
 from freecad.sheetmorph.objects.region import AXIS, FREE, LINE, PLANE
 from freecad.sheetmorph.bridge import selecting
 from freecad.sheetmorph.bridge.recipes import RELATION_KEYS
+from freecad.sheetmorph.tools.motion import motion_from
 
 
 WORDS = (
@@ -187,7 +188,7 @@ def apply_pose(regions: dict, recipe: dict) -> None:
     for entry in recipe["handles"]:
         region = regions.get(entry["name"])
         if region is not None:
-            apply_motion(region, {**pick(entry, "pivot"), **pose.get(entry["name"], {})})
+            put(region, motion_from({**pick(entry, "pivot"), **pose.get(entry["name"], {})}))
             set_free_rotation(region, entry.get("rotation") == FREE)
     for entry in recipe["features"]:
         merged = {**entry, **pose.get(entry["name"], {})}
@@ -198,14 +199,6 @@ def apply_pose(regions: dict, recipe: dict) -> None:
 def pick(entry: dict, key: str) -> dict:
     """Return a dict with `key` alone, empty if the entry lacks it."""
     return {key: entry[key]} if key in entry else {}
-
-
-def apply_motion(handle, motion: dict) -> None:
-    """Set one handle's motion from its pose entry."""
-    set_motion(handle, motion.get("translation"), pivot=motion.get("pivot"))
-    rotation = motion.get("rotation")
-    if rotation is not None and rotation["degrees"] != 0:
-        set_motion(handle, axis=rotation["axis"], angle=rotation["degrees"])
 
 
 def apply_rotation(feature, rotation: str | dict) -> None:

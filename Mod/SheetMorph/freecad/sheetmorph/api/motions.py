@@ -13,6 +13,7 @@ from freecad.sheetmorph.api.checks import direction, number, require_assembly, r
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import FORM_FEATURE, FREE, HANDLE, INTERPOLATED, PRESCRIBED
 from freecad.sheetmorph.bridge.rest import read_rest
+from freecad.sheetmorph.tools.motion import CENTROID, Motion
 
 
 def set_motion(
@@ -34,7 +35,7 @@ def set_motion(
     turn = None if angle is None else number(angle, "angle")
     is_point = pivot is not None and not isinstance(pivot, str)
     point = vector(pivot, "pivot") if is_point else None
-    if isinstance(pivot, str) and pivot != "centroid":
+    if isinstance(pivot, str) and pivot != CENTROID:
         raise ValueError(f"The pivot '{pivot}' is unknown; pass a point (x, y, z) or 'centroid'.")
     if shift is not None:
         handle.TranslationX, handle.TranslationY, handle.TranslationZ = shift
@@ -48,9 +49,18 @@ def set_motion(
         handle.PivotAtCentroid, handle.Pivot = True, rest_centroid(handle)
 
 
+def put(region, motion: Motion) -> None:
+    """Give a handle a motion, or a form feature its rotation."""
+    if region.Role == HANDLE:
+        set_motion(region, **motion.arguments())
+    else:
+        set_rotation(region, (motion.axis, motion.angle))
+
+
 def reset_motion(handle) -> None:
     """Put a handle back to rest: no translation, no rotation, turning about its centroid."""
-    set_motion(handle, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.0, pivot="centroid")
+    require_role(handle, HANDLE)
+    put(handle, Motion())
 
 
 def pivot(handle) -> FreeCAD.Vector:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, replace
+from dataclasses import replace
 
 import FreeCAD
 import numpy as np
@@ -11,12 +11,13 @@ import numpy as np
 from freecad.sheetmorph.bridge import conversion, solving
 from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
 from freecad.sheetmorph.api.features import shape_of
-from freecad.sheetmorph.api.motions import rest_centroid, set_motion, set_rotation
+from freecad.sheetmorph.api.motions import put, rest_centroid
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.pose import PoseProxy, keep_motions, kept_motions, kept_sizes
 from freecad.sheetmorph.objects.region import FORM_FEATURE, HANDLE, PRESCRIBED
+from freecad.sheetmorph.objects.region import as_told, motion_of
 from freecad.sheetmorph.tools import poses as tools
-from freecad.sheetmorph.tools.motion import CENTROID, Motion
+from freecad.sheetmorph.tools.motion import Motion, motion_from
 
 
 def save_pose(assembly, label: str = "Pose"):
@@ -114,7 +115,7 @@ def copy_in_pose(pose, label: str | None = None):
 def named_poses(assembly, names: dict[str, str]) -> dict[str, dict]:
     """Return all poses as a recipe has them; `names`: in the recipe by document object name."""
     return {
-        pose.Label: {names[name]: entry for name, entry in entries_in(assembly, pose).items()}
+        pose.Label: {names[name]: moved.entry() for name, moved in told_in(assembly, pose).items()}
         for pose in model.poses(assembly)
     }
 
@@ -126,7 +127,7 @@ def add_named_poses(assembly, recipe: dict, regions: dict) -> None:
     """
     for label, entries in recipe.get("poses", {}).items():
         known = {regions[name]: entry for name, entry in entries.items() if name in regions}
-        motions = {region.Name: motion_from(region, entry) for region, entry in known.items()}
+        motions = {region.Name: motion_told(region, entry) for region, entry in known.items()}
         sizes = {r.Name: float(entry["size"]) for r, entry in known.items() if "size" in entry}
         still = {r.Name: motion_of(r) for r in moving(assembly)}
         kept = {name: motion for name, motion in motions.items() if name in still}
@@ -137,12 +138,10 @@ def add_named_poses(assembly, recipe: dict, regions: dict) -> None:
             )
 
 
-def motion_from(region, entry: dict) -> Motion:
-    """Return a recipe's entry as a motion."""
-    turn = entry.get("rotation") or {"axis": (0.0, 0.0, 1.0), "degrees": 0.0}
-    shift = tuple(map(float, entry.get("translation", (0.0, 0.0, 0.0))))
-    pivot = motion_of(region).pivot if "pivot" not in entry else tuple(entry["pivot"])
-    return Motion(shift, tuple(map(float, turn["axis"])), float(turn["degrees"]), pivot)
+def motion_told(region, entry: dict) -> Motion:
+    """Return a recipe's entry as a motion; the pivot stays where it tells none."""
+    motion = motion_from(entry)
+    return motion if "pivot" in entry else replace(motion, pivot=motion_of(region).pivot)
 
 
 def assembly_of_poses(first, second):
@@ -191,16 +190,6 @@ def restore(assembly, wanted: tools.Snapshot) -> None:
             document.getObject(name).Size = size
 
 
-def motion_of(region) -> Motion:
-    """Return the motion of a handle, or the rotation of a form feature as one."""
-    if region.Role == FORM_FEATURE:
-        return Motion(axis=tuple(region.RotationAxis), angle=region.RotationAngle.Value)
-    shift = (region.TranslationX, region.TranslationY, region.TranslationZ)
-    pivot = CENTROID if region.PivotAtCentroid else tuple(region.Pivot)
-    translation = tuple(float(length.Value) for length in shift)
-    return Motion(translation, tuple(region.Axis), float(region.Angle.Value), pivot)
-
-
 def motions_in(assembly, pose) -> tools.Pose:
     """Return the motion of everything that moves in a pose, None for rest."""
     kept = kept_motions(pose) if pose is not None else {}
@@ -235,53 +224,32 @@ def size_at_rest(assembly, name: str) -> float:
     return shape_of(assembly.Document.getObject(name)).size
 
 
-def entries_in(assembly, pose) -> dict[str, dict]:
-    """Return a pose, None for rest, as a recipe has it, by `region.Name`.
+def told_in(assembly, pose) -> tools.Pose:
+    """Return what the kernel is told in a pose, None for rest, by `region.Name`.
 
     A size is told where it differs from the document's.
     """
     document, present_sizes = assembly.Document, sizes_of(assembly)
     motions = motions_in(assembly, pose)
-    entries = {name: entry_of(document.getObject(name), m) for name, m in motions.items()}
+    moved = {name: as_told(document.getObject(name), motion) for name, motion in motions.items()}
     for name, size in blended_sizes(assembly, pose, pose, 0.0).items():
         if size != present_sizes[name]:
             told = size or size_at_rest(assembly, name)
-            entries.setdefault(name, {})["size"] = told
-    return entries
+            moved[name] = replace(moved.get(name, Motion(None, None)), size=told)
+    return moved
 
 
 def alike(assembly, first: tools.Pose, second: tools.Pose) -> tuple:
     """Return both with the same kind of pivots: a centroid that meets a point becomes one."""
     for name in first:
-        if (first[name].pivot == CENTROID) != (second[name].pivot == CENTROID):
+        if (first[name].pivot is None) != (second[name].pivot is None):
             centre = tuple(rest_centroid(assembly.Document.getObject(name)))
             for pose in (first, second):
-                if pose[name].pivot == CENTROID:
+                if pose[name].pivot is None:
                     pose[name] = replace(pose[name], pivot=centre)
     return first, second
 
 
-def put(region, motion: Motion) -> None:
-    """Give a region a motion."""
-    if region.Role == HANDLE:
-        set_motion(region, **asdict(motion))
-    else:
-        set_rotation(region, (motion.axis, motion.angle))
-
-
 def deform_in(assembly, pose) -> dict[str, np.ndarray]:
     """Return the positions (n, 3) of all parts by `part.Name` in a pose; the document stays."""
-    return solving.deform_in(assembly, entries_in(assembly, pose))
-
-
-def entry_of(region, motion: Motion) -> dict:
-    """Return a motion as a recipe's pose has it."""
-    rotation = {"axis": list(motion.axis), "degrees": motion.angle}
-    if region.Role == FORM_FEATURE:
-        return {"rotation": rotation}
-    entry: dict = {"translation": list(motion.translation)}
-    if motion.angle and not region.FreeRotation:
-        entry["rotation"] = rotation
-    if motion.pivot != CENTROID:
-        entry["pivot"] = list(motion.pivot)
-    return entry
+    return solving.deform_in(assembly, told_in(assembly, pose))

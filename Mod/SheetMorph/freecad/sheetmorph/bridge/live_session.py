@@ -27,6 +27,7 @@ from freecad.sheetmorph.bridge.solving import (
 )
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.reporting import Progress
+from freecad.sheetmorph.tools.poses import Pose
 
 
 TURN, HALF_TURN = 3, 180.0
@@ -35,9 +36,9 @@ TURN, HALF_TURN = 3, 180.0
 
 @dataclass(frozen=True)
 class Question:
-    """A pose as a recipe has it, the names of what is being dragged, and how exact to be."""
+    """A pose by name in the recipe, the names of what is dragged, and how exact to be."""
 
-    pose: dict
+    pose: Pose
     moved: tuple[str, ...] = ()
     is_exact: bool = False
 
@@ -170,14 +171,14 @@ class LiveSession:
         if frame.result is not None and frame.question.is_exact:
             self._cache.remember(self._morph, frame.question.pose, frame.result)
 
-    def deform(self, overrides: dict | None = None, exact: bool = False) -> dict[str, np.ndarray]:
+    def deform(self, moved: Pose | None = None, exact: bool = False) -> dict[str, np.ndarray]:
         """Return local positions (n, 3) mm of every part, by document object name.
 
-        The pose is the document's; `overrides` replaces entries of it: document object name of a
-        region -> entry of a recipe's pose. Not `exact` is 1e-6 of the size. Raises MorphError.
+        The pose is the document's but for regions that are `moved`, by document object name. Not
+        `exact` is 1e-6 of the size. Raises MorphError.
         """
-        asked = self.ask(overrides or (), exact)
-        changed = {self.names[name]: entry for name, entry in (overrides or {}).items()}
+        asked = self.ask(moved or (), exact)
+        changed = {self.names[name]: motion for name, motion in (moved or {}).items()}
         frame = self.answer(Question({**asked.pose, **changed}, asked.moved, exact))
         return {n: rest.frame.to_local(frame.positions[n]) for n, rest in self.parts.items()}
 

@@ -19,8 +19,11 @@ from freecad.sheetmorph.objects.region import (
     LINE,
     PLANE,
     PRESCRIBED,
+    as_told,
+    motion_of,
 )
 from freecad.sheetmorph.objects.relation import COAXIAL, DISTANCE, GROUP
+from freecad.sheetmorph.tools.motion import Motion
 
 FORMAT = 1
 """Version of the recipe's format."""
@@ -219,36 +222,20 @@ def allowed_of(feature) -> dict:
 
 
 def pose_of(assembly, names: dict[str, str] | None = None) -> dict:
-    """Return the pose as a recipe has it: motions of handles, rotations of features."""
+    """Return the pose by name in the recipe: motions of handles, rotations of features, and what
+    an imported recipe tells about points."""
     names = names or names_of(assembly)
     pose = dict(extras_of(assembly, "pose"))
     for region in model.regions(assembly):
-        if region.Part is None:
-            continue
-        if region.Role == HANDLE:
-            pose[names[region.Name]] = motion_of(region)
-        elif region.Role == FORM_FEATURE and region.Rotation == PRESCRIBED:
-            rotation = rotation_entry(region.RotationAxis, region.RotationAngle)
-            pose[names[region.Name]] = {"rotation": rotation}
+        is_turned = region.Role == FORM_FEATURE and region.Rotation == PRESCRIBED
+        if region.Part is not None and (region.Role == HANDLE or is_turned):
+            pose[names[region.Name]] = as_told(region, motion_of(region))
     return pose
 
 
-def motion_of(handle) -> dict:
-    """Return the pose entry of a handle: translation, and rotation and pivot where there is one."""
-    lengths = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
-    motion: dict = {"translation": [length.Value for length in lengths]}
-    if handle.Angle.Value != 0.0 and not handle.FreeRotation:
-        motion["rotation"] = rotation_entry(handle.Axis, handle.Angle)
-    if not handle.PivotAtCentroid:
-        motion["pivot"] = list(handle.Pivot)
-    return motion
-
-
-def rotation_entry(axis, angle) -> dict:
-    """Return a rotation as a recipe has it; a turn by nothing about no axis is none."""
-    if angle.Value == 0.0:
-        return {"axis": [0, 0, 1], "degrees": 0}
-    return {"axis": list(axis), "degrees": angle.Value}
+def entries_of(pose: dict) -> dict:
+    """Return a pose as a recipe has it."""
+    return {k: one.entry() if isinstance(one, Motion) else one for k, one in pose.items()}
 
 
 def extras_of(assembly, part: str = "recipe") -> dict:

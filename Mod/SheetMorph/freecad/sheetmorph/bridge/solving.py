@@ -23,6 +23,7 @@ from freecad.sheetmorph.objects import assembly_of, deformation_of, model
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.bridge.rest import RestPart, read_rest
 from freecad.sheetmorph.tools import words
+from freecad.sheetmorph.tools.poses import Pose
 
 ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
@@ -226,14 +227,11 @@ def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
     return {name: np.array(points) for name, points in found.items()}
 
 
-def deform_in(assembly, entries: dict[str, dict]) -> dict[str, np.ndarray]:
-    """Return what `deform` does in the pose that `entries` change; raises MorphError.
-
-    `entries`: document object name of a region -> entry of a recipe's pose.
-    """
+def deform_in(assembly, moved: Pose) -> dict[str, np.ndarray]:
+    """Return what `deform` does if some regions, by object name, move so; raises MorphError."""
     try:
         cache, morph = cache_of(assembly), read_morph(assembly)
-        pose = {**morph.pose, **{morph.names[name]: entry for name, entry in entries.items()}}
+        pose = {**morph.pose, **{morph.names[name]: motion for name, motion in moved.items()}}
         found = cache.positions(replace(morph, pose=pose))
     except FAILURES as error:
         raise MorphError(one_sentence(error)) from error

@@ -101,7 +101,7 @@ def write_recipe(assembly, morph, path: Path, poses: dict) -> Path:
         for owner, parts in writers(assembly, morph).values()
     ]
     recipe = decks.renamed(recipe, decks.names_in_recipe(assembly, morph.rests, morph.names))
-    recipe["pose"] = recipes.pose_of(assembly, morph.names)
+    recipe["pose"] = recipes.entries_of(recipes.pose_of(assembly, morph.names))
     if poses:
         recipe["poses"] = poses
     rests = {name: rest.points for name, rest in morph.rests.items()}

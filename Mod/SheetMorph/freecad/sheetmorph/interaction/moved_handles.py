@@ -3,8 +3,10 @@
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.actions import call, name
-from freecad.sheetmorph.api.poses import motion_of
+from freecad.sheetmorph.api.motions import put
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.region import motion_of
+from freecad.sheetmorph.tools.motion import Motion
 
 
 class MovedHandles:
@@ -25,10 +27,10 @@ class MovedHandles:
         """The handles there are now."""
         return [r for r in model.regions(self.assembly) if r.Role == "handle"]
 
-    def move(self, handle, motion: dict) -> None:
-        """Sets the motion of a handle, the arguments of ``api.set_motion``."""
+    def move(self, handle, motion: Motion) -> None:
+        """Sets the motion of a handle."""
         self._pending.change()
-        api.set_motion(handle, **motion)
+        put(handle, motion)
 
     def pivot(self, handle) -> tuple:
         """Where a handle turns about at rest, (3,) mm; no mesh changes meanwhile."""

@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import FreeCAD
 
 from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import REGION
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
+from freecad.sheetmorph.tools.motion import Motion
 
 FIXED, HANDLE, FORM_FEATURE, FOLLOWER = "fixed", "handle", "form feature", "follower"
 ROLES = [FIXED, HANDLE, FORM_FEATURE, FOLLOWER]
@@ -133,3 +136,20 @@ def offer_all_rotations(obj) -> None:
         chosen = obj.Rotation
         obj.Rotation = ROTATIONS
         obj.Rotation = chosen
+
+
+def motion_of(region) -> Motion:
+    """Return the motion of a handle, or the rotation of a form feature as one."""
+    if region.Role == FORM_FEATURE:
+        return Motion(axis=tuple(region.RotationAxis), angle=region.RotationAngle.Value)
+    shift = (region.TranslationX, region.TranslationY, region.TranslationZ)
+    pivot = None if region.PivotAtCentroid else tuple(region.Pivot)
+    translation = tuple(float(length.Value) for length in shift)
+    return Motion(translation, tuple(region.Axis), float(region.Angle.Value), pivot)
+
+
+def as_told(region, motion: Motion) -> Motion:
+    """Return a motion of a region with what the kernel is told of it alone."""
+    if region.Role == FORM_FEATURE:
+        return replace(motion, translation=None, pivot=None)
+    return replace(motion, angle=0.0) if region.FreeRotation else motion

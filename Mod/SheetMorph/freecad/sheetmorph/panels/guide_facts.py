@@ -5,6 +5,7 @@ from freecad.sheetmorph import subject
 from freecad.sheetmorph.bridge import recipes
 from freecad.sheetmorph.bridge.faults import named_by
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.tools.guide import Facts
 
 
@@ -40,4 +41,4 @@ def role_of(obj) -> str:
 
 def is_moved(handle) -> bool:
     """Whether a handle is not at rest."""
-    return any(recipes.motion_of(handle)["translation"]) or handle.Angle.Value != 0.0
+    return not motion_of(handle).is_rest()

@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph.panels.base import number_in, put_number
 from freecad.sheetmorph.qt import QtCore, translate
-from freecad.sheetmorph.tools.motion import CENTROID, Motion
+from freecad.sheetmorph.tools.motion import Motion
 
 DRIVEN = {
     "translation_x": "TranslationX",
@@ -44,12 +44,12 @@ class MotionFields(QtCore.QObject):
         axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
         pivot = tuple(number_in(getattr(form, f"pivot_{c}")) for c in "xyz")
         angle = float(form.angle.property("rawValue"))
-        return Motion(shift, axis, angle, CENTROID if self._at_centroid else pivot)
+        return Motion(shift, axis, angle, None if self._at_centroid else pivot)
 
     def write(self, motion: Motion, pivot) -> None:
         """Shows a motion without sending ``changed``; ``pivot`` (3,) mm: where the centroid is."""
         self._is_writing = True
-        self._at_centroid = motion.pivot == CENTROID
+        self._at_centroid = motion.pivot is None
         shown = pivot if self._at_centroid else motion.pivot
         for k, c in enumerate("xyz"):
             getattr(self._form, f"translation_{c}").setProperty("rawValue", motion.translation[k])

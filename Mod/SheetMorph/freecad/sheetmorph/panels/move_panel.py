@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that moves handles: values change, the view follows, OK keeps, Cancel takes back."""
 
-from dataclasses import asdict
 from functools import partial
 
 from freecad.sheetmorph import actions, preferences
-from freecad.sheetmorph.api.poses import motion_of, restore, snapshot
+from freecad.sheetmorph.api.poses import restore, snapshot
 from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.panels import progress, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, legend, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
@@ -235,7 +235,7 @@ class MovePanel(Panel):
             return
         if motion != motion_of(self._handle):
             self._reach.follow(motion_of(self._handle), motion)
-            self._handles.move(self._handle, asdict(motion))
+            self._handles.move(self._handle, motion)
             self._fields.show_pivot(self.pivot())
             self._frame.start()
 

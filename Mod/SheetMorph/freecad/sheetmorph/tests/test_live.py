@@ -11,6 +11,7 @@ from freecad.sheetmorph import api, reporting
 from freecad.sheetmorph.bridge import live_session, solving
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.tests import support
+from freecad.sheetmorph.tools.motion import Motion
 
 
 class TestLive(support.DocumentTest):
@@ -32,7 +33,7 @@ class TestLive(support.DocumentTest):
         self.assertLess(support.largest(exact - shown), 1e-4)
 
     def test_overrides_replace_the_pose_of_the_document(self):
-        moved = {self.handle.Name: {"translation": [0.0, 0.0, 30.0]}}
+        moved = {self.handle.Name: Motion((0.0, 0.0, 30.0))}
         dragged = self.live.deform(moved)[self.part.Name]
         self.assertEqual(self.handle.TranslationZ.Value, 0.0)
         self.assert_up_to_date(self.document)
@@ -113,7 +114,7 @@ class TestLive(support.DocumentTest):
 
     def test_errors_are_one_sentence(self):
         with self.assertRaises(solving.MorphError) as raised:
-            self.live.deform({self.handle.Name: {"rotation": {"axis": [0, 0, 0], "degrees": 9}}})
+            self.live.deform({self.handle.Name: Motion(axis=(0.0, 0.0, 0.0), angle=9.0)})
         self.assertNotIn("\n", str(raised.exception))
         with self.assertRaisesRegex(solving.MorphError, "no complete morph"):
             live_session.live(self.part.Source)

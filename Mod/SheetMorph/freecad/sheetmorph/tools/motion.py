@@ -1,28 +1,63 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The motion of a handle as the panel knows it."""
+"""How a region moves: one type from the mouse to the kernel, whose package takes it as it is."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 Triple = tuple[float, float, float]
 CENTROID = "centroid"
+"""What scripts and saved poses call a pivot that is none."""
+UP = (0.0, 0.0, 1.0)
+
+
+class Turn(NamedTuple):
+    """About an axis of any length."""
+
+    axis: Triple
+    radians: float
 
 
 @dataclass(frozen=True)
 class Motion:
-    """Always from rest, global: translation mm, axis, angle in degrees, pivot mm or "centroid"."""
+    """Always from rest, global: translation mm, axis, angle in degrees, pivot mm.
 
-    translation: Triple = (0.0, 0.0, 0.0)
-    axis: Triple = (0.0, 0.0, 1.0)
+    translation None: of a form feature, which the sheet moves; axis None: as the sheet turns it;
+    pivot None: the centroid; size mm, None: as it is.
+    """
+
+    translation: Triple | None = (0.0, 0.0, 0.0)
+    axis: Triple | None = UP
     angle: float = 0.0
-    pivot: Triple | str = CENTROID
+    pivot: Triple | None = None
+    size: float | None = None
+    target = None  # points alone have one, and no object in a document
+
+    @property
+    def rotation(self) -> Turn | None:
+        """What the kernel is told of the turn; None if there is nothing to tell."""
+        if self.axis is None or (self.angle == 0.0 and self.translation is not None):
+            return None
+        return Turn(self.axis if self.angle else UP, math.radians(self.angle))
+
+    def entry(self) -> dict:
+        """The same as a recipe has it."""
+        told: dict = {}
+        if self.translation is not None:
+            told["translation"] = list(self.translation)
+        if self.rotation is not None:
+            told["rotation"] = {"axis": list(self.rotation.axis), "degrees": self.angle}
+        if self.pivot is not None:
+            told["pivot"] = list(self.pivot)
+        return told if self.size is None else {**told, "size": self.size}
 
     def fault(self) -> str:
         """What is wrong with it, in words; empty if nothing."""
-        if not any(self.axis):
+        if self.axis is not None and not any(self.axis):
             return "The axis is zero: give it a direction."
         return ""
 
@@ -30,14 +65,15 @@ class Motion:
         """Whether it moves nothing."""
         return not any(self.translation) and self.angle == 0.0
 
+    def arguments(self) -> dict:
+        """The arguments of ``api.set_motion``."""
+        pivot = CENTROID if self.pivot is None else self.pivot
+        turn = {"axis": self.axis, "angle": self.angle}
+        return {"translation": self.translation, **turn, "pivot": pivot}
+
     def keywords(self) -> dict[str, str]:
-        """The arguments of ``api.set_motion`` as source text that gives the same numbers."""
-        return {
-            "translation": repr(self.translation),
-            "axis": repr(self.axis),
-            "angle": repr(self.angle),
-            "pivot": repr(self.pivot),
-        }
+        """The same as source text that gives the same numbers."""
+        return {name: repr(value) for name, value in self.arguments().items()}
 
     def shifted(self, shift) -> Motion:
         """The same, farther by (3,) mm."""
@@ -73,6 +109,15 @@ class Motion:
         cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         turn = np.radians(self.angle)
         return np.eye(3) + np.sin(turn) * cross + (1.0 - np.cos(turn)) * (cross @ cross)
+
+
+def motion_from(entry: dict) -> Motion:
+    """What an entry of a recipe's pose tells a handle or a form feature."""
+    turn = entry.get("rotation") or {"degrees": 0.0}
+    shift = tuple(map(float, entry.get("translation", (0.0, 0.0, 0.0))))
+    axis = tuple(map(float, turn["axis"])) if turn["degrees"] else UP
+    pivot = tuple(map(float, entry["pivot"])) if "pivot" in entry else None
+    return Motion(shift, axis, float(turn["degrees"]), pivot)
 
 
 def rounded(values) -> Triple:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,7 +23,7 @@ class Snapshot:
 
 def to_text(pose: Pose) -> str:
     """The pose as JSON; every number is read back to the bit."""
-    return json.dumps({name: asdict(motion) for name, motion in sorted(pose.items())})
+    return json.dumps({name: motion.arguments() for name, motion in sorted(pose.items())})
 
 
 def from_text(text: str) -> Pose:
@@ -52,13 +52,13 @@ def between(first: Motion, second: Motion, weight: float) -> Motion:
     along = np.dot(axis, first.axis if first.angle else second.axis)
     if angle and along < 0.0:  # the same turn, told about the axis the user knows
         axis, angle = tuple(-c for c in axis), -angle
-    is_free = CENTROID in (first.pivot, second.pivot)
+    is_free = None in (first.pivot, second.pivot)
     return replace(
         first,
         translation=tuple(_mixed(first.translation, second.translation, weight).tolist()),
         axis=axis,
         angle=angle,
-        pivot=CENTROID if is_free else tuple(_mixed(first.pivot, second.pivot, weight).tolist()),
+        pivot=None if is_free else tuple(_mixed(first.pivot, second.pivot, weight).tolist()),
     )
 
 
@@ -72,5 +72,5 @@ def _motion(entry: dict) -> Motion:
         tuple(entry["translation"]),
         tuple(entry["axis"]),
         entry["angle"],
-        pivot if isinstance(pivot, str) else tuple(pivot),
+        None if pivot == CENTROID else tuple(pivot),
     )

@@ -5,7 +5,7 @@ import itertools
 
 import pytest
 from sheetmorph.recipe import structure
-from sheetmorph.recipe.quick import is_plainly_sound
+from sheetmorph.recipe.pose import is_plainly_sound
 
 VALUES = (
     [0.0, 1, -2.5],
