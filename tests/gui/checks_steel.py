@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A sheet as steel, as the user guide says it: the energy chosen, dragged, stretch seen, laid flat."""
+"""A sheet as steel, as the guide says it: the energy chosen, dragged, stretch seen, laid flat."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from checks_flow import select
 from checks_moving import open_panel
 from checks_tutorial import menu
-from desk import child, choose_below, click_widget, enter, picture, press, until, xdotool
+from desk import child, choose_below, enter, picture, press, until, xdotool
 from freecad.sheetmorph import api
 from PySide import QtCore, QtGui
 from scenes import assembly, drawn, largest, new_morph, part, regions, stored

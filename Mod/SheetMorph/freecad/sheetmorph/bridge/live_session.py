@@ -73,11 +73,10 @@ class ReachQuestion:
     `criteria`: as a study has them.
     """
 
-    pose: dict
+    pose: Pose
     moved: tuple[str, ...]
     handle: str
     number: int
-    axis: tuple[float, float, float]
     criteria: dict
 
 
@@ -148,7 +147,7 @@ class LiveSession:
     def ask_reach(self, handle, number: int, criteria: dict) -> ReachQuestion:
         """Return the question for the pose of the document; `handle`: a document object."""
         asked, name = self.ask([handle.Name]), self.names[handle.Name]
-        return ReachQuestion(asked.pose, asked.moved, name, number, tuple(handle.Axis), criteria)
+        return ReachQuestion(asked.pose, asked.moved, name, number, criteria)
 
     def reach(self, asked: ReachQuestion, goes_on: Callable[[], bool]) -> Reached | None:
         """Return how far a number may go; None as soon as nobody waits."""
@@ -201,16 +200,16 @@ class LiveSession:
         return self._live.deform(question.pose, question.moved), question
 
 
-def posed(asked: ReachQuestion, value: float) -> dict:
+def posed(asked: ReachQuestion, value: float) -> Pose:
     """Return the pose of a question with another value of its number."""
-    entry = dict(asked.pose.get(asked.handle, {}))
+    motion = asked.pose[asked.handle]
     if asked.number == TURN:
-        entry["rotation"] = {"axis": list(asked.axis), "degrees": value}
+        motion = replace(motion, angle=value)
     else:
-        shift = list(entry.get("translation", (0.0, 0.0, 0.0)))
+        shift = list(motion.translation)
         shift[asked.number] = value
-        entry["translation"] = shift
-    return {**asked.pose, asked.handle: entry}
+        motion = replace(motion, translation=tuple(shift))
+    return {**asked.pose, asked.handle: motion}
 
 
 def live(assembly) -> LiveSession:

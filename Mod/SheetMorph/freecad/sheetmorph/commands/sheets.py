@@ -37,7 +37,8 @@ class Flatten(Command):
     text = QT_TRANSLATE_NOOP("SheetMorph_Flatten", "Flatten")
     tooltip = QT_TRANSLATE_NOOP(
         "SheetMorph_Flatten",
-        "Lays the selected part flat, as it is now and at rest: sketches of its blank and bend lines",
+        "Lays the selected part flat, as it is now and at rest: sketches of its blank and "
+        "bend lines",
     )
 
     def possible(self) -> bool:
