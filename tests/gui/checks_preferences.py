@@ -90,6 +90,7 @@ def test_panels_are_readable_in_a_dark_theme_and_in_german():
             ("Griff bewegen…", "move", "Abbrechen"),
             ("Formelemente markieren…", "region", "Abbrechen"),
             ("Ausbreitung…", "propagation", "Schließen"),
+            ("Studie…", "study", "Abbrechen"),
         ):
             yield from press_tool(tool)
             yield 300

@@ -87,7 +87,7 @@ def child_processes() -> list[str]:
                 words = file.read().split("\0")
         except OSError:
             continue  # it has just ended
-        if "sheetmorph" in words and "study" in words:
+        if "study" in words and any("sheetmorph" in word for word in words):
             environment = open(f"{folder}/environ", "rb").read().split(b"\0")
             if f"SHEETMORPH_GUI_WORK={WORK}".encode() in environment:
                 found.append(" ".join(words))

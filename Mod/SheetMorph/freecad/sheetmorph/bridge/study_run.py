@@ -15,6 +15,18 @@ from pathlib import Path
 from freecad.sheetmorph.bridge import kernel
 
 OUT, SUMMARY = "out", "summary.json"
+# What the process runs: the command line, and beside it one who waits for the end of FreeCAD,
+# however that comes. Not by a file object: its lock would be held in what is forked.
+BOUND = """
+import os, runpy, signal, threading
+
+def end_with_freecad():
+    os.read(0, 1)
+    os.killpg(0, signal.SIGKILL)
+
+threading.Thread(target=end_with_freecad, daemon=True).start()
+runpy.run_module("sheetmorph", run_name="__main__", alter_sys=True)
+"""
 
 
 class StudyRun:
@@ -31,12 +43,12 @@ class StudyRun:
         self._said = tempfile.TemporaryFile()
         package = str(kernel.package_folder().parent)
         paths = [package, *filter(None, [os.environ.get("PYTHONPATH")])]
-        words = [interpreter(), "-m", "sheetmorph", "study", str(study_file), "-o", str(self._out)]
+        words = [interpreter(), "-c", BOUND, "study", str(study_file), "-o", str(self._out)]
         # A group of its own: what it starts ends with it.
         self._process = subprocess.Popen(
             [*words, "--engine", "processes", "--quiet"],
             env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
-            stdin=subprocess.DEVNULL,
+            stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=self._said,
             start_new_session=True,
@@ -79,6 +91,7 @@ class StudyRun:
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
+        self._process.stdin.close()
         self._said.close()
 
 

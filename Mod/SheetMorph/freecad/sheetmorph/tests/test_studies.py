@@ -4,7 +4,10 @@
 import glob
 import json
 import os
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -13,10 +16,20 @@ import numpy as np
 
 from freecad.sheetmorph import api
 from freecad.sheetmorph.api import studies
+from freecad.sheetmorph.bridge.study_run import interpreter
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.study import kept_parameters
 from freecad.sheetmorph.tests import support
 from freecad.sheetmorph.tests.test_features import FeatureTest
+
+
+def is_alive(group: int) -> bool:
+    """Whether a group has processes."""
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
+        return False
+    return True
 
 
 class StudyTest(support.DocumentTest):
@@ -68,6 +81,23 @@ class TestStudy(StudyTest):
         self.assertTrue(run.is_over)
         after = set(glob.glob(os.path.join(tempfile.gettempdir(), "sheetmorph-study-*")))
         self.assertEqual(after - before, set())
+
+    def test_it_ends_with_the_process_that_began_it(self):
+        folder = os.path.join(self.folder, "study")
+        path = studies.write_study(self.lift(count=5000), folder)
+        code = f"import os, sys; sys.path[:0] = {sys.path!r}\n"
+        code += "from pathlib import Path\n"
+        code += "from freecad.sheetmorph.bridge.study_run import StudyRun\n"
+        code += f"run = StudyRun(Path({str(path)!r}))\n"
+        code += "print(run._process.pid, flush=True)\nos._exit(1)\n"
+        done = subprocess.run(
+            [interpreter(), "-c", code], capture_output=True, text=True, check=False
+        )
+        group = int(done.stdout.split()[-1])
+        end = time.monotonic() + 20.0
+        while is_alive(group) and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertFalse(is_alive(group))
 
     def test_a_cell_drives_what_expressions_say(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Inputs")
