@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cad_samples import make_cad_samples
-from sheetmorph import read_part
+from sheetmorph import PartMesh, read_part
 from sheetmorph.recipe.splitting import part_of
 from sheetmorph.selecting import PartShape, selected
 from sheetmorph.selecting.chosen import SelectorError
@@ -38,6 +38,24 @@ def test_a_face_is_found_by_its_place_and_kind(shape: PartShape):
     assert away == pytest.approx(5.0, abs=1e-4) and wall.matches[0]["distance"] < 1.01
     with pytest.raises(SelectorError, match="has no face that is a torus"):
         selected(shape, {"cad_face_at": [44, 20, 1], "kind": "torus"})
+
+
+def test_an_edge_is_found_by_its_place(shape: PartShape):
+    rim = selected(shape, {"cad_edge_at": [45.5, 20, 2]})
+    points = shape.points[rim.vertices]
+    assert np.hypot(*(points[:, :2] - [40, 20]).T) == pytest.approx(5.0, abs=1e-4)
+    assert points[:, 2] == pytest.approx(2.0) and len(rim.vertices) > 8
+    assert rim.matches[0]["distance"] == pytest.approx(0.5, abs=0.05)
+    assert len(rim.matches[0]["faces"]) == 2
+    side = shape.points[selected(shape, {"cad_edge_at": [0, 20, 2]}).vertices]
+    assert side[:, 0] == pytest.approx(0.0) and side[:, 2] == pytest.approx(2.0)
+    assert np.ptp(side[:, 1]) == pytest.approx(40.0)
+
+
+def test_a_mesh_has_no_cad_edge():
+    mesh = PartMesh(np.eye(3), np.array([[0, 1, 2]]), name="mesh")
+    with pytest.raises(SelectorError, match="no CAD edges"):
+        selected(PartShape(mesh), {"cad_edge_at": [0, 0, 0]})
 
 
 def test_a_number_that_moved_on_is_told(shape: PartShape):

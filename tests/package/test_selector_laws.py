@@ -155,7 +155,17 @@ JUNK = st.recursive(
             st.sampled_from(
                 ["box", "half_space", "cylinder", "sphere", "face_at", "rim_at", "rings", "found"]
                 + ["near", "diameter", "union", "minus", "grow", "of", "group", "all", "vertices"]
-                + ["cad_face_at", "point", "normal", "radius", "holes", "count", "slab", "kind"]
+                + [
+                    "cad_face_at",
+                    "cad_edge_at",
+                    "point",
+                    "normal",
+                    "radius",
+                    "holes",
+                    "count",
+                    "slab",
+                    "kind",
+                ]
             ),
             inner,
             max_size=3,

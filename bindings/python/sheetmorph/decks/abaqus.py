@@ -10,6 +10,7 @@ import numpy as np
 
 from .abaqus_joints import Sets, add_joint
 from .abaqus_lines import AbaqusLines, Keyword
+from .abaqus_sets import NamedSets
 from .abaqus_types import element_type
 from .commas import comma_nodes, comma_places, integers
 from .cut import small
@@ -69,13 +70,16 @@ class _Reader:
         self._frames: dict[int, Frame] = {}
         self._system = 0
         self._sets = Sets(raw)
+        self._names = NamedSets()
+        self._instances: dict[str, _Part] = {}
         self._elsets: dict[str, int] = {}
         self._material_name = ""
 
     def read(self) -> Deck:
         self._file(self._included.first(self._path))
         self._sets.finish()
-        self._number_parts()
+        owners = self._number_parts()
+        self._names.finish(self.raw, owners)
         frames = dict(self._frames)
         for part in self._parts:
             if part.frame is not None:
@@ -122,6 +126,10 @@ class _Reader:
         elif name in ("MATERIAL", "ELASTIC", "DENSITY"):
             self._material(lines, keyword)
         else:
+            if name in ("NSET", "ELSET"):
+                instance = keyword.options.get("INSTANCE", "").upper()
+                owner = self._instances.get(instance, self._owner())
+                self._names.read(lines, keyword, owner.number)
             add_joint(self._sets, lines, keyword)
         is_left = name == "TIE" and keyword.options.get("ADJUST", "").upper() == "NO"
         if _STALE.get(name) and not is_left:
@@ -154,7 +162,7 @@ class _Reader:
                 raise self.raw.error((lines.file, keyword.line), what)
             part.placed += 1
             part.frame = self._placed(lines, keyword) if part.placed == 1 else part.frame
-            self._part = part
+            self._part = self._instances[name] = part
         else:
             self._part = None
         self._system = 0
@@ -219,7 +227,9 @@ class _Reader:
         systems = np.full(len(block.ids), number, np.int32) if number else None
         self._owner().blocks.append(len(self.raw.blocks))
         self.raw.blocks.append(replace(block, systems=systems))
-        self._sets.add_nodes(keyword.options.get("NSET", ""), block.ids)
+        name = keyword.options.get("NSET", "")
+        self._sets.add_nodes(name, block.ids)
+        self._names.add("NSET", name, self._owner().number, block.ids)
 
     def _owner(self) -> _Part:
         return self._part or self._model
@@ -236,6 +246,7 @@ class _Reader:
         kind, count = element_type(name)
         group = keyword.options.get("ELSET", "").upper()
         number = self._elsets.setdefault(group, len(self._elsets) + 1)
+        self._names.add_section(group, number)
         self.raw.names[number] = keyword.options.get("ELSET", "")
         for heads, table in self._tables(source, rows, count):
             parts = np.broadcast_to(np.int32(number), len(heads))
@@ -302,14 +313,19 @@ class _Reader:
             row[: len(numbers)] = numbers
         return [(np.array(heads), table[:, : count + 1] if count else table)]
 
-    def _number_parts(self) -> None:
-        """Nodes of several parts get numbers of their own; those of a part placed twice stay."""
+    def _number_parts(self) -> dict[int, tuple[list[int], int]]:
+        """Nodes of several parts get numbers of their own; those of a part placed twice stay.
+
+        Returns by the number of a part the blocks of its elements, and the shift.
+        """
+        owners: dict[int, tuple[list[int], int]] = {}
         filled = [part for part in [self._model, *self._parts] if part.blocks]
         blocks = self.raw.blocks
         largest = max((int(b.ids.max(initial=0)) for b in blocks), default=0)
         step = 10 ** len(str(largest))
         for place, part in enumerate(filled):
             shift = place * step
+            owners[part.number] = (part.elements, shift)
             for k in part.blocks:
                 if shift:
                     blocks[k] = replace(blocks[k], ids=blocks[k].ids + shift)
@@ -322,6 +338,7 @@ class _Reader:
                 self.raw.elements[k] = replace(old, nodes=np.where(nodes > 0, nodes + shift, 0))
             if shift:
                 self.raw.notes.append(f"nodes of the part {part.name} count from {shift} on")
+        return owners
 
 
 def _frame(turn: np.ndarray, origin: np.ndarray, outer: int) -> Frame:

@@ -6,10 +6,9 @@ from __future__ import annotations
 import numpy as np
 
 from .abaqus_lines import AbaqusLines, Keyword
-from .model import Elements, NamedSet, Raw
+from .abaqus_sets import members_of
+from .model import Elements, Raw
 from .numbers import parse_integer
-
-_MOST = 10**7
 
 
 class Sets:
@@ -30,10 +29,7 @@ class Sets:
         self._joints.append((name, members, file, line))
 
     def finish(self) -> None:
-        """Add the joints to what was read, and the sets."""
-        for name, members in self._sets.items():
-            ids = members[0] if len(members) == 1 else np.concatenate(members)
-            self._raw.sets.append(NamedSet(f"NSET {name}", "nodes", ids))
+        """Add the joints to what was read."""
         for name, members, file, line in self._joints:
             nodes = list(dict.fromkeys(self._resolved(members)))
             if len(nodes) > 1:
@@ -60,7 +56,8 @@ def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
     """Take a set of nodes, or what joins some."""
     name, options = keyword.name, keyword.options
     if name == "NSET":
-        _set(sets, lines, keyword)
+        members, _ = members_of(lines, keyword)
+        sets.add_nodes(options.get("NSET", ""), np.array(members, dtype=np.int64))
     elif name == "RIGID BODY":
         members = [options.get("REF NODE", ""), options.get("ROT NODE", "")]
         members += [options.get(key, "") for key in ("NSET", "TIE NSET", "PIN NSET")]
@@ -74,20 +71,6 @@ def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
             sets.add_joint(name, lines.words(line)[1:], lines.file, line)
     elif name == "EQUATION":
         _equations(sets, lines, keyword)
-
-
-def _set(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
-    members: list[int] = []
-    for line in keyword.rows.tolist():
-        words = [parse_integer(word) for word in lines.words(line)]
-        numbers = [number for number in words if number is not None]
-        if "GENERATE" in keyword.options and len(numbers) >= 2:
-            step = max(1, numbers[2]) if len(numbers) > 2 else 1
-            low, high = numbers[0], min(numbers[1], numbers[0] + _MOST)
-            members += range(low, high + 1, step)
-        else:
-            members += numbers
-    sets.add_nodes(keyword.options.get("NSET", ""), np.array(members, dtype=np.int64))
 
 
 def _equations(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:

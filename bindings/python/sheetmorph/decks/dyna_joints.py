@@ -12,9 +12,11 @@ from .numbers import parse_integer, parse_real
 JOINTS = (
     "CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET", "CONSTRAINED_NODAL_RIGID_BODY",
     "CONSTRAINED_NODE_SET", "CONSTRAINED_GENERALIZED_WELD", "CONSTRAINED_EXTRA_NODES",
-    "CONSTRAINED_JOINT", "DEFINE_COORDINATE_NODES", "SET_NODE",
+    "CONSTRAINED_JOINT", "DEFINE_COORDINATE_NODES", "SET_NODE", "SET_PART", "SET_SHELL",
 )  # fmt: skip
 _LARGEST = 1e15
+# What the numbers of a set are of.
+_SETS = {"SET_NODE": "nodes", "SET_PART": "properties", "SET_SHELL": "elements"}
 
 
 class Joints:
@@ -22,15 +24,17 @@ class Joints:
 
     def __init__(self, raw: Raw):
         self._raw = raw
-        self._sets: dict[int, list[int]] = {}
+        self._sets: dict[int, list[int]] = {}  # of nodes
+        self._named: dict[str, tuple[str, list[int]]] = {}
         self._by_set: list[tuple[str, int, int, int, int, int]] = []
 
     def add(self, cards: DynaCards, section: Section) -> None:
         """Take a keyword."""
         name, rows = section.name, section.rows.tolist()
-        if name.startswith("SET_NODE"):
-            self._set(cards, section)
-            return
+        for word, of in _SETS.items():
+            if name.startswith(word):
+                self._set(cards, section, (word, of))
+                return
         each = 2 if name.endswith(("_FILTERED_FORCE", "_FILTERED_FORCE_ID")) else 1
         rows = rows[1:] if name.endswith(("_ID", "_TITLE")) and rows else rows
         if name.startswith(("CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET")):
@@ -69,15 +73,22 @@ class Joints:
                 )
             )  # fmt: skip
 
-    def _set(self, cards: DynaCards, section: Section) -> None:
+    def _set(self, cards: DynaCards, section: Section, what: tuple[str, str]) -> None:
         name, rows = section.name, section.rows.tolist()
+        word, of = what
         has_title = name.endswith("_TITLE")
         name = name.removesuffix("_TITLE").removesuffix("_COLLECT")
+        title = cards.text.line(rows[0]).strip() if has_title and rows else ""
         rows = rows[1:] if has_title else rows
-        kind = name[len("SET_NODE") :]
+        kind = name[len(word) :]
         if not rows or kind not in ("", "_LIST", "_LIST_GENERATE", "_COLUMN", "_LIST_SMOOTH"):
             return
-        members = self._sets.setdefault(_number(cards.fields(rows[0], cards.width)[0]), [])
+        number = _number(cards.fields(rows[0], cards.width)[0])
+        members = self._named.setdefault(f"{word} {number}", (of, []))[1]
+        if word == "SET_NODE":
+            self._sets[number] = members
+        if title:
+            self._named.setdefault(f"{word} {title}", (of, members))
         for line in rows[1:]:
             numbers = [_number(text) for text in cards.fields(line, cards.width)[:8]]
             if kind == "_COLUMN":
@@ -90,8 +101,8 @@ class Joints:
 
     def finish(self) -> None:
         """Add what joins sets of nodes, and the sets themselves."""
-        for number, members in self._sets.items():
-            self._raw.sets.append(NamedSet(f"SET_NODE {number}", "nodes", members))
+        for title, (of, members) in self._named.items():
+            self._raw.sets.append(NamedSet(title, of, members))
         for name, owner, group, lead, file, line in self._by_set:
             members = self._sets.get(group, [])
             nodes = ([lead] if lead > 0 else []) + members

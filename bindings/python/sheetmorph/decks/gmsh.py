@@ -12,6 +12,7 @@ import numpy as np
 from .commas import integers, reals, words
 from .cut import small
 from .deck import Deck
+from .gmsh_names import PhysicalGroups
 from .includes import Included
 from .model import BINARY, WORD, Block, Elements, Opener, Place, Raw
 from .numbers import LARGEST
@@ -35,9 +36,16 @@ def read_gmsh(path: Path, opener: Opener) -> Deck:
     Included(raw, path, opener).first(path)
     reader = _Binary(raw) if _is_binary(raw) else _Text(raw)
     reader.read()
+    raw.sets += reader.groups.sets(raw, section_of(raw, "PhysicalNames"))
     for mark in raw.texts[0].matches(rb'^[ \t]*2[ \t]+(\d+)[ \t]+"([^"\r\n]*)"'):
         raw.names[int(mark.group(1)[:18])] = mark.group(2).decode("latin-1")
     return Deck(raw)
+
+
+def section_of(raw: Raw, name: str) -> bytes:
+    """What stands between $NAME and $EndNAME, nothing where they are not there."""
+    found = raw.texts[0].matches(rb"^\$(End)?" + name.encode() + rb"\b")
+    return raw.texts[0].data[found[0].end() : found[1].start()] if len(found) > 1 else b""
 
 
 @dataclass(frozen=True)
@@ -81,10 +89,13 @@ class _Text:
 
     def __init__(self, raw: Raw):
         self.raw = raw
+        self.groups = PhysicalGroups()
         self._text = raw.texts[0]
         self._version = _format(raw).version
 
     def read(self) -> None:
+        if self._version >= 4.0:
+            self.groups.read_entities(section_of(self.raw, "Entities"), self._version)
         for name in ("Nodes", "Elements"):
             for begin, end in self._sections(name):
                 if name == "Elements" and self._version < 4.0:
@@ -277,6 +288,7 @@ class _Text:
             # The second tag is the entity of the geometry, as in version 4.
             first = numbers[np.minimum(heads[rows] + 4, len(numbers) - 1)]
             tag = np.where(tags[rows] > 1, first, 0)
+            self.groups.add(_TYPES[kind][0], tag, numbers[heads[rows] + 3])
             piece = small(table), small(tag), lines[heads[rows]].astype(np.int32)
             found.setdefault(kind, []).append(piece)
         return len(heads)
@@ -355,6 +367,8 @@ class _Binary(_Text):
                 width = 1 + tags + _TYPES[kind][1]
                 table = self._array(np.dtype("<i4"), some * width).reshape(some, width)
                 tag = table[:, 2] if tags > 1 else np.zeros(some, np.int64)
+                if tags > 1:
+                    self.groups.add(_TYPES[kind][0], tag, table[:, 1])
                 rows = np.delete(table, np.arange(1, 1 + tags), axis=1)
                 self._put(kind, rows.astype(np.int64), tag, np.zeros(some))
                 done += some

@@ -74,11 +74,13 @@ class Place:
 
 @dataclass(frozen=True)
 class NamedSet:
-    """A set: kind: "nodes", "elements" or "" where the deck does not say; ids of those."""
+    """A set: kind: "nodes", "elements", "properties" or "" where the deck does not say; ids of
+    those; blocks: in which of Raw.elements the ids of elements count, in all if there is none."""
 
     name: str
     kind: str
     ids: Sequence[int] | np.ndarray
+    blocks: tuple[int, ...] = ()
 
 
 @dataclass

@@ -19,38 +19,44 @@ _NINE = ((0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7
 @dataclass(frozen=True)
 class Sheet:
     """nodes: (n,) indices of the deck's nodes that shells have, rising; triangles: (m, 3) int32
-    rows of nodes, in the order of the cards; properties: (m,); elements: (m,) ids; faces: (e, 4)
+    rows of nodes, in the order of the cards; properties: (m,); elements: (m,) ids; blocks: (m,)
+    which of the deck's elements they are of; faces: (e, 4)
     rows of nodes at the corners of every shell, -1 in the last one of a triangle."""
 
     nodes: np.ndarray
     triangles: np.ndarray
     properties: np.ndarray
     elements: np.ndarray
+    blocks: np.ndarray
     faces: np.ndarray
 
 
 def sheet_of(deck: Deck) -> Sheet:
     """The shells of a deck. Raises FileError where one names a node that is not there."""
-    found = [block for block in deck.elements if block.kind == "shell" and len(block.ids)]
-    pieces = [_triangles(deck, block) for block in found]
+    numbers = [k for k, b in enumerate(deck.elements) if b.kind == "shell" and len(b.ids)]
+    found = [deck.elements[k] for k in numbers]
+    pieces = [(*_triangles(deck, block), k) for k, block in zip(numbers, found)]
     pieces = [piece for piece in pieces if len(piece[0])]
     if not pieces:
         none = np.zeros(0, dtype=np.int64)
-        return Sheet(none, np.zeros((0, 3), np.int32), none, none, np.zeros((0, 4), np.int32))
+        faces = np.zeros((0, 4), np.int32)
+        return Sheet(none, np.zeros((0, 3), np.int32), none, none, none, faces)
     triangles = np.concatenate([piece[0] for piece in pieces])
     places = np.concatenate([piece[1] for piece in pieces])
     properties = np.concatenate([piece[2] for piece in pieces])
     elements = np.concatenate([piece[3] for piece in pieces])
+    blocks = np.repeat([piece[4] for piece in pieces], [len(piece[0]) for piece in pieces])
+    blocks = blocks.astype(np.int32)
     if len(pieces) > 1:
         order = np.argsort(places, kind="stable")
         triangles, properties = triangles[order], properties[order]
-        elements = elements[order]
+        elements, blocks = elements[order], blocks[order]
     used = np.zeros(len(deck.ids), dtype=bool)
     used[triangles] = True
     rows = (np.cumsum(used) - 1).astype(np.int32)
     faces = np.concatenate([_corners(deck, block) for block in found])
     faces = np.where(faces >= 0, rows[np.maximum(faces, 0)], np.int32(-1))
-    return Sheet(np.flatnonzero(used), rows[triangles], properties, elements, faces)
+    return Sheet(np.flatnonzero(used), rows[triangles], properties, elements, blocks, faces)
 
 
 def _corners(deck: Deck, block: Elements) -> np.ndarray:

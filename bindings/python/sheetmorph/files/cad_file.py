@@ -83,7 +83,10 @@ def read_shape(text: str, name: str, meshing: Mapping[str, float] | None = None)
 
 def part_meshes(model: Any) -> list[PartMesh]:
     """The meshes of a CadModel, one a solid or free shell, under its name."""
-    return [PartMesh(part.points, part.triangles, name=part.name) for part in model.parts]
+    return [
+        PartMesh(part.points, part.triangles, name=part.name, labels=_labels([part]))
+        for part in model.parts
+    ]
 
 
 def exact_features(part: Any) -> list[dict[str, Any]]:

@@ -12,6 +12,7 @@ import numpy as np
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
 from ..decks.contents import Shells, shells_of
 from ..decks.joints import Joint, joints_of
+from ..decks.model import NamedSet
 from ..decks.model import Place
 from ..decks.passengers import Carried, Passengers, rules_of
 from ..decks.placing import require_places
@@ -61,21 +62,31 @@ class DeckFile(PartFile):
         """The sets as groups: "SET 3", and "SET 3 nodes" or "SET 3 elements" if it may be both."""
         groups: dict[str, np.ndarray] = {}
         nodes: dict[str, list[int]] = {}
-        for one in self.deck.raw.sets:
-            triangles, members = np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
-            if one.kind != "nodes":
-                triangles = np.flatnonzero(np.isin(self.sheet.elements, one.ids))
-            if one.kind != "elements":
-                members = np.array(one.ids, dtype=np.int64)
+        raw = self.deck.raw
+        parts = [NamedSet(f"PART {name}", "properties", [k]) for k, name in raw.names.items()]
+        for one in [*raw.sets, *(parts if raw.form == "LS-DYNA" else [])]:
+            triangles, members = self._rows_of(one), np.empty(0, dtype=np.int64)
+            if one.kind not in ("elements", "properties"):
+                members = np.asarray(one.ids, dtype=np.int64)
                 members = members[np.isin(members, ids)]
             count = len(np.unique(self.sheet.elements[triangles]))
-            if count:
-                groups[f"{one.name} elements"] = triangles
-                groups |= {one.name: triangles} if count >= len(members) else {}
-            if len(members):
-                nodes[f"{one.name} nodes"] = members.tolist()
-                nodes |= {one.name: members.tolist()} if len(members) > count else {}
+            for name in ([one.name] if count >= len(members) else []) + [f"{one.name} elements"]:
+                if count:
+                    groups[name] = np.union1d(groups.get(name, triangles), triangles)
+            for name in ([one.name] if len(members) > count else []) + [f"{one.name} nodes"]:
+                if len(members):
+                    nodes[name] = [*nodes.get(name, []), *members.tolist()]
         return Labels(groups, nodes)
+
+    def _rows_of(self, one: NamedSet) -> np.ndarray:
+        """The triangles of a set of elements or properties."""
+        if one.kind == "nodes":
+            return np.empty(0, dtype=np.int64)
+        of = self.sheet.properties if one.kind == "properties" else self.sheet.elements
+        inside = np.isin(of, one.ids)
+        if one.blocks:
+            inside &= np.isin(self.sheet.blocks, one.blocks)
+        return np.flatnonzero(inside)
 
     def save(self, path: Path, positions: np.ndarray) -> None:
         with path.open("wb") as out:

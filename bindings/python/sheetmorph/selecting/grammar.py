@@ -21,6 +21,7 @@ WITH: dict[str, tuple[str, ...]] = {
     "piece_at": (),
     "group": (),
     "cad_face_at": ("kind", "name", "number"),
+    "cad_edge_at": (),
     "found": ("near", "diameter", "count"),
     "all": (),
     "drawn": (),

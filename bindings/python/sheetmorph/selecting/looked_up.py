@@ -98,6 +98,33 @@ def cad_face_at(shape: PartShape, told: Told) -> Chosen:
     return replace(found, matches=[match], remarks=remarks)
 
 
+def cad_edge_at(shape: PartShape, told: Told) -> Chosen:
+    """The edge of the CAD file nearest to a point: where two of its faces meet, or one ends."""
+    point = told["cad_edge_at"]
+    if shape.labels.face is None or not shape.labels.faces:
+        what = f'the file of "{shape.name}" has no CAD edges'
+        raise SelectorError(what, "use rim_at, or a STEP, IGES or BREP file", ("cad_edge_at",))
+    edges = shape.cad_edges
+    if not edges:
+        raise SelectorError(f'"{shape.name}" is one face', "use face_at", ("cad_edge_at",))
+    place = np.array(point, dtype=float)
+    gaps = [segments_distance(shape.points[edge.segments], place) for edge in edges]
+    least = min(gaps) + shape.slack
+    near = [k for k, gap in enumerate(gaps) if gap <= least]
+    best = max(near, key=lambda k: (len(edges[k].segments), -k))
+    found = _matched(shape, shape.of_vertices(edges[best].segments.ravel()), "cad_edge_at", least)
+    numbers = [shape.labels.faces[k].number for k in edges[best].faces]
+    return replace(found, matches=[{**found.matches[0], "distance": gaps[best], "faces": numbers}])
+
+
+def segments_distance(segments: np.ndarray, place: np.ndarray) -> float:
+    """From a place to the nearest of some segments (k, 2, 3), mm."""
+    start, along = segments[:, 0], segments[:, 1] - segments[:, 0]
+    length = np.maximum((along**2).sum(axis=1), 1e-300)
+    share = np.clip(((place - start) * along).sum(axis=1) / length, 0.0, 1.0)
+    return float(np.linalg.norm(start + share[:, None] * along - place, axis=1).min())
+
+
 LOOKED_UP: dict[str, Callable[[PartShape, Told], Chosen]] = {
     "face_at": face_at,
     "rim_at": rim_at,
@@ -105,6 +132,7 @@ LOOKED_UP: dict[str, Callable[[PartShape, Told], Chosen]] = {
     "borders_longer": borders_longer,
     "piece_at": piece_at,
     "cad_face_at": cad_face_at,
+    "cad_edge_at": cad_edge_at,
 }
 
 
@@ -157,10 +185,7 @@ def loop_length(shape: PartShape, loop: np.ndarray) -> float:
 
 def _line_distance(points: np.ndarray, place: np.ndarray) -> float:
     """From a place to the closed line through points (k, 3)."""
-    start, along = points, np.roll(points, -1, axis=0) - points
-    length = np.maximum((along**2).sum(axis=1), 1e-300)
-    share = np.clip(((place - start) * along).sum(axis=1) / length, 0.0, 1.0)
-    return float(np.linalg.norm(start + share[:, None] * along - place, axis=1).min())
+    return segments_distance(np.stack([points, np.roll(points, -1, axis=0)], axis=1), place)
 
 
 def _rims(shape: PartShape) -> tuple[list[np.ndarray], list[np.ndarray]]:

@@ -44,6 +44,8 @@ def by_group(shape: PartShape, told: Told) -> Chosen:
     labels = shape.labels
     found = [name for name in labels.names if name == wanted]
     found = found or [name for name in labels.names if name.split(" ", 1)[-1] == wanted]
+    lower = wanted.lower()  # an input file does not tell capitals from small letters
+    found = found or [n for n in labels.names if lower in (n.lower(), n.split(" ", 1)[-1].lower())]
     if not found:
         raise SelectorError(
             f'the file of "{shape.name}" has no group "{wanted}"', _names(labels.names, wanted),

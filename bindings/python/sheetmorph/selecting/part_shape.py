@@ -16,6 +16,7 @@ from ..kernel import load_kernel
 from ..labels import Labels
 from ..part_mesh import PartMesh
 from ..recipe.placement import Placement
+from .cad_edges import CadEdge, cad_edges
 from .chosen import Chosen
 
 # Of its size: how far rounding may put a vertex beside the plane it lies on.
@@ -91,6 +92,12 @@ class PartShape:
     def border_loops(self) -> list[np.ndarray]:
         """The closed loops where the sheet ends, vertices in order."""
         return [np.asarray(loop) for loop in self.core.boundary_loops(self.kernel_mesh)]
+
+    @cached_property
+    def cad_edges(self) -> list[CadEdge]:
+        """Where two faces of the CAD file meet, or one ends."""
+        face = self.labels.face
+        return [] if face is None else cad_edges(self.triangles, face)
 
     def loops_at(self, crease: float) -> list[np.ndarray]:
         """The closed loops where the sheet ends or bends by an angle, degrees, or more."""

@@ -110,6 +110,11 @@ def cad_face_at(
     return _made(cad_face_at=point, kind=kind, name=name, number=number)
 
 
+def cad_edge_at(point: Vector) -> Selector:
+    """The edge of the CAD file nearest to a point."""
+    return _made(cad_edge_at=point)
+
+
 def found(
     kind: str, near: Vector | None = None, diameter: Vector | None = None, count: int | None = None
 ) -> Selector:

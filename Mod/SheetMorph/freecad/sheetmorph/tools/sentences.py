@@ -197,7 +197,7 @@ def placed(where: Said, frame: Any) -> Said:
 
 
 DIRECTIONS = ("normal", "direction")
-PLACES = (*POINTS, "border_at", "cad_face_at", "near", "box", "point", "center")
+PLACES = (*POINTS, "border_at", "cad_face_at", "cad_edge_at", "near", "box", "point", "center")
 LENGTHS = ("radius", "length", "thickness", "diameter", "borders_longer")
 """Keys of a selector whose values are lengths, mm."""
 

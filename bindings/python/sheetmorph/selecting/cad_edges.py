@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The edges of a CAD file on its mesh: where triangles of two of its faces meet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class CadEdge:
+    """faces: rows of Labels.faces, one where the sheet ends; segments: (k, 2) vertices."""
+
+    faces: tuple[int, ...]
+    segments: np.ndarray
+
+
+def cad_edges(triangles: np.ndarray, face: np.ndarray) -> list[CadEdge]:
+    """The edges between faces; triangles (m, 3), face: of each (m,)."""
+    sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    owners = np.repeat(face, 3)
+    ends, number = np.unique(sides, axis=0, return_inverse=True)
+    order = np.lexsort([owners, number.ravel()])
+    begins = np.searchsorted(number.ravel()[order], np.arange(len(ends) + 1))
+    found: dict[tuple[int, ...], list[int]] = {}
+    for k in range(len(ends)):
+        around = owners[order[begins[k] : begins[k + 1]]].tolist()
+        if len(set(around)) > 1 or len(around) == 1:
+            found.setdefault(tuple(dict.fromkeys(around)), []).append(k)
+    return [
+        CadEdge(faces, piece) for faces, rows in found.items() for piece in _connected(ends[rows])
+    ]
+
+
+def _connected(segments: np.ndarray) -> list[np.ndarray]:
+    """The segments (k, 2) in pieces that hang together."""
+    piece = {int(v): int(v) for v in np.unique(segments)}
+
+    def root(vertex: int) -> int:
+        while piece[vertex] != vertex:
+            piece[vertex] = piece[piece[vertex]]
+            vertex = piece[vertex]
+        return vertex
+
+    for a, b in segments.tolist():
+        piece[root(a)] = root(b)
+    owner = np.array([root(a) for a in segments[:, 0].tolist()])
+    return [segments[owner == one] for one in np.unique(owner)]
