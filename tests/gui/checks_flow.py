@@ -86,12 +86,15 @@ def draw_region(part, command: str, tool: str, figure: list):
 
 
 def click_rims(part, rims: list, image: str):
-    """Marks holes of a part as form features: a click on each rim."""
+    """Marks holes of a part as form features: a click into each, near its rim.
+
+    On the rim itself another part with the same hole may hide it, by less than a pixel.
+    """
     select(part)
     points = api.rest_mesh(part)[0]
     yield from press_tool("Mark Form Features…")
     for rim, key in zip(rims, ["", *["shift"] * len(rims)]):
-        yield from click_point(points[rim[0]], key)
+        yield from click_point((points[rim[0]] + points[rim].mean(axis=0)) / 2.0, key)
     picture(image)
     yield from press("OK")
     made = [model.vertices(r).tolist() for r in regions("form feature") if r.Part == part]

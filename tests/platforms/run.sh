@@ -1,9 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Makes another Debian in a folder below build/platforms and does there what a new user would type:
-# the README's two commands. Called by `./sheetmorph test platforms [12|13|testing]...`, as root.
+# the README's two commands; makes the packages there and tries them in a fresh system of its kind. Called by `./sheetmorph test platforms [12|13|testing]...`, as root.
 # Usage: tests/platforms/run.sh BUILD [SYSTEM...]
 # What it needs of this machine: debootstrap, and the mirror that its apt knows.
+# With CCACHE_DIR set, what is compiled in a system is kept there, in a folder of the system's name.
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(dirname "$(realpath "$0")")")")
@@ -11,6 +12,8 @@ build=$(realpath "$1")/platforms
 shift
 [ "$#" -gt 0 ] || set -- 13 testing
 mounted=()
+cache=${CCACHE_DIR:-}
+[ -z "$cache" ] || export CCACHE_DIR=/var/cache/ccache
 
 finish() {
     local place
@@ -71,7 +74,16 @@ make_system() {
     local folder="$build/$1"
     [ ! -e "$folder/.made" ] || return 0
     unpack_bare "$1" "$folder"
+    [ -z "$cache" ] || chroot "$folder" sh -c 'apt-get update && apt-get install -y ccache' \
+        >"$folder.log" 2>&1 || fail "no ccache for $1: see $folder.log"
     touch "$folder/.made"
+}
+
+# A folder of a system, $2, that outlives it in $3.
+keep() {
+    mkdir -p "$1$2" "$3"
+    mount --bind "$3" "$1$2"
+    mounted=("$1$2" "${mounted[@]}")
 }
 
 # What a running system has besides its files, and the data beside the project.
@@ -83,6 +95,11 @@ enter_system() {
     done
     mount -t tmpfs tmpfs "$folder/dev/shm"
     mounted=("$folder/dev/shm" "${mounted[@]}")
+    keep "$folder" /var/cache/apt/archives "$build/$system-debs"
+    if [ -n "$cache" ]; then
+        keep "$folder" "$CCACHE_DIR" "$cache/$system"
+        chroot "$folder" chown designer: "$CCACHE_DIR"
+    fi
     cp -L /etc/resolv.conf "$folder/etc/resolv.conf" 2>/dev/null || true
     cp -L /etc/hosts "$folder/etc/hosts"
     if [ -d "$root/../shared" ]; then
@@ -108,16 +125,28 @@ as_designer() {
     chroot "$folder" su designer -c "cd ~/sheetmorph && $*"
 }
 
-# One command there; its closing line and how long it took.
+# One command, $3..., for a system; its closing line and how long it took.
 try() {
     local folder="$1" name="$2" start status=0
     shift 2
     start=$(date +%s)
-    as_designer "$folder" "$@" >"$folder-$name.log" 2>&1 </dev/null || status=$?
+    "$@" >"$folder-$name.log" 2>&1 </dev/null || status=$?
     printf 'platforms: %s: %s: %s, %d min: %s\n' "$(basename "$folder")" "$name" \
         "$([ "$status" -eq 0 ] && echo passed || echo "failed with $status")" \
         $((($(date +%s) - start + 30) / 60)) "$(tail -n 1 "$folder-$name.log")"
     return "$status"
+}
+
+# The packages that were made in one system, $1, in a fresh one, $2, that has nothing to build with.
+try_packages() {
+    local packages=/home/designer/packages
+    unpack_bare "$system" "$2"
+    enter_system "$2"
+    cp -r "$1/home/designer/sheetmorph/build/package" "$2$packages"
+    cp "$root"/tests/platforms/{installed.sh,morph.py} "$root/resources/packaging/ask_freecad.py" \
+        "$2$packages"
+    chroot "$2" chown -R designer: "$packages"
+    try "$1" installed chroot "$2" "$packages/installed.sh" "$packages"
 }
 
 [ "$(id -u)" -eq 0 ] || fail "making a system in a folder needs root: sudo ./sheetmorph test platforms"
@@ -128,10 +157,12 @@ for system in "$@"; do
     make_system "$system"
     enter_system "$folder"
     copy_clone "$folder"
-    try "$folder" run ./sheetmorph run || failed=1
+    try "$folder" run as_designer "$folder" ./sheetmorph run || failed=1
     rm -rf "$folder-pictures"
     cp -r "$folder/home/designer/sheetmorph/build/run/output" "$folder-pictures" 2>/dev/null || true
-    try "$folder" test ./sheetmorph test || failed=1
+    try "$folder" package as_designer "$folder" ./sheetmorph package || failed=1
+    try_packages "$folder" "$folder-fresh" || failed=1
+    try "$folder" test as_designer "$folder" ./sheetmorph test || failed=1
     finish
 done
 exit "$failed"
