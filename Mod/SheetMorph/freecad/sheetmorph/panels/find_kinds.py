@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the two panels of proposals differ in: features and contacts."""
 
-from freecad.sheetmorph.actions import call, name, vertices
+from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.api.finding import HOLES, with_washers
 from freecad.sheetmorph.panels.base import number_in
 from freecad.sheetmorph.qt import QtWidgets, translate
@@ -14,6 +14,11 @@ MARKED = "In the document already"
 def widget(form, title: str):
     """A widget of the panel, asked for anew: an attribute can outlive its widget."""
     return form.findChild(QtWidgets.QWidget, title)
+
+
+def plain(vertices) -> str:
+    """How a macro line writes vertices: plain integers, no numpy."""
+    return repr([int(vertex) for vertex in vertices])
 
 
 class Features:
@@ -75,7 +80,7 @@ class Features:
         """The macro lines that take proposals over."""
         sets = with_washers(assembly, chosen, form.rings.value())
         return [
-            call("add_feature", name(assembly), name(one.part), vertices(ids), repr(one.name))
+            call("add_feature", name(assembly), name(one.part), plain(ids), repr(one.name))
             for one, ids in zip(chosen, sets)
         ]
 
@@ -147,7 +152,7 @@ class Contacts:
 
     def _line(self, assembly: str, one) -> str:
         sides = [
-            f"({name(part)}, {vertices(ids)})"
+            f"({name(part)}, {plain(ids)})"
             for part, ids in ((one.part_a, one.a), (one.part_b, one.b))
         ]
         keywords = {"label": repr(one.name), "type": repr(one.type)}
