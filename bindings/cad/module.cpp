@@ -128,6 +128,9 @@ void bind_part(py::module_& module)
         .def_readonly("deviation", &CadPart::deviation,
                       "largest distance found between mesh and surfaces, mm")
         .def_readonly("skipped_faces", &CadPart::skipped_faces, "faces that were not meshed")
+        .def_readonly("faults", &CadPart::faults, "why its shape is not valid, a few words each")
+        .def_readonly("healed", &CadPart::healed, "the same before it was healed")
+        .def_readonly("healed_within", &CadPart::healed_within, "how far that moved anything, mm")
         .def_property_readonly(
             "unsettled", [](const CadPart& part) { return part.convergence.sentence(); },
             "empty, or that the meshing of a face did not end, and how far it got");
@@ -229,6 +232,9 @@ py::dict as_dict(const CadMeasures& measures)
     found["is_closed"] = measures.is_closed;
     found["was_closed"] = measures.was_closed;
     found["was_valid"] = measures.was_valid;
+    found["faults_before"] = measures.faults;
+    found["healed"] = measures.healed;
+    found["healed_within"] = measures.healed_within;
     found["gap"] = as_dict(measures.gap);
     found["distance"] = as_dict(measures.distance);
     found["kink"] = as_dict(measures.kink);

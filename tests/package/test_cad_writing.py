@@ -4,13 +4,19 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import shutil
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import jsonschema
 import numpy as np
 import pytest
 
+import sheetmorph
 from cad_samples import make_cad_samples
 from sheetmorph import CertificateError, RecipeError, read_part, run
 from sheetmorph.cli import main
@@ -197,6 +203,72 @@ def test_what_misses_its_tolerance_is_not_written(folder: Path, capsys: pytest.C
     assert 'the STEP of "plate"' in told and "faces" in told and "write_tolerance" in told
     assert not (folder / "out").exists()
     assert not json.loads(report.read_text())["certificate"]["passed"]
+
+
+def with_a_vertex_off(folder: Path, off: float) -> Path:
+    """The recipe of a plate, one vertex of its file so many mm away from its edges."""
+    plate = folder / "plate.brep"
+    text, count = re.subn(
+        r"(Ve\n1e-07\n60 40 )2\n", rf"\g<1>{2.0 + off}\n", plate.read_text("utf-8")
+    )
+    assert count == 1
+    recipe = lifted(folder, "plate.brep", write="step")
+    plate.write_text(text, "utf-8")
+    return recipe
+
+
+def test_a_shape_that_is_nearly_valid_is_healed_and_told(folder: Path):
+    report = run(with_a_vertex_off(folder, 0.004), folder / "out")
+    jsonschema.validate(report, report_schema())
+    body = only_body(report)
+    assert body["is_valid"] and body["was_valid"] and body["faults_before"] == []
+    assert re.match(r"face \d+: .*a vertex is off", body["healed"][0])
+    assert 0.003 < body["healed_within"] < 0.01
+    assert "it was healed within" in json.dumps(report)
+
+
+def test_a_shape_that_is_not_valid_is_refused_with_face_and_reason(folder: Path):
+    recipe = with_a_vertex_off(folder, 0.5)
+    with pytest.raises(
+        CertificateError, match=r"no valid shape before .*face \d+: .*vertex is off"
+    ):
+        run(recipe, folder / "out")
+    assert not (folder / "out").exists()
+
+
+@pytest.mark.parametrize("stage", ["carrying", "writing", "reading it again", "measuring"])
+def test_a_cancelled_run_leaves_no_file(stage: str, folder: Path):
+    recipe = lifted(folder, "plate.brep", write="step")
+    before = set(folder.iterdir())
+    with pytest.raises(RuntimeError, match="cancel"):
+        run(recipe, folder / "out", progress=lambda _, task: not task.startswith(stage))
+    assert set(folder.iterdir()) == before
+
+
+def test_ctrl_c_while_a_shape_is_carried_leaves_no_file(folder: Path):
+    recipe = lifted(folder, "plate.brep", write="step")
+    before = set(folder.iterdir())
+    script = (
+        "import sys, time, sheetmorph.cli_progress as told\n"
+        "from sheetmorph.cli import main\n"
+        "def tell(self, fraction, task):\n"
+        "    if task.startswith('carrying'):\n"
+        "        print('carrying', flush=True)\n"
+        "        time.sleep(30)\n"
+        "    return True\n"
+        "told._Line.tell = tell\n"
+        "sys.exit(main(['run', sys.argv[1], '-o', sys.argv[2]]))\n"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", script, str(recipe), str(folder / "out")],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(sheetmorph.__file__).parent.parent)},
+    )  # fmt: skip
+    assert process.stdout.readline() == "carrying\n"
+    process.send_signal(signal.SIGINT)
+    _, error = process.communicate(timeout=60)
+    assert (process.returncode, error) == (130, "interrupted; no part was written\n")
+    assert set(folder.iterdir()) == before
 
 
 def test_a_mesh_that_folds_is_refused(folder: Path):

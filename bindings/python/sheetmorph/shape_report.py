@@ -131,7 +131,8 @@ def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]
             "write_edge_tolerance"
         )
     if not body["was_valid"]:
-        yield "it was no valid shape before it was deformed; repair it in the CAD system"
+        why = "; ".join(body["faults_before"])
+        yield f"it was no valid shape before it was deformed ({why}); repair it in the CAD system"
     elif not body["is_valid"]:
         named = f", {_faces(body['invalid_faces'])}" if body["invalid_faces"] else ""
         yield f"it is no valid shape{named}; mesh the part finer, or turn it less"

@@ -65,12 +65,17 @@ void parallel_pair(const std::function<void()>& one, const std::function<void()>
 void run_tasks(const std::vector<Task>& tasks, const Progress& progress)
 {
     ThreadPool& pool = ThreadPool::common();
-    if (tasks.size() == 1 || !pool.can_watch())
+    const auto count = static_cast<Eigen::Index>(tasks.size());
+    if (tasks.size() == 1 || pool.threads() == 1)
     {
         run_in_turn(tasks, progress);
         return;
     }
-    const auto count = static_cast<Eigen::Index>(tasks.size());
+    if (!pool.can_watch())  // a task of others: they report, these only ask to be cancelled
+    {
+        pool.run(count, [&](Eigen::Index k) { tasks[static_cast<std::size_t>(k)].work(progress); });
+        return;
+    }
     std::atomic<bool> is_wanted{true};
     std::atomic<std::size_t> latest{0};
     const Progress asked([&](double, const std::string&) { return is_wanted.load(); });

@@ -29,6 +29,9 @@ struct NamedShape
     int product = 0;                  //!< the place of its product in the order of the assembly
     std::string own_name;             //!< that its own entity has; empty if none
     std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> sewn;  //!< faces outside of shells, and here
+    std::vector<std::string> faults = {};                     //!< why it is no valid shape
+    std::vector<std::string> healed = {};  //!< why it was none before it was healed
+    double healed_within = 0.0;            //!< how far healing moved anything, mm
 };
 
 //! Collects the bodies of a file under names that are unique.

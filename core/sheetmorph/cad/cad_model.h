@@ -82,7 +82,10 @@ struct CadPart
     bool is_closed = false;          //!< every edge has two triangles; they look outwards then
     double deviation = 0.0;          //!< largest distance found between mesh and surfaces, mm
     std::vector<int> skipped_faces;  //!< faces that could not be meshed, ascending
-    Convergence convergence = {};    //!< of the face whose meshing took most rounds, or did not end
+    std::vector<std::string> faults = {};  //!< why its shape is not valid, a few words each
+    std::vector<std::string> healed = {};  //!< the same before it was healed
+    double healed_within = 0.0;            //!< how far that moved anything, mm
+    Convergence convergence = {};  //!< of the face whose meshing took most rounds, or did not end
     std::shared_ptr<const ShapeMesh> known;  //!< shared by instances of one product
 };
 

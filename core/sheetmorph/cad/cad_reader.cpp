@@ -107,6 +107,9 @@ CadPart placed(CadPart part, const gp_Trsf& motion)
 void name(CadPart& part, const NamedShape& shape)
 {
     part.name = shape.name;
+    part.faults = shape.faults;
+    part.healed = shape.healed;
+    part.healed_within = shape.healed_within;
     for (std::size_t f = 0; f < std::min(shape.faces.size(), part.surfaces.size()); ++f)
     {
         part.surfaces[f].name = shape.faces[f].name;

@@ -2,6 +2,7 @@
 #include "sheetmorph/cad/cad_shapes.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/face_tags.h"
+#include "sheetmorph/cad/healing/healing.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -79,6 +80,22 @@ void collect_all(CadSource& source, const BodyList::BodyName& body_name)
     for (int i = 1; i <= roots.Length(); ++i)
         collect(roots.Value(i), {}, list, body_name);
     source.bodies = list.bodies();
+}
+
+// The bodies of a source, those healed that can be. A name is asked for by what a body was.
+Healing collect_healed(CadSource& source, const BodyList::BodyName& body_name)
+{
+    collect_all(source, body_name);
+    Healing healing(source);
+    const auto name_before = [&](const TopoDS_Shape& body)
+    {
+        const TopoDS_Shape now = body.Located(TopLoc_Location());
+        return body_name(healing.before().IsBound(now) ? healing.before().Find(now) : body);
+    };
+    if (healing.is_any())
+        collect_all(source, body_name ? BodyList::BodyName(name_before) : body_name);
+    healing.note(source.bodies);
+    return healing;
 }
 
 // Needs a reader to exist: only that makes the parameter known.
@@ -161,9 +178,12 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
             transfer->EntityFromShapeResult(unplaced, 1));
         return item.IsNull() || item->Name().IsNull() ? "" : trimmed(item->Name()->ToCString());
     };
-    collect_all(*source, name_of_body);
-    tag_faces(source->bodies, face_names_of(transfer),
-              XCAFDoc_DocumentTool::ColorTool(document->Main()));
+    const Healing healing = collect_healed(*source, name_of_body);
+    FaceNames names = face_names_of(transfer);
+    for (TopTools_DataMapOfShapeShape::Iterator it(healing.before()); it.More(); it.Next())
+        if (const std::string* name = names.Seek(it.Value()))
+            names.Bind(it.Key(), std::string(*name));
+    tag_faces(source->bodies, names, XCAFDoc_DocumentTool::ColorTool(document->Main()));
     return source;
 }
 
@@ -179,7 +199,7 @@ std::shared_ptr<CadSource> source_of_iges(const std::string& path)
     Handle(TDocStd_Document) document = source->document.handle();
     if (!reader.Transfer(document))
         throw InvalidInput("its shapes cannot be read; export it again, surfaces as trimmed ones");
-    collect_all(*source, {});
+    collect_healed(*source, {});
     return source;
 }
 
@@ -203,7 +223,7 @@ std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const st
     const auto source = std::make_shared<CadSource>();
     const TDF_Label label = source->document.shapes()->AddShape(shape, false, false);
     TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
-    collect_all(*source, {});
+    collect_healed(*source, {});
     return source;
 }
 

@@ -15,6 +15,7 @@
 #include <IGESControl_Writer.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TDataStd_Name.hxx>
@@ -24,7 +25,9 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <filesystem>
 #include <gp_Ax2.hxx>
@@ -134,6 +137,30 @@ void write_assembly_step(const std::string& path)
     tool->AddComponent(root, pin_label, TopLoc_Location(lying));
     tool->UpdateAssemblies();
     STEPCAFControl_Writer writer;
+    writer.Transfer(document);
+    writer.Write(path.c_str());
+    application->Close(document);
+}
+
+void write_coloured_step(const std::string& path)
+{
+    const auto application = XCAFApp_Application::GetApplication();
+    Handle(TDocStd_Document) document;
+    application->NewDocument("MDTV-XCAF", document);
+    const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+    const auto colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
+    const TopoDS_Shape sheet = plate();
+    const TDF_Label label = tool->AddShape(sheet, false);
+    TDataStd_Name::Set(label, "sheet");
+    colours->SetColor(label, Quantity_NOC_RED, XCAFDoc_ColorSurf);
+    colours->SetColor(tool->AddSubShape(label, upper_face(sheet)), Quantity_NOC_BLUE1,
+                      XCAFDoc_ColorSurf);
+    XCAFDoc_DocumentTool::LayerTool(document->Main())->SetLayer(label, "sheets");
+    const TDF_Label pins = tool->AddShape(
+        compound({cylinder({100, 0, 0}, 3.0, 8.0), cylinder({120, 0, 0}, 3.0, 8.0)}), false);
+    pins.ForgetAttribute(TDataStd_Name::GetID());
+    STEPCAFControl_Writer writer;
+    writer.SetLayerMode(true);
     writer.Transfer(document);
     writer.Write(path.c_str());
     application->Close(document);

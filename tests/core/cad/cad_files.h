@@ -34,6 +34,10 @@ void write_sheet_and_ball_brep(const std::string& path);
 //! same pin at (40, 20, -3), turned by 90 degrees about the x axis.
 void write_assembly_step(const std::string& path);
 
+//! The plate in red, its upper face in blue, on the layer "sheets", and a product without a name:
+//! a compound of two pins.
+void write_coloured_step(const std::string& path);
+
 //! A bent strip: two flats of 20 x 30 x 1 mm and a quarter of a cylinder between, radii 1 and 2.
 void write_bend_brep(const std::string& path);
 

@@ -158,6 +158,14 @@ def _notes(model: Any) -> list[str]:
         if part.skipped_faces:
             faces = ", ".join(str(face) for face in part.skipped_faces)
             notes.append(f"faces {faces} of {part.name} are broken and left out")
+        if part.healed:
+            why, within = "; ".join(part.healed), part.healed_within
+            notes.append(
+                f"{part.name} was no valid shape; it was healed within {within:.2g} mm: {why}"
+            )
+        if part.faults:
+            faults = "; ".join(part.faults)
+            notes.append(f"{part.name} is no valid shape, so no CAD file is made of it: {faults}")
         if part.unsettled:
             notes.append(f"{part.name}: {part.unsettled}")
     return notes

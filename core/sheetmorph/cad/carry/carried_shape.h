@@ -22,9 +22,9 @@ struct CarryTolerances
 struct CarriedShape
 {
     TopoDS_Shape shape;
-    std::vector<bool> is_kept;           //!< one a face: on the surface it had, moved
-    std::vector<double> scale;           //!< one a face: of the radius of a cylinder, else 1
-    WorstAt gap;                         //!< between an edge and a fitted face
+    std::vector<bool> is_kept;  //!< one a face: on the surface it had, moved
+    std::vector<double> scale;  //!< one a face: of the radius of a cylinder, else 1
+    WorstAt gap;  //!< between an edge and a fitted face, where it is wider than before
     TopTools_DataMapOfShapeShape image;  //!< of every vertex, edge, face, shell and solid
     //! The mesh of the shape as it was; with more faces where washers were divided from them, the
     //! last ones.

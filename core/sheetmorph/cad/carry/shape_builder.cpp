@@ -2,12 +2,40 @@
 #include "sheetmorph/cad/carry/shape_builder.h"
 
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
 namespace sheetmorph
 {
+
+namespace
+{
+
+// A line as a spline between two parameters: a STEP file does not say where an edge ends on it, and
+// readers look for that on the face, in vain on some splines.
+Handle(Geom2d_Curve) with_ends(const Handle(Geom2d_Curve) & curve, double low, double high)
+{
+    if (Handle(Geom2d_Line)::DownCast(curve).IsNull())
+        return curve;
+    TColgp_Array1OfPnt2d poles(1, 2);
+    TColStd_Array1OfReal knots(1, 2);
+    TColStd_Array1OfInteger times(1, 2);
+    times.Init(2);
+    for (int k = 1; k <= 2; ++k)
+    {
+        knots.SetValue(k, k == 1 ? low : high);
+        poles.SetValue(k, curve->Value(knots(k)));
+    }
+    return new Geom2d_BSplineCurve(poles, knots, times, 1);
+}
+
+}  // namespace
 
 TopoDS_Shape ShapeBuilder::built(const TopoDS_Shape& part)
 {
@@ -93,13 +121,15 @@ void ShapeBuilder::add_parameters(const TopoDS_Face& face, const CarriedFace& ca
         if (curve.IsNull() || (!is_stored && !carried.spline))
             continue;
         const double tolerance = BRep_Tool::Tolerance(edge);
+        const auto ended = [&](const Handle(Geom2d_Curve) & one)
+        { return carried.spline ? with_ends(one, low, high) : one; };
         if (BRep_Tool::IsClosed(old, before))
             builder_.UpdateEdge(
-                edge, curve,
-                BRep_Tool::CurveOnSurface(TopoDS::Edge(old.Reversed()), before, low, high), face,
-                tolerance);
+                edge, ended(curve),
+                ended(BRep_Tool::CurveOnSurface(TopoDS::Edge(old.Reversed()), before, low, high)),
+                face, tolerance);
         else
-            builder_.UpdateEdge(edge, curve, face, tolerance);
+            builder_.UpdateEdge(edge, ended(curve), face, tolerance);
         builder_.Range(edge, face, low, high);
     }
 }

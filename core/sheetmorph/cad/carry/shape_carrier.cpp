@@ -45,6 +45,55 @@ std::vector<double> samples_between(const std::vector<double>& parameters)
     return found;
 }
 
+// What the bends of an edge add to its shift: cubics that end, with their slope, where they are
+// felt no more.
+Vector3 bent_by(const CarriedEdge& edge, double t)
+{
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+        const double away = k == 0 ? t - edge.low : edge.high - t;
+        const double left = 1.0 - away / edge.reach[k];
+        if (left > 0.0)
+            sum += (k == 0 ? away : -away) * left * left * edge.bend[k];
+    }
+    return sum;
+}
+
+// One end of an edge, and how its shift changes there, per mm along the edge.
+struct EdgeEnd
+{
+    EdgeEnd(const CarriedEdge& edge, bool is_at_low) : is_low(is_at_low)
+    {
+        const double t = is_low ? edge.low : edge.high;
+        gp_Pnt here;
+        gp_Vec along;
+        edge.rest->D1(t, here, along);
+        speed = (is_low ? 1.0 : -1.0) * std::max(along.Magnitude(), 1e-12);
+        direction = to_vector(along.XYZ()) / speed;
+        if (edge.shift)
+            slope = edge.shift->derivative(t) / speed;
+        else
+        {
+            constexpr double step = 1e-3;
+            const Vector3 place = point_of(here);
+            slope =
+                (edge.motion->point(place + step * direction) - edge.motion->point(place)) / step
+                - direction;
+        }
+    }
+
+    void bend(CarriedEdge& edge, const Vector3& wanted) const
+    {
+        if (edge.shift)
+            edge.bend[is_low ? 0 : 1] = speed * (wanted - slope);
+    }
+
+    bool is_low;
+    double speed;  // mm per parameter, along the direction
+    Vector3 direction, slope;
+};
+
 VertexIds distinct(VertexIds vertices)
 {
     std::sort(vertices.begin(), vertices.end());
@@ -141,6 +190,10 @@ void ShapeCarrier::find_edges()
 {
     for (int e = 0; e < mesh_.edges.Extent(); ++e)
         find_edge(e);
+    join_slopes();
+    for (CarriedEdge& edge : edges_)
+        if (!edge.is_degenerated)
+            carry_edge(edge);
 }
 
 void ShapeCarrier::find_edge(int index)
@@ -178,10 +231,53 @@ void ShapeCarrier::find_edge(int index)
         found.motion = rigid_fit(rows_of(vertices, mesh_.rest), rows_of(vertices, result_),
                                  rigid_tolerance_, is_line(found.rest));
     }
-    carry_edge(found, known);
+    if (!found.motion)
+        find_shift(found, known);
 }
 
-void ShapeCarrier::carry_edge(CarriedEdge& edge, const VerticesOnEdge& known)
+void ShapeCarrier::find_shift(CarriedEdge& edge, const VerticesOnEdge& known) const
+{
+    edge.shift = displacement(edge, known);
+    const std::size_t count = known.parameters.size();
+    edge.reach.fill(edge.high - edge.low);
+    if (count > 2)
+        edge.reach = {known.parameters[1] - edge.low, edge.high - known.parameters[count - 2]};
+}
+
+// Edges that go on as one smooth curve where they meet move so, too: no surface beside both could
+// follow them else.
+void ShapeCarrier::join_slopes()
+{
+    std::vector<std::vector<std::pair<CarriedEdge*, bool>>> ends(vertices_.size());
+    for (CarriedEdge& edge : edges_)
+        if (!edge.is_degenerated)
+            for (const bool is_low : {true, false})
+                ends[static_cast<std::size_t>(is_low ? edge.first : edge.last)].push_back(
+                    {&edge, is_low});
+    for (const auto& here : ends)
+        for (std::size_t i = 0; i < here.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                if (here[i].first->shift || here[k].first->shift)
+                    join_slopes(*here[i].first, here[i].second, *here[k].first, here[k].second);
+}
+
+void ShapeCarrier::join_slopes(CarriedEdge& one, bool is_low, CarriedEdge& other,
+                               bool is_other_low) const
+{
+    constexpr double straight = 0.999;
+    const EdgeEnd a(one, is_low), b(other, is_other_low);
+    const double along = a.direction.dot(b.direction);
+    if (!(std::abs(along) > straight))
+        return;
+    const double sign = along < 0.0 ? -1.0 : 1.0;
+    const Vector3 slope = !one.shift     ? a.slope
+                          : !other.shift ? Vector3(sign * b.slope)
+                                         : Vector3(0.5 * (a.slope + sign * b.slope));
+    a.bend(one, slope);
+    b.bend(other, sign * slope);
+}
+
+void ShapeCarrier::carry_edge(CarriedEdge& edge)
 {
     if (edge.motion)
         edge.curve = edge.motion->curve(edge.rest);
@@ -191,8 +287,8 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge, const VerticesOnEdge& known)
     if (edge.motion)
         target = [&](double t) { return edge.motion->point(point_of(edge.rest->Value(t))); };
     else
-        target = [&edge, shift = displacement(edge, known)](double t) -> Vector3
-        { return point_of(edge.rest->Value(t)) + shift.at(t); };
+        target = [&edge](double t) -> Vector3
+        { return point_of(edge.rest->Value(t)) + edge.shift->at(t) + bent_by(edge, t); };
     const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
     edge.curve = curve_near(target, start, 0.2 * tolerances_.edge).curve();
 }
@@ -202,18 +298,25 @@ SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOn
     std::vector<double> parameters;
     std::vector<Vector3> shifts;
     const double least = 1e-9 * (edge.high - edge.low);
-    const auto add = [&](double t, const Vector3& there)
+    const auto add = [&](double t, const Vector3& shift)
     {
         if (!parameters.empty() && t < parameters.back() + least)
             return;
         parameters.push_back(t);
-        shifts.push_back(there - point_of(edge.rest->Value(t)));
+        shifts.push_back(shift);
     };
-    add(edge.low, vertices_[static_cast<std::size_t>(edge.first)].point);
+    // An edge that ends beside its vertex in the file does so again: its faces are there.
+    const auto shift_of = [&](int vertex) -> Vector3
+    {
+        const CarriedVertex& end = vertices_[static_cast<std::size_t>(vertex)];
+        return end.point - point_of(BRep_Tool::Pnt(end.vertex));
+    };
+    add(edge.low, shift_of(edge.first));
     for (std::size_t i = 1; i + 1 < known.parameters.size(); ++i)
         if (known.parameters[i] < edge.high - least)
-            add(known.parameters[i], result_.row(known.vertices[i]).transpose());
-    add(edge.high, vertices_[static_cast<std::size_t>(edge.last)].point);
+            add(known.parameters[i],
+                (result_.row(known.vertices[i]) - mesh_.rest.row(known.vertices[i])).transpose());
+    add(edge.high, shift_of(edge.last));
     Points rows(static_cast<Eigen::Index>(shifts.size()), 3);
     for (std::size_t i = 0; i < shifts.size(); ++i)
         rows.row(static_cast<Eigen::Index>(i)) = shifts[i].transpose();
@@ -433,10 +536,20 @@ void ShapeCarrier::measure_edge(CarriedEdge& edge)
                                      : edge.at(t);
             const double distance = (point(use, t) - here).norm();
             edge.tolerance = std::max(edge.tolerance, more * distance + 1e-8);
-            if (distance > gap_.value)
+            if (distance > gap_.value && distance > distance_at_rest(edge, use, t))
                 gap_ = {distance, use.face, here};
         }
     }
+}
+
+double ShapeCarrier::distance_at_rest(const CarriedEdge& edge, const EdgeOnFace& use,
+                                      double t) const
+{
+    if (edge.is_degenerated)
+        return 0.0;
+    const gp_Pnt2d uv = use.curve->Value(t);
+    const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
+    return face.rest->Value(uv.X(), uv.Y()).Distance(edge.rest->Value(t));
 }
 
 void ShapeCarrier::measure_end(const CarriedEdge& edge, bool is_low)

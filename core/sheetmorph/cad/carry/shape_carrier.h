@@ -44,8 +44,12 @@ struct CarriedEdge
     std::vector<EdgeOnFace> uses;
     Handle(Geom_Curve) rest, curve;
     std::optional<KeptMotion> motion;
-    std::vector<double> samples;  //!< parameters, ascending, ends included
-    bool is_smooth = false;       //!< its two faces had one tangent plane at rest
+    std::optional<SplineCurve> shift;  //!< of one that has no motion: how its points move
+    //! What is added to the derivative of the shift at both ends.
+    std::array<Vector3, 2> bend = {Vector3::Zero(), Vector3::Zero()};
+    std::array<double, 2> reach = {};  //!< how far that is felt: to the next vertex of the mesh
+    std::vector<double> samples;       //!< parameters, ascending, ends included
+    bool is_smooth = false;            //!< its two faces had one tangent plane at rest
     double tolerance = 0.0;
 
     Vector3 at(double t) const;
@@ -79,7 +83,10 @@ private:
     void find_edges();
     void find_edge(int index);
     void find_vertices();
-    void carry_edge(CarriedEdge& edge, const VerticesOnEdge& known);
+    void find_shift(CarriedEdge& edge, const VerticesOnEdge& known) const;
+    void carry_edge(CarriedEdge& edge);
+    void join_slopes();
+    void join_slopes(CarriedEdge& one, bool is_low, CarriedEdge& other, bool is_other_low) const;
     SplineCurve displacement(const CarriedEdge& edge, const VerticesOnEdge& known) const;
     SurfacePatch patch_of(int face) const;
     void collect_tracks(int face);
@@ -91,6 +98,7 @@ private:
     Vector3 point(const EdgeOnFace& use, double t) const;
     void measure();
     void measure_edge(CarriedEdge& edge);
+    double distance_at_rest(const CarriedEdge& edge, const EdgeOnFace& use, double t) const;
     void measure_end(const CarriedEdge& edge, bool is_low);
 
     const ShapeMesh& mesh_;

@@ -41,38 +41,36 @@ Vector2 scale_of(const SurfacePatch& patch)
     return length.cwiseMax(1e-12);
 }
 
-// Rows of derivatives at two places of every span, with which a thin plate's energy is integrated.
-void add_plate(PlateSystem& system, const CubicBasis& u, const CubicBasis& v, const Vector2& scale)
+// The products of a derivative of the splines of a basis, summed up at two places of every span
+// with the square of its length.
+PlateSystem::Band band_of(const CubicBasis& basis, int derivative)
 {
     const double gauss = 0.5 / std::sqrt(3.0);
-    const auto places = [&](const CubicBasis& basis)
+    PlateSystem::Band band(static_cast<std::size_t>(basis.count()));
+    for (int span = 0; span < basis.span_count(); ++span)
     {
-        std::vector<std::array<double, 2>> found;  // a place and the length of its span
-        for (int i = 0; i < basis.span_count(); ++i)
+        const double low = basis.ends()[static_cast<std::size_t>(span)];
+        const double length = basis.ends()[static_cast<std::size_t>(span + 1)] - low;
+        for (const double share : {0.5 - gauss, 0.5 + gauss})
         {
-            const double low = basis.ends()[static_cast<std::size_t>(i)];
-            const double length = basis.ends()[static_cast<std::size_t>(i + 1)] - low;
-            for (const double share : {0.5 - gauss, 0.5 + gauss})
-                found.push_back({low + share * length, length});
+            const CubicBasis::Row row = basis.row(low + share * length, derivative);
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t k = 0; k < 4; ++k)
+                    band[static_cast<std::size_t>(row.first) + i][k + 3 - i] +=
+                        length * length * row.weights[i] * row.weights[k];
         }
-        return found;
-    };
-    const auto in_v = places(v);
-    for (const auto& [at_u, length_u] : places(u))
-        for (const auto& [at_v, length_v] : in_v)
-        {
-            const double area = length_u * scale(0) * length_v * scale(1);
-            const double weight = 0.25 * plate_weight * area * area;
-            const auto add = [&](int du, int dv, double times)
-            {
-                const double lengths = std::pow(scale(0), 2 * du) * std::pow(scale(1), 2 * dv);
-                system.add(u.row(at_u, du), v.row(at_v, dv), Vector3::Zero(),
-                           times * weight / lengths);
-            };
-            add(2, 0, 1.0);
-            add(1, 1, 2.0);
-            add(0, 2, 1.0);
-        }
+    }
+    return band;
+}
+
+// A thin plate's energy, in which a long span counts as its square.
+void add_plate(PlateSystem& system, const CubicBasis& u, const CubicBasis& v, const Vector2& scale)
+{
+    const double in_u = scale(0) * scale(0), in_v = scale(1) * scale(1);
+    const double weight = 0.25 * plate_weight * in_u * in_v;
+    system.add_energy(band_of(u, 2), band_of(v, 0), weight / (in_u * in_u));
+    system.add_energy(band_of(u, 1), band_of(v, 1), 2.0 * weight / (in_u * in_v));
+    system.add_energy(band_of(u, 0), band_of(v, 2), weight / (in_v * in_v));
 }
 
 }  // namespace
@@ -120,6 +118,8 @@ void FaceSpline::fit(const SplineTargets& targets, double tolerance)
         std::vector<SurfacePlace> places = targets.places;
         for (const SurfaceTrack& track : targets.tracks)
             add_places(track, places);
+        if (round == 0 && SpanChoice(*this, places, targets.normals, tolerance).is_met())
+            return;
         interpolate();
         solve(places, targets.normals, before);
         if (round == most_rounds)
@@ -137,7 +137,7 @@ void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>
 {
     constexpr double along = 60.0, at_end = 1000.0, to_a_span = 3.0, spacing_share = 0.15;
     constexpr double closest = 0.01;  // of the distance between places
-    constexpr int least = 3, most = 40;
+    constexpr int least = 6, most = 80;
     const std::size_t pieces = track.parameters.size() - 1;
     for (std::size_t i = 0; i < pieces; ++i)
     {
@@ -217,7 +217,7 @@ void FaceSpline::tie_seams(PlateSystem& system) const
                     [&](const CubicBasis::Row& row) -> std::array<CubicBasis::Row, 2> {
                     return k == 0 ? std::array{row, here} : std::array{here, row};
                 };
-                system.tie(ordered(low), ordered(high), seam_weight * length * length);
+                system.tie(ordered(low), ordered(high), k, seam_weight * length * length);
             }
         }
 }

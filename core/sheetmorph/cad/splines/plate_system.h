@@ -2,8 +2,7 @@
 #pragma once
 
 #include "sheetmorph/cad/splines/cubic_basis.h"
-
-#include <Eigen/SparseCore>
+#include "sheetmorph/cad/splines/grid_cholesky.h"
 
 namespace sheetmorph
 {
@@ -18,20 +17,21 @@ public:
     void add(const CubicBasis::Row& u, const CubicBasis::Row& v, const Vector3& value,
              double weight);
 
-    //! Asks that such a sum is the same in two places that have few poles in common.
-    void tie(const std::array<CubicBasis::Row, 2>& one, const std::array<CubicBasis::Row, 2>& other,
-             double weight);
+    //! Asks that such a sum is the same at both ends of u (direction 0) or v (1).
+    void tie(const std::array<CubicBasis::Row, 2>& low, const std::array<CubicBasis::Row, 2>& high,
+             int direction, double weight);
+
+    //! One row a spline of a basis: its products with those up to 3 before and after it.
+    using Band = std::vector<std::array<double, GridMatrix::across>>;
+
+    //! Asks for what a quadratic form of u times one of v makes small.
+    void add_energy(const Band& u, const Band& v, double weight);
 
     //! The poles (u count * v count, 3), v fastest.
     Eigen::MatrixXd solution() const;
 
 private:
-    //! Products of a pole with those up to 3 beside it each way.
-    static constexpr int reach = 7;
-
-    int u_count_, v_count_;
-    std::vector<double> products_;
-    std::vector<Eigen::Triplet<double>> others_;
+    GridMatrix matrix_;
     Eigen::MatrixXd right_;
 };
 

@@ -12,7 +12,9 @@ namespace sheetmorph
 namespace
 {
 
-constexpr int most_spans = 300, most_poles = 60000;
+constexpr int most_spans = 800, most_poles = 250000;
+// What is off by more tolerances than this is no matter of taste: spans may be so much shorter.
+constexpr double far = 1.8, shortest = 0.25;
 // Kinks below it are none: a twentieth of a degree.
 constexpr double most_angle = 9e-4;
 
@@ -24,22 +26,29 @@ SpanChoice::SpanChoice(const FaceSpline& spline, const std::vector<SurfacePlace>
 {
     chosen_[0].assign(static_cast<std::size_t>(spline.u_.span_count()), false);
     chosen_[1].assign(static_cast<std::size_t>(spline.v_.span_count()), false);
-    if (spline.u_.count() * spline.v_.count() > most_poles)
-        return;
     choose_by_surface(tolerance);
     for (const SurfacePlace& place : places)
-        if ((spline.point(place.uv) - place.target).norm() > place.tolerance)
-            choose_at(place.uv, place.spacing);
+    {
+        const double off = (spline.point(place.uv) - place.target).norm();
+        if (off <= place.tolerance)
+            continue;
+        is_met_ = false;
+        const bool is_far = off > far * place.tolerance;
+        choose_at(place.uv, is_far ? shortest * place.spacing : place.spacing);
+    }
     for (const SurfaceNormal& one : normals)
     {
         const Eigen::Matrix<double, 3, 2> tangents = spline.tangents(one.uv);
         const Vector3 normal = tangents.col(0).cross(tangents.col(1)).normalized();
-        if (normal.cross(one.normal).norm() > most_angle)
-            choose_at(one.uv, one.spacing);
+        if (normal.cross(one.normal).norm() <= most_angle)
+            continue;
+        is_met_ = false;
+        choose_at(one.uv, one.spacing);
     }
+    const bool is_large = spline.u_.count() * spline.v_.count() > most_poles;
     for (std::vector<bool>& chosen : chosen_)
     {
-        if (static_cast<int>(chosen.size()) > most_spans)
+        if (is_large || static_cast<int>(chosen.size()) > most_spans)
             std::fill(chosen.begin(), chosen.end(), false);
         is_any_ = is_any_ || std::find(chosen.begin(), chosen.end(), true) != chosen.end();
     }

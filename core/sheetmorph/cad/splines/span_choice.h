@@ -14,6 +14,9 @@ public:
                const std::vector<SurfaceNormal>& normals, double tolerance);
 
     bool is_any() const { return is_any_; }
+
+    //! Whether all places and normals are as they shall be.
+    bool is_met() const { return is_met_; }
     const std::vector<bool>& in_u() const { return chosen_[0]; }
     const std::vector<bool>& in_v() const { return chosen_[1]; }
 
@@ -25,7 +28,7 @@ private:
 
     const FaceSpline& spline_;
     std::array<std::vector<bool>, 2> chosen_;
-    bool is_any_ = false;
+    bool is_any_ = false, is_met_ = true;
 };
 
 }  // namespace sheetmorph

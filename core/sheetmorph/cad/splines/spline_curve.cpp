@@ -41,15 +41,24 @@ SplineCurve through_places_of(const CubicBasis& basis, const PointAt& curve)
     return {basis, basis.through(places, values_at(curve, places))};
 }
 
+Vector3 sum(const Eigen::MatrixXd& poles, const CubicBasis::Row& row)
+{
+    Vector3 found = Vector3::Zero();
+    for (int k = 0; k < 4; ++k)
+        found += row.weights[static_cast<std::size_t>(k)] * poles.row(row.first + k).transpose();
+    return found;
+}
+
 }  // namespace
 
 Vector3 SplineCurve::at(double t) const
 {
-    const CubicBasis::Row row = basis.row(t);
-    Vector3 point = Vector3::Zero();
-    for (int k = 0; k < 4; ++k)
-        point += row.weights[static_cast<std::size_t>(k)] * poles.row(row.first + k).transpose();
-    return point;
+    return sum(poles, basis.row(t));
+}
+
+Vector3 SplineCurve::derivative(double t) const
+{
+    return sum(poles, basis.row(t, 1));
 }
 
 Handle(Geom_BSplineCurve) SplineCurve::curve() const

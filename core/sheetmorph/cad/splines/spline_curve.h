@@ -19,6 +19,7 @@ struct SplineCurve
     Eigen::MatrixXd poles;  //!< (count, 3) mm
 
     Vector3 at(double t) const;
+    Vector3 derivative(double t) const;
     Handle(Geom_BSplineCurve) curve() const;
 };
 

@@ -126,11 +126,15 @@ bool is_closed(const TopoDS_Shape& shape)
 }  // namespace
 
 BodyMeasurer::BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried,
-                           const TopoDS_Shape& body)
-    : before_(mesh), mesh_(*carried.mesh), carried_(carried), body_(body)
+                           const NamedShape& body)
+    : before_(mesh),
+      mesh_(*carried.mesh),
+      carried_(carried),
+      body_(body.shape),
+      is_valid_(body.faults.empty() && body.healed.empty())
 {
     TopExp::MapShapes(carried.shape, TopAbs_FACE, made_);
-    TopExp::MapShapes(body, TopAbs_FACE, read_);
+    TopExp::MapShapes(body_, TopAbs_FACE, read_);
     if (made_.Extent() != read_.Extent())
         throw SolverError("a part has " + std::to_string(read_.Extent()) + " faces instead of "
                           + std::to_string(made_.Extent()) + " in the written file");
@@ -246,12 +250,10 @@ void BodyMeasurer::measure_cylinders(CadMeasures& found) const
 
 void BodyMeasurer::check_shape(CadMeasures& found) const
 {
-    const BRepCheck_Analyzer analyzer(body_);
-    found.is_valid = analyzer.IsValid();
-    found.was_valid = BRepCheck_Analyzer(before_.shape).IsValid();
+    found.is_valid = is_valid_;
     found.gap = carried_.gap;
-    for (int f = 0; f < found.faces && !found.is_valid; ++f)
-        if (!analyzer.IsValid(read_face(f)))
+    for (int f = 0; f < found.faces && !is_valid_; ++f)
+        if (!BRepCheck_Analyzer(read_face(f)).IsValid())
             found.invalid_faces.push_back(f);
     found.is_closed = is_closed(body_);
     found.was_closed = is_closed(before_.shape);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/cad/body_list.h"
 #include "sheetmorph/cad/carry/carried_shape.h"
 #include "sheetmorph/cad/writing/cad_measures.h"
 
@@ -15,7 +16,7 @@ class BodyMeasurer
 public:
     //! \param mesh  of the shape as it was read
     //! \param body  as it stands in the assembly of the file
-    BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried, const TopoDS_Shape& body);
+    BodyMeasurer(const ShapeMesh& mesh, const CarriedShape& carried, const NamedShape& body);
 
     //! \param result     (n, 3) of the mesh, in the coordinates of the assembly, mm
     //! \param tolerance  beyond which a face is far from it, mm
@@ -33,6 +34,7 @@ private:
     const ShapeMesh& mesh_;  // with washers as faces of their own
     const CarriedShape& carried_;
     TopoDS_Shape body_;
+    bool is_valid_;
     TopTools_IndexedMapOfShape made_, read_;  // faces
 };
 

@@ -22,17 +22,21 @@ struct CadMeasures
 {
     std::string name;
     int faces = 0;
-    int washers = 0;                //!< faces that were divided from others, the last ones
-    int kept = 0;                   //!< faces on the surface they had
-    std::vector<int> fitted_faces;  //!< ascending
-    bool is_valid = false;          //!< says OpenCASCADE's BRepCheck
-    bool was_valid = false;         //!< the same of what was read
+    int washers = 0;                  //!< faces that were divided from others, the last ones
+    int kept = 0;                     //!< faces on the surface they had
+    std::vector<int> fitted_faces;    //!< ascending
+    bool is_valid = false;            //!< says OpenCASCADE's BRepCheck
+    bool was_valid = false;           //!< the same of what was read
+    std::vector<std::string> faults;  //!< of what was read, why it was not valid
+    std::vector<std::string>
+        healed;                  //!< of what was read, why it was not valid until it was healed
+    double healed_within = 0.0;  //!< how far healing moved anything
     std::vector<int> invalid_faces;
     bool is_closed = false;
     bool was_closed = false;
-    WorstAt distance;                  //!< from the deformed mesh
-    WorstAt gap;                       //!< between an edge and a fitted face
-    WorstAt kink;                      //!< degrees, at edges that were smooth
+    WorstAt distance;  //!< from the deformed mesh
+    WorstAt gap;       //!< between an edge and a fitted face, where it is wider than before
+    WorstAt kink;      //!< degrees, at edges that were smooth
     double edge_tolerance = 0.0;       //!< as written
     double edge_tolerance_read = 0.0;  //!< as read again
     double vertex_tolerance = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/cad_writer.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/cad/cad_guard.h"
 #include "sheetmorph/cad/writing/body_measurer.h"
 #include "sheetmorph/cad/writing/document_copy.h"
@@ -51,16 +52,86 @@ CarriedShape as_it_was(const std::shared_ptr<const ShapeMesh>& known)
     return same;
 }
 
+void note_condition(CadMeasures& found, const NamedShape& before)
+{
+    found.faults = before.faults;
+    found.healed = before.healed;
+    found.healed_within = before.healed_within;
+    found.was_valid = before.faults.empty();
+}
+
 // The bodies of a model in new forms, those of instances that agree only once.
 class NewBodies
 {
 public:
-    NewBodies(const CadModel& model, const CarryTolerances& tolerances)
-        : model_(model), tolerances_(tolerances)
+    NewBodies(const CadModel& model, const std::vector<Points>& positions) : model_(model)
     {
+        for (std::size_t k = 0; k < positions.size(); ++k)
+            form_of_.push_back(find_form(k, positions[k]));
     }
 
-    void add(std::size_t part, const Points& positions, const Progress& progress)
+    //! Carries all of them, the largest first.
+    void carry(const CarryTolerances& tolerances, const Progress& progress)
+    {
+        std::vector<Form*> order;
+        for (Form& form : forms_)
+            order.push_back(&form);
+        std::stable_sort(order.begin(), order.end(),
+                         [](const Form* one, const Form* other)
+                         { return one->positions.rows() > other->positions.rows(); });
+        std::vector<Task> tasks;
+        for (Form* form : order)
+            tasks.push_back({"carrying " + model_.parts[form->part].name,
+                             [this, form, &tolerances](const Progress& own)
+                             { carry_one(*form, tolerances, own); }});
+        run_tasks(tasks, progress);
+    }
+
+    // What a written file holds that was read again.
+    std::vector<CadMeasures> measured(const std::vector<Points>& positions,
+                                      const CadWriting& writing, const Progress& progress) const
+    {
+        const std::shared_ptr<CadSource> source = read_document(writing.path, writing.format);
+        const std::vector<NamedShape>& read = source->bodies;
+        const std::vector<NewBody> wanted = bodies();
+        if (read.size() != wanted.size())
+            throw SolverError("the written file holds " + std::to_string(read.size())
+                              + " solids and shells instead of " + std::to_string(wanted.size()));
+        std::vector<CadMeasures> found(wanted.size());
+        std::vector<Task> tasks;
+        for (std::size_t k = 0; k < wanted.size(); ++k)
+            tasks.push_back({"measuring " + model_.parts[k].name, [&, k](const Progress& own)
+                             {
+                                 own.report(0.0, "measuring " + model_.parts[k].name);
+                                 const BodyMeasurer measurer(*model_.parts[k].known,
+                                                             *wanted[k].carried, read[k]);
+                                 found[k] = measurer.measures(positions[k], writing.tolerance);
+                                 found[k].name = model_.parts[k].name;
+                                 note_condition(found[k], model_.source->bodies[k]);
+                             }});
+        progress.report(0.5, "measuring");
+        run_tasks(tasks, progress.part(0.5, 1.0));
+        return found;
+    }
+
+    std::vector<NewBody> bodies() const
+    {
+        std::vector<NewBody> found;
+        for (const std::size_t k : form_of_)
+            found.push_back({static_cast<int>(k), &forms_[k].carried});
+        return found;
+    }
+
+private:
+    struct Form
+    {
+        std::size_t part;  // the first that has it
+        bool is_moved;
+        Points positions;
+        CarriedShape carried;
+    };
+
+    std::size_t find_form(std::size_t part, const Points& positions)
     {
         const CadPart& entry = model_.parts[part];
         const Points rest = entry.mesh.points();
@@ -70,34 +141,22 @@ public:
                            ? in_product(positions, model_.source->bodies[part].shape.Location())
                            : entry.known->rest;
         for (std::size_t k = 0; k < forms_.size(); ++k)
-            if (forms_[k].mesh == entry.known.get()
+            if (model_.parts[forms_[k].part].known == entry.known
                 && (forms_[k].positions - local).rowwise().norm().maxCoeff() <= least)
-            {
-                bodies.push_back({static_cast<int>(k), &forms_[k].carried});
-                return;
-            }
-        CarriedShape carried =
-            is_moved ? carried_one(entry, local, progress) : as_it_was(entry.known);
-        forms_.push_back({entry.known.get(), std::move(local), std::move(carried)});
-        bodies.push_back({static_cast<int>(forms_.size()) - 1, &forms_.back().carried});
+                return k;
+        forms_.push_back({part, is_moved, std::move(local), {}});
+        return forms_.size() - 1;
     }
 
-    std::vector<NewBody> bodies;
-
-private:
-    struct Form
+    void carry_one(Form& form, const CarryTolerances& tolerances, const Progress& progress) const
     {
-        const ShapeMesh* mesh;
-        Points positions;
-        CarriedShape carried;
-    };
-
-    CarriedShape carried_one(const CadPart& entry, const Points& local,
-                             const Progress& progress) const
-    {
+        const CadPart& entry = model_.parts[form.part];
+        progress.report(0.0, "carrying " + entry.name);
         try
         {
-            return carried_shape(entry.known, local, tolerances_, progress);
+            form.carried = form.is_moved
+                               ? carried_shape(entry.known, form.positions, tolerances, progress)
+                               : as_it_was(entry.known);
         }
         catch (const InvalidInput& error)
         {
@@ -110,8 +169,8 @@ private:
     }
 
     const CadModel& model_;
-    CarryTolerances tolerances_;
-    std::deque<Form> forms_;  // whose addresses stay
+    std::vector<std::size_t> form_of_;  // one a part
+    std::deque<Form> forms_;            // whose addresses stay
 };
 
 void check(const CadModel& model, const std::vector<Points>& positions, const CadWriting& writing)
@@ -136,26 +195,6 @@ void check(const CadModel& model, const std::vector<Points>& positions, const Ca
             throw InvalidInput("a tolerance is out of range; give 1e-6 to 1e6 mm");
 }
 
-// What a written file holds that was read again.
-std::vector<CadMeasures> measured(const CadModel& model, const std::vector<Points>& positions,
-                                  const std::vector<NewBody>& bodies, const CadWriting& writing)
-{
-    const std::shared_ptr<CadSource> source = read_document(writing.path, writing.format);
-    const CadSource& read = *source;
-    if (read.bodies.size() != bodies.size())
-        throw SolverError("the written file holds " + std::to_string(read.bodies.size())
-                          + " solids and shells instead of " + std::to_string(bodies.size()));
-    std::vector<CadMeasures> found;
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-    {
-        const BodyMeasurer measurer(*model.parts[k].known, *bodies[k].carried,
-                                    read.bodies[k].shape);
-        found.push_back(measurer.measures(positions[k], writing.tolerance));
-        found.back().name = model.parts[k].name;
-    }
-    return found;
-}
-
 }  // namespace
 
 std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Points>& positions,
@@ -166,21 +205,15 @@ std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Poin
     return guarded("OpenCASCADE cannot write it", "repair the part in the CAD system",
                    [&]
                    {
-                       NewBodies made(model, tolerances);
-                       const auto count = static_cast<double>(positions.size());
-                       for (std::size_t k = 0; k < positions.size(); ++k)
-                       {
-                           const auto i = static_cast<double>(k);
-                           const Progress own =
-                               progress.part(0.8 * i / count, 0.8 * (i + 1.0) / count);
-                           own.report(0.0, "carrying " + model.parts[k].name);
-                           made.add(k, positions[k], own);
-                       }
-                       progress.report(0.8, "writing");
-                       DocumentCopy copy(*model.source, made.bodies);
-                       write_document(copy.document(), *model.source, writing.path, writing.format);
-                       progress.report(0.9, "measuring");
-                       return measured(model, positions, made.bodies, writing);
+                       progress.report(0.0, "carrying shapes");
+                       NewBodies made(model, positions);
+                       made.carry(tolerances, progress.part(0.0, 0.6));
+                       progress.report(0.6, "writing");
+                       const std::vector<NewBody> bodies = made.bodies();  // which the copy keeps
+                       DocumentCopy copy(*model.source, bodies);
+                       write_document(copy.document(), *model.source, writing);
+                       progress.report(0.7, "reading it again");
+                       return made.measured(positions, writing, progress.part(0.7, 1.0));
                    });
 }
 

@@ -54,12 +54,17 @@ double millimetres_in(const std::string& unit)
     return known.at(unit);
 }
 
-bool write_step(const CadDocument& document, const CadSource& source, const std::string& path)
+bool write_step(const CadDocument& document, const CadSource& source, const std::string& path,
+                double exactness)
 {
     STEPCAFControl_Controller::Init();  // makes the parameters known, which a new writer reads
     const Setting unit("write.step.unit", source.unit.c_str());
     const Setting schema("write.step.schema", source.is_ap242 ? "AP242DIS" : "AP214IS");
     const Setting names("write.stepcaf.subshapes.name", "1");
+    // Readers make curves of edges on faces anew that are further off than the file says; that
+    // takes minutes on large splines.
+    const Setting mode("write.precision.mode", "User");
+    const Setting precision("write.precision.val", std::to_string(exactness).c_str());
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetLayerMode(true);
@@ -99,12 +104,13 @@ bool write_brep(const CadDocument& document, const std::string& path)
 
 }  // namespace
 
-void write_document(const CadDocument& document, const CadSource& source, const std::string& path,
-                    CadFormat format)
+void write_document(const CadDocument& document, const CadSource& source, const CadWriting& writing)
 {
-    const bool is_done = format == CadFormat::step   ? write_step(document, source, path)
-                         : format == CadFormat::iges ? write_iges(document, path)
-                                                     : write_brep(document, path);
+    const std::string& path = writing.path;
+    const bool is_done = writing.format == CadFormat::step
+                             ? write_step(document, source, path, writing.edge_tolerance)
+                         : writing.format == CadFormat::iges ? write_iges(document, path)
+                                                             : write_brep(document, path);
     if (!is_done)
         throw InvalidInput("the CAD file cannot be written; check the path and its rights");
 }

@@ -7,11 +7,11 @@
 namespace sheetmorph
 {
 
-//! Writes a document.
+//! Writes a document; a STEP file says that it is exact to the edge tolerance.
 //! \param source  which has the unit and schema that the file shall have, too
 //! \throws InvalidInput if it cannot be written
-void write_document(const CadDocument& document, const CadSource& source, const std::string& path,
-                    CadFormat format);
+void write_document(const CadDocument& document, const CadSource& source,
+                    const CadWriting& writing);
 
 //! Reads it again.
 std::shared_ptr<CadSource> read_document(const std::string& path, CadFormat format);

@@ -10,6 +10,7 @@ import FreeCAD
 import numpy as np
 import Part
 
+from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.objects.errors import MorphError
@@ -63,7 +64,9 @@ def carried_shape(part, positions: np.ndarray) -> tuple[Part.Shape, dict]:
     with conversion.temporary_folder() as folder:
         path = Path(folder) / "shape.brep"
         writing = files.cad_writing.CadWriting("brep")
-        (body,) = files.cad_writing.write_model(model, path, [local], writing)
+        (body,) = files.cad_writing.write_model(
+            model, path, [local], writing, progress=reporting.progress()
+        )
         shape = Part.Shape()
         shape.importBrep(str(path))
     return shape, body

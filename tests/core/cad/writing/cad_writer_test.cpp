@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/cad/writing/cad_writer.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/cad/cad_shapes.h"
+#include "cad/cad_files.h"
+
+#include <TColStd_HSequenceOfExtendedString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+#include <cmath>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace sheetmorph::test
+{
+
+namespace
+{
+
+const CadMeshing coarse{4.0, 0.1, 0.35};
+
+// The pin of the assembly, bent in its own coordinates, where it stands.
+Points bent(const CadModel& model, std::size_t part, double share)
+{
+    const gp_Trsf place = model.source->bodies[part].shape.Location().Transformation();
+    const Points rest = model.parts[part].mesh.points();
+    Points found(rest.rows(), 3);
+    for (Eigen::Index i = 0; i < rest.rows(); ++i)
+    {
+        gp_Pnt point(rest(i, 0), rest(i, 1), rest(i, 2));
+        point.Transform(place.Inverted());
+        point.SetX(point.X() + share * point.Z() * point.Z());
+        point.Transform(place);
+        found.row(i) << point.X(), point.Y(), point.Z();
+    }
+    return found;
+}
+
+// What became of the assembly with both pins bent.
+std::shared_ptr<CadSource> written(const std::array<double, 2>& shares)
+{
+    const TemporaryFolder folder;
+    write_assembly_step(folder.file("in.step"));
+    const CadModel model = read_cad(folder.file("in.step"), coarse, Progress());
+    std::vector<Points> positions{model.parts[0].mesh.points()};
+    for (const std::size_t k : {std::size_t{1}, std::size_t{2}})
+        positions.push_back(bent(model, k, shares[k - 1]));
+    const auto measures = write_cad(model, positions, {folder.file("out.step")}, {});
+    for (const CadMeasures& one : measures)
+        EXPECT_TRUE(one.is_valid && one.is_closed) << one.name;
+    return source_of_step(folder.file("out.step"));
+}
+
+std::vector<std::string> layers_of(const CadSource& source)
+{
+    const auto tool = XCAFDoc_DocumentTool::LayerTool(source.document.shapes()->BaseLabel());
+    TDF_LabelSequence shapes;
+    source.document.shapes()->GetShapes(shapes);
+    std::vector<std::string> found;
+    for (int i = 1; i <= shapes.Length(); ++i)
+        if (const auto layers = tool->GetLayers(shapes.Value(i)); !layers.IsNull())
+            for (int k = 1; k <= layers->Length(); ++k)
+                found.emplace_back(TCollection_AsciiString(layers->Value(k)).ToCString());
+    return found;
+}
+
+}  // namespace
+
+TEST(CadWriter, InstancesThatAreDrivenAlikeStayInstances)
+{
+    const auto source = written({0.02, 0.02});
+    ASSERT_EQ(source->bodies.size(), 3U);
+    EXPECT_TRUE(source->bodies[1].shape.IsPartner(source->bodies[2].shape));
+    EXPECT_FALSE(source->bodies[1].shape.Location().IsEqual(source->bodies[2].shape.Location()));
+}
+
+TEST(CadWriter, AnInstanceThatIsDrivenDifferentlyBecomesAProduct)
+{
+    for (const std::array<double, 2> shares : {std::array{0.02, 0.01}, {0.0, 0.02}})
+    {
+        const auto source = written(shares);
+        ASSERT_EQ(source->bodies.size(), 3U);
+        EXPECT_FALSE(source->bodies[1].shape.IsPartner(source->bodies[2].shape));
+        EXPECT_EQ(source->bodies[0].name, "plate");
+        EXPECT_EQ(source->bodies[1].name.substr(0, 3), "pin");
+        EXPECT_EQ(source->bodies[2].name.substr(0, 3), "pin");
+    }
+}
+
+TEST(CadWriter, NamesColoursAndLayersStayAndANamelessCompoundIsOneAgain)
+{
+    const TemporaryFolder folder;
+    write_coloured_step(folder.file("in.step"));
+    const CadModel model = read_cad(folder.file("in.step"), coarse, Progress());
+    std::vector<Points> positions;
+    for (std::size_t k = 0; k < model.parts.size(); ++k)
+        positions.push_back(bent(model, k, 0.02));
+    write_cad(model, positions, {folder.file("out.step")}, {});
+    const auto before = source_of_step(folder.file("in.step"));
+    const auto after = source_of_step(folder.file("out.step"));
+    ASSERT_EQ(before->bodies.size(), 3U);
+    ASSERT_EQ(after->bodies.size(), 3U);
+    int blue = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        EXPECT_EQ(after->bodies[k].name, before->bodies[k].name);
+        EXPECT_EQ(after->bodies[k].product, before->bodies[k].product);
+        ASSERT_EQ(after->bodies[k].faces.size(), before->bodies[k].faces.size());
+        for (std::size_t f = 0; f < before->bodies[k].faces.size(); ++f)
+        {
+            EXPECT_EQ(after->bodies[k].faces[f].colour, before->bodies[k].faces[f].colour);
+            blue += after->bodies[k].faces[f].colour == "#0000ff" ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(blue, 1);
+    EXPECT_EQ(layers_of(*before), std::vector<std::string>{"sheets"});
+    EXPECT_EQ(layers_of(*after), layers_of(*before));
+}
+
+TEST(CadWriter, IsCancelledInEveryStageAndSaysHowFarItIs)
+{
+    const TemporaryFolder folder;
+    write_assembly_step(folder.file("in.step"));
+    const CadModel model = read_cad(folder.file("in.step"), coarse, Progress());
+    const std::vector<Points> positions{model.parts[0].mesh.points(), bent(model, 1, 0.02),
+                                        bent(model, 2, 0.01)};
+    for (const std::string stage : {"carrying", "writing", "reading", "measuring"})
+    {
+        double last = 0.0;
+        const Progress progress(
+            [&](double fraction, const std::string& task)
+            {
+                EXPECT_GE(fraction, last - 1e-12);
+                last = fraction;
+                return task.rfind(stage, 0) != 0;
+            });
+        EXPECT_THROW(write_cad(model, positions, {folder.file("out.step")}, progress), Cancelled)
+            << stage;
+    }
+}
+
+}  // namespace sheetmorph::test
