@@ -58,6 +58,25 @@ class TestDeformedShapes(test_cad.CadTest):
         circles = [edge.Curve.Radius for edge in drawn if isinstance(edge.Curve, Part.Circle)]
         self.assertTrue(any(abs(radius - 5.0) < 1e-9 for radius in circles), circles)
 
+    def test_a_drawing_along_each_of_two_holes_with_washers_shows_its_circles(self):
+        (part,) = api.add_shape(self.assembly, self.add(test_cad.plate()), mesh=test_cad.SIZES)
+        points, _ = api.rest_mesh(part)
+        api.add_fixed(self.assembly, part, np.flatnonzero(points[:, 0] < 1e-6))
+        tip = np.flatnonzero(points[:, 0] > 60 - 1e-6)
+        for x, radius in ((15.0, 3.0), (40.0, 5.0)):
+            near = np.hypot(points[:, 0] - x, points[:, 1] - 20.0) < 2.0 * radius
+            api.add_feature(self.assembly, part, np.flatnonzero(near))
+        api.set_motion(api.add_handle(self.assembly, part, tip), (0, 0, 8), axis=(1, 0, 0), angle=9)
+        self.document.recompute()
+        shape = api.deformed_shape(part).Shape
+        walls = [face.Surface for face in shape.Faces if isinstance(face.Surface, Part.Cylinder)]
+        self.assertEqual(sorted(round(wall.Radius, 9) for wall in walls), [3.0, 5.0])
+        for wall in walls:
+            groups = TechDraw.projectEx(shape, wall.Axis)
+            curves = [edge.Curve for group in groups for edge in group.Edges]
+            radii = [round(one.Radius, 9) for one in curves if isinstance(one, Part.Circle)]
+            self.assertIn(round(wall.Radius, 9), radii)
+
     def test_it_is_brought_up_to_date_and_undone(self):
         part = self.bent_plate()
         self.document.openTransaction("shape")
