@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes the types of a compiled module for type checkers: stubs.py MODULE STUB
+
+They are read from the signatures that pybind11 puts before its documentation.
+"""
+import ast
+import importlib.util
+import re
+import sys
+from pathlib import Path
+from types import ModuleType
+
+HEAD = """# Made at build time by bindings/stubs.py from the compiled module.
+from collections.abc import Callable
+from typing import Any, Optional, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+"""
+SIGNATURE = re.compile(r"^(?:\d+\. )?(\w+)\((.*)\) -> (.+)$", re.MULTILINE)
+BARE = {"list": "list[Any]", "tuple": "tuple[Any, ...]", "dict": "dict[str, Any]"}
+BARE |= {"numpy.ndarray": "NDArray[Any]", "handle": "Any", "function": "Callable[..., Any]"}
+
+
+def loaded(path: Path) -> ModuleType:
+    """The compiled module, under the name that it has in the package."""
+    name = f"sheetmorph.{path.name.split('.')[0]}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def plain(text: str, module: str) -> str:
+    """A type as a stub writes it; Any for what is none in Python."""
+    text = text.strip().replace(f"{module}.", "")
+    text = re.sub(r"numpy\.ndarray\[numpy\.(\w+)\]", r"NDArray[np.\1]", text)
+    text = text.replace("List[", "list[").replace("Tuple[", "tuple[").replace("Dict[", "dict[")
+    text = BARE.get(text, text)
+    try:
+        ast.parse(text, mode="eval")
+    except SyntaxError:
+        return "Any"
+    return text
+
+
+def pieces(arguments: str) -> list[str]:
+    """The arguments of a signature, between commas that stand in no bracket."""
+    found, depth = [""], 0
+    for letter in arguments:
+        depth += (letter in "([{<") - (letter in ")]}>")
+        if letter == "," and depth == 0:
+            found.append("")
+        else:
+            found[-1] += letter
+    return [piece.strip() for piece in found if piece.strip()]
+
+
+def argument(text: str, module: str) -> str:
+    """One argument; what it is by default is not told."""
+    name, _, rest = text.partition(":")
+    if name.startswith("*") or name == "self" or not rest:
+        return name
+    kind, has_default, _ = rest.partition(" = ")
+    return f"{name}: {plain(kind, module)}" + (" = ..." if has_default else "")
+
+
+def function(name: str, doc: str, module: str, indent: str = "") -> list[str]:
+    """The lines of a function or a method, one a way to call it."""
+    found = [mark for mark in SIGNATURE.finditer(doc or "") if mark.group(1) == name]
+    if not found:
+        return [f"{indent}def {name}(*args: Any, **keys: Any) -> Any: ..."]
+    lines = []
+    for mark in found:
+        told = [argument(piece, module) for piece in pieces(mark.group(2))]
+        lines += [f"{indent}@overload"] if len(found) > 1 else []
+        lines.append(
+            f"{indent}def {name}({', '.join(told)}) -> {plain(mark.group(3), module)}: ..."
+        )
+    return lines
+
+
+def value(name: str, member: property, module: str) -> list[str]:
+    """The lines of a property."""
+    found = re.search(r"\) -> (.+)", (member.fget.__doc__ or "") if member.fget else "")
+    kind = plain(found.group(1), module) if found else "Any"
+    lines = ["    @property", f"    def {name}(self) -> {kind}: ..."]
+    if member.fset is not None:
+        lines += [f"    @{name}.setter", f"    def {name}(self, value: Any) -> None: ..."]
+    return lines
+
+
+def described(name: str, thing: type, module: str) -> list[str]:
+    """The lines of a class."""
+    ours = {"pybind11_object", "object"}
+    bases = ", ".join(base.__name__ for base in thing.__bases__ if base.__name__ not in ours)
+    lines = [f"class {name}({bases}):" if bases else f"class {name}:"]
+    for key, member in sorted(vars(thing).items()):
+        if isinstance(member, property):
+            lines += value(key, member, module)
+        elif callable(member) and (key == "__init__" and member.__doc__ or not key.startswith("_")):
+            lines += function(key, member.__doc__, module, "    ")
+    return lines if len(lines) > 1 else [f"{lines[0]} ..."]
+
+
+def stub_of(module: ModuleType) -> str:
+    """The text of the stub."""
+    lines: list[str] = []
+    for name, thing in sorted(vars(module).items()):
+        if name.startswith("_") or isinstance(thing, ModuleType):
+            continue
+        if isinstance(thing, type):
+            lines += ["", *described(name, thing, module.__name__)]
+        elif callable(thing):
+            lines += function(name, thing.__doc__, module.__name__)
+        else:
+            lines.append(f"{name}: {type(thing).__name__}")
+    text = "\n".join(lines) + "\n"
+    return HEAD.replace("Union\n", "Union, overload\n" if "@overload" in text else "Union\n") + text
+
+
+if __name__ == "__main__":
+    Path(sys.argv[2]).write_text(stub_of(loaded(Path(sys.argv[1]))), encoding="utf-8")
