@@ -80,7 +80,10 @@ bool put_around(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
             patch.low = patch.low.cwiseMin(Vector2(uv.X(), uv.Y()));
             patch.high = patch.high.cwiseMax(Vector2(uv.X(), uv.Y()));
         }
-        is_straight = is_straight && Geom2dAdaptor_Curve(border.curve).GetType() == GeomAbs_Line;
+        const Geom2dAdaptor_Curve curve(border.curve);
+        const bool is_short_spline =
+            curve.GetType() == GeomAbs_BSplineCurve && curve.NbPoles() == 2;
+        is_straight = is_straight && (curve.GetType() == GeomAbs_Line || is_short_spline);
     }
     return is_straight;
 }

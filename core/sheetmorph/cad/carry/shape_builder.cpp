@@ -1,54 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/carry/shape_builder.h"
-#include "sheetmorph/cad/splines/spline_curve.h"
+#include "sheetmorph/cad/splines/parameter_curve.h"
 
 #include <BRep_Tool.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_Line.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
 namespace sheetmorph
 {
-
-namespace
-{
-
-// A curve in the parameters of a face as a spline with the same parameter: a STEP file does not say
-// where an edge ends on a line, and makes circles ones of another parameter. Readers then look for
-// the edge on the face, which takes long on large splines.
-Handle(Geom2d_Curve) with_ends(const Handle(Geom2d_Curve) & curve, double low, double high)
-{
-    if (!Handle(Geom2d_BSplineCurve)::DownCast(curve).IsNull())
-        return curve;
-    constexpr double exact = 1e-6;
-    const auto place = [&](double t) -> Vector3 {
-        return {curve->Value(t).X(), curve->Value(t).Y(), 0.0};
-    };
-    const bool is_line = !Handle(Geom2d_Line)::DownCast(curve).IsNull();
-    const Handle(Geom_BSplineCurve) spline =
-        is_line ? Handle(Geom_BSplineCurve)()
-                : curve_near(place, CubicBasis(low, high), exact).curve();
-    const int poles = is_line ? 2 : spline->NbPoles(), knots = is_line ? 2 : spline->NbKnots();
-    TColgp_Array1OfPnt2d points(1, poles);
-    TColStd_Array1OfReal at(1, knots);
-    TColStd_Array1OfInteger times(1, knots);
-    for (int k = 1; k <= poles; ++k)
-        points.SetValue(k, is_line ? curve->Value(k == 1 ? low : high)
-                                   : gp_Pnt2d(spline->Pole(k).X(), spline->Pole(k).Y()));
-    for (int k = 1; k <= knots; ++k)
-    {
-        at.SetValue(k, is_line ? (k == 1 ? low : high) : spline->Knot(k));
-        times.SetValue(k, is_line ? 2 : spline->Multiplicity(k));
-    }
-    return new Geom2d_BSplineCurve(points, at, times, is_line ? 1 : 3);
-}
-
-}  // namespace
 
 TopoDS_Shape ShapeBuilder::built(const TopoDS_Shape& part)
 {
@@ -135,7 +95,7 @@ void ShapeBuilder::add_parameters(const TopoDS_Face& face, const CarriedFace& ca
             continue;
         const double tolerance = BRep_Tool::Tolerance(edge);
         const auto ended = [&](const Handle(Geom2d_Curve) & one)
-        { return carried.spline ? with_ends(one, low, high) : one; };
+        { return carried.spline ? spline_in_parameters(one, low, high) : one; };
         if (BRep_Tool::IsClosed(old, before))
             builder_.UpdateEdge(
                 edge, ended(curve),

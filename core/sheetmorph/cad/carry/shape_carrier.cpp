@@ -5,6 +5,7 @@
 #include "sheetmorph/cad/carry/face_motions.h"
 #include "sheetmorph/cad/carry/face_patch.h"
 #include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/splines/parameter_curve.h"
 #include "sheetmorph/cad/splines/surface_breaks.h"
 
 #include <BRep_Tool.hxx>
@@ -146,6 +147,8 @@ void ShapeCarrier::find_uses()
             EdgeOnFace use;
             use.face = static_cast<int>(f);
             use.curve = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face), low, high);
+            if (!use.curve.IsNull() && !faces_[f].motion)
+                use.curve = spline_in_parameters(use.curve, low, high);
             CarriedEdge& found = edges_[static_cast<std::size_t>(mesh_.edges.FindIndex(edge) - 1)];
             if (found.uses.empty())
             {
