@@ -68,6 +68,18 @@ ContactType contact_type_from(const std::string& name)
                        + "' does not exist; use 'control mesh', 'tied' or 'rigid'");
 }
 
+PropagationType propagation_from(const std::string& name)
+{
+    if (name == "local")
+        return PropagationType::local;
+    if (name == "single")
+        return PropagationType::single;
+    if (name == "whole")
+        return PropagationType::whole;
+    throw InvalidInput("propagation type '" + name
+                       + "' does not exist; use 'local', 'single' or 'whole'");
+}
+
 void bind_part(py::module_& module)
 {
     py::class_<Part>(module, "Part", "One mesh of the assembly.")
@@ -151,11 +163,12 @@ void bind_contacts(py::module_& module)
 
     py::class_<Propagation>(module, "Propagation", "How the motion reaches the other parts.")
         .def(py::init(
-                 [](bool is_single, int levels, double smoothness) {
-                     return Propagation{is_single, levels, smoothness};
+                 [](const std::string& type, int levels, double smoothness) {
+                     return Propagation{propagation_from(type), levels, smoothness};
                  }),
-             py::arg("is_single") = false, py::arg("levels") = 3, py::arg("smoothness") = 0.05,
-             "is_single: one control mesh around everything; smoothness: c of (3.3).");
+             py::arg("type") = "local", py::arg("levels") = 3, py::arg("smoothness") = 0.05,
+             "type 'local' along the contacts, 'single' for one control mesh around everything, "
+             "'whole' for all parts in one solve; smoothness: c of (3.3).");
 }
 
 void bind_whole(py::module_& module)

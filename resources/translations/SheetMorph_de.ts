@@ -1459,6 +1459,10 @@
    <translation>Wähle zuerst eine Abhilfe.</translation>
   </message>
   <message>
+   <source>Make a part of each of its {} pieces</source>
+   <translation>Ein Teil aus jedem seiner {} Stücke machen</translation>
+  </message>
+  <message>
    <source>Mark a fixed region and a handle first.</source>
    <translation>Markiere zuerst eine feste Region und einen Griff.</translation>
   </message>
@@ -2063,6 +2067,14 @@
    <translation>Beide Häute und die Wände folgen einem Blech und behalten ihren Abstand, wenn es als dünner Körper erkannt wird</translation>
   </message>
   <message>
+   <source>Make a part of each of its pieces</source>
+   <translation>Ein Teil aus jedem seiner Stücke machen</translation>
+  </message>
+  <message>
+   <source>What nothing connects becomes a part of its own, so that contacts can join it to the others; only while nothing is marked on it</source>
+   <translation>Was nichts verbindet, wird ein eigenes Teil, damit Kontakte es mit den anderen verbinden können; nur solange nichts darauf markiert ist</translation>
+  </message>
+  <message>
    <source>Shows the new mesh in place of the part; nothing changes</source>
    <translation>Zeigt das neue Netz anstelle des Teils; nichts ändert sich</translation>
   </message>
@@ -2084,6 +2096,10 @@
   <message>
    <source>Single: one control mesh for all</source>
    <translation>Einzeln: ein Steuernetz für alles</translation>
+  </message>
+  <message>
+   <source>Whole: all parts in one solve</source>
+   <translation>Ganz: alle Teile in einer Rechnung</translation>
   </message>
   <message>
    <source>Levels</source>

@@ -1459,6 +1459,10 @@
    <translation>先に対処を選んでください。</translation>
   </message>
   <message>
+   <source>Make a part of each of its {} pieces</source>
+   <translation>つながっていない{}個の部分をそれぞれ部品にする</translation>
+  </message>
+  <message>
    <source>Mark a fixed region and a handle first.</source>
    <translation>先に固定領域とハンドルを指定してください。</translation>
   </message>
@@ -2063,6 +2067,14 @@
    <translation>薄肉ソリッドと認識されれば、両面と壁は一枚の板に従い、間隔を保ちます</translation>
   </message>
   <message>
+   <source>Make a part of each of its pieces</source>
+   <translation>つながっていない部分をそれぞれ部品にする</translation>
+  </message>
+  <message>
+   <source>What nothing connects becomes a part of its own, so that contacts can join it to the others; only while nothing is marked on it</source>
+   <translation>つながっていない部分はそれぞれ独立した部品になり、接触で他と結合できます。何も指定されていない間だけ可能です</translation>
+  </message>
+  <message>
    <source>Shows the new mesh in place of the part; nothing changes</source>
    <translation>部品の代わりに新しいメッシュを表示します。何も変わりません</translation>
   </message>
@@ -2084,6 +2096,10 @@
   <message>
    <source>Single: one control mesh for all</source>
    <translation>単一: 全体に一つの制御メッシュ</translation>
+  </message>
+  <message>
+   <source>Whole: all parts in one solve</source>
+   <translation>全体: すべての部品を一度に解く</translation>
   </message>
   <message>
    <source>Levels</source>

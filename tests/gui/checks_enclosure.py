@@ -42,8 +42,8 @@ LONGEST = 200.0  # seconds to wait for a step
 class Steps:
     """The time of every step, and the longest time in it in which no event was handled."""
 
-    def __init__(self):
-        self.told = []
+    def __init__(self, title: str):
+        self.told, self._title = [], title
         self._beats = QtCore.QTimer()
         self._beats.timeout.connect(self._beat)
         self._beats.start(BEAT)
@@ -62,7 +62,7 @@ class Steps:
             assert time.monotonic() - begin < LONGEST, (title, under_way())
             if not is_pictured and dialog() is not None and dialog().isVisible():
                 self._beat()
-                picture(f"enclosure-progress-{len(self.told)}")
+                picture(f"{self._name()}-progress-{len(self.told)}")
                 self._last = time.monotonic()  # FreeCAD stood still for the picture
                 is_pictured = True
             yield 20
@@ -71,8 +71,11 @@ class Steps:
         progress = ", progress shown" if is_pictured else ""
         still = f"{own:.1f} s of processor, still for {self._still:.1f} s{progress}"
         self.told.append(f"{title} {taken:.1f} s ({still})")
-        note(f"the enclosure: {self.told[-1]}")
-        picture(f"enclosure-{len(self.told)}")
+        note(f"{self._title}: {self.told[-1]}")
+        picture(f"{self._name()}-{len(self.told)}")
+
+    def _name(self) -> str:
+        return self._title.split()[-1]
 
 
 def under_way() -> list:
@@ -137,7 +140,7 @@ def test_the_enclosure_from_step_to_a_saved_drag_is_measured():
         note("the enclosure: its STEP file is not at hand; SHEETMORPH_SHARED names the folder")
         return
     yield from activate()
-    steps = Steps()
+    steps = Steps("the enclosure")
     has_parts = lambda: is_quiet() and count_of_parts() == 38  # noqa: E731
     yield from steps.step("STEP in", import_files([STEP], 0.0, lambda: True), has_parts)
     yield from until(is_shown, "Prepare Mesh to be offered", LONGEST)

@@ -109,11 +109,21 @@ def test_type_mode_and_propagation_are_changed_in_the_panel():
     assert bracket.Mode.startswith("1")
     yield from choose_below(child("kind"), 1)
     assert assembly().Propagation == "single" and assembly().Unreached == []
+    yield from choose_below(child("kind"), 1)
+    assert assembly().Propagation == "whole"
+    picture("propagation-whole")
     yield from choose_below(child("unheld"), 1)
     assert assembly().Unheld == "along"
-    picture("propagation-single")
     yield from press("Close")
-    names = ["Loose Pieces", "Propagation", "Mode", "Use Contact", "Use Contact", "Contact Type"]
+    names = [
+        "Loose Pieces",
+        "Propagation",
+        "Propagation",
+        "Mode",
+        "Use Contact",
+        "Use Contact",
+        "Contact Type",
+    ]
     assert App.ActiveDocument.UndoNames == names
     for _ in names:
         App.ActiveDocument.undo()

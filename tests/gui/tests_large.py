@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """GUI measurements that take too long for every run: tests/gui/run.sh <add-on> large."""
 
+from checks_covers import *  # noqa: F401,F403
 from checks_enclosure import *  # noqa: F401,F403
 from checks_large import *  # noqa: F401,F403

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`init` and `run` make a morph of every public file with a surface: `./sheetmorph test real`."""
+"""`init` and `run` make a morph of every public file with a surface, and `check` passes what runs:
+`./sheetmorph test real`."""
 
 from __future__ import annotations
 
@@ -43,6 +44,7 @@ def test_a_file_is_a_morph_at_once_or_told_why_not(name, tmp_path, capsys, recor
         assert status == 2 and said == refusal and not recipe.exists()
         return
     assert status == 0, said
+    assert main(["check", str(recipe)]) == 0, capsys.readouterr().err
     wanted = ["run", str(recipe), "-o", str(tmp_path / "out"), "--report", str(told), "--quiet"]
     assert main(wanted) == 0, capsys.readouterr().err
     report = json.loads(told.read_text("utf-8"))

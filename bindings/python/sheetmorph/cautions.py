@@ -8,6 +8,7 @@ from typing import Any
 
 from .answer import Answer
 from .preprocessed import Preprocessed
+from .recipe.model import Model
 from .regions_report import region_remarks
 from .results import ContactResult
 from .words import counted
@@ -39,7 +40,7 @@ def open_contacts(result: Answer) -> dict[str, str]:
         if contact.gap_change > limit:
             found[contact.name] = (
                 f'"{contact.name}" opens or closes by {contact.gap_change:.2g} mm, beyond '
-                f"{limit:.2g} mm, {of_what}: {_todo(contact)}"
+                f"{limit:.2g} mm, {of_what}: {_todo(contact, result.session.model)}"
             )
     return found
 
@@ -48,10 +49,10 @@ def _open_contacts(result: Answer) -> Iterator[str]:
     yield from open_contacts(result).values()
 
 
-def _todo(contact: ContactResult) -> str:
-    if contact.type == "control mesh":
+def _todo(contact: ContactResult, model: Model) -> str:
+    if contact.type == "control mesh" and model.propagation.type != "whole":
         return "make it tied or rigid, or split it into smaller regions"
-    if contact.type == "tied":
+    if contact.type != "rigid":
         return "make it rigid, split it into smaller regions, or move the handle less"
     return "look at what holds both parts"
 
@@ -91,8 +92,8 @@ def _unheld_primary(session: Preprocessed) -> Iterator[str]:
         names = ", ".join(f'"{name}"' for name in sorted(others))
         yield (
             f'nothing of its own holds the primary part "{primary}": it moves as one piece, and '
-            f"what is fixed on {names} stretches the parts between; fix some of the primary too, "
-            "or make the contacts on the way rigid"
+            f"what is fixed on {names} stretches the parts between; set the propagation to "
+            '"whole", which solves all parts at once, or fix some of the primary too'
         )
 
 

@@ -19,7 +19,7 @@ _ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
 def notes_of(session: Preprocessed) -> list[str]:
     """What the recipe asks for in vain, one sentence each."""
     model = session.model
-    found = _single(model) if model.propagation.type == "single" else _local(session)
+    found = {"single": _single, "whole": _whole}.get(model.propagation.type, _local)(session)
     return [*_primary(model), *_thin(session), *_sheets(session), *found, *_joined(session)]
 
 
@@ -85,7 +85,8 @@ def _thin(session: Preprocessed) -> Iterator[str]:
             yield f'thin "auto" of "{part.name}" has no effect: it is recognised as none'
 
 
-def _single(model: Model) -> Iterator[str]:
+def _single(session: Preprocessed) -> Iterator[str]:
+    model = session.model
     if model.contacts:
         yield "the contacts are ignored: a single control mesh drives every part"
     followed = {region.part for region in model.of_kind("follower")}
@@ -101,6 +102,16 @@ def _single(model: Model) -> Iterator[str]:
                 f'the followers on "{part.name}" have no effect: the single control mesh drives '
                 f"{driven} (mode {mode}); mode 2 drives the followers"
             )
+
+
+def _whole(session: Preprocessed) -> Iterator[str]:
+    model = session.model
+    for part in model.parts:
+        if part.mode and part.name != model.primary:
+            lead = f'mode {part.mode} of "{part.name}" has no effect'
+            yield f"{lead}: all parts are solved as a whole"
+    for name in sorted({region.part for region in model.of_kind("follower")}):
+        yield f'the followers on "{name}" have no effect: all parts are solved as a whole'
 
 
 def _local(session: Preprocessed) -> Iterator[str]:

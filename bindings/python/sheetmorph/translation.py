@@ -76,7 +76,7 @@ class Translator:
         assembly.is_refined = self._model.refine
         assembly.set_unheld(self._model.unheld)
         way = self._model.propagation
-        assembly.propagation = core.Propagation(way.type == "single", way.levels, way.smoothness)
+        assembly.propagation = core.Propagation(way.type, way.levels, way.smoothness)
         return assembly
 
     def _relate(self, assembly: Any) -> None:

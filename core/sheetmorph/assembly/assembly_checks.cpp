@@ -114,8 +114,14 @@ void check_contacts(const Assembly& assembly)
     }
 }
 
-void check_propagation(const Propagation& propagation)
+void check_propagation(const Assembly& assembly)
 {
+    const Propagation& propagation = assembly.propagation;
+    if (propagation.type == PropagationType::whole
+        && (assembly.energy == Energy::steel || assembly.is_refined))
+        throw InvalidInput(
+            "parts that are solved as a whole cannot be of the energy 'steel', nor refined, which "
+            "goes part by part; take the propagation 'local', or leave that out");
     if (propagation.levels < 1 || propagation.levels > 5)
         throw InvalidInput("the control meshes' levels must be from 1 to 5, not "
                            + std::to_string(propagation.levels));
@@ -236,7 +242,16 @@ void check_assembly(const Assembly& assembly)
     check_pairs(assembly);
     check_symmetry(assembly);
     check_followers(assembly);
-    check_propagation(assembly.propagation);
+    check_propagation(assembly);
+}
+
+std::string unused_name(const Assembly& assembly, const std::string& wanted)
+{
+    std::string name = wanted;
+    const auto is_taken = [&](const PartFeature& feature) { return feature.name == name; };
+    while (std::any_of(assembly.features.begin(), assembly.features.end(), is_taken))
+        name += "'";
+    return name;
 }
 
 }  // namespace sheetmorph

@@ -10,4 +10,7 @@ namespace sheetmorph
 //! \throws InvalidInput: no part, two things of one name, a part or primary that does not exist
 void check_assembly(const Assembly& assembly);
 
+//! A name for a feature that none of the assembly has.
+std::string unused_name(const Assembly& assembly, const std::string& wanted);
+
 }  // namespace sheetmorph

@@ -33,10 +33,18 @@ struct Contact
     PartRegion b;
 };
 
+//! How parts are answered together.
+enum class PropagationType
+{
+    local,   //!< one after the other, along the contacts (section 4.2)
+    single,  //!< one control mesh around everything (section 4.1)
+    whole    //!< all at once: contacts are constraints of one system (whole/joined_parts.h)
+};
+
 //! How the motion of the primary reaches the other parts.
 struct Propagation
 {
-    bool is_single = false;    //!< one control mesh around everything; else one a contact
+    PropagationType type = PropagationType::local;
     int levels = 3;            //!< of Catmull-Clark subdivision of the control meshes
     double smoothness = 0.05;  //!< c of (3.3)
 };

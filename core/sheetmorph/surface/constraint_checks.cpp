@@ -86,6 +86,8 @@ void check_constraints(const TriangleMesh& mesh, const SurfaceConstraints& const
         check_ids(feature.label(), feature.vertices, count);
     for (const KnownRegion& region : constraints.propagated)
         check_ids(region.label(), region.vertices, count);
+    for (const KnownRegion& stitch : constraints.stitches)
+        check_ids(stitch.label(), stitch.vertices, count);
     for (const PointConstraint& point : constraints.points)
         check_point(point, mesh.triangle_count());
 }

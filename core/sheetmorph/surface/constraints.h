@@ -85,6 +85,10 @@ struct SurfaceConstraints
     std::vector<KnownRegion> propagated;   //!< driven by other parts; disjoint from each other
     std::vector<std::vector<int>> groups;  //!< form features that move as one rigid body
     std::vector<FeatureLink> links;
+
+    //! Places of different sheets that stay together and turn with them: a seam, vertex by vertex.
+    //! What carries one of its vertices carries all.
+    std::vector<KnownRegion> stitches;
     Energy energy = Energy::neumann;
     bool is_refined = false;  //!< exact answers are of a thick shell (steel_answer.h)
     Laplacian laplacian = Laplacian::cotangent;

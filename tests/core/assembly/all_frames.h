@@ -25,7 +25,7 @@ inline Frame with_modes(Frame frame, Mode mode)
 inline Frame single(Mode mode)
 {
     Frame frame = with_modes(ring(ContactType::control_mesh), mode);
-    frame.assembly.propagation.is_single = true;
+    frame.assembly.propagation.type = PropagationType::single;
     if (mode == Mode::all)
         frame.assembly.features.resize(3);
     if (mode == Mode::regions)
@@ -72,6 +72,13 @@ inline std::vector<Frame> all_with_neumann()
                             small_contacts(type, true), ring(type), thin_solids(open_chain(type))})
         {
             frame.name += "_type" + std::to_string(static_cast<int>(type));
+            frames.push_back(frame);
+        }
+    for (const auto type : {ContactType::tied, ContactType::rigid})
+        for (Frame frame : {ring(type), small_contacts(type, true), thin_solids(open_chain(type))})
+        {
+            frame.assembly.propagation.type = PropagationType::whole;
+            frame.name += "_whole" + std::to_string(static_cast<int>(type));
             frames.push_back(frame);
         }
     frames.push_back(with_modes(open_chain(ContactType::control_mesh), Mode::boundaries));

@@ -114,7 +114,8 @@ class ContactEntry:
 
 @dataclass(frozen=True)
 class PropagationEntry:
-    """How motion reaches the other parts: "local" or "single", levels, smoothness c of (3.3)."""
+    """How motion reaches the other parts: "local", "single" or "whole", levels, smoothness c of
+    (3.3)."""
 
     type: str = "local"
     levels: int = 3

@@ -33,13 +33,11 @@ def split_triangles(file: PartFile, way: str) -> dict[str, np.ndarray]:
     if way == "components" and file.bodies is not None:
         return file.bodies
     if way == "components":
-        labels = _component_labels(len(mesh.points), mesh.triangles)[mesh.triangles[:, 0]]
-        numbers = {label: str(k + 1) for k, label in enumerate(np.unique(labels).tolist())}
-    else:
-        if file.properties is None:
-            raise SplitError("only decks have properties", 'use "split": "components"')
-        labels = file.properties
-        numbers = {label: str(label) for label in dict.fromkeys(labels.tolist())}
+        return pieces_of(mesh)
+    if file.properties is None:
+        raise SplitError("only decks have properties", 'use "split": "components"')
+    labels = file.properties
+    numbers = {label: str(label) for label in dict.fromkeys(labels.tolist())}
     found = {name: np.flatnonzero(labels == label) for label, name in numbers.items()}
     _check_apart(mesh, found)
     return found
@@ -56,6 +54,15 @@ def usual_split(file: PartFile) -> str:
         if 1 < count <= _MOST:
             return way
     return ""
+
+
+def pieces_of(mesh: PartMesh) -> dict[str, np.ndarray]:
+    """Triangle indices of everything that hangs together, counted from "1" on."""
+    labels = _component_labels(len(mesh.points), mesh.triangles)[mesh.triangles[:, 0]]
+    return {
+        str(k + 1): np.flatnonzero(labels == label)
+        for k, label in enumerate(np.unique(labels).tolist())
+    }
 
 
 def _component_labels(count: int, triangles: np.ndarray) -> np.ndarray:

@@ -210,8 +210,10 @@ void require_boundary_found(const Assembly& assembly, const std::vector<PlannedL
 std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationPlan& plan,
                                     const ControlBoxes& boxes)
 {
-    if (assembly.propagation.is_single)
+    if (assembly.propagation.type == PropagationType::single)
         return single_link(assembly);
+    if (assembly.propagation.type == PropagationType::whole)
+        return {};
     std::vector<PlannedLink> links;
     for (const int part : plan.order)
     {

@@ -43,7 +43,8 @@ struct RigidWeld
 //! Control mesh and tied links with the vertices each part's mode gives them (section 4.1).
 //! \throws InvalidInput: mode 1 where features or several contacts forbid it, a mode 3 that finds
 //! no vertex, a part in mode 2 of a single control mesh without followers
-//! \returns links by name, so that the order of the contacts does not matter
+//! \returns links by name, so that the order of the contacts does not matter; none where all parts
+//! are solved at once
 std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationPlan& plan,
                                     const ControlBoxes& boxes);
 

@@ -128,6 +128,8 @@ PartConstraints constraints_of_part(const Assembly& assembly, int part)
             found.surface.points.back().name = assembly.points[k].name;
             found.points.push_back(static_cast<int>(k));
         }
+    for (const PartRegion& stitch : assembly.parts[at(part)].stitches)
+        found.surface.stitches.push_back({stitch.name, stitch.vertices, "contact"});
     add_groups(assembly, part, found);
     return found;
 }

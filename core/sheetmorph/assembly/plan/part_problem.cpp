@@ -12,6 +12,13 @@ namespace sheetmorph
 namespace
 {
 
+void add_carrier(PartProblem& problem, int index, const RigidWeld& weld, const VertexIds& side)
+{
+    problem.own.surface.features.push_back(
+        {weld.name, side, FeatureRotation::free, "rigid contact", {}, false});
+    problem.carriers.push_back(index);
+}
+
 void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& welds)
 {
     std::vector<FormFeature> held;
@@ -33,11 +40,7 @@ void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& wel
             problem.carried.push_back(static_cast<int>(k));
         }
         if (weld.source_part == part)
-        {
-            problem.own.surface.features.push_back(
-                {weld.name, weld.source, FeatureRotation::free, "rigid contact", {}, false});
-            problem.carriers.push_back(static_cast<int>(k));
-        }
+            add_carrier(problem, static_cast<int>(k), weld, weld.source);
     }
     problem.own.surface.features.insert(problem.own.surface.features.end(), held.begin(),
                                         held.end());
@@ -159,6 +162,18 @@ PartProblem problem_of_part(const Assembly& assembly, int part, const Passages& 
     add_welds(problem, part, passages.welds);
     add_pairs(assembly, part, passages.pairs, problem);
     add_propagated(problem, claims_on(assembly, part, passages.links), passages.links);
+    return problem;
+}
+
+PartProblem problem_in_whole(const Assembly& assembly, int part,
+                             const std::vector<RigidWeld>& welds)
+{
+    PartProblem problem;
+    problem.own = constraints_of_part(assembly, part);
+    for (std::size_t k = 0; k < welds.size(); ++k)
+        if (welds[k].source_part == part || welds[k].target_part == part)
+            add_carrier(problem, static_cast<int>(k), welds[k],
+                        welds[k].source_part == part ? welds[k].source : welds[k].target);
     return problem;
 }
 

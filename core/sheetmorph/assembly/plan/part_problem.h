@@ -47,6 +47,11 @@ struct Passages
 
 PartProblem problem_of_part(const Assembly& assembly, int part, const Passages& passages);
 
+//! The same of a part that is solved together with the others: its own share, and every weld on it
+//! as a feature.
+PartProblem problem_in_whole(const Assembly& assembly, int part,
+                             const std::vector<RigidWeld>& welds);
+
 //! What the earlier parts of the order have become.
 struct EarlierParts
 {

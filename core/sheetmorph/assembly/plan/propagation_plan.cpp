@@ -80,7 +80,7 @@ void direct_contacts(const Assembly& assembly, PropagationPlan& plan)
         if (rank_a >= 0 && rank_b >= 0)
             plan.measured.push_back({static_cast<int>(k), rank_b < rank_a});
     }
-    if (!assembly.propagation.is_single)
+    if (assembly.propagation.type != PropagationType::single)
         plan.contacts = plan.measured;
 }
 
@@ -123,7 +123,7 @@ PropagationPlan plan_propagation(const Assembly& assembly)
 {
     PropagationPlan plan;
     plan.level.assign(assembly.parts.size(), -1);
-    if (assembly.propagation.is_single)
+    if (assembly.propagation.type == PropagationType::single)
     {
         reach_all(assembly, plan);
         direct_contacts(assembly, plan);

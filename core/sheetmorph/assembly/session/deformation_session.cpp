@@ -33,6 +33,16 @@ void require_shapes_of(const PreparedAssembly& prepared, const Deformed& pose)
     }
 }
 
+// The part whose vertex of the joined one it is.
+int owner_of(const PreparedAssembly& prepared, int vertex)
+{
+    int owner = -1;
+    for (std::size_t part = 0; part < prepared.parts.size(); ++part)
+        if (const int first = prepared.places.first[part]; first >= 0 && first <= vertex)
+            owner = static_cast<int>(part);
+    return owner;
+}
+
 }  // namespace
 
 DeformationSession::DeformationSession(Assembly assembly, const Progress& progress,
@@ -118,10 +128,11 @@ const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() con
 std::vector<std::vector<std::string>> DeformationSession::joined_bodies() const
 {
     std::vector<std::vector<std::string>> found;
-    for (std::size_t part = 0; part < data_->parts.size(); ++part)
+    const PreparedAssembly& system = data_->system();
+    for (std::size_t part = 0; part < system.parts.size(); ++part)
     {
-        const SurfaceConstraints& surface = data_->parts[part].problem.own.surface;
-        for (const Body& body : merge_bodies(data_->assembly.parts[part].mesh, surface))
+        const SurfaceConstraints& surface = system.parts[part].problem.own.surface;
+        for (const Body& body : merge_bodies(system.assembly.parts[part].mesh, surface))
         {
             std::vector<std::string> labels;
             for (const int feature : body.features)
@@ -137,16 +148,21 @@ std::vector<std::vector<std::string>> DeformationSession::joined_bodies() const
 
 std::vector<LoosePieces> DeformationSession::loose_pieces() const
 {
-    std::vector<LoosePieces> found;
+    std::vector<LoosePieces> of_part;
     for (std::size_t part = 0; part < data_->parts.size(); ++part)
-    {
-        const std::vector<VertexIds>& loose = data_->parts[part].problem.loose;
-        LoosePieces pieces{static_cast<int>(part), static_cast<int>(loose.size()), 0};
-        for (const VertexIds& piece : loose)
+        of_part.push_back({static_cast<int>(part), 0, 0});
+    const PreparedAssembly& system = data_->system();
+    for (std::size_t part = 0; part < system.parts.size(); ++part)
+        for (const VertexIds& piece : system.parts[part].problem.loose)
+        {
+            LoosePieces& pieces =
+                of_part[data_->joined ? at(owner_of(*data_, piece.front())) : part];
+            ++pieces.pieces;
             pieces.vertices += static_cast<int>(piece.size());
-        if (pieces.pieces > 0)
-            found.push_back(pieces);
-    }
+        }
+    std::vector<LoosePieces> found;
+    std::copy_if(of_part.begin(), of_part.end(), std::back_inserter(found),
+                 [](const LoosePieces& pieces) { return pieces.pieces > 0; });
     return found;
 }
 
@@ -156,6 +172,8 @@ bool DeformationSession::is_held(int part) const
         throw InvalidInput("part " + std::to_string(part) + " does not exist");
     const auto is_here = [part](const PartRegion& fixed) { return fixed.part == part; };
     const std::vector<PartRegion>& fixed = data_->assembly.fixed;
+    if (data_->joined)
+        return data_->is_solved(part) && !data_->joined->assembly.fixed.empty();
     return !data_->parts[at(part)].problem.held.empty()
            || std::any_of(fixed.begin(), fixed.end(), is_here);
 }

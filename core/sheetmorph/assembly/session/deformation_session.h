@@ -119,7 +119,7 @@ public:
     std::vector<LoosePieces> loose_pieces() const;
 
     //! Whether a fixed region of its own holds a part, or one that reaches it through rigid
-    //! contacts.
+    //! contacts; any, where all parts are solved at once.
     bool is_held(int part) const;
 
     //! What pre-processing took, stage by stage; stages taken over are not listed.

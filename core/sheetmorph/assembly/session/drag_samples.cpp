@@ -138,8 +138,8 @@ std::shared_ptr<const Response> DragSamples::learn(int part, const Progress& pro
         add_own(part, samples);
     if (samples.empty())
         return nullptr;
-    std::shared_ptr<const Response> response =
-        ready.deformer->response(samples, {reads_of(part), ready.thin != nullptr}, progress);
+    std::shared_ptr<const Response> response = ready.deformer->response(
+        samples, {reads_of(part), ready.thin != nullptr || prepared_.carries_thin}, progress);
     if (!response->is_learnt())
         return nullptr;
     if (passes)

@@ -150,7 +150,8 @@ private:
 LiveDrag::LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<std::string> handles,
                    const Pose& start, const DragOptions& options)
     : prepared_(std::move(prepared)),
-      background_(std::make_unique<Background>(*prepared_, std::move(handles), start, options))
+      background_(
+          std::make_unique<Background>(prepared_->system(), std::move(handles), start, options))
 {
 }
 

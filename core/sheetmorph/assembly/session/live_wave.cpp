@@ -21,13 +21,24 @@ std::vector<char> Wave::run_live(const PartResponses& responses, std::vector<Def
                                  Deformed& result)
 {
     start(result);
-    begin_reading(read);
+    if (!prepared_.joined)
+        begin_reading(read);
     std::vector<char> answered(result.parts.size(), 0);
-    for (const int part : prepared_.plan.order)
+    if (prepared_.joined)
     {
-        answered[at(part)] = answer(part, responses[at(part)]);
-        pass_on(part);
+        Deformed joined;
+        const std::vector<char> all =
+            Wave(*prepared_.joined, pose_, exactness_).run_live(responses, read, joined);
+        take(joined);
+        for (const int part : prepared_.plan.order)
+            answered[at(part)] = all.front();
     }
+    else
+        for (const int part : prepared_.plan.order)
+        {
+            answered[at(part)] = answer(part, responses[at(part)]);
+            pass_on(part);
+        }
     for (const int part : prepared_.plan.unreached)
         set_at_rest(part);
     place_answers();

@@ -141,6 +141,53 @@ void add_gauges(PreparedAssembly& prepared, const Geometries& geometries)
     }
 }
 
+bool is_whole(const Assembly& assembly)
+{
+    return assembly.propagation.type == PropagationType::whole;
+}
+
+// A point of a thin solid lies off the middle: it is met in rounds, part by part.
+void refuse_thin_points(const PreparedAssembly& prepared)
+{
+    for (const PartPoint& point : prepared.assembly.points)
+        if (prepared.thin[at(point.part)])
+            throw InvalidInput("part '" + prepared.assembly.parts[at(point.part)].name
+                               + "': point '" + point.name
+                               + "' lies on a thin solid, which cannot be met where all parts are "
+                                 "solved as a whole; take a handle of vertices, or \"thin\": false");
+}
+
+// All parts as one, taking over from `previous` what fits.
+void join(PreparedAssembly& prepared, const Progress& progress, const PreparedAssembly* previous)
+{
+    refuse_thin_points(prepared);
+    prepared.places = joined_parts(prepared.assembly, prepared.plan, prepared.welds);
+    Assembly one = std::move(prepared.places.assembly);
+    auto joined = std::make_shared<PreparedAssembly>(prepare_assembly(
+        std::move(one), progress, previous != nullptr ? previous->joined.get() : nullptr));
+    joined->carries_thin = prepared.with_thin_parts.has_value();
+    prepared.joined = std::move(joined);
+    prepared.timings.insert(prepared.timings.end(), prepared.joined->timings.begin(),
+                            prepared.joined->timings.end());
+}
+
+void add_problems(PreparedAssembly& prepared)
+{
+    const Assembly& given = prepared.assembly;
+    const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
+    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
+    {
+        const bool is_alone = !is_whole(given);
+        prepared.parts.push_back({is_alone ? problem_of_part(given, part, passages)
+                                           : problem_in_whole(given, part, prepared.welds),
+                                  {},
+                                  nullptr,
+                                  nullptr});
+        if (is_alone)
+            hold_loose_pieces(given.parts[at(part)], given.unheld, prepared.parts.back().problem);
+    }
+}
+
 //! Collects what has to be built, and times it.
 class Preparation
 {
@@ -160,7 +207,7 @@ public:
         if (const auto& thin = prepared_.thin[at(index)])
             part.thin = std::make_shared<const ThinSolver>(
                 ThinSolverInput{thin, prepared_.whole(), part.problem, prepared_.welds, index});
-        if (!part.problem.is_driven())
+        if (!part.problem.is_driven() || is_whole(prepared_.assembly))
             return;
         const DeformerInput input{of, part.problem.own.surface, earlier_deformer(previous_, of)};
         if (input.earlier && is_deformer_of(*input.earlier, of.mesh, input.constraints))
@@ -227,22 +274,20 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     widen_thin_sources(prepared, geometries);
     blend_neighbours(given, prepared.planned);
     prepared.welds = plan_welds(given, prepared.plan);
-    prepared.pairs = plan_pairs(given, prepared.plan);
+    if (!is_whole(given))
+        prepared.pairs = plan_pairs(given, prepared.plan);
     add_gauges(prepared, geometries);
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
-    const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
-    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
-    {
-        prepared.parts.push_back({problem_of_part(given, part, passages), {}, nullptr, nullptr});
-        hold_loose_pieces(given.parts[at(part)], given.unheld, prepared.parts.back().problem);
-    }
+    add_problems(prepared);
     Preparation preparation(prepared, geometries, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);
     for (std::size_t link = 0; link < prepared.links.size(); ++link)
         preparation.add_link(link);
     preparation.run(progress);
+    if (is_whole(given))
+        join(prepared, progress, previous);
     progress.report(1.0, "ready");
     return prepared;
 }

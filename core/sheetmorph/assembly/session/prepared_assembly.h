@@ -7,6 +7,7 @@
 #include "sheetmorph/assembly/session/feature_error.h"
 #include "sheetmorph/assembly/symmetry/symmetry_plan.h"
 #include "sheetmorph/assembly/thin/thin_solver.h"
+#include "sheetmorph/assembly/whole/joined_parts.h"
 
 #include <set>
 
@@ -23,7 +24,7 @@ struct PreparedLink
     std::shared_ptr<const MotionLink> link;
 };
 
-//! One part, ready to be solved; no deformer if nothing moves it.
+//! One part, ready to be solved; no deformer if nothing moves it, or if it is solved with others.
 struct PreparedPart
 {
     PartProblem problem;
@@ -49,6 +50,22 @@ struct PreparedAssembly
     std::vector<PreparedPart> parts;
     std::vector<ContactGauge> gauges;  //!< as plan.measured
     std::vector<Timing> timings;
+
+    //! Where all parts are solved at once: the one part that they are, and what is whose there.
+    std::shared_ptr<const PreparedAssembly> joined;
+    JoinedParts places = {};  //!< its assembly is moved to `joined`
+
+    bool carries_thin = false;  //!< parts joined in it are thin solids, which read all rotations
+
+    //! What is solved.
+    const PreparedAssembly& system() const { return joined ? *joined : *this; }
+
+    //! Whether a part is solved, alone or with the others.
+    bool is_solved(int part) const
+    {
+        const auto index = static_cast<std::size_t>(part);
+        return joined ? places.first[index] >= 0 : parts[index].deformer != nullptr;
+    }
 
     //! Every part with all its vertices.
     const Assembly& whole() const { return with_thin_parts ? *with_thin_parts : assembly; }

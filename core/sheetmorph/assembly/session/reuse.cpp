@@ -65,7 +65,8 @@ bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
            && a.thickness == b.thickness && a.poisson == b.poisson && same_regions(a.fixed, b.fixed)
            && same_handles(a.handles, b.handles) && same_features(a.features, b.features)
            && same_regions(a.propagated, b.propagated) && same_points(a.points, b.points)
-           && a.groups == b.groups && same_links(a.links, b.links);
+           && a.groups == b.groups && same_links(a.links, b.links)
+           && same_regions(a.stitches, b.stitches);
 }
 
 bool same_box(const OrientedBox& a, const OrientedBox& b)

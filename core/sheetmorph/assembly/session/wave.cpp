@@ -36,15 +36,10 @@ Deformed Wave::run()
 {
     Deformed result;
     start(result);
-    const Progress whole = progress_;
-    const auto count = static_cast<double>(prepared_.plan.order.size());
-    for (std::size_t k = 0; k < prepared_.plan.order.size(); ++k)
-    {
-        const auto done = static_cast<double>(k);
-        progress_ = whole.part(done / count, (done + 1.0) / count);
-        answer(prepared_.plan.order[k], nullptr);
-        pass_on(prepared_.plan.order[k]);
-    }
+    if (prepared_.joined)
+        take(Wave(*prepared_.joined, pose_, exactness_, progress_).run());
+    else
+        answer_in_order();
     for (const int part : prepared_.plan.unreached)
         set_at_rest(part);
     for (int part = 0; part < static_cast<int>(result.parts.size()); ++part)
@@ -55,6 +50,45 @@ Deformed Wave::run()
     if (exactness_ == Exactness::exact)
         report_contacts();
     return result;
+}
+
+void Wave::answer_in_order()
+{
+    const Progress whole = progress_;
+    const auto count = static_cast<double>(prepared_.plan.order.size());
+    for (std::size_t k = 0; k < prepared_.plan.order.size(); ++k)
+    {
+        const auto done = static_cast<double>(k);
+        progress_ = whole.part(done / count, (done + 1.0) / count);
+        answer(prepared_.plan.order[k], nullptr);
+        pass_on(prepared_.plan.order[k]);
+    }
+}
+
+// Every part's own of what was solved at once.
+void Wave::take(const Deformed& joined)
+{
+    const Deformation& all = joined.parts.front();
+    const JoinedParts& places = prepared_.places;
+    for (const int part : prepared_.plan.order)
+    {
+        const PartProblem& problem = prepared_.parts[at(part)].problem;
+        const int first = places.first[at(part)];
+        const int count = prepared_.assembly.parts[at(part)].mesh.vertex_count();
+        Deformation& shape = solved(part);
+        shape.positions = all.positions.middleRows(first, count);
+        shape.rotation_logs = all.rotation_logs.rows() == 0
+                                  ? Points(0, 3)
+                                  : Points(all.rotation_logs.middleRows(first, count));
+        shape.convergence = all.convergence;
+        shape.features.clear();
+        for (const int feature : problem.own.features)
+            shape.features.push_back(joined.features[at(places.features[at(feature)])].motion);
+        for (const int weld : problem.carriers)
+            shape.features.push_back(joined.features[at(places.welds + weld)].motion);
+        expand(part, targets_of(part));
+        result_->parts[at(part)].is_preview = all.is_preview;
+    }
 }
 
 // What the deformer of a part makes: the middle of a thin solid, the whole of any other part.
@@ -196,6 +230,8 @@ void Wave::report_feature(int part, std::size_t own, const Points& rest)
 // What is shown live of a part whose exact answer is refined besides.
 void Wave::mark_preview(int index)
 {
+    if (prepared_.joined)
+        return;
     const PreparedPart& part = prepared_.parts[at(index)];
     result_->parts[at(index)].is_preview =
         exactness_ == Exactness::live && part.deformer && part.problem.own.surface.has_previews();
@@ -204,7 +240,7 @@ void Wave::mark_preview(int index)
 void Wave::report_features(int index)
 {
     const PreparedPart& part = prepared_.parts[at(index)];
-    const bool is_measured = exactness_ == Exactness::exact && part.deformer;
+    const bool is_measured = exactness_ == Exactness::exact && prepared_.is_solved(index);
     const Points rest = is_measured ? sized_rest(index) : Points();
     for (std::size_t f = 0; f < part.problem.own.features.size(); ++f)
         report_feature(index, f, rest);

@@ -51,6 +51,8 @@ private:
     Deformation& solved(int part) const;
     void set_at_rest(int part) const;
     void expand(int part, const SurfaceTargets& targets) const;
+    void take(const Deformed& joined);
+    void answer_in_order();
     bool answer(int part, const std::shared_ptr<const Response>& response);
     void substitute(int part);
     bool respond(int part, const std::shared_ptr<const Response>& response);

@@ -176,12 +176,33 @@ private:
     std::vector<Passing> passing_;
 };
 
+// What was solved at once, by direction and part.
+std::vector<std::vector<Points>> split(const PreparedAssembly& prepared,
+                                       const std::vector<std::vector<Points>>& joined)
+{
+    std::vector<std::vector<Points>> found;
+    for (const std::vector<Points>& along : joined)
+    {
+        found.emplace_back();
+        for (std::size_t part = 0; part < prepared.parts.size(); ++part)
+        {
+            const int count = prepared.assembly.parts[part].mesh.vertex_count();
+            const int first = prepared.places.first[part];
+            found.back().push_back(first < 0 ? Points(Points::Zero(count, 3))
+                                             : Points(along.front().middleRows(first, count)));
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<std::vector<Points>> wave_rates(const PreparedAssembly& prepared, const Pose& pose,
                                             const std::vector<PoseRate>& directions)
 {
     require_differentiable(prepared);
+    if (prepared.joined)
+        return split(prepared, wave_rates(*prepared.joined, pose, directions));
     return WaveRates(prepared, pose, directions).run();
 }
 

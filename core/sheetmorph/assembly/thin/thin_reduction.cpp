@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/thin/thin_reduction.h"
 
+#include "sheetmorph/assembly/assembly_checks.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
@@ -204,15 +205,6 @@ private:
     int part_;
     SkinRegions regions_;
 };
-
-std::string unused_name(const Assembly& assembly, const std::string& wanted)
-{
-    std::string name = wanted;
-    const auto is_taken = [&](const PartFeature& feature) { return feature.name == name; };
-    while (std::any_of(assembly.features.begin(), assembly.features.end(), is_taken))
-        name += "'";
-    return name;
-}
 
 // Features of one part that share vertices are one rigid body. On the skin they may share none, so
 // that a group has to say it.

@@ -14,15 +14,40 @@ namespace sheetmorph
 namespace
 {
 
-//! The vertices that move as one: those of a feature, or of a handle with a free rotation.
+//! The vertices that move as one: those of a feature, of a handle with a free rotation, or of a
+//! stitch that is carried along.
 struct Seed
 {
     const VertexIds* vertices = nullptr;
     int feature = -1;
     int handle = -1;
+    int stitch = -1;
 };
 
-std::vector<Seed> seeds_of(const SurfaceConstraints& constraints)
+// Stitches that bodies or known vertices touch.
+void add_carried_stitches(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                          std::vector<Seed>& seeds)
+{
+    std::vector<char> carries(constraints.stitches.empty() ? 0 : at(mesh.vertex_count()), 0);
+    if (carries.empty())
+        return;
+    for (const Seed& seed : seeds)
+        for (const int vertex : *seed.vertices)
+            carries[at(vertex)] = 1;
+    for (const auto* regions : {&constraints.fixed, &constraints.handles, &constraints.propagated})
+        for (const KnownRegion& region : *regions)
+            for (const int vertex : region.vertices)
+                carries[at(vertex)] = 1;
+    for (std::size_t k = 0; k < constraints.stitches.size(); ++k)
+    {
+        const VertexIds& vertices = constraints.stitches[k].vertices;
+        if (std::any_of(vertices.begin(), vertices.end(),
+                        [&](int vertex) { return carries[at(vertex)] != 0; }))
+            seeds.push_back({&vertices, -1, -1, static_cast<int>(k)});
+    }
+}
+
+std::vector<Seed> seeds_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     std::vector<Seed> seeds;
     for (std::size_t k = 0; k < constraints.features.size(); ++k)
@@ -30,6 +55,7 @@ std::vector<Seed> seeds_of(const SurfaceConstraints& constraints)
     for (std::size_t k = 0; k < constraints.handles.size(); ++k)
         if (constraints.handles[k].is_rotation_free)
             seeds.push_back({&constraints.handles[k].vertices, -1, static_cast<int>(k)});
+    add_carried_stitches(mesh, constraints, seeds);
     return seeds;
 }
 
@@ -190,6 +216,11 @@ std::string names_of(const Body& body, const SurfaceConstraints& constraints)
         text += (text.empty() ? "" : ", ") + constraints.features[at(feature)].label();
     if (body.handle >= 0)
         text += (text.empty() ? "" : ", ") + constraints.handles[at(body.handle)].label();
+    std::set<std::string> seams;
+    for (const int stitch : body.stitches)
+        seams.insert(constraints.stitches[at(stitch)].label());
+    for (const std::string& seam : seams)
+        text += (text.empty() ? "" : ", ") + seam;
     if (body.features.size() > 1)
         text += " (one body, since they share vertices or a group)";
     return text;
@@ -197,7 +228,7 @@ std::string names_of(const Body& body, const SurfaceConstraints& constraints)
 
 std::vector<Body> merge_bodies(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
-    const std::vector<Seed> seeds = seeds_of(constraints);
+    const std::vector<Seed> seeds = seeds_of(mesh, constraints);
     DisjointSets sets = joined_seeds(seeds, mesh, constraints);
     std::vector<Body> bodies;
     std::vector<int> body_of(seeds.size(), -1);
@@ -212,6 +243,8 @@ std::vector<Body> merge_bodies(const TriangleMesh& mesh, const SurfaceConstraint
         Body& body = bodies[at(index)];
         if (seeds[k].feature >= 0)
             body.features.push_back(seeds[k].feature);
+        else if (seeds[k].stitch >= 0)
+            body.stitches.push_back(seeds[k].stitch);
         else if (body.handle >= 0)
             refuse_torn(body, constraints,
                         {constraints.handles[at(body.handle)].label(),

@@ -19,8 +19,8 @@ struct Following
     Vector3 centre = Vector3::Zero();  //!< of the leading feature at rest, mm
 };
 
-//! Form features that share vertices or a group, or a handle whose rotation is free: they move as
-//! one rigid body.
+//! Form features that share vertices or a group, a handle whose rotation is free, and stitches that
+//! these or known vertices touch: they move as one rigid body.
 struct Body
 {
     //! What decides its motion. Fixed, handle and propagated vertices carry the features they
@@ -36,6 +36,7 @@ struct Body
     };
 
     std::vector<int> features;
+    std::vector<int> stitches;  //!< that it carries along
     VertexIds vertices;
     Vector3 centre = Vector3::Zero();
     Motion motion = Motion::free;
@@ -64,8 +65,8 @@ struct Drivers
     std::set<int> handles;
 };
 
-//! Features joined to bodies where they share vertices or a group, and handles with a free
-//! rotation; what moves them is still open.
+//! Features joined to bodies where they share vertices or a group, handles with a free rotation,
+//! and stitches that are carried along; what moves them is still open.
 std::vector<Body> merge_bodies(const TriangleMesh& mesh, const SurfaceConstraints& constraints);
 
 //! Decides what moves a body: what drives it, and what its features ask for.

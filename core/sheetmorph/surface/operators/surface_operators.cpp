@@ -8,6 +8,7 @@
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "sheetmorph/surface/operators/clamping.h"
 #include "sheetmorph/surface/operators/natural_rows.h"
+#include "sheetmorph/surface/operators/stitches.h"
 
 #include <Eigen/SVD>
 #include <numeric>
@@ -75,19 +76,24 @@ SurfaceOperators measured(const LaidFaces& faces, int vertex_count)
 }
 
 // L of (2.1) and its rest rows; `faces` has the triangles that the operators were measured on.
-void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energy energy)
+void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energy energy,
+                   const VertexRoles& roles)
 {
     operators.harmonic = std::make_shared<const SparseMatrix>(
         non_negative_stiffness(faces, operators.half_cotangents));
-    const Eigen::VectorXd per_area = (2.0 * operators.vertex_areas).cwiseInverse();
-    operators.rows = rows_scaled(cotangent_stiffness(faces, operators.half_cotangents), per_area);
-    operators.rest_rows =
-        per_area.asDiagonal() * apply_stiffness(faces, operators.half_cotangents, faces.points());
+    SparseMatrix sums = cotangent_stiffness(faces, operators.half_cotangents);
+    Points rest = apply_stiffness(faces, operators.half_cotangents, faces.points());
+    Eigen::VectorXd areas = operators.vertex_areas;
+    join_stitched(roles, sums, rest, areas);
+    const Eigen::VectorXd per_area =
+        areas.unaryExpr([](double area) { return area > 0.0 ? 0.5 / area : 0.0; });
+    operators.rows = rows_scaled(std::move(sums), per_area);
+    operators.rest_rows = per_area.asDiagonal() * rest;
     operators.row_vertices.resize(static_cast<std::size_t>(faces.vertex_count()));
     std::iota(operators.row_vertices.begin(), operators.row_vertices.end(), 0);
     operators.weights = energy == Energy::paper
                             ? Eigen::VectorXd(Eigen::VectorXd::Ones(faces.vertex_count()))
-                            : operators.vertex_areas;
+                            : areas;
 }
 
 // Whether the points on one component hold it without help: three or more, not in line.
@@ -112,16 +118,20 @@ bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& const
     return extents(1) > in_line * in_line * extents(0);
 }
 
-// Vertices at free edges whose rows of L keep their component from tilting.
+// Vertices whose rows of L `natural` needs besides: at free edges where they keep a component from
+// tilting, on seams of sheets that end there, which would be hinges.
 VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                                 const VertexRoles& roles, const LaidFaces& faces)
 {
     VertexIds vertices;
+    if (roles.held_by_points.empty() && constraints.stitches.empty())
+        return vertices;
+    const std::vector<char> is_interior = fans_of(faces, mesh.vertex_count()).is_interior;
+    vertices = seam_vertices(roles, is_interior);
     for (const int component : roles.held_by_points)
     {
         if (is_held_by_points(mesh, constraints, roles.components, component))
             continue;
-        const std::vector<char> is_interior = fans_of(faces, mesh.vertex_count()).is_interior;
         for (const int vertex : roles.components.vertices(component))
             if (!is_interior[static_cast<std::size_t>(vertex)])
                 vertices.push_back(vertex);
@@ -186,13 +196,14 @@ SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstr
     if (constraints.energy != Energy::natural && constraints.laplacian == Laplacian::cotangent)
     {
         SurfaceOperators operators = measured(mesh);
-        add_laplacian(operators, mesh, constraints.energy);
+        add_laplacian(operators, mesh, constraints.energy, roles);
         return operators;
     }
     const auto [faces, convergence] = faces_of(mesh, constraints);
     SurfaceOperators operators = measured(faces, mesh.vertex_count());
     operators.convergence = convergence;
-    add_laplacian(operators, TriangleMesh(mesh.points(), faces.triangles), constraints.energy);
+    add_laplacian(operators, TriangleMesh(mesh.points(), faces.triangles), constraints.energy,
+                  roles);
     if (constraints.energy != Energy::natural)
         return operators;
     BendingRows bending = natural_rows(faces, holding_vertices(constraints, roles));

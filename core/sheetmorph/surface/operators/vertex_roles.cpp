@@ -115,6 +115,23 @@ void mark_bodies(VertexRoles& roles, const TriangleMesh& mesh,
     decide_links(mesh, constraints, roles.bodies);
 }
 
+// Stitches that nothing carries: their vertices are free, and move as one.
+std::vector<VertexIds> number_stitches(VertexRoles& roles, const SurfaceConstraints& constraints)
+{
+    std::vector<VertexIds> found;
+    roles.stitch.assign(roles.role.size(), -1);
+    for (const KnownRegion& stitch : constraints.stitches)
+    {
+        const auto is_free = [&](int vertex) { return roles.role[at(vertex)] == Role::free; };
+        if (!std::all_of(stitch.vertices.begin(), stitch.vertices.end(), is_free))
+            continue;
+        for (const int vertex : stitch.vertices)
+            roles.stitch[at(vertex)] = static_cast<int>(found.size());
+        found.push_back(stitch.vertices);
+    }
+    return found;
+}
+
 void require_bodies_on_the_sheet(const VertexRoles& roles, const SurfaceConstraints& constraints)
 {
     for (const Body& body : roles.bodies)
@@ -173,16 +190,16 @@ VertexRoles roles_of(const TriangleMesh& mesh, const SurfaceConstraints& constra
     roles.role.assign(at(mesh.vertex_count()), Role::free);
     roles.owner.assign(at(mesh.vertex_count()), -1);
     roles.bodies = merge_bodies(mesh, constraints);
-    std::vector<VertexIds> joined;
-    for (const Body& body : roles.bodies)
-        joined.push_back(body.vertices);
-    roles.components = connected_components(mesh, joined);
     mark_propagated(roles, constraints);
     mark_fixed(roles, constraints);
     for (std::size_t handle = 0; handle < constraints.handles.size(); ++handle)
         if (!constraints.handles[handle].is_rotation_free)
             mark_handle(roles, constraints, static_cast<int>(handle));
     mark_bodies(roles, mesh, constraints);
+    std::vector<VertexIds> joined = number_stitches(roles, constraints);
+    for (const Body& body : roles.bodies)
+        joined.push_back(body.vertices);
+    roles.components = connected_components(mesh, joined);
     require_bodies_on_the_sheet(roles, constraints);
     return roles;
 }

@@ -35,7 +35,8 @@ struct Clamp
 struct VertexRoles
 {
     std::vector<Role> role;
-    std::vector<int> owner;  //!< handle, propagated region, body or clamp; -1 for the others
+    std::vector<int> owner;   //!< handle, propagated region, body or clamp; -1 for the others
+    std::vector<int> stitch;  //!< which stitch of free vertices; -1 for none
     std::vector<Body> bodies;
     std::vector<Clamp> clamps;  //!< see clamp_neighbours()
     Components components;

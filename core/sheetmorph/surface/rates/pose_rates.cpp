@@ -105,10 +105,8 @@ DeformationRate PoseRates::along(const TargetRates& rates) const
     turn_open(direction);
     if (turned_)
         turn_features(direction);
-    const ConstrainedMinimiser::Targets asked{row_rates(direction, direction.turner_spins),
-                                              offset_rates(direction, direction.bodies),
-                                              direction.wanted};
-    const Eigen::MatrixXd velocities = part_.minimiser.solve(asked, most_refinements);
+    const Eigen::MatrixXd velocities = part_.minimiser.solve(
+        asked(direction, direction.turner_spins, direction.bodies), most_refinements);
     complete(direction, velocities);
     DeformationRate rate = placed(direction, velocities);
     part_.followers.place_rates(part_.rest, logs_, rate.positions, rate.rotation_logs);
@@ -130,9 +128,9 @@ void PoseRates::turn_open(Direction& direction) const
     }
 }
 
-// (r, 3) of turned_rows(), where turners turn with `spins`, or are not there if it is empty.
-Eigen::MatrixXd PoseRates::row_rates(const Direction& direction,
-                                     const std::vector<Vector3>& spins) const
+// (n) of turns_of(), where turners turn with `spins`, or are not there if it is empty.
+std::vector<Matrix3> PoseRates::turn_rates(const Direction& direction,
+                                           const std::vector<Vector3>& spins) const
 {
     std::vector<Matrix3> change(turns_.size());
     for (std::size_t i = 0; i < change.size(); ++i)
@@ -146,16 +144,19 @@ Eigen::MatrixXd PoseRates::row_rates(const Direction& direction,
              entry; ++entry)
             change[at(entry.row())] += entry.value() * turn;
     }
-    return turned_rows(part_.operators, change);
+    return change;
 }
 
-// (n, 3) of known_displacements().
-Eigen::MatrixXd PoseRates::offset_rates(const Direction& direction,
-                                        const std::vector<MotionRate>& bodies) const
+// Of ask().
+ConstrainedMinimiser::Targets PoseRates::asked(const Direction& direction,
+                                               const std::vector<Vector3>& spins,
+                                               const std::vector<MotionRate>& bodies) const
 {
+    const std::vector<Matrix3> change = turn_rates(direction, spins);
     Eigen::MatrixXd velocities = known_velocities(placement_, direction.pose, bodies_, bodies);
     move_clamped(placement_, given_.logs, direction.given, velocities);
-    return velocities;
+    part_.arms.turn(change, velocities);
+    return {turned_rows(part_.operators, change), std::move(velocities), direction.wanted};
 }
 
 // How turners change while the joints' own numbers stay: handles that turn freely are shifted.
@@ -183,16 +184,15 @@ void PoseRates::turn_features(Direction& direction) const
     for (const Turner& turner : responses.turners())
         if (turner.body >= 0)
             unmoved[at(turner.body)] = {};
-    const ConstrainedMinimiser::Targets asked{row_rates(direction, {}),
-                                              offset_rates(direction, unmoved), direction.wanted};
-    const ConstrainedMinimiser::Solution base = part_.minimiser.minimum(asked, most_refinements);
+    const ConstrainedMinimiser::Targets wanted = asked(direction, {}, unmoved);
+    const ConstrainedMinimiser::Solution base = part_.minimiser.minimum(wanted, most_refinements);
     std::vector<StateRate> states = driven(direction.rates);
     Eigen::MatrixXd entries = Eigen::MatrixXd::Zero(turned_->energy.slope.rows(), 3);
     for (std::size_t k = 0; k < states.size(); ++k)
         if (const int row = responses.columns()[k].shift; row >= 0)
             entries.row(row) = states[k].centre.transpose();
     const Eigen::MatrixXd forces =
-        responses.slopes(asked, base) + turned_->energy.stiffness * entries;
+        responses.slopes(wanted, base) + turned_->energy.stiffness * entries;
     Expansion change = expansion_;
     change.gradient = gradient_of(turned_->joints, responses, forces);
     const Eigen::VectorXd steps =

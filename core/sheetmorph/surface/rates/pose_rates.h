@@ -29,9 +29,11 @@ private:
     void solve_turners();
     void turn_open(Direction& direction) const;
     void turn_features(Direction& direction) const;
-    Eigen::MatrixXd row_rates(const Direction& direction, const std::vector<Vector3>& spins) const;
-    Eigen::MatrixXd offset_rates(const Direction& direction,
-                                 const std::vector<MotionRate>& bodies) const;
+    std::vector<Matrix3> turn_rates(const Direction& direction,
+                                    const std::vector<Vector3>& spins) const;
+    ConstrainedMinimiser::Targets asked(const Direction& direction,
+                                        const std::vector<Vector3>& spins,
+                                        const std::vector<MotionRate>& bodies) const;
     std::vector<StateRate> driven(const TargetRates& rates) const;
     void blend(Direction& direction) const;
     void complete(Direction& direction, const Eigen::MatrixXd& velocities) const;

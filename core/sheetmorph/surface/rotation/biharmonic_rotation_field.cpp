@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/constrained_minimiser.h"
 #include "sheetmorph/surface/operators/point_rows.h"
-#include "sheetmorph/surface/operators/unknowns.h"
+#include "sheetmorph/surface/operators/stitches.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
 #include <optional>
@@ -84,29 +84,15 @@ private:
 
     static Unknowns unknowns_of(const RotationFieldInput& input, const std::vector<char>& reached)
     {
-        Unknowns unknowns;
-        std::vector<int> of_body(input.roles.bodies.size(), Unknowns::known);
+        SharedUnknowns unknowns(input.roles);
         for (int i = 0; i < input.mesh.vertex_count(); ++i)
         {
-            const auto vertex = static_cast<std::size_t>(i);
-            const int component = input.roles.components.label[vertex];
-            int unknown = Unknowns::known;
-            if (component != Components::unused && reached[static_cast<std::size_t>(component)]
-                && !is_rotation_known(input.roles, i))
-            {
-                if (input.roles.role[vertex] == Role::body)
-                {
-                    int& shared = of_body[static_cast<std::size_t>(input.roles.owner[vertex])];
-                    if (shared == Unknowns::known)
-                        shared = unknowns.count++;
-                    unknown = shared;
-                }
-                else
-                    unknown = unknowns.count++;
-            }
-            unknowns.of_vertex.push_back(unknown);
+            const int component = input.roles.components.label[static_cast<std::size_t>(i)];
+            unknowns.add(component != Components::unused
+                         && reached[static_cast<std::size_t>(component)]
+                         && !is_rotation_known(input.roles, i));
         }
-        return unknowns;
+        return unknowns.found();
     }
 
     std::vector<int> turned_;

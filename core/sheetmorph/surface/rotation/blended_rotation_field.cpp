@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/surface/operators/unknowns.h"
+#include "sheetmorph/surface/operators/stitches.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
 #include <algorithm>
@@ -130,21 +130,10 @@ Sources number_sources(const RotationFieldInput& input)
 
 Unknowns unknowns_of(const Sources& sources, const VertexRoles& roles)
 {
-    Unknowns unknowns;
-    std::vector<int> of_body(roles.bodies.size(), Unknowns::known);
-    for (std::size_t i = 0; i < sources.of_vertex.size(); ++i)
-    {
-        int unknown = Unknowns::known;
-        if (sources.of_vertex[i] == Sources::none)
-        {
-            int& shared = roles.role[i] == Role::body ? of_body[at(roles.owner[i])] : unknown;
-            if (shared == Unknowns::known)
-                shared = unknowns.count++;
-            unknown = shared;
-        }
-        unknowns.of_vertex.push_back(unknown);
-    }
-    return unknowns;
+    SharedUnknowns unknowns(roles);
+    for (const int source : sources.of_vertex)
+        unknowns.add(source == Sources::none);
+    return unknowns.found();
 }
 
 std::vector<int> used_sources(const Sources& sources)

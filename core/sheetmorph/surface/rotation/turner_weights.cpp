@@ -2,7 +2,7 @@
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/surface/operators/unknowns.h"
+#include "sheetmorph/surface/operators/stitches.h"
 
 #include <algorithm>
 
@@ -45,15 +45,12 @@ Unknowns open_vertices(const RotationFieldInput& input, const std::vector<int>& 
     for (std::size_t i = 0; i < owner.size(); ++i)
         if (owner[i] != none && label[i] >= 0)
             has_turner[at(label[i])] = 1;
-    Unknowns unknowns;
+    SharedUnknowns unknowns(input.roles);
     for (int i = 0; i < input.mesh.vertex_count(); ++i)
-    {
-        const bool is_open = input.roles.role[at(i)] == Role::free && owner[at(i)] == none
-                             && label[at(i)] >= 0 && has_turner[at(label[at(i)])]
-                             && !is_told_by_point(input, i);
-        unknowns.of_vertex.push_back(is_open ? unknowns.count++ : Unknowns::known);
-    }
-    return unknowns;
+        unknowns.add(input.roles.role[at(i)] == Role::free && owner[at(i)] == none
+                     && label[at(i)] >= 0 && has_turner[at(label[at(i)])]
+                     && !is_told_by_point(input, i));
+    return unknowns.found();
 }
 
 double smoothed(double weight)

@@ -25,7 +25,7 @@ constexpr double miss_a_size = 5e-9;          // of the responses of live frames
 
 }  // namespace
 
-FeatureResponses::FeatureResponses(const RotationFieldInput& input,
+FeatureResponses::FeatureResponses(const RotationFieldInput& input, const StitchArms& arms,
                                    const ConstrainedMinimiser& minimiser,
                                    std::vector<Turner> turners)
     : mesh_(input.mesh),
@@ -37,7 +37,7 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input,
       weights_(turner_weights(input, turners_))
 {
     number_columns();
-    offsets_ = direct_moves();
+    offsets_ = direct_moves(arms);
     respond();
 }
 
@@ -54,7 +54,7 @@ void FeatureResponses::number_columns()
     }
 }
 
-SparseMatrix FeatureResponses::direct_moves() const
+SparseMatrix FeatureResponses::direct_moves(const StitchArms& arms) const
 {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t k = 0; k < turners_.size(); ++k)
@@ -71,6 +71,16 @@ SparseMatrix FeatureResponses::direct_moves() const
                 entries.emplace_back(vertex, columns_[k].shift, 1.0);
         }
     }
+    using WeightRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    const WeightRows weights(weights_);
+    arms.for_each(
+        [&](int vertex, const Vector3& arm)
+        {
+            for (WeightRows::InnerIterator entry(weights, vertex); entry; ++entry)
+                for (int b = 0; b < 3 && columns_[at(entry.col())].turn != none; ++b)
+                    entries.emplace_back(vertex, columns_[at(entry.col())].turn + b,
+                                         entry.value() * arm(b));
+        });
     SparseMatrix moves(mesh_.vertex_count(), count_);
     // A vertex listed twice in a feature moves once.
     moves.setFromTriplets(entries.begin(), entries.end(),

@@ -49,6 +49,7 @@ struct Solving
     Field field;
     ConstrainedMinimiser::Targets asked;
     Convergence convergence = {};
+    std::vector<Matrix3> turns = {};  // R - I at every vertex
 
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
 
@@ -85,7 +86,7 @@ std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solvin
         if (const auto change = part.responses->displacements(rho))
             return turned.base.u + *change;
     }
-    pose.asked.rows = turned_rows(part, field, joints.states());
+    pose.turns = turns_of(part, field, joints.states());
     return std::nullopt;
 }
 
@@ -97,8 +98,8 @@ Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
             return *known;
     }
     else
-        pose.asked.rows = turned_rows(part, pose.field, {});
-    pose.asked.offset = known_displacements(part.placement(), pose.targets, pose.bodies);
+        pose.turns = turns_of(part, pose.field, {});
+    ask(part, pose.turns, {pose.targets, pose.bodies}, pose.asked);
     ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
     pose.join_linear(part, found.convergence);
     return std::move(found.u);

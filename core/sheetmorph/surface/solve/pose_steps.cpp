@@ -45,8 +45,8 @@ Eigen::VectorXd shares_of_field(const PreparedSurface& part)
     return Eigen::VectorXd::Ones(count) - weights * Eigen::VectorXd::Ones(weights.cols());
 }
 
-Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
-                            const std::vector<BodyState>& turns)
+std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
+                              const std::vector<BodyState>& turns)
 {
     const WeightRows weights = part.responses ? WeightRows(part.responses->weights())
                                               : WeightRows(part.rest.vertex_count(), 0);
@@ -66,7 +66,15 @@ Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
         }
     };
     parallel_ranges(part.rest.vertex_count(), least_turned, turn_vertices);
-    return turned_rows(part.operators, turn);
+    return turn;
+}
+
+void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const Told& told,
+         ConstrainedMinimiser::Targets& asked)
+{
+    asked.rows = turned_rows(part.operators, change);
+    asked.offset = known_displacements(part.placement(), told.targets, told.bodies);
+    part.arms.turn(change, asked.offset);
 }
 
 Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
@@ -74,9 +82,8 @@ Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
 {
     const PlacementInput placement = part.placement();
     const FeatureResponses& responses = *part.responses;
-    asked.rows = turned_rows(part, pose.field, {});
-    asked.offset = known_displacements(placement, pose.targets,
-                                       unmoved_turners(responses.turners(), pose.bodies));
+    const BodyMotions unmoved = unmoved_turners(responses.turners(), pose.bodies);
+    ask(part, turns_of(part, pose.field, {}), {pose.targets, unmoved}, asked);
     ConstrainedMinimiser::Solution base = part.minimiser.minimum(asked, pose.refinements);
     ReducedEnergy energy = responses.energy(asked, base);
     Turned found{std::move(base),

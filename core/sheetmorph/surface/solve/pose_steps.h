@@ -19,10 +19,22 @@ Field field_of(const PreparedSurface& part, const GivenRotations& given);
 //! By vertex: the share of its turn that is the field's, not that of turners.
 Eigen::VectorXd shares_of_field(const PreparedSurface& part);
 
-//! (R - I) D p_hat: how the rest rows turn; R is the field, and of what turners own of it the
-//! rotation in `turns`, or none of it where `turns` is empty.
-Eigen::MatrixXd turned_rows(const PreparedSurface& part, const Field& field,
-                            const std::vector<BodyState>& turns);
+//! R - I at every vertex: the field, and of what turners own of it the rotation in `turns`, or none
+//! of it where `turns` is empty.
+std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
+                              const std::vector<BodyState>& turns);
+
+//! What a pose tells, and where bodies are in it.
+struct Told
+{
+    const SurfaceTargets& targets;
+    const BodyMotions& bodies;
+};
+
+//! Asks the sheet for rest rows and seams that turn like that, and for what moves as it is told.
+//! \param change  turns_of()
+void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const Told& told,
+         ConstrainedMinimiser::Targets& asked);
 
 //! What decides how the energy turns features in one pose; outlives the answer.
 struct ToTurn

@@ -11,26 +11,15 @@ namespace sheetmorph
 namespace
 {
 
-// Free vertices have an unknown each, bodies whose translation is open share one.
+// Free vertices have an unknown each, stitched ones and bodies whose translation is open share one.
 Unknowns position_unknowns(const VertexRoles& roles)
 {
-    Unknowns unknowns;
-    std::vector<int> of_body(roles.bodies.size(), Unknowns::known);
+    SharedUnknowns unknowns(roles);
     for (std::size_t i = 0; i < roles.role.size(); ++i)
-    {
-        int unknown = Unknowns::known;
-        if (roles.role[i] == Role::free)
-            unknown = unknowns.count++;
-        else if (roles.role[i] == Role::body && roles.bodies[at(roles.owner[i])].is_open())
-        {
-            int& shared = of_body[at(roles.owner[i])];
-            if (shared == Unknowns::known)
-                shared = unknowns.count++;
-            unknown = shared;
-        }
-        unknowns.of_vertex.push_back(unknown);
-    }
-    return unknowns;
+        unknowns.add(
+            roles.role[i] == Role::free
+            || (roles.role[i] == Role::body && roles.bodies[at(roles.owner[i])].is_open()));
+    return unknowns.found();
 }
 
 std::vector<int> all_of(std::size_t count)
@@ -100,13 +89,14 @@ std::shared_ptr<const SurfaceOperators> reported_operators(const TriangleMesh& r
 }
 
 // An earlier state of the part whose operators are still right: those of `natural` depend on what
-// is held.
+// is held, those of seams on what carries them.
 const PreparedSurface* with_same_operators(const PreparedSurface* earlier, const TriangleMesh& rest,
                                            const SurfaceConstraints& constraints)
 {
     const bool is_same = earlier != nullptr && constraints.energy != Energy::natural
                          && earlier->constraints.energy == constraints.energy
                          && earlier->constraints.laplacian == constraints.laplacian
+                         && earlier->constraints.stitches.empty() && constraints.stitches.empty()
                          && earlier->rest == rest;
     return is_same ? earlier : nullptr;
 }
@@ -128,6 +118,7 @@ ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input, const U
 }
 
 std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& input,
+                                                     const StitchArms& arms,
                                                      const ConstrainedMinimiser& minimiser,
                                                      const Progress& progress)
 {
@@ -135,7 +126,7 @@ std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& i
     if (turners.empty())
         return nullptr;
     progress.report(0.7, "responses of features");
-    return std::make_unique<FeatureResponses>(input, minimiser, std::move(turners));
+    return std::make_unique<FeatureResponses>(input, arms, minimiser, std::move(turners));
 }
 
 }  // namespace
@@ -158,10 +149,12 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
                            : reported_operators(rest, constraints, roles, progress)),
       operators(*shared_operators),
       unknowns(position_unknowns(roles)),
+      arms(rest, roles),
       field(reported_field({rest, constraints, roles, operators}, reuse.earlier, progress)),
       minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, reuse.earlier,
                                    progress)),
-      responses(reported_responses({rest, constraints, roles, operators}, minimiser, progress)),
+      responses(
+          reported_responses({rest, constraints, roles, operators}, arms, minimiser, progress)),
       steel(constraints.has_previews() ? std::make_unique<SteelAnswer>(rest, constraints)
                                        : nullptr),
       growth({rest, constraints, roles, operators}, shapes),

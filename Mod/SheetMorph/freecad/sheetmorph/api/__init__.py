@@ -91,6 +91,7 @@ from freecad.sheetmorph.api.preparing import (
     preparation,
     preparation_of,
     prepare,
+    split_part,
 )
 from freecad.sheetmorph.api.propagations import (
     control_mesh,
@@ -223,6 +224,7 @@ __all__ = [
     "set_vertices",
     "shape_of",
     "shrink",
+    "split_part",
     "take_out",
     "thin_solid",
     "touching_vertices",

@@ -13,11 +13,15 @@ import numpy as np
 
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, kernel, selecting
+from freecad.sheetmorph.api.assemblies import remove, set_primary
 from freecad.sheetmorph.api.checks import number, require_kind
+from freecad.sheetmorph.api.files import add_mesh
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.assembly import follow_group
 from freecad.sheetmorph.tools import sentences
 from freecad.sheetmorph.bridge.rest import Kept, read_kept, read_original, write_rest_data
+
+MOST_PIECES = 500
 
 
 def prepare(part, **cures) -> dict:
@@ -90,6 +94,43 @@ def wanted_of(cures: dict):
     )
 
 
+def split_part(part) -> list:
+    """Make a part of every piece of a part that nothing connects, and return them.
+
+    They are named after the part and a number, and are thin solids if it is one; the part goes, its
+    source mesh stays. The largest becomes the primary if the part was. A part in one piece stays as
+    it is. Raises ValueError where regions or contacts are on it, or where it is in shatters; then
+    nothing has changed.
+    """
+    assembly = assembly_of(checked(part))
+    if marked := model.regions(assembly, part) + model.contacts(assembly, part):
+        raise ValueError(
+            f"'{part.Label}' has '{marked[0].Label}' on it: split it first, then mark its pieces."
+        )
+    kept = read_kept(part)
+    whole = package_mesh(kept.frame.to_global(kept.points), kept.triangles)
+    splitting = splitting_module()
+    pieces = splitting.pieces_of(whole)
+    if len(pieces) > MOST_PIECES:
+        raise ValueError(f"'{part.Label}' is in {len(pieces)} pieces: weld it first.")
+    if len(pieces) < 2:
+        return [part]
+    label, thin, was_primary = part.Label, part.Thin, assembly.Primary == part
+    sources = [source.Name for source in (part.Source, part.Original) if source is not None]
+    remove(part)
+    for source in map(assembly.Document.getObject, sources):
+        if source is not None:
+            source.Visibility = False
+    made = []
+    for number_of, rows in pieces.items():
+        mesh, _ = splitting.part_of(whole, rows, f"{label} {number_of}")
+        made.append(add_mesh(assembly, replace(mesh, ids=None), mesh.name))
+        made[-1].Thin = thin
+    if was_primary:
+        set_primary(assembly, made[int(np.argmax([len(rows) for rows in pieces.values()]))])
+    return made
+
+
 def preparation_of(part) -> dict:
     """Return what `prepare` did to a part, as it returned it; empty for one as it was added."""
     return json.loads(checked(part).Preparation) if part.Preparation else {}
@@ -121,6 +162,14 @@ def positive(value, word: str, least: float | None = None) -> float:
     if found < 0.0 or (found == 0.0 and least is None):
         raise ValueError(f"The {word} is {found}; pass one above 0.")
     return found
+
+
+def splitting_module():
+    """Return the module of the package that splits."""
+    kernel.load()
+    from sheetmorph.recipe import splitting
+
+    return splitting
 
 
 def prepared_module():

@@ -10,7 +10,7 @@ import numpy as np
 from freecad.sheetmorph.bridge import solving
 from freecad.sheetmorph.api.checks import number, require_assembly, require_kind
 from freecad.sheetmorph.objects import assembly_of, model
-from freecad.sheetmorph.objects.assembly import LOCAL, SINGLE
+from freecad.sheetmorph.objects.assembly import PROPAGATIONS
 from freecad.sheetmorph.objects.part import MODES
 
 
@@ -40,14 +40,16 @@ def set_mode(part, mode: int | str) -> None:
 def set_propagation(
     assembly, kind: str, *, levels: int | None = None, smoothness: float | None = None
 ) -> None:
-    """Choose how parts follow: "local" (along contacts) or "single" (one control mesh for all).
+    """Choose how parts follow: "local" (along contacts), "single" (one control mesh for all) or
+    "whole" (all in one solve: contacts stay closed, and what is held on any part holds).
 
     `levels`: subdivisions of control meshes, 1 to 5; `smoothness`: of their fit, more than 0.
     What is left out stays as it is. Raises ValueError.
     """
     require_assembly(assembly)
-    if kind not in (LOCAL, SINGLE):
-        raise ValueError(f"The propagation '{kind}' does not exist; choose {LOCAL} or {SINGLE}.")
+    if kind not in PROPAGATIONS:
+        names = ", ".join(PROPAGATIONS)
+        raise ValueError(f"The propagation '{kind}' does not exist; choose one of {names}.")
     if levels is not None and not (isinstance(levels, int) and 1 <= levels <= 5):
         raise ValueError(f"There are 1 to 5 levels of a control mesh, not {levels}; try 3.")
     weight = None if smoothness is None else number(smoothness, "smoothness")

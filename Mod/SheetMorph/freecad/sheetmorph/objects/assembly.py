@@ -29,10 +29,12 @@ OPERATOR_DOC = (
     "within the same sheet, for meshes with slivers"
 )
 LOCAL, SINGLE = "local", "single"
+PROPAGATIONS = [LOCAL, SINGLE, "whole"]
 PROPAGATION_DOC = (
     "How the other parts follow the primary. Local: along the contacts, from part to part, each "
     "contact with a control mesh of its own. Single: one control mesh around everything moves "
-    "all parts at once; contacts are ignored"
+    "all parts at once; contacts are ignored. Whole: all parts in one solve; contacts stay closed, "
+    "and what is held on any part holds"
 )
 LEVELS_DOC = (
     "How often control meshes are subdivided: more follows finer bends, at the cost of speed "
@@ -63,15 +65,9 @@ class AssemblyProxy(ObjectProxy):
     Type = ASSEMBLY
     PROPERTIES = (
         Property("Link", "Primary", "Morph", "The part that is deformed first"),
-        Property(
-            "Enumeration",
-            "Energy",
-            "Morph",
-            ENERGY_DOC,
-            ENERGIES,
-        ),
+        Property("Enumeration", "Energy", "Morph", ENERGY_DOC, ENERGIES),
         Property("Enumeration", "Operator", "Morph", OPERATOR_DOC, OPERATORS),
-        Property("Enumeration", "Propagation", "Propagation", PROPAGATION_DOC, [LOCAL, SINGLE]),
+        Property("Enumeration", "Propagation", "Propagation", PROPAGATION_DOC, PROPAGATIONS),
         Property("Integer", "Levels", "Propagation", LEVELS_DOC, 3),
         Property("Float", "Smoothness", "Propagation", SMOOTHNESS_DOC, 0.05),
         Property("Bool", "Symmetry", "Symmetry", SYMMETRY_DOC),

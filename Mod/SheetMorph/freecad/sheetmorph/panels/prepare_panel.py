@@ -77,7 +77,8 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        differences.tell(self._part.Document, api.preparation_of(self._part))
+        if not self._wish().is_split:  # else the part is gone
+            differences.tell(self._part.Document, api.preparation_of(self._part))
         return True
 
     def _show_part(self) -> None:
@@ -97,7 +98,18 @@ class PreparePanel(Panel):
         form.weld.setChecked(wish.weld is not None)
         form.remesh.setChecked(wish.edge is not None)
         form.thin.setChecked(self._part.Thin != "no" or wish.is_thin)
+        form.split.setVisible(wish.is_split)
+        form.split.setEnabled(not self._is_marked())
+        form.split.setChecked(wish.is_split and form.split.isEnabled())
+        number_of = cures.pieces(self._found)
+        text = translate("SheetMorph_panels", "Make a part of each of its {} pieces").format(number_of)
+        form.split.setText(text)
         self._tell()
+
+    def _is_marked(self) -> bool:
+        """Whether there is anything on the part that lies on one piece of it."""
+        owner = model.assembly_of(self._part)
+        return bool(model.regions(owner, self._part) or model.contacts(owner, self._part))
 
     def _tell(self, *_) -> None:
         """Shows the diagnosis, and proposes lengths, in the unit that is chosen."""
@@ -122,6 +134,7 @@ class PreparePanel(Panel):
             ("polygon", "circle")[form.rims.currentIndex()],
             1000.0 if form.scale.isChecked() else 1.0,
             form.thin.isChecked(),
+            form.split.isChecked(),
         )
 
     def _has_fault(self) -> bool:
@@ -144,6 +157,8 @@ class PreparePanel(Panel):
             lines.append(call("prepare", part, **arguments))
         if wish.is_thin != (self._part.Thin != "no"):
             lines.append(call("set_thin", part, repr("auto" if wish.is_thin else False)))
+        if wish.is_split:
+            lines.append(call("split_part", part))
         return lines
 
     # -- the preview

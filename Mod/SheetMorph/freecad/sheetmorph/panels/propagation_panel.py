@@ -8,7 +8,7 @@ from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.assembly import UNHELD
+from freecad.sheetmorph.objects.assembly import PROPAGATIONS, UNHELD
 from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.panels import contact_types, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, say
@@ -16,8 +16,6 @@ from freecad.sheetmorph.qt import QtWidgets, number, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
 from freecad.sheetmorph.scene.wireframe import Wireframe
-
-KINDS = ("local", "single")
 
 
 def open_panel(assembly):
@@ -73,7 +71,7 @@ class PropagationPanel(Panel):
             "Propagation",
             "set_propagation",
             name(self._assembly),
-            repr(KINDS[form.kind.currentIndex()]),
+            repr(PROPAGATIONS[form.kind.currentIndex()]),
             levels=repr(form.levels.value()),
             smoothness=repr(round(form.smoothness.value(), 6)),
         )
@@ -101,7 +99,7 @@ class PropagationPanel(Panel):
         """Shows the morph as it is in the document."""
         self._is_filling = True
         form = self.form
-        form.kind.setCurrentIndex(KINDS.index(self._assembly.Propagation))
+        form.kind.setCurrentIndex(PROPAGATIONS.index(self._assembly.Propagation))
         form.unheld.setCurrentIndex(UNHELD.index(self._assembly.Unheld))
         form.levels.setValue(self._assembly.Levels)
         form.smoothness.setValue(self._assembly.Smoothness)

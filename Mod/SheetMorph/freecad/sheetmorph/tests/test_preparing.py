@@ -16,6 +16,39 @@ def shattered(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np
     return points[triangles].reshape(-1, 3), np.arange(triangles.size).reshape(-1, 3)
 
 
+class TestSplitting(DocumentTest):
+    def setUp(self) -> None:
+        super().setUp()
+        points, triangles, _ = thick_strip()
+        both = np.concatenate([points, points[:, [1, 0, 2]] * 0.5 + (0.0, 0.0, 50.0)])
+        turned = triangles[:, [0, 2, 1]] + len(points)
+        self.points, self.count = both, len(points)
+        self.assembly = api.create_assembly(self.document)
+        mesh = (both, np.concatenate([triangles, turned]))
+        self.source = self.add_source(mesh=mesh)
+        self.part = api.add_part(self.assembly, self.source, "two")
+        api.set_thin(self.part, "auto")
+        self.document.recompute()
+
+    def test_every_piece_is_a_part_and_the_largest_the_primary(self):
+        made = api.split_part(self.part)
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertEqual([part.Label for part in made], ["two 1", "two 2"])
+        self.assertEqual(self.assembly.Primary, made[0])
+        self.assertEqual({part.Thin for part in made}, {"automatic"})
+        self.assertFalse(self.source.Visibility)
+        rest = np.concatenate([api.rest_mesh(part)[0] for part in made])
+        self.assertLess(largest(rest - self.points), 1e-4)
+        self.assertEqual(api.split_part(made[1]), [made[1]])
+
+    def test_what_is_marked_is_not_torn(self):
+        marked = api.add_fixed(self.assembly, self.part, [0, 1, 2])
+        with self.assertRaisesRegex(ValueError, "split it first, then mark its pieces"):
+            api.split_part(self.part)
+        self.assertEqual(marked.Part, self.part)
+
+
 class TestPreparing(DocumentTest):
     def setUp(self) -> None:
         super().setUp()

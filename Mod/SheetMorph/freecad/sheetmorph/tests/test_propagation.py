@@ -53,8 +53,7 @@ class TestOrder(ChainTest):
             self.assertGreater(self.moved(part), 20.0, part.Label)
         rows = [tuple(step) for step in api.propagation(self.assembly)]
         self.assertEqual(
-            rows,
-            [(self.part, 0, []), (self.second, 1, [self.first]), (self.third, 2, [self.last])],
+            rows, [(self.part, 0, []), (self.second, 1, [self.first]), (self.third, 2, [self.last])]
         )
         self.document.recompute()
         self.assertEqual(list(self.assembly.Order), ["Strip", "Second", "Third"])
@@ -163,6 +162,25 @@ class TestModes(ChainTest):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 api.set_propagation(self.assembly, *arguments, **keywords)
         self.assertEqual((self.assembly.Levels, self.assembly.Smoothness), (2, 0.5))
+
+
+class TestWhole(ChainTest):
+    def test_all_parts_in_one_solve_are_held_by_what_is_held_on_any(self):
+        rest = api.rest_mesh(self.third)[0]
+        far = np.flatnonzero(rest[:, 1] > rest[:, 1].max() - 1.0)
+        api.add_fixed(self.assembly, self.third, far)
+        api.set_propagation(self.assembly, "whole")
+        self.document.recompute()
+        self.assert_up_to_date(self.document)
+        self.assertLess(support.largest(self.positions(self.third)[far] - rest[far]), 1e-9)
+        self.assertGreater(self.moved(self.second), 5.0)
+        for contact in (self.first, self.last):
+            self.assertLess(contact.GapChange.Value, 0.5)
+        self.assertIsNone(api.control_mesh(self.assembly, self.first))
+        live = live_session.live(self.assembly)
+        shown = live.deform({self.handle.Name: {"translation": [0.0, 0.0, 40.0]}})
+        off = shown[self.second.Name] - self.positions(self.second)
+        self.assertLess(support.largest(off), 1e-3)
 
 
 class TestControlMesh(ChainTest):

@@ -26,6 +26,7 @@ class Wish:
     rims: str = "polygon"
     scale: float = 1.0
     is_thin: bool = False
+    is_split: bool = False
 
     def changes_mesh(self) -> bool:
         """Whether the mesh is to be another one."""
@@ -35,8 +36,7 @@ class Wish:
         """The arguments of `api.prepare` that differ from its defaults."""
         default = asdict(Wish())
         given = {key: value for key, value in asdict(self).items() if value != default[key]}
-        given.pop("is_thin", None)
-        return given
+        return {key: value for key, value in given.items() if not key.startswith("is_")}
 
 
 def is_needed(diagnosis: dict) -> bool:
@@ -57,7 +57,15 @@ def offered(diagnosis: dict) -> Wish:
             keys.update(finding["recipe"] or {})
     edge = (keys.get("remesh") or {}).get("edge")
     is_thin = keys.get("thin") == "auto"
-    return Wish(keys.get("weld"), edge, scale=keys.get("scale", 1.0), is_thin=is_thin)
+    scale = keys.get("scale", 1.0)
+    return Wish(
+        keys.get("weld"), edge, scale=scale, is_thin=is_thin, is_split=pieces(diagnosis) > 1
+    )
+
+
+def pieces(diagnosis: dict) -> int:
+    """How many pieces there are that nothing connects."""
+    return len(diagnosis["components"])
 
 
 def tolerance_of(diagnosis: dict) -> float:

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/whole/joined_parts.h"
+
+#include "sheetmorph/assembly/assembly_checks.h"
+#include "sheetmorph/assembly/whole/seams.h"
+#include "sheetmorph/base/index.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+//! Lays the parts one after the other, in the order of the assembly, and everything on them.
+class Joining
+{
+public:
+    Joining(const Assembly& given, const PropagationPlan& plan) : given_(given)
+    {
+        joined_.first.assign(given.parts.size(), -1);
+        for (const int part : plan.order)
+            joined_.first[at(part)] = 0;
+        lay_parts();
+        Assembly& all = joined_.assembly;
+        all.energy = given.energy;
+        all.laplacian = given.laplacian;
+        all.is_refined = given.is_refined;
+        all.unheld = given.unheld;
+        add(given.fixed, all.fixed);
+        add(given.handles, all.handles);
+        add_points();
+        add_features();
+    }
+
+    JoinedParts joined(const std::vector<RigidWeld>& welds)
+    {
+        add_welds(welds);
+        std::vector<Seam> seams;
+        for (const Contact& contact : given_.contacts)
+            if (contact.type != ContactType::rigid && is_reached(contact.a.part)
+                && is_reached(contact.b.part))
+                seams.push_back({contact.name, moved(contact.a), moved(contact.b)});
+        joined_.assembly.parts.front().stitches = stitched(joined_.assembly, seams);
+        return std::move(joined_);
+    }
+
+private:
+    bool is_reached(int part) const { return joined_.first[at(part)] >= 0; }
+
+    VertexIds moved(const PartRegion& region) const { return moved(region.part, region.vertices); }
+
+    VertexIds moved(int part, VertexIds vertices) const
+    {
+        for (int& vertex : vertices)
+            vertex += joined_.first[at(part)];
+        return vertices;
+    }
+
+    // A joined part has the thickness and Poisson's ratio of none: only `steel` reads them.
+    void lay_parts()
+    {
+        Eigen::Index vertices = 0, triangles = 0;
+        for (std::size_t part = 0; part < given_.parts.size(); ++part)
+            if (is_reached(static_cast<int>(part)))
+            {
+                vertices += given_.parts[part].mesh.vertex_count();
+                triangles += given_.parts[part].mesh.triangle_count();
+            }
+        Points points(vertices, 3);
+        Triangles corners(triangles, 3);
+        Part one;
+        vertices = triangles = 0;
+        for (std::size_t part = 0; part < given_.parts.size(); ++part)
+        {
+            first_triangle_.push_back(static_cast<int>(triangles));
+            if (!is_reached(static_cast<int>(part)))
+                continue;
+            const Part& own = given_.parts[part];
+            joined_.first[part] = static_cast<int>(vertices);
+            one.joined.push_back(joined_.first[part]);
+            name_in(own.name, one);
+            for (int k = 0; k < own.mesh.vertex_count(); ++k)
+                one.ids.push_back(own.ids.empty() ? k : own.ids[at(k)]);
+            points.middleRows(vertices, own.mesh.vertex_count()) = own.mesh.points();
+            corners.middleRows(triangles, own.mesh.triangle_count()) =
+                own.mesh.triangles().array() + joined_.first[part];
+            vertices += own.mesh.vertex_count();
+            triangles += own.mesh.triangle_count();
+        }
+        one.mesh = {std::move(points), std::move(corners)};
+        joined_.assembly.parts.push_back(std::move(one));
+    }
+
+    // "beam', 'box' and '3 more": messages put it between quotes.
+    static void name_in(const std::string& name, Part& one)
+    {
+        const std::size_t count = one.joined.size();
+        if (count <= most_names)
+            one.name += (count > 1 ? "', '" : "") + name;
+        else
+            one.name = one.name.substr(0, one.name.find("' and '")) + "' and '"
+                       + std::to_string(count - most_names) + " more";
+    }
+
+    template <typename OnPart>
+    void add(const std::vector<OnPart>& given, std::vector<OnPart>& all) const
+    {
+        for (OnPart item : given)
+            if (is_reached(item.part))
+            {
+                item.vertices = moved(item.part, std::move(item.vertices));
+                item.part = 0;
+                all.push_back(std::move(item));
+            }
+    }
+
+    void add_points()
+    {
+        for (PartPoint point : given_.points)
+        {
+            point.constraint.triangle += first_triangle_[at(point.part)];
+            point.part = 0;
+            joined_.assembly.points.push_back(std::move(point));
+        }
+    }
+
+    void add_features()
+    {
+        Assembly& all = joined_.assembly;
+        for (const PartFeature& feature : given_.features)
+        {
+            joined_.features.push_back(
+                is_reached(feature.part) ? static_cast<int>(all.features.size()) : -1);
+            add<PartFeature>({feature}, all.features);
+        }
+        for (FeatureGroup group : given_.groups)
+            if (is_reached(given_.features[at(group.features.front())].part))
+            {
+                for (int& feature : group.features)
+                    feature = joined_.features[at(feature)];
+                all.groups.push_back(std::move(group));
+            }
+        for (FeaturePair pair : given_.pairs)
+            if (is_reached(given_.features[at(pair.a)].part))
+            {
+                pair.a = joined_.features[at(pair.a)];
+                pair.b = joined_.features[at(pair.b)];
+                all.pairs.push_back(std::move(pair));
+            }
+    }
+
+    void add_welds(const std::vector<RigidWeld>& welds)
+    {
+        Assembly& all = joined_.assembly;
+        joined_.welds = static_cast<int>(all.features.size());
+        for (const RigidWeld& weld : welds)
+        {
+            PartFeature stack;
+            stack.name = unused_name(all, weld.name);
+            stack.vertices = moved(weld.source_part, weld.source);
+            const VertexIds target = moved(weld.target_part, weld.target);
+            stack.vertices.insert(stack.vertices.end(), target.begin(), target.end());
+            all.features.push_back(std::move(stack));
+        }
+    }
+
+    static constexpr std::size_t most_names = 4;
+
+    const Assembly& given_;
+    JoinedParts joined_;
+    std::vector<int> first_triangle_;
+};
+
+}  // namespace
+
+JoinedParts joined_parts(const Assembly& assembly, const PropagationPlan& plan,
+                         const std::vector<RigidWeld>& welds)
+{
+    return Joining(assembly, plan).joined(welds);
+}
+
+}  // namespace sheetmorph

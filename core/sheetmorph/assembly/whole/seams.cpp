@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/whole/seams.h"
+
+#include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/search/point_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr int none = -1;
+
+//! Two vertices that may stay together; a < b.
+struct Pair
+{
+    double distance;
+    int a, b;
+    int seam;
+
+    bool operator<(const Pair& other) const
+    {
+        return std::tie(distance, a, b, seam)
+               < std::tie(other.distance, other.a, other.b, other.seam);
+    }
+};
+
+// About the distance between neighbours of a patch.
+double cell_of(const Points& points, const VertexIds& side)
+{
+    Eigen::RowVector3d low = points.row(side.front()), high = low;
+    for (const int vertex : side)
+    {
+        low = low.cwiseMin(points.row(vertex));
+        high = high.cwiseMax(points.row(vertex));
+    }
+    const double size = (high - low).norm();
+    return size > 0.0 ? size / std::sqrt(static_cast<double>(side.size())) : 1.0;
+}
+
+int nearest(const Points& points, const PointGrid& grid, int vertex)
+{
+    const Vector3 place = points.row(vertex).transpose();
+    int found = none;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (double reach = grid.side(); shortest > reach; reach *= 2.0)
+    {
+        const Vector3 corner = Vector3::Constant(reach);
+        grid.for_each_in(place - corner, place + corner,
+                         [&](int other)
+                         {
+                             const double distance = (points.row(other).transpose() - place).norm();
+                             if (distance < shortest || (distance == shortest && other < found))
+                             {
+                                 shortest = distance;
+                                 found = other;
+                             }
+                         });
+    }
+    return found;
+}
+
+// From every vertex to the nearest one of the other side.
+std::vector<Pair> pairs_from(const Points& points, const VertexIds& from, const VertexIds& to,
+                             int seam)
+{
+    const PointGrid grid(points, to, cell_of(points, to));
+    std::vector<Pair> pairs;
+    for (const int vertex : from)
+        if (const int other = nearest(points, grid, vertex); other != vertex)
+            pairs.push_back({(points.row(other) - points.row(vertex)).norm(),
+                             std::min(vertex, other), std::max(vertex, other), seam});
+    return pairs;
+}
+
+//! What stays together so far, rigid shapes from the start.
+class Clusters
+{
+public:
+    explicit Clusters(const Assembly& joined)
+        : parts_(joined.parts.front().joined),
+          sets_(joined.parts.front().mesh.vertex_count()),
+          is_rigid_(at(joined.parts.front().mesh.vertex_count()), 0)
+    {
+        for (const PartFeature& feature : joined.features)
+            make_rigid(feature.vertices);
+        for (const FeatureGroup& group : joined.groups)
+            for (const int feature : group.features)
+                sets_.join(joined.features[at(group.features.front())].vertices.front(),
+                           joined.features[at(feature)].vertices.front());
+        for (const PartRegion& fixed : joined.fixed)
+            make_rigid(fixed.vertices);
+        for (const PartHandle& handle : joined.handles)
+            make_rigid(handle.vertices);
+        for (std::size_t i = 0; i < is_rigid_.size(); ++i)
+            if (is_rigid_[i])
+                rigid_[sets_.root(static_cast<int>(i))].insert(part_of(static_cast<int>(i)));
+        for (std::size_t k = 0; k < joined.handles.size(); ++k)
+            drivers_[sets_.root(joined.handles[k].vertices.front())].insert(static_cast<int>(k));
+        for (const PartRegion& fixed : joined.fixed)
+            drivers_[sets_.root(fixed.vertices.front())].insert(none);
+    }
+
+    //! Joins two vertices, unless one of them has its partner on that part, or it would join two
+    //! places of one part, or what moves differently.
+    bool join(int a, int b)
+    {
+        const int root_a = sets_.root(a), root_b = sets_.root(b);
+        if (root_a == root_b || !is_allowed(a, b, root_a, root_b))
+            return false;
+        sets_.join(a, b);
+        const int root = sets_.root(a);
+        const int gone = root == root_a ? root_b : root_a;
+        for (auto* sets : {&rigid_, &loose_, &drivers_})
+            (*sets)[root].insert((*sets)[gone].begin(), (*sets)[gone].end());
+        for (const int vertex : {a, b})
+            if (!is_rigid_[at(vertex)])
+                loose_[root].insert(part_of(vertex));
+        partners_.insert({a, part_of(b)});
+        partners_.insert({b, part_of(a)});
+        return true;
+    }
+
+private:
+    using Sets = std::map<int, std::set<int>>;  // by root
+
+    void make_rigid(const VertexIds& vertices)
+    {
+        for (const int vertex : vertices)
+        {
+            is_rigid_[at(vertex)] = 1;
+            sets_.join(vertices.front(), vertex);
+        }
+    }
+
+    int part_of(int vertex) const
+    {
+        const auto after = std::upper_bound(parts_.begin(), parts_.end(), vertex);
+        return static_cast<int>(after - parts_.begin()) - 1;
+    }
+
+    bool is_alone(int vertex)
+    {
+        return !is_rigid_[at(vertex)] && loose_[sets_.root(vertex)].empty();
+    }
+
+    bool is_allowed(int a, int b, int root_a, int root_b)
+    {
+        if (partners_.count({a, part_of(b)}) > 0 || partners_.count({b, part_of(a)}) > 0)
+            return false;
+        std::set<int> drivers = drivers_[root_a];
+        drivers.insert(drivers_[root_b].begin(), drivers_[root_b].end());
+        if (drivers.size() > 1)
+            return false;
+        if ((is_rigid_[at(a)] && is_alone(b)) || (is_rigid_[at(b)] && is_alone(a)))
+            return true;
+        const auto parts_of = [&](int vertex, int root)
+        {
+            std::set<int> parts = rigid_[root];
+            parts.insert(loose_[root].begin(), loose_[root].end());
+            parts.insert(part_of(vertex));
+            return parts;
+        };
+        const std::set<int> of_a = parts_of(a, root_a), of_b = parts_of(b, root_b);
+        return std::none_of(of_a.begin(), of_a.end(),
+                            [&](int part) { return of_b.count(part) > 0; });
+    }
+
+    const std::vector<int>& parts_;
+    DisjointSets sets_;
+    std::vector<char> is_rigid_;              // by vertex: of a feature, handle or fixed region
+    Sets rigid_, loose_;                      // parts of those, and of other vertices, in a cluster
+    Sets drivers_;                            // handles that move it, none: the ground
+    std::set<std::pair<int, int>> partners_;  // (vertex, part)
+};
+
+}  // namespace
+
+std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>& seams)
+{
+    const TriangleMesh& mesh = joined.parts.front().mesh;
+    std::vector<Pair> pairs;
+    for (std::size_t k = 0; k < seams.size(); ++k)
+    {
+        VertexIds a = seams[k].a, b = seams[k].b;
+        make_set(a);
+        make_set(b);
+        for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
+            for (const Pair& pair : pairs_from(mesh.points(), *from, *to, static_cast<int>(k)))
+                pairs.push_back(pair);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    Clusters clusters(joined);
+    DisjointSets stitches(mesh.vertex_count());
+    std::map<int, std::string> name_of;  // by vertex
+    for (const Pair& pair : pairs)
+        if (clusters.join(pair.a, pair.b))
+        {
+            stitches.join(pair.a, pair.b);
+            for (const int vertex : {pair.a, pair.b})
+                name_of.emplace(vertex, seams[at(pair.seam)].name);
+        }
+    std::map<int, PartRegion> found;
+    for (const auto& [vertex, name] : name_of)
+    {
+        PartRegion& stitch =
+            found.emplace(stitches.root(vertex), PartRegion{name, 0, {}}).first->second;
+        stitch.vertices.push_back(vertex);
+    }
+    std::vector<PartRegion> result;
+    for (auto& [root, stitch] : found)
+        result.push_back(std::move(stitch));
+    return result;
+}
+
+}  // namespace sheetmorph
