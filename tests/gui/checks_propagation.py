@@ -111,6 +111,7 @@ def test_type_mode_and_propagation_are_changed_in_the_panel():
     assert assembly().Propagation == "single" and assembly().Unreached == []
     yield from choose_below(child("kind"), 1)
     assert assembly().Propagation == "whole"
+    assert not any(child(key).isEnabled() for key in ("levels", "smoothness", "meshes", "mode"))
     picture("propagation-whole")
     yield from choose_below(child("unheld"), 1)
     assert assembly().Unheld == "along"

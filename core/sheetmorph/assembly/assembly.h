@@ -51,8 +51,8 @@ struct Part
     double sheet_thickness = 0.0;
     double poisson = 0.3;  //!< Poisson's ratio, read for `steel`
 
-    std::vector<int> joined;           //!< first vertices of those that it is joined of, ascending
-    std::vector<PartRegion> stitches;  //!< vertices of it that stay together, seam by seam
+    std::vector<int> joined = {};  //!< first vertices of those that it is joined of, ascending
+    std::vector<PartRegion> stitches = {};  //!< vertices of it that stay together, seam by seam
 };
 
 //! Vertices of one part that a pose moves as one rigid body.

@@ -62,7 +62,7 @@ struct CutPlate
         const shapes::PlateWithHoles plate = shapes::plate_with_holes({3, 16, 3, 60.0, 12.0});
         one.energy = halves.energy = energy;
         halves.propagation.type = PropagationType::whole;
-        one.parts.push_back({"plate", plate.mesh});
+        one.parts.push_back({"plate", plate.mesh, {}});
         places.resize(2);
         for (const bool is_right : {false, true})
             cut(plate, is_right);
@@ -92,7 +92,7 @@ struct CutPlate
         }
         const Submesh half = submesh(plate.mesh, triangles);
         places[is_right ? 1 : 0] = half.vertices;
-        halves.parts.push_back({is_right ? "right" : "left", half.mesh});
+        halves.parts.push_back({is_right ? "right" : "left", half.mesh, {}});
         for (std::size_t k = 0; k < plate.rims.size(); ++k)
             add_hole("hole" + std::to_string(k), plate.rims[k], half, is_right);
     }
@@ -254,7 +254,8 @@ Frame layers()
     {
         const TriangleMesh grid = shapes::grid(40 + 7 * layer, 4 + layer, 200.0, 20.0);
         const auto lifted = [&](const Vector3& p) { return Vector3(p + Vector3(0.0, 0.0, layer)); };
-        assembly.parts.push_back({"layer" + std::to_string(layer), shapes::mapped(grid, lifted)});
+        assembly.parts.push_back(
+            {"layer" + std::to_string(layer), shapes::mapped(grid, lifted), {}});
     }
     const auto all = [](const Vector3&) { return true; };
     for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})

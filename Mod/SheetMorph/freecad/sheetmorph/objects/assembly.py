@@ -28,8 +28,8 @@ OPERATOR_DOC = (
     "Which triangles the energy sees. Cotangent: those of the mesh. Intrinsic: Delaunay triangles "
     "within the same sheet, for meshes with slivers"
 )
-LOCAL, SINGLE = "local", "single"
-PROPAGATIONS = [LOCAL, SINGLE, "whole"]
+LOCAL, SINGLE, WHOLE = "local", "single", "whole"
+PROPAGATIONS = [LOCAL, SINGLE, WHOLE]
 PROPAGATION_DOC = (
     "How the other parts follow the primary. Local: along the contacts, from part to part, each "
     "contact with a control mesh of its own. Single: one control mesh around everything moves "

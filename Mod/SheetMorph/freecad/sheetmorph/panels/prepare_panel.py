@@ -101,9 +101,8 @@ class PreparePanel(Panel):
         form.split.setVisible(wish.is_split)
         form.split.setEnabled(not self._is_marked())
         form.split.setChecked(wish.is_split and form.split.isEnabled())
-        number_of = cures.pieces(self._found)
-        text = translate("SheetMorph_panels", "Make a part of each of its {} pieces").format(number_of)
-        form.split.setText(text)
+        text = translate("SheetMorph_panels", "Make a part of each of its {} pieces")
+        form.split.setText(text.format(cures.pieces(self._found)))
         self._tell()
 
     def _is_marked(self) -> bool:

@@ -8,7 +8,7 @@ from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.objects.assembly import PROPAGATIONS, UNHELD
+from freecad.sheetmorph.objects.assembly import PROPAGATIONS, UNHELD, WHOLE
 from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.panels import contact_types, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, say
@@ -101,6 +101,8 @@ class PropagationPanel(Panel):
         form = self.form
         form.kind.setCurrentIndex(PROPAGATIONS.index(self._assembly.Propagation))
         form.unheld.setCurrentIndex(UNHELD.index(self._assembly.Unheld))
+        for widget in (form.levels, form.smoothness, form.meshes):
+            widget.setEnabled(self._has_meshes())
         form.levels.setValue(self._assembly.Levels)
         form.smoothness.setValue(self._assembly.Smoothness)
         try:
@@ -115,6 +117,10 @@ class PropagationPanel(Panel):
         self._is_filling = False
         say(form.hint, self._hint())
         self._choose()
+
+    def _has_meshes(self) -> bool:
+        """Whether control meshes and modes have any effect."""
+        return self._assembly.Propagation != WHOLE
 
     def _hint(self) -> str:
         """What to do next, if anything."""
@@ -152,7 +158,7 @@ class PropagationPanel(Panel):
         if kind == model.PART:
             form.part_box.setTitle(chosen.Label)
             is_primary = chosen == self._assembly.Primary
-            form.mode.setEnabled(not is_primary)
+            form.mode.setEnabled(not is_primary and self._has_meshes())
             mode = chosen.getEnumerationsOfProperty("Mode").index(chosen.Mode)
             form.mode.setCurrentIndex(mode)
             form.mode_text.setText(translate("SheetMorph_panels", contact_types.MODE_TEXTS[mode]))
