@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of proposals: one row each, sortable, with a check box."""
 
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
 NUMBER = QtCore.Qt.UserRole
 VALUE = QtCore.Qt.UserRole + 1
 HEIGHT = 230  # px, so that ten rows are seen
+GREY = (128, 132, 138)  # readable on white and on the grounds of dark styles
 
 
 class Cell(QtWidgets.QTableWidgetItem):
@@ -34,21 +35,21 @@ def prepare(table, columns) -> None:
 
 
 def fill(table, rows) -> None:
-    """Shows rows: (texts, values to sort by, is checked, is enabled, tool tip) each."""
+    """Shows rows: (texts, values to sort by, is checked, may be checked, tool tip) each."""
     table.blockSignals(True)
     table.setSortingEnabled(False)
     table.setRowCount(len(rows))
-    for number, (texts, values, is_checked, is_enabled, tip) in enumerate(rows):
+    for number, (texts, values, is_checked, may_be, tip) in enumerate(rows):
         for column, (text, value) in enumerate(zip(texts, values)):
             cell = Cell(text)
             cell.setData(VALUE, value)
             cell.setToolTip(tip)
-            flags = QtCore.Qt.ItemIsSelectable
-            if is_enabled:
-                flags |= QtCore.Qt.ItemIsEnabled
+            flags = QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsEnabled
+            if not may_be:  # not by a disabled item: dark styles draw that as dark as the ground
+                cell.setForeground(QtGui.QBrush(QtGui.QColor(*GREY)))
             if column == 0:
                 cell.setData(NUMBER, number)
-                flags |= QtCore.Qt.ItemIsUserCheckable
+                flags |= QtCore.Qt.ItemIsUserCheckable if may_be else QtCore.Qt.NoItemFlags
                 cell.setCheckState(QtCore.Qt.Checked if is_checked else QtCore.Qt.Unchecked)
             else:
                 cell.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
@@ -71,11 +72,11 @@ def checked(table) -> list[int]:
 
 
 def set_checks(table, is_on: bool) -> None:
-    """Checks or clears all rows that are seen and enabled; nobody is told of each."""
+    """Checks or clears all rows that are seen and may be checked; nobody is told of each."""
     table.blockSignals(True)
     for row in range(table.rowCount()):
         cell = table.item(row, 0)
-        if not table.isRowHidden(row) and cell.flags() & QtCore.Qt.ItemIsEnabled:
+        if not table.isRowHidden(row) and cell.flags() & QtCore.Qt.ItemIsUserCheckable:
             cell.setCheckState(QtCore.Qt.Checked if is_on else QtCore.Qt.Unchecked)
     table.blockSignals(False)
     table.viewport().update()

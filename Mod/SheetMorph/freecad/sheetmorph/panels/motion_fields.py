@@ -5,6 +5,7 @@ from freecad.sheetmorph.panels.base import number_in, put_number
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.motion import Motion
 
+PRESSED = "QPushButton:checked { color: black; }"  # dark styles write blue on blue
 DRIVEN = {
     "translation_x": "TranslationX",
     "translation_y": "TranslationY",
@@ -34,6 +35,7 @@ class MotionFields(QtCore.QObject):
             getattr(form, f"axis_{c}").valueChanged.connect(self._send)
             getattr(form, f"pivot_{c}").valueChanged.connect(self._leave_centroid)
             getattr(form, f"along_{c}").setCheckable(True)
+            getattr(form, f"along_{c}").setStyleSheet(PRESSED)
             getattr(form, f"along_{c}").clicked.connect(lambda _=False, d=c: self._turn_about(d))
         form.centre.clicked.connect(self._return_to_centroid)
 
