@@ -10,3 +10,11 @@ DRAGGERS = ("SoFCCSysDragger", "SoTransformDragger")
 
 SELECTION_SWITCHES = ("selectionRole", "selectionEnabled")
 """The field of a 3D view's root that says whether clicks select, until 1.0 and since 1.1."""
+
+
+def take_gloss(view_object) -> None:
+    """Leaves a sheet its colour where it faces the eye: since 1.0 it shines white there."""
+    if "ShapeAppearance" in view_object.PropertiesList:
+        material = view_object.ShapeAppearance[0]
+        material.SpecularColor = (0.0, 0.0, 0.0)
+        view_object.ShapeAppearance = (material,)

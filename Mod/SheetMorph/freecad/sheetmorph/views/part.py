@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a morphed part looks: its source beneath it in the tree, sheet-metal colour, smooth bends."""
 
+from freecad.sheetmorph import generations
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore
@@ -18,6 +19,7 @@ class PartView(OwnerView):
     def __init__(self, view_object):
         super().__init__(view_object)
         view_object.ShapeColor = colours.SHEET
+        generations.take_gloss(view_object)
         view_object.CreaseAngle = 30.0
         view_object.Lighting = "Two side"
 
