@@ -80,10 +80,7 @@ bool put_around(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
             patch.low = patch.low.cwiseMin(Vector2(uv.X(), uv.Y()));
             patch.high = patch.high.cwiseMax(Vector2(uv.X(), uv.Y()));
         }
-        const Geom2dAdaptor_Curve curve(border.curve);
-        const bool is_short_spline =
-            curve.GetType() == GeomAbs_BSplineCurve && curve.NbPoles() == 2;
-        is_straight = is_straight && (curve.GetType() == GeomAbs_Line || is_short_spline);
+        is_straight = is_straight && Geom2dAdaptor_Curve(border.curve).GetType() == GeomAbs_Line;
     }
     return is_straight;
 }

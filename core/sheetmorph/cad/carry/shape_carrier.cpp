@@ -148,7 +148,7 @@ void ShapeCarrier::find_uses()
             use.face = static_cast<int>(f);
             use.curve = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face), low, high);
             if (!use.curve.IsNull() && !faces_[f].motion)
-                use.curve = spline_in_parameters(use.curve, low, high);
+                use.written = spline_in_parameters(use.curve, low, high);
             CarriedEdge& found = edges_[static_cast<std::size_t>(mesh_.edges.FindIndex(edge) - 1)];
             if (found.uses.empty())
             {
@@ -334,7 +334,7 @@ SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOn
 Vector3 ShapeCarrier::point(const EdgeOnFace& use, double t) const
 {
     const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
-    const gp_Pnt2d uv = use.curve->Value(t);
+    const gp_Pnt2d uv = (face.spline ? use.written : use.curve)->Value(t);
     if (face.spline)
         return face.spline->point({uv.X(), uv.Y()});
     return point_of(face.surface->Value(uv.X(), uv.Y()));

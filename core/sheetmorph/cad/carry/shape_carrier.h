@@ -31,7 +31,8 @@ struct CarriedFace
 struct EdgeOnFace
 {
     int face = -1;
-    Handle(Geom2d_Curve) curve;  //!< in the parameters of the face
+    Handle(Geom2d_Curve) curve;    //!< in the parameters of the face
+    Handle(Geom2d_Curve) written;  //!< the same as a spline, of a fitted face
 };
 
 //! An edge on its way.

@@ -2,8 +2,8 @@
 #include "sheetmorph/cad/splines/parameter_curve.h"
 #include "sheetmorph/cad/splines/spline_curve.h"
 
+#include <Geom2dAdaptor_Curve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_Line.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
@@ -20,7 +20,8 @@ Handle(Geom2d_Curve)
     const auto place = [&](double t) -> Vector3 {
         return {curve->Value(t).X(), curve->Value(t).Y(), 0.0};
     };
-    const bool is_line = !Handle(Geom2d_Line)::DownCast(curve).IsNull();
+    const bool is_line =
+        Geom2dAdaptor_Curve(curve).GetType() == GeomAbs_Line;  // a trimmed one, too
     const Handle(Geom_BSplineCurve) spline =
         is_line ? Handle(Geom_BSplineCurve)()
                 : curve_near(place, CubicBasis(low, high), exact).curve();
