@@ -21,10 +21,13 @@ namespace
 
 constexpr int none = -1;
 
+// Of the size: places as far apart but for that are as near, so that rounding decides nothing.
+constexpr double as_near = 1e-9;
+
 //! Two vertices that may stay together; a < b.
 struct Pair
 {
-    double distance;
+    double distance;  // in steps
     int a, b;
     int seam;
 
@@ -48,18 +51,24 @@ double cell_of(const Points& points, const VertexIds& side)
     return size > 0.0 ? size / std::sqrt(static_cast<double>(side.size())) : 1.0;
 }
 
-int nearest(const Points& points, const PointGrid& grid, int vertex)
+double steps_between(const Points& points, int a, int b, double step)
+{
+    return std::round((points.row(a) - points.row(b)).norm() / step);
+}
+
+int nearest(const Points& points, const PointGrid& grid, int vertex, double step)
 {
     const Vector3 place = points.row(vertex).transpose();
     int found = none;
     double shortest = std::numeric_limits<double>::infinity();
-    for (double reach = grid.side(); shortest > reach; reach *= 2.0)
+    for (double reach = 0.5 * grid.side(); shortest * step > reach;)
     {
+        reach *= 2.0;
         const Vector3 corner = Vector3::Constant(reach);
         grid.for_each_in(place - corner, place + corner,
                          [&](int other)
                          {
-                             const double distance = (points.row(other).transpose() - place).norm();
+                             const double distance = steps_between(points, other, vertex, step);
                              if (distance < shortest || (distance == shortest && other < found))
                              {
                                  shortest = distance;
@@ -71,15 +80,17 @@ int nearest(const Points& points, const PointGrid& grid, int vertex)
 }
 
 // From every vertex to the nearest one of the other side.
-std::vector<Pair> pairs_from(const Points& points, const VertexIds& from, const VertexIds& to,
+std::vector<Pair> pairs_from(const TriangleMesh& mesh, const VertexIds& from, const VertexIds& to,
                              int seam)
 {
+    const Points& points = mesh.points();
+    const double step = std::max(as_near * mesh.size(), std::numeric_limits<double>::min());
     const PointGrid grid(points, to, cell_of(points, to));
     std::vector<Pair> pairs;
     for (const int vertex : from)
-        if (const int other = nearest(points, grid, vertex); other != vertex)
-            pairs.push_back({(points.row(other) - points.row(vertex)).norm(),
-                             std::min(vertex, other), std::max(vertex, other), seam});
+        if (const int other = nearest(points, grid, vertex, step); other != vertex)
+            pairs.push_back({steps_between(points, other, vertex, step), std::min(vertex, other),
+                             std::max(vertex, other), seam});
     return pairs;
 }
 
@@ -196,7 +207,7 @@ std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>
         make_set(a);
         make_set(b);
         for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
-            for (const Pair& pair : pairs_from(mesh.points(), *from, *to, static_cast<int>(k)))
+            for (const Pair& pair : pairs_from(mesh, *from, *to, static_cast<int>(k)))
                 pairs.push_back(pair);
     }
     std::sort(pairs.begin(), pairs.end());
