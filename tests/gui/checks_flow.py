@@ -15,7 +15,7 @@ from checks_moving import open_panel
 from desk import WORK, activate, child, click_point, click_widget, draw_along, enter, on_screen
 from desk import import_files, picture, press, press_tool, tick, view, xdotool
 from freecad.sheetmorph import api, paths
-from freecad.sheetmorph.actions import call, name, record
+from freecad.sheetmorph.actions import DOCUMENT, call, name, record
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from scenes import assembly, contacts, drawn, labelled, largest, regions, stored, stored_of_all
@@ -185,7 +185,7 @@ def test_the_frame_of_14_parts_from_regions_to_a_second_drag():
     points = api.rest_mesh(rail)[0]
     old = [r for r in model.regions(assembly()) if r.Part == rail]
     ends = {r.Role: points[model.vertices(r)] for r in old if r.Role != "form feature"}
-    record(*[call("remove", name(r)) for r in old], "App.ActiveDocument.recompute()")
+    record(*[call("remove", name(r)) for r in old], f"{DOCUMENT}.recompute()")
     yield from look("Top")
     held, pulled = loop_round(ends["fixed"], (0, 1), 4.0), stroke_along(ends["handle"], 1)
     yield from draw_region(rail, "Mark Fixed Region…", "lasso", held)

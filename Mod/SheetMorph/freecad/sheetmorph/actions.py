@@ -35,6 +35,11 @@ def call(function: str, *arguments: str, **keywords: str) -> str:
     return f"{API}.{function}({', '.join(texts)})"
 
 
+def new_document(label: str = "") -> None:
+    """Makes a document, as lines that a macro runs anywhere."""
+    record("import FreeCAD as App", f"App.newDocument({label!r})" if label else "App.newDocument()")
+
+
 def record(*lines: str) -> None:
     """Runs lines and writes them to the macro being recorded, without a transaction.
 

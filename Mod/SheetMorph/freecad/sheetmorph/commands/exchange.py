@@ -19,7 +19,7 @@ CRITERIA = ["standard", "crash", "static"]
 def open_recipe(path: str, document_name: str = "") -> bool:
     """Opens a recipe in a new document, or in the active one; False if it could not be read."""
     if document_name or App.ActiveDocument is None:
-        actions.record(f"App.newDocument({document_name!r})")
+        actions.new_document(document_name)
     done = actions.attempt("Import Recipe", call("import_recipe", DOCUMENT, repr(path)))
     if done:
         Gui.activeDocument().activeView().viewIsometric()
