@@ -111,6 +111,8 @@ def our_command(_subject):
     """One that opens no panel and asks for nothing; only the guide lets it do something."""
     Gui.runCommand("SheetMorph_Flatten")
     yield 60
+    # The guide gives way to a command and comes back; other panels stay.
+    yield from until(Gui.Control.activeDialog, "the panel again")
 
 
 def another_document(_subject):
