@@ -123,7 +123,7 @@ class LiveUpdate(QtCore.QObject):
         extreme = words.plain(self.legend.extreme)
         value = f"{extreme} {self._valuer.unit}".strip()
         text = f"{self._valuer.worst} {value} on {part}"
-        near = self.legend.places[0].near if self.legend.places else ""
+        near = self.legend.near
         return translate("SheetMorph_panels", "{0}, near {1}").format(text, near) if near else text
 
     @property

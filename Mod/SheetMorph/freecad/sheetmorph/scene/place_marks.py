@@ -21,26 +21,28 @@ class PlaceMarks:
         self._hanging = Hanging(view.getSceneGraph(), self.root)
 
     def show(self, places) -> None:
-        """Shows a point at every (place (3,) mm, words)."""
+        """Shows a point at every (place (3,) mm, words); nodes of the last frame are used again."""
         self._coordinates.point.setNum(len(places))
         self._points.numPoints = len(places)
-        self._texts.removeAllChildren()
+        while self._texts.getNumChildren() < len(places):
+            self._texts.addChild(_text())
+        while self._texts.getNumChildren() > len(places):
+            self._texts.removeChild(len(places))
         for k, (place, words) in enumerate(places):
-            point = [float(c) for c in place]
+            point, group = [float(c) for c in place], self._texts.getChild(k)
             self._coordinates.point.set1Value(k, *point)
-            self._texts.addChild(_text(point, words))
+            group.getChild(0).translation.setValue(*point)
+            group.getChild(1).string.setValue(words)
 
     def remove(self) -> None:
         """Takes them out of the view."""
         self._hanging.remove()
 
 
-def _text(place, words: str):
-    group, moved, text = coin.SoSeparator(), coin.SoTranslation(), coin.SoText2()
-    moved.translation.setValue(*place)
-    text.string.setValue(words)
-    group.addChild(moved)
-    group.addChild(text)
+def _text():
+    group = coin.SoSeparator()
+    group.addChild(coin.SoTranslation())
+    group.addChild(coin.SoText2())
     return group
 
 

@@ -89,18 +89,19 @@ class Stretch:
     def places(self, positions: Positions, values: Positions) -> tuple[Place, ...]:
         """Where the sheets are stretched most, the worst place first."""
         found = [
-            Place(name, positions[name][k], float(values[name][k]), self._near(positions, name, k))
+            Place(name, positions[name][k], float(values[name][k]))
             for name in values
             for k in _peaks(values[name], positions[name], APART * self._sizes[name])
         ]
         return tuple(sorted(found, key=lambda place: -place.value)[:MOST_PLACES])
 
-    def _near(self, positions: Positions, part: str, vertex: int) -> str:
-        """What the region of the part is called that is nearest to a vertex."""
-        place, reach, label = positions[part][vertex], NEAR * self._sizes[part], ""
+    def near(self, positions: Positions, place: Place) -> str:
+        """What the region of the part is called that is nearest to a place."""
+        reach, label = NEAR * self._sizes[place.part], ""
         for region in self._regions:
-            if region.part == part and len(region.vertices):
-                distance = _lengths(positions[part][region.vertices] - place).min()
+            if region.part == place.part and len(region.vertices):
+                seen = positions[place.part][region.vertices]
+                distance = _lengths(seen - place.point).min()
                 if distance <= reach:
                     reach, label = distance, region.label
         return label
@@ -117,12 +118,11 @@ class Region:
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """A vertex of a part with one of the worst values: where it is, (3,) mm, and near what."""
+    """A vertex of a part with one of the worst values: where it is, (3,) mm."""
 
     part: str
     point: np.ndarray
     value: float
-    near: str
 
 
 def _peaks(values, points, apart: float) -> list[int]:
@@ -196,13 +196,15 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 @dataclass(frozen=True)
 class Legend:
     """The values at the two ends of the colours, the worst value and the part it is on;
-    histogram: an element_quality.Histogram where elements are measured."""
+    histogram: an element_quality.Histogram where elements are measured; places: the worst, near: what
+    region the first of them is near to."""
 
     span: tuple[float, float]
     extreme: float
     part: str
     histogram: object = None
     places: tuple[Place, ...] = ()
+    near: str = ""
 
 
 def legend_of(valuer, positions: Positions, values: Positions) -> Legend:
@@ -218,7 +220,8 @@ def legend_of(valuer, positions: Positions, values: Positions) -> Legend:
     span = valuer.span if hasattr(valuer, "span") else _from_zero
     histogram = getattr(valuer, "histogram", None)
     places = valuer.places(positions, values) if isinstance(valuer, Stretch) else ()
-    return Legend(span(extremes[part]), extremes[part], part, histogram, places)
+    near = valuer.near(positions, places[0]) if places else ""
+    return Legend(span(extremes[part]), extremes[part], part, histogram, places, near)
 
 
 def _from_zero(extreme: float) -> tuple[float, float]:
