@@ -196,8 +196,8 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 @dataclass(frozen=True)
 class Legend:
     """The values at the two ends of the colours, the worst value and the part it is on;
-    histogram: an element_quality.Histogram where elements are measured; places: the worst, near: what
-    region the first of them is near to."""
+    histogram: an element_quality.Histogram where elements are measured; places: the worst; near:
+    which region the first of them is near to."""
 
     span: tuple[float, float]
     extreme: float
