@@ -27,7 +27,8 @@ FAILURE = re.compile(r"^\s*\d+ - .*\((Failed|SEGFAULT|Timeout)|^(FAILED|ERROR|FA
 SECOND_TRY = re.compile(r"^SECOND TRY (\S+)")
 FORMATTED_BY = {"clang-format": "14", "black": "23"}  # of Debian 12; others break lines otherwise
 LONGEST_SUITE = 3600  # seconds, then it hangs
-LONGEST_SANITIZED = 4 * 3600
+FUZZED = "SHEETMORPH_FUZZ_SECONDS"
+LONGEST_OF_ALL = 4 * 3600  # of those that take an hour of the processor
 # What of the package's tests goes through the whole kernel: its files, CAD, picking, live frames.
 # Each in an interpreter of its own: both folders have helpers of one name.
 SANITIZED_PYTEST = {
@@ -146,8 +147,10 @@ class Suites:
         )
 
     def fuzz(self) -> Count:
-        """Every reader of decks and of files of welds on mutated files, 10 minutes each."""
-        return self._pytest("fuzz", ["tests/decks/test_fuzzed_files.py"], self.staged)
+        """Every reader of decks and of files of welds on mutated files, each for 10 minutes of the
+        processor."""
+        place, seconds = "tests/decks/test_fuzzed_files.py", os.environ.get(FUZZED, "600")
+        return self._pytest("fuzz", [place], self.staged, **{FUZZED: seconds})
 
     def million(self) -> Count:
         """A deck of 1,000,000 nodes in every format; the lines `NOTE` are its table."""
@@ -233,8 +236,8 @@ class Suites:
             print(said, flush=True)
         environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
         longest = (
-            LONGEST_SANITIZED
-            if settings.keys() & {"ASAN_OPTIONS", "TSAN_OPTIONS"}
+            LONGEST_OF_ALL
+            if settings.keys() & {"ASAN_OPTIONS", "TSAN_OPTIONS", FUZZED}
             else LONGEST_SUITE
         )
         environment |= {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1"} | settings

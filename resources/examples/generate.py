@@ -12,8 +12,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
-from shapes import body_panels, door_mirror, welded_frame  # noqa: E402
-from shapes.output import write_example  # noqa: E402
+from shapes import body_panels, bracket, door_mirror, welded_frame  # noqa: E402
+from shapes.output import recipe_text, write_example, write_text  # noqa: E402
 
 EXAMPLES = (door_mirror, body_panels, welded_frame)
 
@@ -23,6 +23,9 @@ def main(folder: Path) -> None:
         example = module.example()
         for path in write_example(example, folder / example.folder):
             print(path)
+    place = folder / "bracket"
+    print(write_text(place / "bracket.inp", bracket.deck(8, 6)))
+    print(write_text(place / "recipe.json", recipe_text(bracket.recipe())))
 
 
 if __name__ == "__main__":

@@ -13,92 +13,90 @@ import json
 import os
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 PITCH, HEIGHT = 2.0, 60.0
 STEPS = ("copy", "morph", "certify")
 
 
-def nodes(side: int) -> Iterator[tuple[int, float, float]]:
-    """(id, x, y) in rows."""
-    for k in range(side * side):
-        yield k + 1, PITCH * (k % side), PITCH * (k // side)
+@dataclass(frozen=True)
+class Form:
+    """How a format writes the sheet: its file; what stands before the nodes, between nodes and
+    quads, and behind them; a node (k, x, y), and a quad (k, and its nodes a, b, c, d)."""
+
+    file: str
+    head: str
+    node: str
+    middle: str
+    quad: str
+    tail: str
+
+    def lines(self, side: int) -> Iterator[str]:
+        """The deck of side * side nodes, in rows."""
+        counts = {"nodes": side * side, "quads": (side - 1) ** 2}
+        node, quad = self.node.format, self.quad.format
+        yield self.head.format(**counts)
+        for k in range(side * side):
+            yield node(k=k + 1, x=PITCH * (k % side), y=PITCH * (k // side))
+        yield self.middle.format(**counts)
+        for k in range((side - 1) ** 2):
+            a = k // (side - 1) * side + k % (side - 1) + 1
+            yield quad(k=k + 1, a=a, b=a + 1, c=a + side + 1, d=a + side)
+        yield self.tail
 
 
-def quads(side: int) -> Iterator[tuple[int, int, int, int, int]]:
-    """(id, four nodes)."""
-    for row in range(side - 1):
-        for column in range(side - 1):
-            a = row * side + column + 1
-            yield row * (side - 1) + column + 1, a, a + 1, a + side + 1, a + side
-
-
-def nastran(side: int) -> Iterator[str]:
-    yield "BEGIN BULK\nPSHELL  7       1       1.2\n"
-    yield "MAT1    1       210000.         .3      7.85-9\n"
-    for k, x, y in nodes(side):
-        yield f"GRID    {k:8d}        {x:8.2f}{y:8.2f}{0.0:8.2f}\n"
-    for k, *ring in quads(side):
-        yield f"CQUAD4  {k:8d}{7:8d}{''.join(f'{n:8d}' for n in ring)}\n"
-    yield "ENDDATA\n"
-
-
-def dyna(side: int) -> Iterator[str]:
-    yield "*KEYWORD\n*PART\nsheet\n         7         1         1\n*SECTION_SHELL\n"
-    yield "         1         2\n       1.2       1.2       1.2       1.2\n*NODE\n"
-    for k, x, y in nodes(side):
-        yield f"{k:8d}{x:16.4f}{y:16.4f}{0.0:16.4f}\n"
-    yield "*ELEMENT_SHELL\n"
-    for k, *ring in quads(side):
-        yield f"{k:8d}{7:8d}{''.join(f'{n:8d}' for n in ring)}\n"
-    yield "*END\n"
-
-
-def abaqus(side: int) -> Iterator[str]:
-    yield "*NODE, NSET=ALL\n"
-    for k, x, y in nodes(side):
-        yield f"{k:8d}, {x:12.4f}, {y:12.4f}, {0.0:8.4f}\n"
-    yield "*ELEMENT, TYPE=S4, ELSET=SKIN\n"
-    for k, *ring in quads(side):
-        yield f"{k}, {', '.join(map(str, ring))}\n"
-    yield "*SHELL SECTION, ELSET=SKIN, MATERIAL=STEEL\n1.2\n"
-
-
-def radioss(side: int) -> Iterator[str]:
-    yield "#RADIOSS STARTER\n/BEGIN\nsheet\n      2022         0\n/NODE\n"
-    for k, x, y in nodes(side):
-        yield f"{k:10d}{x:20.6f}{y:20.6f}{0.0:20.6f}\n"
-    yield "/SHELL/7\n"
-    for k, *ring in quads(side):
-        yield f"{k:10d}{''.join(f'{n:10d}' for n in ring)}\n"
-    yield "/PART/7\nsheet\n         1         1\n/END\n"
-
-
-def gmsh(side: int) -> Iterator[str]:
-    yield f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{side * side}\n"
-    for k, x, y in nodes(side):
-        yield f"{k} {x:.8f} {y:.8f} {0.0:.8f}\n"
-    yield f"$EndNodes\n$Elements\n{(side - 1) ** 2}\n"
-    for k, *ring in quads(side):
-        yield f"{k} 3 2 7 7 {' '.join(map(str, ring))}\n"
-    yield "$EndElements\n"
-
-
-FORMATS: dict[str, tuple[str, Callable[[int], Iterator[str]]]] = {
-    "nastran": ("sheet.bdf", nastran),
-    "ls-dyna": ("sheet.k", dyna),
-    "abaqus": ("sheet.inp", abaqus),
-    "radioss": ("sheet_0000.rad", radioss),
-    "gmsh": ("sheet.msh", gmsh),
+FORMATS = {
+    "nastran": Form(
+        "sheet.bdf",
+        "BEGIN BULK\nPSHELL  7       1       1.2\nMAT1    1       210000.         .3      7.85-9\n",
+        "GRID    {k:8d}        {x:8.2f}{y:8.2f}    0.00\n",
+        "",
+        "CQUAD4  {k:8d}       7{a:8d}{b:8d}{c:8d}{d:8d}\n",
+        "ENDDATA\n",
+    ),
+    "ls-dyna": Form(
+        "sheet.k",
+        "*KEYWORD\n*PART\nsheet\n         7         1         1\n*SECTION_SHELL\n"
+        "         1         2\n       1.2       1.2       1.2       1.2\n*NODE\n",
+        "{k:8d}{x:16.4f}{y:16.4f}          0.0000\n",
+        "*ELEMENT_SHELL\n",
+        "{k:8d}       7{a:8d}{b:8d}{c:8d}{d:8d}\n",
+        "*END\n",
+    ),
+    "abaqus": Form(
+        "sheet.inp",
+        "*NODE, NSET=ALL\n",
+        "{k:8d}, {x:12.4f}, {y:12.4f},   0.0000\n",
+        "*ELEMENT, TYPE=S4, ELSET=SKIN\n",
+        "{k}, {a}, {b}, {c}, {d}\n",
+        "*SHELL SECTION, ELSET=SKIN, MATERIAL=STEEL\n1.2\n",
+    ),
+    "radioss": Form(
+        "sheet_0000.rad",
+        "#RADIOSS STARTER\n/BEGIN\nsheet\n      2022         0\n/NODE\n",
+        "{k:10d}{x:20.6f}{y:20.6f}            0.000000\n",
+        "/SHELL/7\n",
+        "{k:10d}{a:10d}{b:10d}{c:10d}{d:10d}\n",
+        "/PART/7\nsheet\n         1         1\n/END\n",
+    ),
+    "gmsh": Form(
+        "sheet.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{nodes}\n",
+        "{k} {x:.8f} {y:.8f} 0.00000000\n",
+        "$EndNodes\n$Elements\n{quads}\n",
+        "{k} 3 2 7 7 {a} {b} {c} {d}\n",
+        "$EndElements\n",
+    ),
 }
 
 
 def generate(form: str, folder: Path, side: int) -> tuple[Path, Path]:
     """The deck, and a recipe that holds its one edge and lifts the other."""
-    name, text = FORMATS[form]
+    name = FORMATS[form].file
     with (folder / name).open("w", encoding="ascii") as out:
-        out.writelines(text(side))
+        out.writelines(FORMATS[form].lines(side))
     ends = ([1 + k * side for k in range(side)], [side + k * side for k in range(side)])
     recipe = {
         "sheetmorph": 1,

@@ -184,6 +184,11 @@ def test_the_generator_makes_the_files_of_the_repository(example, regenerated):
         assert np.abs(points - kept_points).max() < 1e-7, path.name
 
 
+@pytest.mark.parametrize("name", ["bracket.inp", "recipe.json"])
+def test_the_generator_makes_the_deck_of_the_bracket(name, regenerated):
+    assert (regenerated / "bracket" / name).read_text() == (EXAMPLES / "bracket" / name).read_text()
+
+
 @pytest.fixture(scope="module", params=ALL)
 def morph(request, tmp_path_factory):
     """Recipe, report, and per part the points at rest, the deformed ones and the triangles."""

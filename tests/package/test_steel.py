@@ -81,6 +81,17 @@ def test_a_thickness_that_nobody_gave_is_a_hundredth_of_the_size_and_told():
     assert any("a hundredth of its size" in note for note in report["notes"])
 
 
+def test_shells_of_a_deck_are_as_thick_as_it_says_and_told():
+    points, triangles = flat_strip(ALONG, ACROSS)
+    mesh = sheetmorph.PartMesh(points, triangles, thickness=0.7)
+    for told, expected in (({}, (0.7, "deck")), ({"thickness": 1.5}, (1.5, "recipe"))):
+        part = {"name": "strip", "file": "strip.obj", **told}
+        report = sheetmorph.Session(recipe(parts=[part]), {"strip": mesh}).deform().report()
+        jsonschema.validate(report, report_schema())
+        steel = report["parts"][0]["steel"]
+        assert (steel["thickness"], steel["from"]) == expected
+
+
 def test_live_frames_are_previews():
     morph = session()
     assert morph.deform(exact=False).previews == ("strip",)

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from pathlib import Path
@@ -20,7 +20,9 @@ import pytest
 import sheetmorph
 from sheetmorph.cli import main
 from sheetmorph.study.engines.driving import Driver, Hopes, Pool
-from sheetmorph.study.working import Cost, Task
+from sheetmorph.study.plan import Plan
+from sheetmorph.study.storing import Store
+from sheetmorph.study.working import Cost, Task, Workshop, adopt, attempt
 from study_samples import contents, rows_of, write_study
 
 MANY = {"method": "halton", "count": 70, "seed": 1}
@@ -108,13 +110,50 @@ def test_a_cluster_that_loses_a_worker_and_its_scheduler_makes_the_same_files(
     assert len(rows_of(tmp_path / "out")) == 70
 
 
-def test_dask_starts_a_cluster_of_its_own(tmp_path: Path):
+def preprocessed(out: Path) -> int:
+    """How often something was pre-processed in the last call of a study."""
+    return json.loads((out / "costs.json").read_text())["preprocessed"]
+
+
+def test_every_worker_of_dask_preprocesses_once(tmp_path: Path):
     pytest.importorskip("distributed", reason="python3-distributed is not installed")
-    whole = whole_study(tmp_path)
+    whole = whole_study(tmp_path, sampling={**MANY, "count": 24})
+    assert preprocessed(tmp_path / "whole") == 1
     line = command_of(tmp_path, "--engine", "dask", "--workers", "2")
     done = subprocess.run(line, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert contents(tmp_path / "out") == whole
+    assert preprocessed(tmp_path / "out") in (1, 2)
+
+
+def test_processes_have_what_was_preprocessed_once_for_all(tmp_path: Path):
+    path = write_study(tmp_path, sampling={**MANY, "count": 12})
+    words = ["study", str(path), "-o", str(tmp_path / "out"), "--quiet"]
+    assert main([*words, "--engine", "processes", "--workers", "3"]) == 0
+    assert preprocessed(tmp_path / "out") == 1
+
+
+def test_a_task_of_an_array_preprocesses_once_for_all_its_runs(tmp_path: Path, capsys):
+    path = write_study(tmp_path, sampling={**MANY, "count": 12})
+    for runs in ("0-5", "6-11"):
+        assert main(["study", str(path), "-o", str(tmp_path / "out"), "--runs", runs]) == 0
+        assert "6 run(s) done, pre-processed 1 time(s)" in capsys.readouterr().out
+
+
+def test_threads_of_one_worker_make_the_same_files(tmp_path: Path):
+    whole = whole_study(tmp_path, sampling={**MANY, "count": 24})
+    plan, out = Plan(tmp_path / "study.json"), tmp_path / "out"
+    Store(out).open()
+    keys = [plan.hash_of(values) for values in plan.samples]
+    study = str(tmp_path / "study.json")
+    tasks = [Task(study, str(out), run, key) for run, key in enumerate(keys)]
+    adopt(Workshop(plan), study)
+    with ThreadPoolExecutor(4) as threads:
+        found = list(threads.map(attempt, tasks))
+    assert [why for _, why in found] == [""] * 24
+    assert sum(cost.preprocessed for cost, _ in found) == 1
+    made = contents(out)
+    assert made and made == {name: whole[name] for name in made}
 
 
 def test_a_process_that_is_killed_costs_a_try(tmp_path: Path):

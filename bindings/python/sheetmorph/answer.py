@@ -36,4 +36,7 @@ class Answer:
     previews: tuple[str, ...] = ()
     unsettled: dict[str, str] = field(default_factory=dict)
     repairs: list[dict[str, Any]] = field(default_factory=list)
-    crossings: dict[str, tuple[int, ...]] = field(default_factory=dict)  # counted when asked for
+    # Counted and measured when asked for, by part.
+    crossings: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    quality: dict[str, dict[str, Any]] = field(default_factory=dict)
+    stretch: dict[str, dict[str, Any] | None] = field(default_factory=dict)

@@ -37,7 +37,7 @@ class PartMesh:
 
     points: (n, 3) float64, mm; triangles: (m, 3) int32, indices from 0; ids: (n,) int64 vertex ids
     of the file (node ids of a deck), None for 0 .. n-1; name: for messages; labels: what the file
-    calls parts of it.
+    calls parts of it; thickness: mm, of the shells of a deck, 0 where the file does not tell.
     Raises ValueError for other shapes, numbers that are not finite, indices out of range, equal
     ids.
     """
@@ -47,6 +47,7 @@ class PartMesh:
     ids: np.ndarray | None = None
     name: str = ""
     labels: Labels | None = None
+    thickness: float = 0.0
 
     def __post_init__(self) -> None:
         points = np.ascontiguousarray(_of_kind(self.points, "fiu", "points"), dtype=np.float64)

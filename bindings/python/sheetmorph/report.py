@@ -186,14 +186,18 @@ def part_report(
     """The entry of a part in the report; is_brief: without where it is stretched."""
     mesh = result.session.meshes[name]
     positions = result.positions[name]
+    if name not in result.quality:
+        result.quality[name] = _quality(result, name)
+    if not is_brief and name not in result.stretch:
+        result.stretch[name] = stretch_report(result, name)
     report = {
         "name": name,
         "vertices": len(mesh.points),
         "triangles": len(mesh.triangles),
         "is_reached": name not in result.session.unreached,
         "largest_displacement": _largest_distance(mesh.points, positions),
-        "quality": _quality(result, name),
-        "stretch": None if is_brief else stretch_report(result, name),
+        "quality": result.quality[name],
+        "stretch": None if is_brief else result.stretch[name],
         "steel": steel_report(result.session, name),
         "thin": thin_report(result, name),
         "preparation": mesh.preparation,

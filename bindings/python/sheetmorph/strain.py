@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from .blocks import in_blocks
+
 # Of the size: edges that short have no length to compare with.
 _NO_LENGTH = 1e-12
 
@@ -16,13 +18,11 @@ class EdgeChanges:
     """
 
     def __init__(self, rest: np.ndarray, triangles: np.ndarray):
-        edges, owner = _edges(triangles)
+        edges, self._sides = _edges(triangles)
         lengths = _lengths(rest, edges)
         has_length = lengths > _NO_LENGTH * np.ptp(rest, axis=0).max(initial=0.0)
         self._triangles = triangles
         self._edges, self._lengths = edges[has_length], lengths[has_length]
-        pairs = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1))
-        self._sides = owner[pairs], owner[pairs + 1]
         self._angles = _angles(rest, triangles, self._sides)
 
     def worst_strain(self, positions: np.ndarray) -> float | None:
@@ -46,24 +46,49 @@ class EdgeChanges:
 
 
 def _lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    return np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+    def of(part: slice) -> np.ndarray:
+        return np.linalg.norm(points[edges[part, 0]] - points[edges[part, 1]], axis=1)
+
+    return in_blocks(of, len(edges))
 
 
-def _edges(triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(3 m, 2) edges in order, and the triangle (3 m,) each is of."""
-    edges = np.sort(np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
-    order = np.lexsort(edges.T)
-    return edges[order], np.tile(np.arange(len(triangles)), 3)[order]
+def middle_edge(points: np.ndarray, triangles: np.ndarray) -> float:
+    """The median length of the edges of triangles (m, 3), an inner one counted twice; 0 without
+    any."""
+    lengths = [_lengths(points, triangles[:, [k, (k + 1) % 3]]) for k in range(3)]
+    found = np.concatenate(lengths)
+    return float(np.median(found, overwrite_input=True)) if len(found) else 0.0
+
+
+def _edges(triangles: np.ndarray) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
+    """(e, 2) the edges in order, each once, and pairs of triangles (k,), (k,) with a common one."""
+    count, size = len(triangles), int(triangles.max(initial=0)) + 1
+    keys = np.empty(3 * count, dtype=np.int64)
+    for k in range(3):
+        one, other = triangles[:, k], triangles[:, (k + 1) % 3]
+        low, high = np.minimum(one, other), np.maximum(one, other)
+        keys[k * count : (k + 1) * count] = high.astype(np.int64) * size + low
+    order = np.argsort(keys, kind="stable")
+    keys = keys[order]
+    owner = (order % max(count, 1)).astype(np.int32)
+    is_next = keys[1:] == keys[:-1]
+    pairs = np.flatnonzero(is_next)
+    keys = keys[np.concatenate([np.ones(min(1, len(keys)), bool), ~is_next])]
+    edges = np.stack([keys % size, keys // size], axis=1).astype(np.int32)
+    return edges, (owner[pairs], owner[pairs + 1])
 
 
 def _angles(points: np.ndarray, triangles: np.ndarray, sides: tuple) -> np.ndarray:
     """(k,) angles between pairs of triangles; NaN where one has no area."""
-    corners = points[triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = _area_normals(points, triangles)
     with np.errstate(all="ignore"):
         normals /= np.linalg.norm(normals, axis=1)[:, None]
-    a, b = normals[sides[0]], normals[sides[1]]
-    return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), np.einsum("ij,ij->i", a, b))
+
+    def of(part: slice) -> np.ndarray:
+        a, b = normals[sides[0][part]], normals[sides[1][part]]
+        return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), np.einsum("ij,ij->i", a, b))
+
+    return in_blocks(of, len(sides[0]))
 
 
 def principal_stretches(
@@ -79,7 +104,12 @@ def principal_stretches(
     directions (m, 3) of length 1 and factors (m,) by which each triangle is longer along them
     without being stretched.
     """
-    return PrincipalStretches(rest, triangles, wanted)(positions)
+
+    def of(part: slice) -> np.ndarray:
+        told = None if wanted is None else tuple(one[part] for one in wanted)
+        return PrincipalStretches(rest, triangles[part], told)(positions)
+
+    return in_blocks(of, len(triangles))
 
 
 class PrincipalStretches:
@@ -125,11 +155,17 @@ def curvature_changes(rest: np.ndarray, positions: np.ndarray, triangles: np.nda
 
     rest, positions: (n, 3) mm; triangles: (m, 3). From normals of the vertices (Rusinkiewicz 2004).
     """
-    gradients, _ = _shape_gradients(rest, triangles)
-    with np.errstate(all="ignore"):
-        return _curvatures(positions, triangles, gradients) - _curvatures(
-            rest, triangles, gradients
-        )
+    before, after = (_vertex_normals(points, triangles) for points in (rest, positions))
+
+    def of(part: slice) -> np.ndarray:
+        corners = triangles[part]
+        gradients, _ = _shape_gradients(rest, corners)
+        with np.errstate(all="ignore"):
+            return _curvatures((positions, after), corners, gradients) - _curvatures(
+                (rest, before), corners, gradients
+            )
+
+    return in_blocks(of, len(triangles))
 
 
 def arcs(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -140,7 +176,8 @@ def arcs(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndar
     """
     gradients, axes = _shape_gradients(points, triangles)
     with np.errstate(all="ignore"):
-        form = np.nan_to_num(_curvatures(points, triangles, gradients))
+        told = points, _vertex_normals(points, triangles)
+        form = np.nan_to_num(_curvatures(told, triangles, gradients))
     values, vectors = np.linalg.eigh(form)
     most = np.abs(values).argmax(axis=1)
     rows = np.arange(len(triangles))
@@ -155,8 +192,20 @@ def areas(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def _area_normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    corners = points[triangles]
-    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    def of(part: slice) -> np.ndarray:
+        first, second, third = (points[corner] for corner in triangles[part].T)
+        return np.cross(second - first, third - first)
+
+    return in_blocks(of, len(triangles))
+
+
+def _vertex_normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """(n, 3) of length 1; 0 for a vertex of no triangle with an area."""
+    normals, at = _area_normals(points, triangles), triangles.T.ravel()
+    sums = [np.bincount(at, np.tile(axis, 3), len(points)) for axis in normals.T]
+    found = np.stack(sums, axis=1)
+    found /= np.maximum(np.linalg.norm(found, axis=1), 1e-300)[:, None]
+    return found
 
 
 def _shape_gradients(rest: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -173,13 +222,12 @@ def _shape_gradients(rest: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarra
         return np.einsum("mik,mjk->mij", turned, axes), axes
 
 
-def _curvatures(points: np.ndarray, triangles: np.ndarray, gradients: np.ndarray) -> np.ndarray:
-    """(m, 2, 2) minus the second fundamental form, from how the normals of the corners differ."""
-    normals = _area_normals(points, triangles)
-    at_vertices = np.zeros_like(points)
-    for corner in range(3):
-        np.add.at(at_vertices, triangles[:, corner], normals)
-    at_vertices /= np.maximum(np.linalg.norm(at_vertices, axis=1), 1e-300)[:, None]
+def _curvatures(
+    sheet: tuple[np.ndarray, np.ndarray], triangles: np.ndarray, gradients: np.ndarray
+) -> np.ndarray:
+    """(m, 2, 2) minus the second fundamental form, from how the normals of the corners differ;
+    sheet: points and normals (n, 3) of the vertices."""
+    points, at_vertices = sheet
     along = np.einsum("mik,mil->mkl", points[triangles], gradients)
     turning = np.einsum("mik,mil->mkl", at_vertices[triangles], gradients)
     form = np.einsum("mki,mkj->mij", along, turning)

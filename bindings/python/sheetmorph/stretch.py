@@ -27,8 +27,9 @@ def steel_report(session: Preprocessed, part: str) -> dict[str, Any] | None:
     if session.model.energy != "steel":
         return None
     entry = next(entry for entry in session.model.parts if entry.name == part)
-    is_thin = session.thin_solid(part) is not None
-    found = "thin solid" if is_thin else "a hundredth of the size"
+    is_told = session.meshes[part].thickness > 0.0 and not entry.thin
+    found = "deck" if is_told else "a hundredth of the size"
+    found = "thin solid" if session.thin_solid(part) is not None else found
     return {
         "thickness": session.sheet_thickness(part),
         "from": "recipe" if entry.sheet.thickness else found,
@@ -51,7 +52,7 @@ def stretch_report(result: Answer, part: str) -> dict[str, Any] | None:
     strain = np.abs(stretches - 1.0).max(axis=1)
     order = np.argsort(strain)
     reached = np.cumsum(area[order]) / area.sum()
-    centres = now[triangles].mean(axis=1)
+    centres = sum(now[corner] for corner in triangles.T) / 3.0
     regions = _regions(result, part)
     return {
         "largest": float(strain.max()),
@@ -106,7 +107,7 @@ def _bending(
     (rest, now, triangles), (area, _, stretches) = shapes, told
     thickness = session.sheet_thickness(part)
     entry = next(entry for entry in session.model.parts if entry.name == part)
-    change = np.linalg.eigvalsh(np.nan_to_num(curvature_changes(rest, now, triangles)))
+    change = _principal(np.nan_to_num(curvature_changes(rest, now, triangles)))
     tightest = int(np.abs(change).max(axis=1).argmax())
     curvature = float(np.abs(change[tightest]).max())
     size = session.sheet(part).size
@@ -121,6 +122,13 @@ def _bending(
         thickness * _stored(strains, poisson) + thickness**3 / 12.0 * _stored(change, poisson)
     )
     return {"bend": bend, "springs_back": float(0.5 * _YOUNG / (1.0 - poisson**2) * stored)}
+
+
+def _principal(values: np.ndarray) -> np.ndarray:
+    """(m, 2) of symmetric values (m, 2, 2)."""
+    mean, half = 0.5 * (values[:, 0, 0] + values[:, 1, 1]), values[:, 0, 0] - values[:, 1, 1]
+    radius = np.hypot(0.5 * half, values[:, 0, 1])
+    return np.stack([mean - radius, mean + radius], axis=1)
 
 
 def _stored(values: np.ndarray, poisson: float) -> np.ndarray:

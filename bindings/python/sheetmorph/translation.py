@@ -100,7 +100,8 @@ class Translator:
         part = self._core.Part(entry.name, triangles, ids, entry.mode)
         if entry.thin:
             part.make_thin(entry.thin == "yes", entry.thickness)
-        part.sheet_thickness, part.poisson = entry.sheet.thickness, entry.sheet.poisson
+        told = 0.0 if entry.thin else mesh.thickness
+        part.sheet_thickness, part.poisson = entry.sheet.thickness or told, entry.sheet.poisson
         return part
 
     def _region(self, kind: Any, entry: RegionEntry) -> Any:

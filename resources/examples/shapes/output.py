@@ -12,13 +12,12 @@ from shapes.sheet import Sheet
 
 def write_example(example: Example, folder: Path) -> list[Path]:
     """Meshes and recipe.json under `folder`; returns the files."""
-    folder.mkdir(parents=True, exist_ok=True)
     recipe = example.recipe()
     written = []
     for sheet, part in zip(example.sheets, recipe["parts"]):
         text = obj_text(sheet) if part["file"].endswith(".obj") else ply_text(sheet)
-        written.append(_write(folder / part["file"], text))
-    written.append(_write(folder / "recipe.json", recipe_text(recipe)))
+        written.append(write_text(folder / part["file"], text))
+    written.append(write_text(folder / "recipe.json", recipe_text(recipe)))
     return written
 
 
@@ -58,6 +57,8 @@ def _coordinates(point) -> str:
     return " ".join(repr(float(x) + 0.0) for x in point)
 
 
-def _write(path: Path, text: str) -> Path:
+def write_text(path: Path, text: str) -> Path:
+    """A file in a folder that is made if it is missing; returns its path."""
+    path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8", newline="\n")
     return path

@@ -16,7 +16,7 @@ from ..decks.materials import STEEL
 from ..errors import FileError
 from ..files import FileSet
 from ..files.deck_file import DeckFile
-from ..finding.deck import part_material, part_thickness
+from ..finding.deck import part_material
 from ..joint_files.following import JointSource, joint_sources
 from ..kernel import load_kernel
 from ..recipe import filled, named_in, prepare, read_json
@@ -180,15 +180,14 @@ def _write(certificate: dict[str, Any], written: dict[str, Written], targets: Ta
 
 def _sheets(parts: Parts) -> dict[str, Sheet]:
     """The parts at rest, by name."""
-    thickness = part_thickness(parts.sources)
     materials = part_material(parts.sources)
     entries = {entry.name: entry for entry in parts.entries}
     found: dict[str, Sheet] = {}
     for source in parts.sources:
         faces = _faces(source)
         for name, vertices in source.members.items():
-            given = entries[name].sheet.thickness or thickness.get(name, 0.0)
             mesh = parts.meshes[name]
+            given = entries[name].sheet.thickness or mesh.thickness
             own = _own_faces(faces, vertices, mesh)
             error = _width_error(source, mesh.points)
             found[name] = Sheet(name, mesh, own, given, error, materials.get(name, STEEL))

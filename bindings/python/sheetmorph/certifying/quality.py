@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ..blocks import chunks
+
 _GAUSS = 1.0 / np.sqrt(3.0)
 _CORNERS = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=float)
 
@@ -147,7 +149,8 @@ def measured(
     """(m,) a measure of faces (m, 4), whose last corner is -1 in triangles, at points (n, 3)."""
     found = np.empty(len(faces))
     is_quad = faces[:, 3] >= 0
-    for rows, count in ((is_quad, 4), (~is_quad, 3)):
-        if rows.any():
-            found[rows] = measure(points[faces[rows, :count]])
+    for rows, count in ((np.flatnonzero(is_quad), 4), (np.flatnonzero(~is_quad), 3)):
+        for part in chunks(len(rows)):
+            some = rows[part]
+            found[some] = measure(points[faces[some, :count]])
     return found

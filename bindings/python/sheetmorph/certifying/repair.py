@@ -47,7 +47,8 @@ def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Res
             slid = Sliding(surface, faces, stays, wanted.elements).slid()
             told.append(_entry(name, wanted.name, slid, positions[name]))
             positions[name] = slid.places
-    return replace(result, positions=positions, repairs=told)
+    anew = {"crossings": {}, "quality": {}, "stretch": {}}
+    return replace(result, positions=positions, repairs=told, **anew)
 
 
 def _entry(name: str, criteria: str, slid: Slid, before: np.ndarray) -> dict[str, Any]:

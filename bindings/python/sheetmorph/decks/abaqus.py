@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..blocks import chunks
 from .abaqus_joints import Sets, add_joint
 from .abaqus_lines import AbaqusLines, Keyword
 from .abaqus_sets import NamedSets
@@ -20,7 +21,6 @@ from .includes import Included
 from .model import Elements, Opener, Place, Raw
 from .numbers import parse_real
 from .placing import note_placing
-from .text import chunks
 
 SUFFIXES = (".inp",)
 # CalculiX reads no more characters of a number.

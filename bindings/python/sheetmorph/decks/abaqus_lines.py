@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..blocks import chunks
 from .model import Raw
 from .numbers import parse_integer, parse_real
-from .text import chunks
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..blocks import chunks
 from .model import FREE, Block, Raw
 from .numbers import parse_integers, parse_reals
-from .text import DeckText, chunks
+from .text import DeckText
 
 # No number is longer; what is, is none.
 _LONGEST = 64

@@ -29,6 +29,16 @@ class Shells:
         return " · ".join(filter(None, (self.name, f"PID {self.number}", thickness)))
 
 
+def thickness_of(deck: Deck, sheet: Sheet, rows: np.ndarray) -> float:
+    """The median thickness of the elements of some triangles (k,) of a sheet, mm; 0 if the deck
+    does not tell."""
+    elements = sheet.elements[rows]
+    is_first = np.diff(elements, prepend=-1) != 0
+    numbers, counts = np.unique(sheet.properties[rows][is_first], return_counts=True)
+    told = [deck.raw.thickness.get(number, 0.0) for number in numbers.tolist()]
+    return float(np.median(np.repeat(told, counts))) if len(elements) else 0.0
+
+
 def shells_of(deck: Deck, sheet: Sheet, rows: np.ndarray) -> list[Shells]:
     """The properties of some triangles (k,) of a sheet, the lowest number first."""
     properties, elements = sheet.properties[rows], sheet.elements[rows]

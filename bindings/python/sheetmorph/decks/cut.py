@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..blocks import chunks
 from .model import FIXED, Block, Raw
 from .numbers import parse_integers, parse_reals
-from .text import chunks
 
 
 @dataclass(frozen=True)

@@ -9,11 +9,12 @@ from typing import BinaryIO
 
 import numpy as np
 
+from ..blocks import CHUNK, chunks
 from ..errors import FileError, list_ids
 from .frames import Frame, FrameError, Frames
 from .model import BINARY, FIXED, PADDED, Block, Elements, Raw, table_of
 from .numbers import format_reals, parse_real
-from .text import CHUNK, chunks, write_edited
+from .text import write_edited
 from .wide import is_small_grid, wide_grid
 
 _EIGHT = 8

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..blocks import CHUNK, chunks
 from .commas import integers, reals, words
 from .cut import small
 from .deck import Deck
@@ -16,7 +17,6 @@ from .gmsh_names import PhysicalGroups
 from .includes import Included
 from .model import BINARY, WORD, Block, Elements, Opener, Place, Raw
 from .numbers import LARGEST
-from .text import CHUNK, chunks
 
 SUFFIXES = (".msh",)
 _ROOM = 24

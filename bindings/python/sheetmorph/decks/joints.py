@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..strain import middle_edge
 from .deck import Deck
 from .model import Elements, Place
 from .shells import Sheet
@@ -74,9 +75,7 @@ def _place(block: Elements, row: int) -> Place:
 
 
 def _least(deck: Deck, sheet: Sheet) -> float:
-    corners = deck.points[sheet.nodes][sheet.triangles]
-    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-    edge = float(np.median(edges)) if edges.size else 0.0
+    edge = middle_edge(deck.points[sheet.nodes], sheet.triangles)
     thickness = [value for value in deck.raw.thickness.values() if value > 0.0]
     return max(_OF_EDGE * edge, _HALF * min(thickness, default=0.0), 1e-9)
 

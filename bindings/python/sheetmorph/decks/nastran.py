@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..blocks import chunks
 from .cut import side_by_side, small
 from .deck import Deck
 from .frames import Frame
@@ -22,7 +23,6 @@ from .nastran_stale import STALE, stale_of
 from .numbers import parse_integer, parse_integers, parse_real, parse_reals
 from .placing import NASTRAN as PLACING
 from .placing import note_placing
-from .text import chunks
 
 SUFFIXES = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch")
 # Shells in one line: how many nodes.

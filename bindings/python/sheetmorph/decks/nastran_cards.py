@@ -9,8 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..blocks import chunks
 from .numbers import parse_integer, parse_real
-from .text import DeckText, chunks
+from .text import DeckText
 
 
 class Field(NamedTuple):

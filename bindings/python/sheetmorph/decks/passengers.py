@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..kernel import load_kernel
+from ..strain import middle_edge
 from .attachment import Group, groups_of
 from .deck import Deck
 from .following import Motion, blended, on_triangle, rigid_motion
@@ -48,12 +49,8 @@ class Passengers:
         self._deck, self._sheet, self._rules = deck, sheet, rules
         self._groups = groups_of(deck, sheet)
         self._rest = deck.points[sheet.nodes]
-        self.reach = self._default_reach() if rules.reach is None else rules.reach
-
-    def _default_reach(self) -> float:
-        corners = self._rest[self._sheet.triangles]
-        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-        return float(np.median(edges)) if edges.size else 0.0
+        middle = middle_edge(self._rest, sheet.triangles) if rules.reach is None else 0.0
+        self.reach = middle if rules.reach is None else rules.reach
 
     @property
     def count(self) -> int:

@@ -4,22 +4,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 
+from ..blocks import chunks
 from ..errors import FileError
 
-# Lines or numbers that are worked on at once: what is made of them stays small beside the file.
-CHUNK = 1 << 15
 _BLANK = 32
-
-
-def chunks(count: int) -> Iterator[slice]:
-    """Slices that cover 0 .. count."""
-    return (slice(at, min(at + CHUNK, count)) for at in range(0, count, CHUNK))
 
 
 class DeckText:

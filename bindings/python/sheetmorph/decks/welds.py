@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..kernel import load_kernel
+from ..strain import middle_edge
 from .attachment import labels_of
 from .deck import Deck
 from .model import Elements, Place
@@ -72,9 +73,7 @@ class _Sheets:
     """The sheets of a deck that hang together, each with trees of before and after."""
 
     def __init__(self, rest: np.ndarray, moved: np.ndarray, triangles: np.ndarray):
-        corners = rest[triangles]
-        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-        self._reach = _REACH * float(np.median(edges))
+        self._reach = _REACH * middle_edge(rest, triangles)
         links = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]]]).astype(np.int64)
         label = labels_of(len(rest), links)[triangles[:, 0]]
         order = np.argsort(label, kind="stable")

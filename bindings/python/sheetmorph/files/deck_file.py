@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
-from ..decks.contents import Shells, shells_of
+from ..decks.contents import Shells, shells_of, thickness_of
 from ..decks.joints import Joint, joints_of
 from ..decks.model import NamedSet
 from ..decks.model import Place
@@ -153,6 +153,9 @@ class DeckFile(PartFile):
     def shells_of(self, rows: np.ndarray) -> list[Shells]:
         """The properties of some of the triangles (k,)."""
         return shells_of(self.deck, self.sheet, rows)
+
+    def thickness_of(self, rows: np.ndarray) -> float:
+        return thickness_of(self.deck, self.sheet, rows)
 
     def told(self, positions: np.ndarray) -> dict[str, Any]:
         """What hangs on the sheet, how its joints hold, and what the motion leaves wrong."""

@@ -50,6 +50,10 @@ class PartFile(ABC):
         """All files that a run writes into a folder."""
         return [folder / self.output_name]
 
+    def thickness_of(self, _rows: np.ndarray) -> float:
+        """What the file says of how thick some of its triangles (k,) are, mm; 0: nothing."""
+        return 0.0
+
     def told(self, positions: np.ndarray) -> dict[str, Any] | None:
         """For the report, what else than its mesh moves, holds or stays with its vertices at (n, 3)
         positions; None if there is nothing else in it. ``failures`` are reasons not to write it."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a deck tells besides its mesh: thickness of shells, elements between parts."""
+"""What a deck tells besides its mesh: materials of shells, elements between parts."""
 
 from __future__ import annotations
 
@@ -15,23 +15,6 @@ from ..recipe.parts import Source
 
 _JOINING = ("line", "rigid", "weld")
 _Pair = tuple[str, int, str, int]
-
-
-def part_thickness(sources: Sequence[Source]) -> dict[str, float]:
-    """By part: the median thickness of its shells, for parts of decks that give one."""
-    found = {}
-    for source in sources:
-        if not isinstance(source.file, DeckFile):
-            continue
-        by_property = source.file.deck.raw.thickness
-        values = np.array([by_property.get(int(p), 0.0) for p in source.file.properties])
-        corners = source.file.mesh.triangles[:, 0]
-        for name, vertices in source.members.items():
-            inside = np.zeros(len(source.file.mesh.points), dtype=bool)
-            inside[vertices] = True
-            of_part = values[inside[corners]]
-            found[name] = float(np.median(of_part)) if len(of_part) else 0.0
-    return found
 
 
 def part_material(sources: Sequence[Source]) -> dict[str, Material]:

@@ -16,7 +16,7 @@ from ..files import is_cad, read_part, unpacked_name
 from ..recipe.model import model_of
 from ..recipe.parts import Parts, read_parts
 from ..recipe.splitting import split_triangles
-from .deck import deck_connections, part_thickness
+from .deck import deck_connections
 from .exact import exact_of
 from .findings import FindPart, Findings
 from .options import FindOptions
@@ -54,13 +54,12 @@ def find_in_parts(parts: Parts, options: FindOptions) -> Findings:
 
 def find_parts(parts: Parts) -> list[FindPart]:
     """The parts, with the thickness that decks and the features that CAD files give them."""
-    thickness = part_thickness(parts.sources)
     exact = {name: known for s in parts.sources for name, known in exact_of(s).items()}
     return [
         FindPart(
             entry.name,
             parts.meshes[entry.name],
-            thickness.get(entry.name, 0.0),
+            parts.meshes[entry.name].thickness,
             exact.get(entry.name, []),
         )
         for entry in parts.entries

@@ -225,7 +225,11 @@ def joint_sources(parts: Parts, base: str | Path) -> list[JointSource]:
     """The files of welds and bolts that a recipe names, relative to `base`. Raises RecipeError."""
     if not parts.joint_files:
         return []
-    thickness = {e.name: e.sheet.thickness for e in parts.entries if e.sheet.thickness > 0.0}
+    thickness = {
+        entry.name: entry.sheet.thickness or parts.meshes[entry.name].thickness
+        for entry in parts.entries
+        if entry.name in parts.meshes
+    }
     sheets = Sheets(parts.sources, thickness)
     found: list[JointSource] = []
     faults: list[Fault] = []

@@ -11,9 +11,9 @@ import numpy as np
 
 from ..decks.following import Motion
 from ..files.deck_file import DeckFile
-from ..finding.deck import part_thickness
 from ..kernel import load_kernel
 from ..recipe.parts import Source
+from ..strain import middle_edge
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Sheets:
     def __init__(self, sources: Sequence[Source], thickness: Mapping[str, float]):
         self.sources = list(sources)
         self.rest = [s.placement.placed(s.file.mesh.points) for s in self.sources]
-        self._thickness = {**part_thickness(self.sources), **thickness}
+        self._thickness = thickness
         self._pieces: dict[tuple[str, ...], list[Piece]] = {}
 
     def named(self, names: tuple[str, ...]) -> list[Piece]:
@@ -114,11 +114,8 @@ class Sheets:
     def _piece(self, number: int, rows: np.ndarray, thickness: float) -> Piece:
         points = self.rest[number]
         triangles = np.ascontiguousarray(self.sources[number].file.mesh.triangles[rows], np.int32)
-        corners = points[triangles]
-        edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
-        edge = float(np.median(edges)) if edges.size else 0.0
         tree = load_kernel().PickingTree(points, triangles)
-        return Piece(number, rows, tree, thickness, edge)
+        return Piece(number, rows, tree, thickness, middle_edge(points, triangles))
 
     def motions(self, of_parts: Mapping[str, np.ndarray], feet: Sequence[Foot]) -> list[Motion]:
         """How each source moves at some feet, its parts at (n, 3) positions."""

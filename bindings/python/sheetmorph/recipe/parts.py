@@ -66,14 +66,15 @@ class Parts:
         source = Source(file, entry.placement, writing=entry.write)
         whole = entry.placement.placed_mesh(file.mesh)
         if not entry.split:
-            source.members[entry.name] = np.arange(len(file.mesh.points))
-            self.meshes[entry.name] = whole
+            rows = np.arange(len(whole.triangles))
+            source.members[entry.name] = np.arange(len(whole.points))
+            self.meshes[entry.name] = replace(whole, thickness=file.thickness_of(rows))
             self.entries.append(entry)
         else:
             for number, rows in split_triangles(file, entry.split).items():
                 name = f"{entry.stem}/{number}"
                 mesh, source.members[name] = part_of(whole, rows, name)
-                self.meshes[name] = mesh
+                self.meshes[name] = replace(mesh, thickness=file.thickness_of(rows))
                 self.entries.append(replace(entry, name=name, split=""))
         self.sources.append(source)
 

@@ -104,6 +104,7 @@ class _Run:
         self._whys = {run: why for run, why in enumerate(whys) if why}
         self.hashes = [plan.hash_of(values, why) for values, why in zip(plan.samples, whys)]
         self._costs: list[Cost] = []
+        self._preprocessed = 0
         self._rows: dict[int, Row] = {}
         self._total = 0
 
@@ -111,7 +112,10 @@ class _Run:
         """Compute some of the runs, without a table: others are at work on the others."""
         runs = range(first, min(last, len(self.hashes) - 1) + 1)
         self._compute(runs)
-        return [f"{self._store.out}: {len(runs)} run(s) done"]
+        return [
+            f"{self._store.out}: {len(runs)} run(s) done, pre-processed "
+            f"{self._preprocessed} time(s)"
+        ]
 
     def all(self) -> list[str]:
         """Compute what is missing and write the table."""
@@ -152,6 +156,7 @@ class _Run:
         adopt(shop, tasks[0].study)
         if ways.engine == "processes":
             shop.begin(tasks[0].run)
+            self._preprocessed = shop.preprocessed
             processes_driver(workers, hopes).drive(tasks)
         else:
             for task in tasks:
@@ -172,6 +177,7 @@ class _Run:
             raise FileError(self._store.out, what, "workers and this process must share the folder")
         self._rows[task.run] = row
         self._costs.append(cost)
+        self._preprocessed += cost.preprocessed
         self._progress()
 
     def _lost(self, task: Task, why: str) -> None:
@@ -201,6 +207,7 @@ class _Run:
             "engine": self._ways.engine,
             "workers": self._ways.workers,
             "computed": len(self._costs),
+            "preprocessed": self._preprocessed,
             "seconds": seconds,
             "variants_a_second": len(self._costs) / seconds if seconds else 0.0,
             "seconds_of_workers": spent,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import shutil
+import threading
 import time
 from collections import OrderedDict
 from collections.abc import Iterator, Sequence
@@ -53,12 +54,13 @@ class Task:
 @dataclass(frozen=True)
 class Cost:
     """Seconds of one variant, and of them those that the kernel took; by the clock, and of all
-    cores together."""
+    cores together; how often something was pre-processed for it."""
 
     seconds: float = 0.0
     kernel: float = 0.0
     cpu: float = 0.0
     kernel_cpu: float = 0.0
+    preprocessed: int = 0
 
 
 class _Watch:
@@ -94,10 +96,14 @@ class _Base:
 
 
 class Workshop:
-    """Computes variants of one study; what they share is pre-processed once."""
+    """Computes variants of one study; what they share is pre-processed once.
+
+    preprocessed: how often something was.
+    """
 
     def __init__(self, plan: Plan):
         self.plan = plan
+        self.preprocessed = 0
         self._bases: OrderedDict[str, _Base] = OrderedDict()
         self._watch = _Watch()
 
@@ -112,14 +118,15 @@ class Workshop:
     def work(self, run: int, store: Store) -> Cost:
         """Compute a variant into its folder. What is wrong with it is in its row."""
         begin, cpu = time.perf_counter(), time.process_time()
-        self._watch = _Watch()
+        self._watch, before = _Watch(), self.preprocessed
         values = self.plan.samples[run]
         row = Row(self.plan.hash_of(values), values, ERROR)
         with store.folder(run) as folder:
             row = self._row(row, folder)
             write_json(folder, {FILE: row.to_json()})
         seconds, used = time.perf_counter() - begin, time.process_time() - cpu
-        return Cost(seconds, self._watch.kernel, used, self._watch.cpu)
+        preprocessed = self.preprocessed - before
+        return Cost(seconds, self._watch.kernel, used, self._watch.cpu, preprocessed)
 
     def result(self, values: Values) -> Result:
         """The exact answer for these values, without files. Raises RecipeError."""
@@ -243,6 +250,7 @@ class Workshop:
         touched = {str(entry.steps[0]) for entry in plan.study.parameters if entry.steps}
         shared = not touched.intersection(_OWN_PARTS)
         parts = plan.parts if shared else prepare(variant.recipe, plan.folder)
+        self.preprocessed += 1
         with self._watch.kernel_works():
             session = Session(variant.recipe, parts.meshes, found=parts.found)
         measures = Measures(plan.study, session.model, parts.meshes)
@@ -276,15 +284,20 @@ def _clear(folder: Path) -> None:
 
 
 def work(task: Task) -> Cost:
-    """Compute a variant in this process; the study is read once. For workers of all engines."""
-    shop = _workshop(task.study)
-    if task.run >= len(shop.plan.samples):
-        raise FileError(task.study, "it was changed meanwhile", "start the study again")
-    if shop.plan.hash_of(shop.plan.samples[task.run]) != task.key:
-        raise FileError(task.study, "it or its recipe was changed meanwhile", "start it again")
-    return shop.work(task.run, Store(Path(task.out)))
+    """Compute a variant in this process; the study is read once. For workers of all engines.
+
+    Threads of one process, as workers of Dask may have, take turns: they share what was read.
+    """
+    with _turn:
+        shop = _workshop(task.study)
+        if task.run >= len(shop.plan.samples):
+            raise FileError(task.study, "it was changed meanwhile", "start the study again")
+        if shop.plan.hash_of(shop.plan.samples[task.run]) != task.key:
+            raise FileError(task.study, "it or its recipe was changed meanwhile", "start it again")
+        return shop.work(task.run, Store(Path(task.out)))
 
 
+_turn = threading.Lock()
 # The one of this process, by file and time of the study: processes that are forked have it too.
 _shops: dict[tuple[str, int], Workshop] = {}
 

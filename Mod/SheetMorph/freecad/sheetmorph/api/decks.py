@@ -13,7 +13,7 @@ from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.meshes import add_mesh
 from freecad.sheetmorph.bridge import decks, kernel
 from freecad.sheetmorph.objects import assembly_of
-from freecad.sheetmorph.objects.deck import DeckProxy, ShellsProxy
+from freecad.sheetmorph.objects.deck import DeckProxy, ShellsProxy, told_thickness
 
 
 def import_deck(
@@ -61,6 +61,7 @@ def _add_part(deck, file, name: str, rows: np.ndarray):
     part = add_mesh(assembly_of(deck), mesh, label, of_deck=of_deck)
     part.Deck, part.DeckPart = deck, name
     part.Shells = [_add_shells(part, shells, whole) for shells in found]
+    part.SheetThickness = told_thickness(part)
     return part
 
 

@@ -20,6 +20,7 @@ from freecad.sheetmorph.api.loading import (
     apply_pose,
     apply_propagation,
     keep_extras,
+    keep_files,
     with_names,
     with_sentences,
 )
@@ -121,6 +122,7 @@ def import_recipe(document, path: str | os.PathLike):
     apply_options(assembly, recipe)
     apply_pose(regions, recipe)
     keep_extras(assembly, recipe, regions, found)
+    keep_files(assembly, recipe, path.parent)
     add_named_poses(assembly, recipe, regions)
     assembly.Label = path.stem  # last: where labels clash, those of the parts stay
     return assembly
@@ -152,7 +154,8 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
         set_mode(part, entry.get("mode", 0))
         thin = entry.get("thin", False)
         set_thin(part, thin["thickness"] if isinstance(thin, dict) else thin)
-        set_sheet(part, entry.get("thickness") or 0.0, entry.get("poisson", 0.3))
+        thickness = entry.get("thickness") or part.SheetThickness.Value
+        set_sheet(part, thickness, entry.get("poisson", 0.3))
     return added
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import numpy as np
 
@@ -222,3 +223,17 @@ def keep_extras(assembly, recipe: dict, regions: dict, parts: dict) -> None:
     pose = {name: move for name, move in recipe.get("pose", {}).items() if name not in regions}
     if extras or pose:
         assembly.Extras = json.dumps({"recipe": extras, "pose": pose})
+
+
+def keep_files(assembly, recipe: dict, folder: Path) -> None:
+    """Keep in the document what a recipe, its files relative to `folder`, says of others than those
+    of parts: repair, and files of welds and bolts."""
+    joints = recipe.get("joint_files", [])
+    repair = {True: "standard", False: ""}.get(recipe.get("repair", ""), recipe.get("repair", ""))
+    asked = [folder / name for name in (repair, *(one["file"] for one in joints))]
+    files = {path.name: path.read_bytes().decode("latin-1") for path in asked if path.is_file()}
+    assembly.Repair = Path(repair).name
+    if files or joints:
+        beside = [{**one, "file": Path(one["file"]).name} for one in joints]
+        extras = json.loads(assembly.Extras or "{}")
+        assembly.Extras = json.dumps({**extras, "joint_files": beside, "files": files})

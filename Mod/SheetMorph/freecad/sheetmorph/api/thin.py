@@ -39,7 +39,8 @@ def set_thin(part, thin: str | bool | float) -> None:
 def set_sheet(part, thickness: float = 0.0, poisson: float = 0.3) -> None:
     """Say what a part is where the energy is steel: its thickness in mm, and Poisson's ratio.
 
-    Thickness 0: that of the thin solid, or a hundredth of the size. Raises ValueError.
+    Thickness 0: that of the deck's shells or the thin solid, or a hundredth of the size. Raises
+    ValueError.
     """
     require_kind(part, model.PART, "part")
     thickness, poisson = number(thickness, "thickness"), number(poisson, "Poisson's ratio")

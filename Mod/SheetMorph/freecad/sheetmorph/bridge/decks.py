@@ -17,6 +17,7 @@ import numpy as np
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.bridge.rest import RestPart
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.deck import told_thickness
 
 PACKED = ".zip"
 
@@ -73,12 +74,15 @@ def whole(file, parts: list, rests: dict[str, RestPart], positions: dict) -> np.
     return found
 
 
-def entry_of(deck, entries: list[dict]) -> dict:
+def entry_of(deck, parts: list, entries: list[dict]) -> dict:
     """Return the recipe's entry of a deck, whose parts have `entries`.
 
     Raises ValueError if they differ in more than their names: a recipe has one entry for all.
     """
-    kept = [{key: entry[key] for key in entry if key != "name"} for entry in entries]
+    told = [told_thickness(part) for part in parts]
+    given = [None if "thin" in entry else entry.get("thickness", 0.0) for entry in entries]
+    left_out = ("name", "thickness") if given == told else ("name",)
+    kept = [{key: entry[key] for key in entry if key not in left_out} for entry in entries]
     if any(one != kept[0] for one in kept):
         raise ValueError(
             f"The parts of {deck.FileName} differ in Mode, Thin, Thickness, SheetThickness or "

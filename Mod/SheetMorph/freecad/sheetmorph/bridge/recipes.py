@@ -8,6 +8,7 @@ import json
 import numpy as np
 
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.deck import told_thickness
 from freecad.sheetmorph.objects.part import MODES, THIN_AUTOMATIC, THIN_GIVEN
 from freecad.sheetmorph.objects.region import (
     AXIS,
@@ -126,7 +127,7 @@ def part_entry(part, names: dict[str, str]) -> dict:
 
 def sheet_entry(part) -> dict:
     """Return what a part is as steel, where that is not what is usual."""
-    thickness, poisson = part.SheetThickness.Value, part.Poisson
+    thickness, poisson = part.SheetThickness.Value or told_thickness(part), part.Poisson
     found = {"thickness": thickness} if thickness > 0.0 else {}
     return {**found, **({"poisson": poisson} if poisson != 0.3 else {})}
 
@@ -238,8 +239,21 @@ def entries_of(pose: dict) -> dict:
     return {k: one.entry() if isinstance(one, Motion) else one for k, one in pose.items()}
 
 
+def beside_of(assembly) -> tuple[dict, dict[str, str]]:
+    """Return what a recipe says of files beyond those of parts, and their texts by name.
+
+    Those are repair, and the files of welds and bolts of an imported recipe; FreeCAD uses neither.
+    """
+    joints, texts = extras_of(assembly, "joint_files"), extras_of(assembly, "files")
+    names = [assembly.Repair, *(one["file"] for one in joints)]
+    found = {"repair": assembly.Repair} if assembly.Repair else {}
+    found |= {"joint_files": joints} if joints else {}
+    return found, {name: texts[name] for name in names if name in texts}
+
+
 def extras_of(assembly, part: str = "recipe") -> dict:
-    """Return what an imported recipe held beyond regions, of the `recipe` or of its `pose`.
+    """Return what an imported recipe held beyond regions, of the `recipe` or of its `pose`, or one
+    of `joint_files` and `files`.
 
     In a recipe those are lists of entries, such as points on triangles; their part is a document
     object name.

@@ -97,16 +97,20 @@ def write_recipe(assembly, morph, path: Path, poses: dict) -> Path:
     recipe["parts"] = [
         {**entries[owner.Name], "file": names[owner.Name]}
         if owner is parts[0]
-        else decks.entry_of(owner, [entries[part.Name] for part in parts])
+        else decks.entry_of(owner, parts, [entries[part.Name] for part in parts])
         for owner, parts in writers(assembly, morph).values()
     ]
     recipe = decks.renamed(recipe, decks.names_in_recipe(assembly, morph.rests, morph.names))
     recipe["pose"] = recipes.entries_of(recipes.pose_of(assembly, morph.names))
     if poses:
         recipe["poses"] = poses
+    said, texts = recipes.beside_of(assembly)
+    recipe |= said
     rests = {name: rest.points for name, rest in morph.rests.items()}
     with kernel.load().files.atomic.FileSet() as files:
         _, _, meshes = write_files(files, assembly, morph, (path.parent, rests))
+        for name, text in texts.items():
+            files.temporary_for(path.parent / name).write_bytes(text.encode("latin-1"))
         text = json.dumps(worded.worded(assembly, morph, recipe, meshes), indent=1)
         files.temporary_for(path).write_text(text + "\n", encoding="utf-8")
         files.commit()

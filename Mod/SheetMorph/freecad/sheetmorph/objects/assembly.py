@@ -55,6 +55,11 @@ UNHELD_DOC = (
     "stay. Along: each goes rigidly along with the nearest place that is held. Refuse: the "
     "morph fails"
 )
+REPAIR_DOC = (
+    "Criteria until which nodes of decks slide in their sheet where the exported recipe is run: "
+    "standard, crash, static, or a file beside it; nothing: they do not. FreeCAD itself repairs "
+    "nothing"
+)
 INPUTS = ("Group", "Primary", "Energy", "Extras", "Propagation", "Levels", "Smoothness")
 INPUTS += ("Operator", "Symmetry", "SymmetryPoint", "SymmetryNormal", "Refine", "Unheld")
 
@@ -77,6 +82,7 @@ class AssemblyProxy(ObjectProxy):
         ),
         Property("Bool", "Refine", "Morph", REFINE_DOC),
         Property("Enumeration", "Unheld", "Morph", UNHELD_DOC, UNHELD),
+        Property("String", "Repair", "Morph", REPAIR_DOC, ""),
         Property(
             "StringList",
             "Order",

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from freecad.sheetmorph.kinds import DECK, SHELLS
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
@@ -50,3 +52,13 @@ class ShellsProxy(ObjectProxy):
 
     def execute(self, _obj) -> None:
         """Do nothing: they only tell."""
+
+
+def told_thickness(part) -> float:
+    """Return the thickness in mm that a deck tells of a part, the median of its elements; 0: none.
+
+    The same that the package takes where a recipe tells none.
+    """
+    told = [shells.Thickness.Value for shells in part.Shells]
+    counts = [shells.Elements for shells in part.Shells]
+    return float(np.median(np.repeat(told, counts))) if sum(counts) else 0.0

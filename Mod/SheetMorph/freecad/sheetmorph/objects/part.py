@@ -24,8 +24,8 @@ THIN_DOC = (
     "follow and keep the thickness. Automatic: if it is recognised as one"
 )
 SHEET_DOC = (
-    "How thick the sheet is where the energy is steel; 0: as the thin solid, or a hundredth of the "
-    "size"
+    "How thick the sheet is where the energy is steel; 0: as the deck or the thin solid, or a "
+    "hundredth of the size"
 )
 DECISIVE = ("Mode", "Thin", "Thickness", "SheetThickness", "Poisson")
 """Properties that the deformation depends on."""

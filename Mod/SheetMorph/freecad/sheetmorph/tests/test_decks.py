@@ -80,6 +80,12 @@ class TestImport(DeckTest):
         told = (deck.FileName, deck.Format, deck.Nodes, deck.Elements)
         self.assertEqual(told, ("plates.bdf", "Nastran", 88, 71))
 
+    def test_the_sheet_is_as_thick_as_the_deck_says(self):
+        parts = api.import_deck(self.assembly, self.path)
+        self.assertEqual([part.SheetThickness.Value for part in parts], [1.5, 2.5])
+        (whole,) = api.import_deck(self.assembly, self.path, "")
+        self.assertEqual(whole.SheetThickness.Value, 2.0)
+
     def test_quads_are_known_as_quads(self):
         skin, _ = api.import_deck(self.assembly, self.path)
         faces = read_rest(skin).faces
@@ -164,6 +170,45 @@ class TestWriting(DeckTest):
         before, after = (list(api.deform(one).values()) for one in (self.assembly, again))
         for one, other in zip(before, after):
             np.testing.assert_array_equal(one, other)
+
+    def test_a_recipe_tells_a_thickness_where_it_is_another_than_the_decks(self):
+        self.bent()
+        self.assertNotIn("thickness", self.exported()["parts"][0])
+        again = api.import_recipe(self.document, os.path.join(self.folder, "kept", "r.json"))
+        self.assertEqual([p.SheetThickness.Value for p in objects.parts(again)], [1.5, 2.5])
+        for part in objects.parts(self.assembly):
+            part.SheetThickness = 3.0
+        self.assertEqual(self.exported()["parts"][0]["thickness"], 3.0)
+
+    def test_repair_and_files_of_welds_come_through_a_document(self):
+        self.bent()
+        recipe, folder = self.exported(), os.path.join(self.folder, "kept")
+        texts = {"mine.json": b'{"elements": {"aspect": {"max": 9}}}\r\n'}
+        texts["w.csv"] = b"id,x,y,z\n1,20,10,1\n"
+        for name, text in texts.items():
+            with open(os.path.join(folder, name), "wb") as out:
+                out.write(text)
+        recipe |= {"repair": "mine.json", "joint_files": [{"file": "w.csv", "limit": 3.0}]}
+        with open(os.path.join(folder, "asks.json"), "w", encoding="utf-8") as out:
+            json.dump(recipe, out)
+        again = api.import_recipe(self.document, os.path.join(folder, "asks.json"))
+        self.assertEqual(again.Repair, "mine.json")
+        place = api.export_recipe(again, os.path.join(self.folder, "other", "r.json"))
+        with open(place, encoding="utf-8") as file:
+            told = json.load(file)
+        for key in ("repair", "joint_files"):
+            self.assertEqual(told[key], recipe[key])
+        for name, text in texts.items():
+            with open(os.path.join(self.folder, "other", name), "rb") as file:
+                self.assertEqual(file.read(), text)
+        again.Repair = ""
+        place = api.export_recipe(again, os.path.join(self.folder, "third", "r.json"))
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "third", "mine.json")))
+
+    def exported(self) -> dict:
+        place = api.export_recipe(self.assembly, os.path.join(self.folder, "kept", "r.json"))
+        with open(place, encoding="utf-8") as file:
+            return json.load(file)
 
     def test_parts_that_differ_cannot_be_one_entry_of_a_recipe(self):
         skin, _ = self.bent()
