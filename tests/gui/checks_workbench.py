@@ -4,9 +4,10 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, click_point, on_screen, press, press_tool, until, xdotool
-from freecad.sheetmorph import api
+from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.qt import QtCore, QtWidgets
 from pivy import coin
 from scenes import assembly, new_morph, part, regions
 
@@ -18,6 +19,7 @@ __all__ = [
     "test_what_a_click_would_take_lights_up",
     "test_a_removed_part_gives_its_source_back_to_the_view",
     "test_no_command_fails_when_asked_whether_it_is_active",
+    "test_an_error_is_told_as_freecad_tells_its_own",
 ]
 
 
@@ -111,6 +113,31 @@ def test_no_command_fails_when_asked_whether_it_is_active():
     of_features = ("FeatureSettings", "GroupFeatures", "MakeCoaxial", "KeepDistance")
     wanting |= {f"SheetMorph_{name}" for name in of_features}
     assert active == set(names) - wanting, (set(names) - wanting) ^ active
+
+
+def test_an_error_is_told_as_freecad_tells_its_own():
+    yield from activate()
+    wishes = App.ParamGet("User parameter:BaseApp/Preferences/NotificationArea")
+    has_area = hasattr(App.Console, "PrintTranslatedUserError")
+    modal = QtWidgets.QApplication.activeModalWidget
+    try:
+        for sentence, in_a_box in (("first fault", not has_area), ("second fault", True)):
+            QtCore.QTimer.singleShot(0, lambda text=sentence: actions.tell("Move Handle", text))
+            yield from until(lambda text=sentence: text in words_on_top(), sentence)
+            assert (modal() is not None) == in_a_box, sentence
+            if in_a_box:
+                modal().accept()
+            wishes.SetBool("NonIntrusiveNotificationsEnabled", False)
+    finally:
+        wishes.RemBool("NonIntrusiveNotificationsEnabled")
+
+
+def words_on_top() -> str:
+    """What boxes and FreeCAD's notifications say."""
+    shown = [w for w in QtWidgets.QApplication.topLevelWidgets() if w.isVisible()]
+    return " ".join(
+        w.text() for w in shown if isinstance(w, (QtWidgets.QMessageBox, QtWidgets.QLabel))
+    )
 
 
 def visible_patches() -> int:

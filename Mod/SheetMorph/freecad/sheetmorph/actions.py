@@ -7,7 +7,7 @@ from contextlib import contextmanager, nullcontext
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import reporting
+from freecad.sheetmorph import generations, reporting
 from freecad.sheetmorph.bridge import faults
 from freecad.sheetmorph.editing import transactions
 from freecad.sheetmorph.objects.errors import MorphError
@@ -133,9 +133,10 @@ def attempt(title: str, *lines: str, document=None) -> bool:
 
 
 def tell(title: str, error) -> None:
-    """Tells the user what went wrong, in the report view and in a box."""
+    """Tells the user what went wrong: in the report view, and as FreeCAD tells its own errors."""
     App.Console.PrintError(f"SheetMorph: {error}\n")
-    QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, str(error))
+    if not generations.shows_errors():
+        QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, str(error))
 
 
 class Cancelled(RuntimeError):

@@ -5,6 +5,8 @@ Found by what is there, never by the number of a version: a FreeCAD that somebod
 for itself.
 """
 
+import FreeCAD as App
+
 DRAGGERS = ("SoFCCSysDragger", "SoTransformDragger")
 """FreeCAD's dragger of arrows and arcs in Coin, until 1.0 and since 1.1, of the same fields."""
 
@@ -18,3 +20,12 @@ def take_gloss(view_object) -> None:
         material = view_object.ShapeAppearance[0]
         material.SpecularColor = (0.0, 0.0, 0.0)
         view_object.ShapeAppearance = (material,)
+
+
+def shows_errors() -> bool:
+    """Whether FreeCAD itself shows an error that is printed, in its notification area: since 1.0,
+    unless the user wants boxes that wait."""
+    wishes = App.ParamGet("User parameter:BaseApp/Preferences/NotificationArea")
+    entries = ("NotificationAreaEnabled", "NonIntrusiveNotificationsEnabled")
+    has_area = hasattr(App.Console, "PrintTranslatedUserError")
+    return has_area and all(wishes.GetBool(entry, True) for entry in entries)

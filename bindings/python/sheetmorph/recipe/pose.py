@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol, TypeGuard
 
 from .feature_entries import Vector, number_of, vector_of
 
@@ -23,7 +23,6 @@ class Rotation:
     radians: float
 
 
-@runtime_checkable
 class Moved(Protocol):
     """How one handle, form feature or point moves; None: as the recipe says. The workbench passes
     its own motions down to the kernel as such."""
@@ -37,6 +36,8 @@ class Moved(Protocol):
     def entry(self) -> dict[str, Any]:
         """The same as a recipe has it."""
 
+
+_MEMBERS = ("translation", "rotation", "pivot", "target", "size", "entry")
 
 Pose = dict[str, Any]
 """By name a Moved, or an entry of a recipe's pose."""
@@ -67,7 +68,7 @@ def entries_of(pose: Any) -> Any:
     """A pose as a recipe has it; what is none is left to the schema."""
     if not isinstance(pose, dict):
         return pose
-    return {k: one.entry() if isinstance(one, Moved) else one for k, one in pose.items()}
+    return {k: one.entry() if _has_form(one) else one for k, one in pose.items()}
 
 
 def rotation_of(value: Any) -> Rotation | None:
@@ -75,6 +76,12 @@ def rotation_of(value: Any) -> Rotation | None:
     if not isinstance(value, dict):
         return None
     return Rotation(vector_of(value["axis"]), math.radians(value["degrees"]))
+
+
+def _has_form(entry: Any) -> TypeGuard[Moved]:
+    """Whether something is a Moved. `isinstance` of a protocol with data fails inside FreeCAD since
+    Python 3.13."""
+    return all(hasattr(entry, name) for name in _MEMBERS)
 
 
 def _moved(entry: Any) -> Moved:
@@ -113,7 +120,7 @@ def _is_plain(entry: dict[str, Any]) -> bool:
 
 
 def _is_moved(entry: Any) -> bool:
-    if not isinstance(entry, Moved):
+    if not _has_form(entry):
         return False
     vectors = [v for v in (entry.translation, entry.pivot, entry.target) if v is not None]
     turn, size = entry.rotation, entry.size

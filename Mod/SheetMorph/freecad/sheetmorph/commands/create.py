@@ -126,12 +126,14 @@ class AddPart(Command):
 
     def possible(self) -> bool:
         """With a morph and a mesh or a shape selected."""
-        is_any = bool(subject.meshes() or subject.shapes() or subject.links())
-        return is_any and subject.assembly() is not None
+        return subject.assembly() is not None and subject.may_become_parts()
 
     def execute(self) -> None:
         """Adds all of them in one undo step."""
-        edge = ask_edge() if subject.shapes() else 0.0
+        shapes = subject.shapes()
+        if not (shapes or subject.meshes() or subject.links()):
+            raise ValueError(translate("SheetMorph_AddPart", "What is selected has no faces."))
+        edge = ask_edge() if shapes else 0.0
         before = set(App.ActiveDocument.Objects)
         if edge is not None and actions.attempt(
             "Add Part", *source_lines(name(subject.assembly()), edge)
