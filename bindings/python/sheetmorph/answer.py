@@ -36,7 +36,7 @@ class Answer:
     previews: tuple[str, ...] = ()
     unsettled: dict[str, str] = field(default_factory=dict)
     repairs: list[dict[str, Any]] = field(default_factory=list)
-    # Counted and measured when asked for, by part.
-    crossings: dict[str, tuple[int, ...]] = field(default_factory=dict)
-    quality: dict[str, dict[str, Any]] = field(default_factory=dict)
-    stretch: dict[str, dict[str, Any] | None] = field(default_factory=dict)
+    # Counted and measured when asked for, by part; an answer with other positions begins anew.
+    crossings: dict[str, tuple[int, ...]] = field(default_factory=dict, init=False)
+    quality: dict[str, dict[str, Any]] = field(default_factory=dict, init=False)
+    stretch: dict[str, dict[str, Any] | None] = field(default_factory=dict, init=False)

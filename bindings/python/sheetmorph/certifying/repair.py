@@ -47,8 +47,7 @@ def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Res
             slid = Sliding(surface, faces, stays, wanted.elements).slid()
             told.append(_entry(name, wanted.name, slid, positions[name]))
             positions[name] = slid.places
-    anew = {"crossings": {}, "quality": {}, "stretch": {}}
-    return replace(result, positions=positions, repairs=told, **anew)
+    return replace(result, positions=positions, repairs=told)
 
 
 def _entry(name: str, criteria: str, slid: Slid, before: np.ndarray) -> dict[str, Any]:
