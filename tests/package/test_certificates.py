@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from deck_samples import RADIOSS
+from sheetmorph import read_part
 from sheetmorph.certifying import NotCertified, Targets, certify, read_criteria, shipped
 from sheetmorph.certifying.quality import MEASURES, areas, measured, step_length
 from sheetmorph.cli import main
@@ -202,3 +204,21 @@ def test_every_shipped_set_is_sound_and_can_be_built_upon(tmp_path: Path):
     found = read_criteria(tmp_path / "c.json")
     assert found.elements["aspect"] == {"max": 3} and found.target == 0.0005
     assert found.elements["skew"] == {"max": 60}
+
+
+def test_a_written_deck_is_read_again_once_and_anew_when_it_changes(tmp_path, monkeypatch):
+    path = tmp_path / "deck_0000.rad"
+    path.write_bytes(RADIOSS)
+    file = read_part(path)
+    reads = []
+    kept = file.stored_deck
+    monkeypatch.setattr(file, "stored_deck", lambda place: reads.append(place) or kept(place))
+    target = tmp_path / "out" / "deck_0000.rad"
+    target.parent.mkdir()
+    for shift in (0.25, 0.5):
+        file.write(target, file.mesh.points + shift)
+        for _ in range(2):
+            assert np.allclose(file.stored_positions(target), file.mesh.points + shift)
+    assert reads == [target, target]
+    target.write_bytes(RADIOSS + b"#\n")
+    assert np.array_equal(file.stored_positions(target), file.mesh.points)

@@ -212,8 +212,7 @@ def _told_again(source: Source, folder: Path) -> list[dict[str, Any]]:
     """What a deck that was written tells of what hangs on its parts; nothing of other files."""
     if not isinstance(source.file, DeckFile):
         return []
-    deck = source.file.stored_deck(folder / source.file.output_name)
-    told = source.file.told_of(deck.points)
+    told = source.file.told_of(source.file.stored_nodes(folder / source.file.output_name))
     return [told] if told else []
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -50,6 +50,7 @@ class DeckFile(PartFile):
         self.settings: Mapping[str, Any] = {}
         self._passengers: Passengers | None = None
         self._last: tuple[np.ndarray, Carried] | None = None
+        self._stored: tuple[list[tuple[int, ...]], np.ndarray] | None = None
 
     @property
     def files_read(self) -> list[Path]:
@@ -93,6 +94,7 @@ class DeckFile(PartFile):
             self.deck.save(self._all(positions), 0, out)
 
     def write_into(self, files: FileSet, path: Path, positions: np.ndarray) -> Path:
+        self._stored = None
         checked = self._all(self._checked(positions))
         self._require_free(checked)
         if self.is_wide and self.deck.form == "Nastran" and self.precision == "8 characters":
@@ -212,17 +214,37 @@ class DeckFile(PartFile):
         return {"card": place.card, "id": place.number, "file": name, "line": place.line + 1}
 
     def stored_positions(self, path: Path) -> np.ndarray:
-        return self.stored_deck(path).points[self.sheet.nodes]
+        return self.stored_nodes(path)[self.sheet.nodes]
+
+    def stored_nodes(self, path: Path) -> np.ndarray:
+        """(n, 3) all nodes of the deck as it was written; the same files are read again once."""
+        state = _state_of(self._written_at(path).values())
+        if self._stored is None or not state or self._stored[0] != state:
+            self._stored = state, self.stored_deck(path).points
+        return self._stored[1]
 
     def _read_again(self, path: Path) -> Deck:
-        """The deck as it was written at `path`, its includes at their places or still unnamed."""
+        """The deck as it was written at `path`."""
+        written = self._written_at(path)
+        return read_deck(self.path, lambda asked: read_bytes(written.get(asked, asked)))
+
+    def _written_at(self, path: Path) -> dict[Path, Path]:
+        """Where its files were written, includes at their places or still unnamed."""
         texts = self.deck.texts
         places = dict(zip((text.path for text in texts), output_places(texts, path)))
-        written = {**places, **self._written} if self._is_unnamed(path) else places
-        return read_deck(self.path, lambda asked: read_bytes(written.get(asked, asked)))
+        return {**places, **self._written} if self._is_unnamed(path) else places
 
     def _is_unnamed(self, path: Path) -> bool:
         return self._written.get(self.path) == path
+
+
+def _state_of(places: Iterable[Path]) -> list[tuple[int, ...]]:
+    """What tells files from others of the same names; nothing if one is missing."""
+    try:
+        found = [place.stat() for place in places]
+    except OSError:
+        return []
+    return [(one.st_dev, one.st_ino, one.st_mtime_ns, one.st_size) for one in found]
 
 
 def _broken_text(joint: Mapping[str, Any]) -> str:
