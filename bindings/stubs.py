@@ -11,7 +11,7 @@ from pathlib import Path
 from types import ModuleType
 
 HEAD = """# Made at build time by bindings/stubs.py from the compiled module.
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Optional, Union
 
 import numpy as np
@@ -34,8 +34,11 @@ def loaded(path: Path) -> ModuleType:
 
 def plain(text: str, module: str) -> str:
     """A type as a stub writes it; Any for what is none in Python."""
-    text = text.strip().replace(f"{module}.", "")
-    text = re.sub(r"numpy\.ndarray\[numpy\.(\w+)\]", r"NDArray[np.\1]", text)
+    text = re.sub(rf"{module}\.|sheetmorph::", "", text.strip())
+    text = re.sub(
+        r"numpy\.ndarray\[numpy\.(\w+)(\[[^]]*\])?(, flags\.\w+)?\]", r"NDArray[np.\1]", text
+    )
+    text = re.sub(r"\b(int|float)\[\d+\]", r"\1", text)  # a list of so many
     text = text.replace("List[", "list[").replace("Tuple[", "tuple[").replace("Dict[", "dict[")
     text = BARE.get(text, text)
     try:
@@ -43,6 +46,11 @@ def plain(text: str, module: str) -> str:
     except SyntaxError:
         return "Any"
     return text
+
+
+def given(text: str, module: str) -> str:
+    """The type of what is passed: what takes a list takes a tuple too."""
+    return re.sub(r"\blist\[", "Sequence[", plain(text, module))
 
 
 def pieces(arguments: str) -> list[str]:
@@ -63,7 +71,7 @@ def argument(text: str, module: str) -> str:
     if name.startswith("*") or name == "self" or not rest:
         return name
     kind, has_default, _ = rest.partition(" = ")
-    return f"{name}: {plain(kind, module)}" + (" = ..." if has_default else "")
+    return f"{name}: {given(kind, module)}" + (" = ..." if has_default else "")
 
 
 def function(name: str, doc: str, module: str, indent: str = "") -> list[str]:
@@ -87,8 +95,15 @@ def value(name: str, member: property, module: str) -> list[str]:
     kind = plain(found.group(1), module) if found else "Any"
     lines = ["    @property", f"    def {name}(self) -> {kind}: ..."]
     if member.fset is not None:
-        lines += [f"    @{name}.setter", f"    def {name}(self, value: Any) -> None: ..."]
+        mark = SIGNATURE.search(re.sub(r"^\(", "set(", member.fset.__doc__ or ""))
+        kind = given(pieces(mark.group(2))[1].partition(":")[2], module) if mark else "Any"
+        lines += [f"    @{name}.setter", f"    def {name}(self, value: {kind}) -> None: ..."]
     return lines
+
+
+def is_made(key: str, member: object) -> bool:
+    """Whether this is the constructor of a class that has one."""
+    return key == "__init__" and SIGNATURE.search(member.__doc__ or "") is not None
 
 
 def described(name: str, thing: type, module: str) -> list[str]:
@@ -99,7 +114,7 @@ def described(name: str, thing: type, module: str) -> list[str]:
     for key, member in sorted(vars(thing).items()):
         if isinstance(member, property):
             lines += value(key, member, module)
-        elif callable(member) and (key == "__init__" and member.__doc__ or not key.startswith("_")):
+        elif callable(member) and (not key.startswith("_") or is_made(key, member)):
             lines += function(key, member.__doc__, module, "    ")
     return lines if len(lines) > 1 else [f"{lines[0]} ..."]
 

@@ -25,7 +25,8 @@ LINES_OF_A_FAILURE = 400
 # How the runners name a test that failed: ctest, pytest, unittest, the GUI tests.
 FAILURE = re.compile(r"^\s*\d+ - .*\((Failed|SEGFAULT|Timeout)|^(FAILED|ERROR|FAIL)[ :]")
 SECOND_TRY = re.compile(r"^SECOND TRY (\S+)")
-FORMATTED_BY = {"clang-format": "14", "black": "23"}  # of Debian 12; others break lines otherwise
+# Of Debian 12: others break lines otherwise, or know other types of numpy.
+CHECKED_BY = {"clang-format": "14", "black": "23", "mypy": "1.0"}
 LONGEST_SUITE = 3600  # seconds, then it hangs
 FUZZED = "SHEETMORPH_FUZZ_SECONDS"
 LONGEST_OF_ALL = 4 * 3600  # of those that take an hour of the processor
@@ -165,21 +166,23 @@ class Suites:
         return self._pytest("real", ["tests/real"], self.staged)
 
     def style(self) -> Count:
-        """Formatting, names and habits of both languages; one test a checker."""
+        """Formatting, names, habits and types; one test a checker."""
         cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
         python = sources((".py",), ("bindings", "Mod", "resources", "tests"))
         checkers = {
             "clang-format": ["clang-format", "--dry-run", "-Werror", *cpp],
             "black": [PYTHON, "-m", "black", "--check", "--line-length", "100", *python],
+            "mypy": ["mypy", "--python-executable", PYTHON, "--package", "sheetmorph"]
+            + ["--cache-dir", str(self.build / "mypy")],
         }
         checks, skipped = [[PYTHON, "-m", "flake8", *python]], Count()
         for name, check in checkers.items():
-            if formats_as_here(name):
+            if judges_as_here(name):
                 checks.append(check)
             else:
-                print(f"skipped: this {name} formats otherwise than {FORMATTED_BY[name]}.x")
+                print(f"skipped: this {name} judges otherwise than {CHECKED_BY[name]}.x")
                 skipped += Count(skipped=1)
-        return self._checked(checks) + skipped
+        return self._checked(checks, MYPYPATH=str(self.staged)) + skipped
 
     def tidy(self) -> Count:
         """clang-tidy over the kernel and the bindings: minutes, so not among the default suites."""
@@ -220,10 +223,10 @@ class Suites:
         )
         return read_junit(report, f"no test ran in {paths[0]}")
 
-    def _checked(self, checks: list[list[str]]) -> Count:
+    def _checked(self, checks: list[list[str]], **settings: str) -> Count:
         total = Count()
         for check in checks:
-            code, _ = self._call(check)
+            code, _ = self._call(check, **settings)
             total += Count(passed=1) if code == 0 else Count(failed=1)
         return total
 
@@ -288,14 +291,14 @@ def python_with_sanitizers() -> dict[str, str]:
     }
 
 
-def formats_as_here(name: str) -> bool:
-    """Whether a formatter is of the version whose way the sources have; True if it is missing."""
+def judges_as_here(name: str) -> bool:
+    """Whether a checker is of the version whose way the sources have; True if it is missing."""
     try:
         said = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
     except OSError:
         return True  # the check itself says so
-    version = re.search(r"(\d+)\.\d", said)
-    return version is None or version.group(1) == FORMATTED_BY[name]
+    version = re.search(r"\d+\.\d+", said)
+    return version is None or f"{version.group()}.".startswith(f"{CHECKED_BY[name]}.")
 
 
 def sources(endings: tuple[str, ...], folders: tuple[str, ...]) -> list[str]:

@@ -8,6 +8,7 @@ import ast
 from pathlib import Path
 
 Graph = dict[str, set[str]]
+COMPILED = {"_core", "_cad", "_coin"}  # they import nothing of the package
 
 
 def module_name(path: Path, root: Path) -> str:
@@ -41,6 +42,8 @@ def import_graph(root: Path, name: str) -> Graph:
         package = package if path.name == "__init__.py" else package[:-1]
         for node in ast.walk(ast.parse(path.read_text())):
             for start, taken in imported(node, package, name):
+                if taken in COMPILED:
+                    continue
                 whole = f"{start}.{taken}".lstrip(".")
                 graph[module].add(whole if whole in paths else start)
     return {module: (found & set(paths)) - {module} for module, found in graph.items()}

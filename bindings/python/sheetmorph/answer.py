@@ -4,13 +4,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
 
+from .arrays import Floats
 from .preprocessed import Preprocessed
 from .recipe.pose import Pose
 from .results import ContactResult, FeatureResult
+
+if TYPE_CHECKING:
+    from . import _core
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,17 +29,17 @@ class Answer:
     """
 
     session: Preprocessed
-    positions: dict[str, np.ndarray]
+    positions: dict[str, Floats]
     features: list[FeatureResult]
     contacts: list[ContactResult]
     spread: float
     pose: Pose
-    deformed: Any
+    deformed: _core.Deformed
     lumps: list[FeatureResult] = field(default_factory=list)
     previews: tuple[str, ...] = ()
     unsettled: dict[str, str] = field(default_factory=dict)
     repairs: list[dict[str, Any]] = field(default_factory=list)
     # Counted and measured when asked for, by part; an answer with other positions begins anew.
-    crossings: dict[str, tuple[int, ...]] = field(default_factory=dict, init=False)
+    crossings: dict[str, tuple[int, int]] = field(default_factory=dict, init=False)
     quality: dict[str, dict[str, Any]] = field(default_factory=dict, init=False)
     stretch: dict[str, dict[str, Any] | None] = field(default_factory=dict, init=False)

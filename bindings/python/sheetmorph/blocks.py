@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from .arrays import Floats
+
 # Rows that are worked on at once.
 CHUNK = 1 << 14
 
@@ -16,7 +18,7 @@ def chunks(count: int) -> Iterator[slice]:
     return (slice(at, min(at + CHUNK, count)) for at in range(0, count, CHUNK))
 
 
-def in_blocks(work: Callable[[slice], np.ndarray], count: int) -> np.ndarray:
+def in_blocks(work: Callable[[slice], Floats], count: int) -> Floats:
     """(count, ...) what work makes of slices that cover 0 .. count, put together."""
     first = work(slice(0, min(CHUNK, count)))
     if len(first) == count:

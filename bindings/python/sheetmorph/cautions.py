@@ -88,7 +88,7 @@ def _unheld_primary(session: Preprocessed) -> Iterator[str]:
     model, primary = session.model, session.model.primary
     movers = [e for k in ("handle", "point") for e in model.of_kind(k) if e.part == primary]
     others = {entry.part for entry in model.of_kind("fixed")} - {primary, *session.unreached}
-    if others and len(movers) == 1 and not session.is_held(primary):
+    if primary and others and len(movers) == 1 and not session.is_held(primary):
         names = ", ".join(f'"{name}"' for name in sorted(others))
         yield (
             f'nothing of its own holds the primary part "{primary}": it moves as one piece, and '

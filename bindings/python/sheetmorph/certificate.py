@@ -7,10 +7,11 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from .arrays import Floats, Ints
 from .part_mesh import PartMesh
 
 
-def tolerance(size: float, arrays: Iterable[np.ndarray]) -> float:
+def tolerance(size: float, arrays: Iterable[Floats]) -> float:
     """1e-12 size + 8 eps max|coordinate|, mm.
 
     arrays: (n, 3) each, all positions at rest and deformed.
@@ -19,7 +20,7 @@ def tolerance(size: float, arrays: Iterable[np.ndarray]) -> float:
     return 1e-12 * size + 8.0 * float(np.finfo(np.float64).eps) * largest
 
 
-def feature_edges(mesh: PartMesh, vertices: np.ndarray) -> np.ndarray:
+def feature_edges(mesh: PartMesh, vertices: Ints) -> Ints:
     """Edges (e, 2) of a form feature: the mesh's inside it, and each vertex with the first one.
 
     vertices (k,): indices. The latter so that loose vertices are looked at, too.
@@ -30,12 +31,11 @@ def feature_edges(mesh: PartMesh, vertices: np.ndarray) -> np.ndarray:
     pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     pairs = np.unique(np.sort(pairs[inside[pairs].all(axis=1)], axis=1), axis=0)
     spokes = np.stack([np.full(len(vertices) - 1, vertices[0]), vertices[1:]], axis=1)
-    return np.concatenate([pairs, spokes]).astype(np.int64)
+    found: Ints = np.concatenate([pairs, spokes]).astype(np.int64)
+    return found
 
 
-def edge_error(
-    rest: np.ndarray, positions: np.ndarray, edges: np.ndarray, rotation: np.ndarray
-) -> float:
+def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats) -> float:
     """Worst |p_i - p_j - R (p_hat_i - p_hat_j)| over edges (e, 2), mm (2.4).
 
     rest, positions: (n, 3), at rest with the sizes that form features have; rotation: (3, 3).

@@ -67,7 +67,10 @@ def _deck_options(wanted: argparse.Namespace) -> contextlib.AbstractContextManag
 
 def _input_of(wanted: argparse.Namespace) -> str:
     files = getattr(wanted, "files", None)
-    return files[0] if files else getattr(wanted, "recipe", getattr(wanted, "file", wanted.command))
+    found: str = (
+        files[0] if files else getattr(wanted, "recipe", getattr(wanted, "file", wanted.command))
+    )
+    return found
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> None:
@@ -108,7 +111,7 @@ def _say(lines: list[str]) -> None:
             sys.stdout.flush()
     except (OSError, ValueError) as error:
         # What is left in the buffer would fail again at exit.
-        sys.stdout = None
+        sys.stdout = None  # type: ignore[assignment]  # as Python itself has it without a console
         if not isinstance(error, BrokenPipeError):
             _complain(f"done, but stdout cannot be written ({error})")
 

@@ -58,5 +58,5 @@ def certified(
 
 def certified_run(wanted: argparse.Namespace) -> list[str]:
     """What `run --certify` does once the parts are written."""
-    places = tuple(str(Path(wanted.output) / name) for name in NAMES)
-    return certified(wanted.recipe, wanted.output, wanted.criteria, places)
+    json, page = (str(Path(wanted.output) / name) for name in NAMES)
+    return certified(wanted.recipe, wanted.output, wanted.criteria, (json, page))

@@ -25,7 +25,7 @@ def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[st
 
 def _parts(report: dict[str, Any]) -> list[str]:
     """The parts that moved farthest."""
-    parts = sorted(report["parts"], key=lambda part: -part["largest_displacement"])
+    parts = sorted(report["parts"], key=lambda part: -float(part["largest_displacement"]))
     features = [feature["part"] for feature in report["features"]]
     rows = [("part", "vertices", "moved, mm", "features", "strain", "thickness")]
     for part in parts[:_MOST]:
@@ -59,7 +59,7 @@ def _shapes(report: dict[str, Any]) -> Iterator[str]:
 
 def _contacts(report: dict[str, Any]) -> list[str]:
     """The contacts that opened or closed most."""
-    contacts = sorted(report["contacts"], key=lambda contact: -contact["gap_change"])
+    contacts = sorted(report["contacts"], key=lambda contact: -float(contact["gap_change"]))
     lines = [
         f"{contact['name']}: {contact['source']} drives {contact['target']}, gap change "
         f"{contact['gap_change']:.2g} mm"

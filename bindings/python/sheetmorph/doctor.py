@@ -22,7 +22,8 @@ _NEAR = 1e-6
 def schema() -> dict[str, Any]:
     """The published JSON Schema of what the command `doctor` prints."""
     text = resources.files("sheetmorph").joinpath("doctor.schema.json").read_text("utf-8")
-    return json.loads(text)
+    found: dict[str, Any] = json.loads(text)
+    return found
 
 
 def diagnose_files(files: list[str | Path], tolerance: float | None = None) -> dict[str, Any]:
@@ -86,7 +87,8 @@ _COUNTS = (
 
 def _kind(pieces: list[Any]) -> str:
     kinds = {piece.kind for piece in pieces}
-    return kinds.pop() if len(kinds) == 1 else "mixed" if kinds else "empty"
+    found: str = kinds.pop() if len(kinds) == 1 else "mixed" if kinds else "empty"
+    return found
 
 
 def _piece(piece: Any) -> dict[str, Any]:
@@ -112,7 +114,10 @@ def _thickness(pieces: list[Any]) -> float | None:
         return None
     most = areas.most_common(1)[0][0]
     thin = [piece for piece in pieces if piece.kind == "thin solid"]
-    return min((piece.thickness for piece in thin), key=lambda t: abs(t - most))
+    found: float | None = min(
+        (piece.thickness for piece in thin), key=lambda t: abs(float(t) - most)
+    )
+    return found
 
 
 def _unit(size: float) -> dict[str, Any]:

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from .arrays import Array, Ints
+
 
 @dataclass(frozen=True)
 class CadFace:
@@ -29,16 +31,16 @@ class Labels:
     by name; face: (m,) index into ``faces`` of every triangle, None where no CAD face is known.
     """
 
-    groups: Mapping[str, np.ndarray] = field(default_factory=dict)
+    groups: Mapping[str, Ints] = field(default_factory=dict)
     nodes: Mapping[str, Sequence[int]] = field(default_factory=dict)
-    face: np.ndarray | None = None
+    face: Ints | None = None
     faces: tuple[CadFace, ...] = ()
 
-    def with_groups(self, groups: Mapping[str, np.ndarray]) -> Labels:
+    def with_groups(self, groups: Mapping[str, Ints]) -> Labels:
         """The same with more groups of triangles."""
         return replace(self, groups={**self.groups, **groups})
 
-    def carried(self, triangle_of: np.ndarray) -> Labels:
+    def carried(self, triangle_of: Ints) -> Labels:
         """The labels of another mesh each of whose triangles (m,) comes from one of this mesh.
 
         Groups that have no triangle there are left out.
@@ -58,7 +60,7 @@ class Labels:
         face = None if self.face is None else self.face[triangle_of]
         return replace(self, groups=groups, face=face)
 
-    def arrays(self) -> dict[str, np.ndarray]:
+    def arrays(self) -> dict[str, Array]:
         """The labels as arrays, for an .npz."""
         names = {"groups": list(self.groups), "nodes": list(self.nodes)}
         members = [*self.groups.values(), *self.nodes.values()]
@@ -72,7 +74,7 @@ class Labels:
         }
 
     @classmethod
-    def of_arrays(cls, data: Mapping[str, np.ndarray]) -> Labels | None:
+    def of_arrays(cls, data: Mapping[str, Array]) -> Labels | None:
         """The labels that arrays() gave; None where there are none."""
         if "label_names" not in data:
             return None
@@ -90,7 +92,7 @@ class Labels:
         return [*self.groups, *self.nodes]
 
 
-def by_key(keys: Iterable[str], values: np.ndarray) -> dict[str, np.ndarray]:
+def by_key(keys: Iterable[str], values: Ints) -> dict[str, Ints]:
     """Rows by name of (m,) values; keys: the name of every value that occurs, ascending."""
     order = np.argsort(values, kind="stable")
     _, first = np.unique(values[order], return_index=True)

@@ -8,8 +8,9 @@ import os
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
+from .arrays import Ids
 from .errors import Fault, RecipeError
 from .files.atomic import FileSet
 from .files import unpacked_name
@@ -19,8 +20,14 @@ from .recipe import check_with_meshes
 from .recipe.model import model_of
 from .recipe.parts import Parts, read_parts
 from .running import run
+from .selecting.words import Region, Vector
 from .session import Result, Session
 from .words import counted
+
+# A part, None for the only one, and a region of it.
+Side = tuple[str | None, Region]
+# "auto" with options or without, or the entries.
+Section = str | dict[str, Any] | list[dict[str, Any]] | None
 
 _SECTIONS = {
     "fixed": ("fixed region", "fixed regions"),
@@ -61,31 +68,31 @@ class Morph:
         """The names of its parts."""
         return [entry.name for entry in self._read.entries]
 
-    def fix(self, where: Any, part: str | None = None, **keys: Any) -> Morph:
+    def fix(self, where: Region, part: str | None = None, **keys: Any) -> Morph:
         """Vertices that stay; returns the morph itself, as all that add something do."""
         return self._add("fixed", {**self._region(where, part), **keys})
 
-    def handle(self, where: Any, name: str, part: str | None = None, **keys: Any) -> Morph:
+    def handle(self, where: Region, name: str, part: str | None = None, **keys: Any) -> Morph:
         """Vertices that move() moves as one rigid body."""
         return self._add("handles", {"name": name, **self._region(where, part), **keys})
 
-    def feature(self, where: Any, part: str | None = None, **keys: Any) -> Morph:
+    def feature(self, where: Region, part: str | None = None, **keys: Any) -> Morph:
         """Vertices that keep their form; keys: name, rotation, motion, size."""
         return self._add("features", {**self._region(where, part), **keys})
 
-    def contact(self, a: Any, b: Any, type: str = "control mesh", **keys: Any) -> Morph:
+    def contact(self, a: Side, b: Side, type: str = "control mesh", **keys: Any) -> Morph:
         """Two parts that stay together, each side as (part, where)."""
         sides = {key: self._region(where, part) for key, (part, where) in (("a", a), ("b", b))}
         return self._add("contacts", {"type": type, **sides, **keys})
 
-    def find(self, features: Any = "auto", contacts: Any = "auto") -> Morph:
+    def find(self, features: Section = "auto", contacts: Section = "auto") -> Morph:
         """All features and contacts that are found, in place of those listed; None: as they are."""
         for section, value in (("features", features), ("contacts", contacts)):
             if value is not None:
                 self.recipe[section] = value
         return self._changed()
 
-    def move(self, handle: str, translation: Any = None, **keys: Any) -> Morph:
+    def move(self, handle: str, translation: Vector | None = None, **keys: Any) -> Morph:
         """A handle's motion: translation (mm), rotation as in a recipe, or axis and degrees."""
         if "axis" in keys or "degrees" in keys:
             keys["rotation"] = {"axis": list(keys.pop("axis")), "degrees": keys.pop("degrees")}
@@ -123,16 +130,16 @@ class Morph:
         with tempfile.TemporaryDirectory(prefix="sheetmorph-") as place:
             recipe = Path(place) / "recipe.json"
             recipe.write_text(json.dumps(self._seen_from(None)), "utf-8")
-            return run(recipe, folder)
+            return run(recipe, Path(folder))
 
-    def _region(self, where: Any, part: str | None) -> dict[str, Any]:
+    def _region(self, where: Region, part: str | None) -> dict[str, Any]:
         if part is None and len(self.parts) != 1:
             names = ", ".join(f'"{name}"' for name in self.parts)
             todo = f"pass part=, one of {names}"
             raise RecipeError([Fault("part", "there are several parts", todo)])
         is_ids = not isinstance(where, dict) and all(hasattr(v, "__index__") for v in where)
         key = "vertices" if is_ids else "where"
-        value = [int(v) for v in where] if is_ids else where
+        value = list(map(int, cast("Ids", where))) if is_ids else where
         return {"part": self.parts[0] if part is None else part, key: value}
 
     def _add(self, section: str, entry: dict[str, Any]) -> Morph:

@@ -10,10 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from .arrays import Array, Floats, Ids, Ints
 from .labels import Labels
 
 
-def _of_kind(values: object, kinds: str, name: str) -> np.ndarray:
+def _of_kind(values: object, kinds: str, name: str) -> Array:
     """The values as an array of numbers of some numpy kinds. Raises ValueError."""
     array = np.asarray(values)
     if array.size and array.dtype.kind not in kinds:
@@ -22,7 +23,7 @@ def _of_kind(values: object, kinds: str, name: str) -> np.ndarray:
     return array if array.size else array.astype(np.int64)
 
 
-def _as_int64(ids: Sequence[int]) -> np.ndarray:
+def _as_int64(ids: Ids) -> Ints:
     """The ids (k,); those that no file can have become the largest int64, which none has either."""
     try:
         return np.asarray(ids, dtype=np.int64)
@@ -42,9 +43,9 @@ class PartMesh:
     ids.
     """
 
-    points: np.ndarray
-    triangles: np.ndarray
-    ids: np.ndarray | None = None
+    points: Floats
+    triangles: Ints
+    ids: Ints | None = None
     name: str = ""
     labels: Labels | None = None
     thickness: float = 0.0
@@ -60,7 +61,7 @@ class PartMesh:
         if self.ids is not None:
             ids = np.ascontiguousarray(_of_kind(self.ids, "iu", "ids"), dtype=np.int64)
             object.__setattr__(self, "ids", ids)
-            self._check_ids()
+            self._check_ids(ids)
 
     def __repr__(self) -> str:
         kind, name = type(self).__name__, f' "{self.name}"' if self.name else ""
@@ -78,15 +79,13 @@ class PartMesh:
         if triangles.size and (triangles.min() < 0 or triangles.max() >= len(points)):
             raise ValueError(f"a triangle names a vertex outside 0 .. {len(points) - 1}")
 
-    def _check_ids(self) -> None:
-        if self.ids.shape != (len(self.points),):
-            raise ValueError(
-                f"ids must be one per vertex ({len(self.points)}), not {self.ids.shape}"
-            )
-        if len(np.unique(self.ids)) != len(self.ids):
+    def _check_ids(self, ids: Ints) -> None:
+        if ids.shape != (len(self.points),):
+            raise ValueError(f"ids must be one per vertex ({len(self.points)}), not {ids.shape}")
+        if len(np.unique(ids)) != len(ids):
             raise ValueError("two vertices have the same id")
 
-    def find(self, ids: Sequence[int], prepared: bool = False) -> tuple[np.ndarray, list[int]]:
+    def find(self, ids: Ids, prepared: bool = False) -> tuple[Ints, list[int]]:
         """Indices (k,) int32 of the vertices with these file ids, and the ids that do not exist.
 
         prepared: they are those of the mesh that is deformed, which count from 0.
@@ -96,7 +95,7 @@ class PartMesh:
             indices = wanted
             found = (wanted >= 0) & (wanted < len(self.points))
         else:
-            order, ordered = self._ordered_ids()
+            order, ordered = self._ordered_ids(self.ids)
             places = np.searchsorted(ordered, wanted)
             found = places < len(ordered)
             found[found] = ordered[places[found]] == wanted[found]
@@ -104,20 +103,20 @@ class PartMesh:
         missing = [int(ids[k]) for k in np.flatnonzero(~found)]
         return indices[found].astype(np.int32), missing
 
-    def _ordered_ids(self) -> tuple[np.ndarray, np.ndarray]:
+    def _ordered_ids(self, ids: Ints) -> tuple[Ints, Ints]:
         """Indices (n,) in the order of the ids, and the ids in that order."""
         cached = self.__dict__.get("_order")
         if cached is None:
-            order = np.argsort(self.ids, kind="stable")
-            cached = order, self.ids[order]
+            order = np.argsort(ids, kind="stable")
+            cached = order, ids[order]
             object.__setattr__(self, "_order", cached)
         return cached
 
-    def file_ids(self, indices: Sequence[int]) -> list[int]:
+    def file_ids(self, indices: Ids) -> list[int]:
         """File ids of the vertices with these indices."""
-        if self.ids is None:
-            return np.asarray(indices, dtype=np.int64).tolist()
-        return self.ids[np.asarray(indices, dtype=np.int64)].tolist()
+        rows = np.asarray(indices, dtype=np.int64)
+        found: list[int] = (rows if self.ids is None else self.ids[rows]).tolist()
+        return found
 
     @property
     def preparation(self) -> dict[str, Any] | None:
@@ -135,9 +134,10 @@ class PartMesh:
         """Triangle and barycentric coordinates here of a point on a triangle of the file."""
         return triangle, barycentric
 
-    def restricted(self, vertices: np.ndarray, corners: np.ndarray, name: str) -> PartMesh:
+    def restricted(self, vertices: Ints, corners: Ints, name: str) -> PartMesh:
         """Some of its vertices (k,), and triangles (m, 3) over them; the ids stay."""
-        return PartMesh(self.points[vertices], corners, np.array(self.file_ids(vertices)), name)
+        ids = np.array(self.file_ids(vertices), dtype=np.int64)
+        return PartMesh(self.points[vertices], corners, ids, name)
 
     def with_indices(self) -> PartMesh:
         """The same mesh alone, its vertices called by their indices, in its labels too."""

@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .arrays import Floats, Ids, Ints
 from .labels import Labels
 from .part_mesh import PartMesh
 from .progress import Progress
+
+if TYPE_CHECKING:
+    from . import _core
 
 # Barycentric coordinates below it count as zero: the vertex lies on the edge or the corner.
 _ON_EDGE = 1e-9
@@ -48,10 +52,10 @@ class PreparedMesh(PartMesh):
     source the one in or nearest its place, -1 if there is none; done: for the report.
     """
 
-    source: PartMesh | None = None  # in mm
-    support: np.ndarray | None = None
-    vertex_of: np.ndarray | None = None
-    done: dict[str, Any] | None = None
+    source: PartMesh = field(kw_only=True)  # in mm
+    support: Ints = field(kw_only=True)
+    vertex_of: Ints = field(kw_only=True)
+    done: dict[str, Any] | None = field(kw_only=True)
 
     @property
     def preparation(self) -> dict[str, Any] | None:
@@ -61,7 +65,7 @@ class PreparedMesh(PartMesh):
     def file_triangle_count(self) -> int:
         return len(self.source.triangles)
 
-    def find(self, ids: Sequence[int], prepared: bool = False) -> tuple[np.ndarray, list[int]]:
+    def find(self, ids: Ids, prepared: bool = False) -> tuple[Ints, list[int]]:
         """Vertices between the ones with these ids, and those nearest to them: (j,) int32."""
         if prepared:
             return super().find(ids, prepared)
@@ -73,7 +77,7 @@ class PreparedMesh(PartMesh):
         between = np.flatnonzero(chosen[self.support].all(axis=1))
         return np.union1d(between, nearest[nearest >= 0]).astype(np.int32), missing
 
-    def file_ids(self, indices: Sequence[int]) -> list[int]:
+    def file_ids(self, indices: Ids) -> list[int]:
         """The id of a vertex of the file in or beside the place of each."""
         return self.source.file_ids(self.support[np.asarray(indices, dtype=np.int64), 0])
 
@@ -88,7 +92,7 @@ class PreparedMesh(PartMesh):
         hit = core.PickingTree(core.TriangleMesh(self.points, self.triangles)).nearest_point(place)
         return hit.triangle, tuple(hit.barycentric)
 
-    def restricted(self, vertices: np.ndarray, corners: np.ndarray, name: str) -> PartMesh:
+    def restricted(self, vertices: Ints, corners: Ints, name: str) -> PartMesh:
         """Some of its vertices, and triangles (m, 3) over them."""
         number = np.full(len(self.points) + 1, -1)
         number[vertices] = np.arange(len(vertices))
@@ -105,7 +109,7 @@ class PreparedMesh(PartMesh):
 
 def prepared_mesh(
     core: ModuleType, mesh: PartMesh, wanted: Wanted, progress: Progress | None = None
-) -> tuple[PartMesh, np.ndarray]:
+) -> tuple[PartMesh, Ints]:
     """The mesh after scale, weld and remesh (scale alone changes no triangle), and of each of
     its triangles (m,) that of the file.
 
@@ -145,7 +149,7 @@ def prepared_mesh(
 
 
 def _labels(
-    core: ModuleType, mesh: PartMesh, made: tuple[np.ndarray, np.ndarray], triangle_of: np.ndarray
+    core: ModuleType, mesh: PartMesh, made: tuple[Floats, Ints], triangle_of: Ints
 ) -> Labels | None:
     """The labels of a mesh on the triangles made of it, each by the facet below its middle.
 
@@ -196,7 +200,7 @@ def _is_round(wanted: Wanted) -> bool:
     return wanted.rims == "circle"
 
 
-def _first_of(cure: Any) -> np.ndarray:
+def _first_of(cure: _core.CuredMesh) -> Ints:
     """(k,) of every vertex after the weld: the first vertex of the file in its place."""
     first = np.full(len(cure.points), -1)
     old = np.flatnonzero(cure.vertex_of >= 0)[::-1]
@@ -204,18 +208,18 @@ def _first_of(cure: Any) -> np.ndarray:
     return first
 
 
-def _corners_below(fresh: Any, triangles: np.ndarray) -> np.ndarray:
+def _corners_below(fresh: _core.RemeshedMesh, triangles: Ints) -> Ints:
     """(n, 4) the nearest corner of the facet below each vertex, then the corners with a weight."""
     return _with_weight(triangles[fresh.triangle], fresh.barycentric, _ON_EDGE)
 
 
-def _with_weight(corners: np.ndarray, weights: np.ndarray, least: float) -> np.ndarray:
+def _with_weight(corners: Ints, weights: Floats, least: float) -> Ints:
     """(n, 4) the nearest corner, then the corners (n, 3) with more than a least weight."""
     most = corners[np.arange(len(corners)), weights.argmax(axis=1)]
     return np.column_stack([most, np.where(weights > least, corners, most[:, None])])
 
 
-def _told(fresh: Any, wanted: Wanted) -> dict[str, Any]:
+def _told(fresh: _core.RemeshedMesh, wanted: Wanted) -> dict[str, Any]:
     return {
         "edge": wanted.edge,
         "rims": wanted.rims,

@@ -5,10 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from .arrays import Floats, Ints
 from .certificate import feature_edges
 from .kernel import load_kernel
 from .part_mesh import PartMesh
@@ -19,6 +21,9 @@ from .recipe.model import Model, RegionEntry
 from .results import FeatureResult
 from .strain import EdgeChanges
 from .translation import Translator, kernel_faults
+
+if TYPE_CHECKING:
+    from . import _core
 
 _MOST_SAMPLES = 400
 
@@ -52,13 +57,15 @@ class Preprocessed:
         self.meshes = {part.name: meshes[part.name] for part in model.parts}
         self._core = load_kernel()
         self._rest_gaps: dict[str, float] = {}
-        self._feature_edges: dict[str, np.ndarray] = {}
+        self._feature_edges: dict[str, Ints] = {}
         self._edge_changes: dict[str, EdgeChanges] = {}
         with kernel_faults(self._core):
             self._translator = Translator(self._core, model, self.meshes)
             assembly = self._translator.assembly()
             earlier = None if previous is None else previous._kernel
-            self._kernel = self._core.DeformationSession(assembly, progress, earlier)
+            self._kernel: _core.DeformationSession = self._core.DeformationSession(
+                assembly, progress, earlier
+            )
 
     @property
     def model(self) -> Model:
@@ -66,7 +73,7 @@ class Preprocessed:
         return self._model
 
     @property
-    def core(self) -> Any:
+    def core(self) -> ModuleType:
         """The kernel module in use."""
         return self._core
 
@@ -113,15 +120,16 @@ class Preprocessed:
         """Whether a fixed region holds a part, its own or through rigid contacts."""
         return bool(self._kernel.is_held(self.parts.index(part)))
 
-    def sides_of(self, contact: str) -> tuple[np.ndarray, np.ndarray]:
+    def sides_of(self, contact: str) -> tuple[Floats, Floats]:
         """Rest positions (k, 3) of the sides a and b of a contact, mm."""
         entry = next(entry for entry in self._model.contacts if entry.name == contact)
-        return tuple(
+        a, b = (
             self.meshes[side.part].points[self._translator.indices(side)]
             for side in (entry.a, entry.b)
         )
+        return a, b
 
-    def region_vertices(self, region: RegionEntry) -> np.ndarray:
+    def region_vertices(self, region: RegionEntry) -> Ints:
         """Indices (k,) of the vertices of a region of the model in its part."""
         return self._translator.indices(region)
 
@@ -131,7 +139,7 @@ class Preprocessed:
             self._rest_gaps[contact] = _gap(*self.sides_of(contact))
         return self._rest_gaps[contact]
 
-    def feature_edges(self, name: str) -> np.ndarray:
+    def feature_edges(self, name: str) -> Ints:
         """Edges (e, 2) of a form feature, as `certificate.feature_edges` tells them."""
         if name not in self._feature_edges:
             part = next(entry.part for entry in self._kernel.features if entry.name == name)
@@ -158,11 +166,11 @@ class Preprocessed:
         high = np.max([mesh.points.max(axis=0) for mesh in self.meshes.values()], axis=0)
         return float(np.linalg.norm(high - low))
 
-    def thin_solid(self, part: str) -> Any:
+    def thin_solid(self, part: str) -> _core.ThinSolid | None:
         """The kernel's ThinSolid a part is solved as; None for one that is solved as it is."""
         return self._kernel.thin_solid(self.parts.index(part))
 
-    def sheet(self, part: str) -> Any:
+    def sheet(self, part: str) -> _core.TriangleMesh:
         """The kernel's TriangleMesh that is deformed of a part: its own, or the middle of a thin
         solid."""
         return self._kernel.sheet(self.parts.index(part))
@@ -171,29 +179,33 @@ class Preprocessed:
         """How thick the sheet of a part is as `steel`, mm."""
         return float(self._kernel.sheet_thickness(self.parts.index(part)))
 
-    def feature_vertices(self, name: str) -> np.ndarray:
+    def feature_vertices(self, name: str) -> Ints:
         """Indices (k,) of a form feature's vertices in its part."""
         return next(entry.vertices for entry in self._kernel.features if entry.name == name)
 
-    def rest_of(self, part: str, features: list[FeatureResult]) -> np.ndarray:
+    def rest_of(self, part: str, features: list[FeatureResult]) -> Floats:
         """Positions (n, 3) of a part at rest, with the sizes its form features have; mm."""
         points = self.meshes[part].points
         rest = points.copy()
         for feature, shape in zip(features, self._kernel.shapes):
-            if feature.part == part and feature.size is not None:
+            if feature.part == part and shape is not None and feature.size is not None:
                 vertices = self.feature_vertices(feature.name)
                 rest[vertices] = shape.resized(points[vertices], feature.size)
         return rest
 
-    def control_mesh(self, contact: str | None, deformed: Any) -> Any:
+    def control_mesh(
+        self, contact: str | None, deformed: _core.Deformed
+    ) -> tuple[Floats, Ints] | None:
         """What Result.control_mesh() answers."""
         names = [entry.name for entry in self._model.contacts]
         if contact is not None and contact not in names:
             raise ValueError(f'there is no contact "{contact}"; names are {", ".join(names)}')
-        return self._kernel.control_mesh(-1 if contact is None else names.index(contact), deformed)
+        number = -1 if contact is None else names.index(contact)
+        found = self._kernel.control_mesh(number, deformed)
+        return cast("tuple[Floats, Ints] | None", found)
 
 
-def _gap(a: np.ndarray, b: np.ndarray) -> float:
+def _gap(a: Floats, b: Floats) -> float:
     """The median distance of vertices of one side (k, 3) from the nearest of the other, mm."""
     few, many = sorted((a, b), key=len)
     few = few[:: max(1, len(few) // _MOST_SAMPLES)]

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from .arrays import Ints
 from .part_mesh import PartMesh
 from .preprocessed import Preprocessed
 from .recipe.model import RegionEntry
@@ -41,7 +42,7 @@ def _entry(session: Preprocessed, region: RegionEntry) -> dict[str, Any]:
     }
 
 
-def _extent(mesh: PartMesh, vertices: np.ndarray) -> tuple[float, list[float]]:
+def _extent(mesh: PartMesh, vertices: Ints) -> tuple[float, list[float]]:
     """The area of the triangles within, mm^2, and their centre, that of the vertices if none."""
     inside = np.zeros(len(mesh.points), dtype=bool)
     inside[vertices] = True

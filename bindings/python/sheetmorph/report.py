@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from .answer import Answer
+from .arrays import Floats
 from .certificate import edge_error, tolerance
 from .notes import notes_of, shape_notes
 from .recipe.feature_entries import SymmetryEntry
@@ -33,7 +34,7 @@ class WrittenPart:
     a CAD file holds that was written beside it."""
 
     file: str
-    positions: np.ndarray
+    positions: Floats
     precision: str
     notes: list[str]
     shapes: WrittenShapes | None = None
@@ -54,7 +55,8 @@ class FilesTold:
 def report_schema() -> dict[str, Any]:
     """The published JSON Schema of the report."""
     text = resources.files("sheetmorph").joinpath("report.schema.json").read_text("utf-8")
-    return json.loads(text)
+    found: dict[str, Any] = json.loads(text)
+    return found
 
 
 def make_report(
@@ -141,7 +143,8 @@ def _torn(features: list[dict[str, Any]], tol: float) -> list[str]:
 
 
 def _worst_error(feature: Mapping[str, Any]) -> float:
-    return max(feature["edge_error"], feature["outline_error"] or 0.0)
+    found: float = max(feature["edge_error"], feature["outline_error"] or 0.0)
+    return found
 
 
 def _features(result: Answer, files: Mapping[str, WrittenPart]) -> list[dict[str, Any]]:
@@ -154,12 +157,12 @@ def _feature(
     result: Answer,
     feature: FeatureResult,
     files: Mapping[str, WrittenPart],
-    rests: Mapping[str, np.ndarray],
+    rests: Mapping[str, Floats],
 ) -> dict[str, Any]:
     vertices = result.session.feature_vertices(feature.name)
     edges = result.session.feature_edges(feature.name)
 
-    def error_of(positions: np.ndarray) -> float:
+    def error_of(positions: Floats) -> float:
         return edge_error(rests[feature.part], positions, edges, feature.rotation)
 
     written = files.get(feature.part)
@@ -221,7 +224,7 @@ def part_report(
     return report
 
 
-def _largest_distance(a: np.ndarray, b: np.ndarray) -> float:
+def _largest_distance(a: Floats, b: Floats) -> float:
     return float(np.linalg.norm(a - b, axis=1).max(initial=0.0))
 
 

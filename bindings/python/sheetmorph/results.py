@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
+
+from .arrays import Floats
 
 
 @dataclass(frozen=True)
@@ -21,9 +22,9 @@ class FeatureResult:
 
     name: str
     part: str
-    rotation: np.ndarray
-    translation: np.ndarray
-    centre: np.ndarray
+    rotation: Floats
+    translation: Floats
+    centre: Floats
     edge_error: float
     rotation_type: str = "free"
     motion: str = "free"

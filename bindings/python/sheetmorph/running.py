@@ -11,11 +11,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 
+from .arrays import Floats
 from .certifying.repair import criteria_of, repaired
 from .errors import KernelError
 from .files import FileSet
+from .files.cad_file import CadFile
 from .files.cad_writing import write_shapes
 from .joint_files.following import JointSource, joint_sources
 from .pictures import Scene, before_and_after, draw
@@ -145,7 +146,6 @@ class _Morph:
             self._parts = prepare(self.recipe, path.parent, ways.progress)
             self._joints = joint_sources(self._parts, path.parent)
         self._timings = {"read": time.perf_counter() - begin}
-        self._session: Session | None = None
 
     def widen(self, is_wide: bool) -> None:
         """Whether numbers in decks get the longest fields there are."""
@@ -214,8 +214,9 @@ class _Morph:
 def _named_pose(recipe: Any, pose: Any) -> Any:
     """The pose of the recipe that a name stands for; anything else as it is."""
     named = recipe.get("poses") if isinstance(recipe, dict) else None
-    is_name = isinstance(pose, str) and isinstance(named, dict) and pose in named
-    return named[pose] if is_name else pose
+    if isinstance(pose, str) and isinstance(named, dict) and pose in named:
+        return named[pose]
+    return pose
 
 
 def _keep_going(_fraction: float, _task: str) -> bool:
@@ -317,11 +318,11 @@ class Writer:
         }
 
     def _written_shapes(
-        self, files: FileSet, source: Source, positions: np.ndarray
+        self, files: FileSet, source: Source, positions: Floats
     ) -> WrittenShapes | None:
         """Write the shapes of a file besides its mesh; None if that is not wanted."""
         file, writing = source.file, source.writing
-        if writing is None:
+        if writing is None or not isinstance(file, CadFile):
             return None
         name = writing.name_for(file)
         temporary = files.temporary_for(self.places.out / name)

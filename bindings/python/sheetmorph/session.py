@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .answer import Answer
+from .arrays import Floats, Ints
 from .notebook import picture_html
 from .pictures import scene_of_answer
 from .preprocessed import Preprocessed
@@ -19,6 +20,9 @@ from .recipe.pose import Pose
 from .report import make_report
 from .results import ContactResult, FeatureResult
 from .translation import Numbers, kernel_faults
+
+if TYPE_CHECKING:
+    from . import _core
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -36,7 +40,7 @@ class Result(Answer):
         """The parts, coloured by how far each place moved, for notebooks."""
         return picture_html(scene_of_answer(self), repr(self))
 
-    def control_mesh(self, contact: str | None = None) -> tuple[np.ndarray, np.ndarray] | None:
+    def control_mesh(self, contact: str | None = None) -> tuple[Floats, Ints] | None:
         """Vertices (m, 3) mm and triangles (t, 3) of a contact's control mesh in this pose.
 
         contact None: the single one. None if there is no such control mesh; ValueError for an
@@ -79,9 +83,7 @@ class Session(Preprocessed):
         """What a pose tells the kernel, in numbers that are closed forms of its entries."""
         return self._translator.numbers(check_pose(self._model, pose))
 
-    def position_rates(
-        self, pose: Pose, directions: Sequence[Numbers]
-    ) -> list[dict[str, np.ndarray]]:
+    def position_rates(self, pose: Pose, directions: Sequence[Numbers]) -> list[dict[str, Floats]]:
         """How exact positions (n, 3) change along directions of pose_numbers(), by part.
 
         The solves are differentiated with the factors that are there: a substitution or two a
@@ -104,13 +106,13 @@ class Session(Preprocessed):
         with kernel_faults(self._core):
             return Drag(self, self._kernel.begin_drag(handles, start))
 
-    def dragged(self, kernel_drag: Any, pose: Pose) -> Result:
+    def dragged(self, kernel_drag: _core.LiveDrag, pose: Pose) -> Result:
         """What Drag.deform() answers."""
         moved = check_pose(self._model, pose)
         with kernel_faults(self._core):
             return self._result(kernel_drag.frame(self._translator.pose(moved)), pose)
 
-    def _result(self, deformed: Any, wanted: Pose) -> Result:
+    def _result(self, deformed: _core.Deformed, wanted: Pose) -> Result:
         features = self._features(deformed.features)
         solids = [self.thin_solid(part) for part in self.parts]
         lumps = sum(len(solid.lumps) for solid in solids if solid is not None)
@@ -127,7 +129,7 @@ class Session(Preprocessed):
             unsettled={self.parts[part]: text for part, text in deformed.unsettled},
         )
 
-    def _features(self, found: list[Any]) -> list[FeatureResult]:
+    def _features(self, found: list[_core.FeatureResult]) -> list[FeatureResult]:
         entries = zip(found, self._kernel.features, self._kernel.shapes)
         return [
             FeatureResult(
@@ -139,14 +141,14 @@ class Session(Preprocessed):
                 edge_error=float(feature.edge_error),
                 rotation_type=entry.rotation,
                 motion=entry.motion,
-                kind=None if feature.size is None else shape.kind,
+                kind=None if feature.size is None or shape is None else shape.kind,
                 size=feature.size,
                 outline_error=None if feature.size is None else float(feature.outline_error),
             )
             for feature, entry, shape in entries
         ]
 
-    def _contact(self, found: Any) -> ContactResult:
+    def _contact(self, found: _core.ContactFidelity) -> ContactResult:
         entry = self._model.contacts[found.contact]
         return ContactResult(
             name=entry.name,
@@ -166,7 +168,7 @@ class Drag:
     done, and in poses that turn more than two of its handles, frames take longer, not other values.
     """
 
-    def __init__(self, session: Session, kernel_drag: Any):
+    def __init__(self, session: Session, kernel_drag: _core.LiveDrag):
         self._session = session
         self._drag = kernel_drag
 

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
 
+from .arrays import Floats
 from .errors import list_ids
 from .files.cad_writing import CadWriting
 from .part_mesh import PartMesh
@@ -38,7 +38,7 @@ class WrittenShapes:
 
 
 # What tells the thickness on points of a part's mesh, None if it is not thin.
-Thickness = Callable[[np.ndarray], dict[str, Any] | None]
+Thickness = Callable[[Floats], dict[str, Any] | None]
 
 
 def shape_report(
@@ -86,7 +86,7 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
         yield from (f"{lead}: {text}" for text in _body_failures(body, shape))
 
 
-def fold_of(core: Any, mesh: PartMesh, positions: np.ndarray) -> str:
+def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
     """What of a part's mesh folds at positions (n, 3), in a few words; empty if nothing does."""
     flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
     return _fold(flipped, *crossing_counts(core, mesh, positions))
@@ -147,7 +147,7 @@ def _body_failures(body: dict[str, Any], shape: dict[str, Any]) -> Iterator[str]
         )
     changed = [one for one in body["cylinders"] if not one["error"] <= RADIUS]
     if changed:
-        worst = max(changed, key=lambda one: one["error"])
+        worst = max(changed, key=lambda one: float(one["error"]))
         yield (
             f"the cylinder of face {worst['face']} has a radius of {worst['after']:.12g} mm and "
             f"not {worst['wanted']:.12g} mm; hold it in a form feature"

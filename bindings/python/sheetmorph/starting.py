@@ -115,7 +115,7 @@ def _ends(part: str, mesh: PartMesh) -> list[str]:
     low, high = float(used[:, axis].min()), float(used[:, axis].max())
     length = high - low
     shift = np.zeros(3)
-    shift[min(set(range(3)) - {axis}, key=lambda k: size[k])] = _LIFT * length
+    shift[min(set(range(3)) - {axis}, key=lambda k: float(size[k]))] = _LIFT * length
 
     def half_space(place: float, sign: float) -> dict[str, Any]:
         point, normal = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .arrays import Floats, Ints
 from .blocks import in_blocks
 
 # Of the size: edges that short have no length to compare with.
@@ -17,7 +18,7 @@ class EdgeChanges:
     rest: (n, 3); triangles: (m, 3).
     """
 
-    def __init__(self, rest: np.ndarray, triangles: np.ndarray):
+    def __init__(self, rest: Floats, triangles: Ints):
         edges, self._sides = _edges(triangles)
         lengths = _lengths(rest, edges)
         has_length = lengths > _NO_LENGTH * np.ptp(rest, axis=0).max(initial=0.0)
@@ -25,7 +26,7 @@ class EdgeChanges:
         self._edges, self._lengths = edges[has_length], lengths[has_length]
         self._angles = _angles(rest, triangles, self._sides)
 
-    def worst_strain(self, positions: np.ndarray) -> float | None:
+    def worst_strain(self, positions: Floats) -> float | None:
         """The largest change of an edge's length over its length at rest; None without edges.
 
         positions: (n, 3).
@@ -34,7 +35,7 @@ class EdgeChanges:
             return None
         return float(np.abs(_lengths(positions, self._edges) / self._lengths - 1.0).max())
 
-    def worst_fold(self, positions: np.ndarray) -> float | None:
+    def worst_fold(self, positions: Floats) -> float | None:
         """The largest change of the angle between two triangles with a common edge, degrees; None
         without such.
 
@@ -45,14 +46,15 @@ class EdgeChanges:
         return float(np.degrees(change.max())) if len(change) else None
 
 
-def _lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    def of(part: slice) -> np.ndarray:
-        return np.linalg.norm(points[edges[part, 0]] - points[edges[part, 1]], axis=1)
+def _lengths(points: Floats, edges: Ints) -> Floats:
+    def of(part: slice) -> Floats:
+        found: Floats = np.linalg.norm(points[edges[part, 0]] - points[edges[part, 1]], axis=1)
+        return found
 
     return in_blocks(of, len(edges))
 
 
-def middle_edge(points: np.ndarray, triangles: np.ndarray) -> float:
+def middle_edge(points: Floats, triangles: Ints) -> float:
     """The median length of the edges of triangles (m, 3), an inner one counted twice; 0 without
     any."""
     lengths = [_lengths(points, triangles[:, [k, (k + 1) % 3]]) for k in range(3)]
@@ -60,7 +62,7 @@ def middle_edge(points: np.ndarray, triangles: np.ndarray) -> float:
     return float(np.median(found, overwrite_input=True)) if len(found) else 0.0
 
 
-def _edges(triangles: np.ndarray) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
+def _edges(triangles: Ints) -> tuple[Ints, tuple[Ints, Ints]]:
     """(e, 2) the edges in order, each once, and pairs of triangles (k,), (k,) with a common one."""
     count, size = len(triangles), int(triangles.max(initial=0)) + 1
     keys = np.empty(3 * count, dtype=np.int64)
@@ -78,25 +80,26 @@ def _edges(triangles: np.ndarray) -> tuple[np.ndarray, tuple[np.ndarray, np.ndar
     return edges, (owner[pairs], owner[pairs + 1])
 
 
-def _angles(points: np.ndarray, triangles: np.ndarray, sides: tuple) -> np.ndarray:
+def _angles(points: Floats, triangles: Ints, sides: tuple[Ints, Ints]) -> Floats:
     """(k,) angles between pairs of triangles; NaN where one has no area."""
     normals = _area_normals(points, triangles)
     with np.errstate(all="ignore"):
         normals /= np.linalg.norm(normals, axis=1)[:, None]
 
-    def of(part: slice) -> np.ndarray:
+    def of(part: slice) -> Floats:
         a, b = normals[sides[0][part]], normals[sides[1][part]]
-        return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), np.einsum("ij,ij->i", a, b))
+        across: Floats = np.linalg.norm(np.cross(a, b), axis=1)
+        return np.arctan2(across, np.einsum("ij,ij->i", a, b))
 
     return in_blocks(of, len(sides[0]))
 
 
 def principal_stretches(
-    rest: np.ndarray,
-    positions: np.ndarray,
-    triangles: np.ndarray,
-    wanted: tuple[np.ndarray, np.ndarray] | None = None,
-) -> np.ndarray:
+    rest: Floats,
+    positions: Floats,
+    triangles: Ints,
+    wanted: tuple[Floats, Floats] | None = None,
+) -> Floats:
     """(m, 2) how much longer the sheet is, in a triangle, along the direction that is stretched
     most and across it; 1: as at rest. NaN where a triangle has no area at rest.
 
@@ -105,8 +108,8 @@ def principal_stretches(
     without being stretched.
     """
 
-    def of(part: slice) -> np.ndarray:
-        told = None if wanted is None else tuple(one[part] for one in wanted)
+    def of(part: slice) -> Floats:
+        told = None if wanted is None else (wanted[0][part], wanted[1][part])
         return PrincipalStretches(rest, triangles[part], told)(positions)
 
     return in_blocks(of, len(triangles))
@@ -117,9 +120,9 @@ class PrincipalStretches:
 
     def __init__(
         self,
-        rest: np.ndarray,
-        triangles: np.ndarray,
-        wanted: tuple[np.ndarray, np.ndarray] | None = None,
+        rest: Floats,
+        triangles: Ints,
+        wanted: tuple[Floats, Floats] | None = None,
     ):
         gradients, axes = _shape_gradients(rest, triangles)
         if wanted is not None:
@@ -136,7 +139,7 @@ class PrincipalStretches:
                 (b * b, 2.0 * b * d, d * d),
             )
 
-    def __call__(self, positions: np.ndarray) -> np.ndarray:
+    def __call__(self, positions: Floats) -> Floats:
         """(m, 2) for positions (n, 3)."""
         first, second, third = (positions[corners] for corners in self._triangles.T)
         one, other = second - first, third - first
@@ -146,10 +149,11 @@ class PrincipalStretches:
             xx, xy, yy = (sum(map(np.multiply, row, dots)) for row in self._metric)
             mean, half = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy)
             squares = np.column_stack([mean + half, mean - half])
-            return np.sqrt(np.maximum(squares, 0.0))
+            found: Floats = np.sqrt(np.maximum(squares, 0.0))
+            return found
 
 
-def curvature_changes(rest: np.ndarray, positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def curvature_changes(rest: Floats, positions: Floats, triangles: Ints) -> Floats:
     """(m, 2, 2) by how much more each triangle is curved than at rest, in its plane at rest, 1/mm;
     NaN where a triangle has no area at rest.
 
@@ -157,7 +161,7 @@ def curvature_changes(rest: np.ndarray, positions: np.ndarray, triangles: np.nda
     """
     before, after = (_vertex_normals(points, triangles) for points in (rest, positions))
 
-    def of(part: slice) -> np.ndarray:
+    def of(part: slice) -> Floats:
         corners = triangles[part]
         gradients, _ = _shape_gradients(rest, corners)
         with np.errstate(all="ignore"):
@@ -168,7 +172,7 @@ def curvature_changes(rest: np.ndarray, positions: np.ndarray, triangles: np.nda
     return in_blocks(of, len(triangles))
 
 
-def arcs(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def arcs(points: Floats, triangles: Ints) -> tuple[Floats, Ints]:
     """Directions (m, 3) in which triangles are curved most, and how far the sheet turns along them
     within the triangle, (m,) radians; 0 where a triangle has no area.
 
@@ -186,29 +190,31 @@ def arcs(points: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndar
     return directions, np.abs(values[rows, most]) * np.ptp(along, axis=1)
 
 
-def areas(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def areas(points: Floats, triangles: Ints) -> Floats:
     """(m,) mm^2. points: (n, 3) mm; triangles: (m, 3)."""
-    return 0.5 * np.linalg.norm(_area_normals(points, triangles), axis=1)
+    found: Floats = 0.5 * np.linalg.norm(_area_normals(points, triangles), axis=1)
+    return found
 
 
-def _area_normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    def of(part: slice) -> np.ndarray:
+def _area_normals(points: Floats, triangles: Ints) -> Floats:
+    def of(part: slice) -> Floats:
         first, second, third = (points[corner] for corner in triangles[part].T)
-        return np.cross(second - first, third - first)
+        found: Floats = np.cross(second - first, third - first)
+        return found
 
     return in_blocks(of, len(triangles))
 
 
-def _vertex_normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def _vertex_normals(points: Floats, triangles: Ints) -> Floats:
     """(n, 3) of length 1; 0 for a vertex of no triangle with an area."""
     normals, at = _area_normals(points, triangles), triangles.T.ravel()
     sums = [np.bincount(at, np.tile(axis, 3), len(points)) for axis in normals.T]
-    found = np.stack(sums, axis=1)
+    found: Floats = np.stack(sums, axis=1)
     found /= np.maximum(np.linalg.norm(found, axis=1), 1e-300)[:, None]
     return found
 
 
-def _shape_gradients(rest: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _shape_gradients(rest: Floats, triangles: Ints) -> tuple[Floats, Floats]:
     """(m, 3, 2) derivatives of the shape functions in the plane at rest, and its axes (m, 2, 3)."""
     corners = rest[triangles]
     normals = _area_normals(rest, triangles)
@@ -222,13 +228,12 @@ def _shape_gradients(rest: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarra
         return np.einsum("mik,mjk->mij", turned, axes), axes
 
 
-def _curvatures(
-    sheet: tuple[np.ndarray, np.ndarray], triangles: np.ndarray, gradients: np.ndarray
-) -> np.ndarray:
+def _curvatures(sheet: tuple[Floats, Floats], triangles: Ints, gradients: Floats) -> Floats:
     """(m, 2, 2) minus the second fundamental form, from how the normals of the corners differ;
     sheet: points and normals (n, 3) of the vertices."""
     points, at_vertices = sheet
     along = np.einsum("mik,mil->mkl", points[triangles], gradients)
     turning = np.einsum("mik,mil->mkl", at_vertices[triangles], gradients)
     form = np.einsum("mki,mkj->mij", along, turning)
-    return 0.5 * (form + form.transpose(0, 2, 1))
+    found: Floats = 0.5 * (form + form.transpose(0, 2, 1))
+    return found

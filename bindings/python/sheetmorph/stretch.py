@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .answer import Answer
+from .arrays import Floats, Ints
 from .preprocessed import Preprocessed
 from .strain import areas, curvature_changes, principal_stretches
 
@@ -101,7 +102,10 @@ def stretch_words(entry: dict[str, Any]) -> Iterator[str]:
 
 
 def _bending(
-    session: Preprocessed, part: str, shapes: tuple[np.ndarray, ...], told: tuple[np.ndarray, ...]
+    session: Preprocessed,
+    part: str,
+    shapes: tuple[Floats, Floats, Ints],
+    told: tuple[Floats, Floats, Floats],
 ) -> dict[str, Any]:
     """The entries "bend" and "springs_back"."""
     (rest, now, triangles), (area, _, stretches) = shapes, told
@@ -124,19 +128,20 @@ def _bending(
     return {"bend": bend, "springs_back": float(0.5 * _YOUNG / (1.0 - poisson**2) * stored)}
 
 
-def _principal(values: np.ndarray) -> np.ndarray:
+def _principal(values: Floats) -> Floats:
     """(m, 2) of symmetric values (m, 2, 2)."""
     mean, half = 0.5 * (values[:, 0, 0] + values[:, 1, 1]), values[:, 0, 0] - values[:, 1, 1]
     radius = np.hypot(0.5 * half, values[:, 0, 1])
     return np.stack([mean - radius, mean + radius], axis=1)
 
 
-def _stored(values: np.ndarray, poisson: float) -> np.ndarray:
+def _stored(values: Floats, poisson: float) -> Floats:
     """Of principal values (m, 2): (1 - nu) sum of squares + nu squared sum."""
-    return (1.0 - poisson) * (values**2).sum(axis=1) + poisson * values.sum(axis=1) ** 2
+    found: Floats = (1.0 - poisson) * (values**2).sum(axis=1) + poisson * values.sum(axis=1) ** 2
+    return found
 
 
-def _worst_places(strain: np.ndarray, centres: np.ndarray, apart: float) -> list[int]:
+def _worst_places(strain: Floats, centres: Floats, apart: float) -> list[int]:
     found: list[int] = []
     left = np.ones(len(strain), bool)
     while left.any() and len(found) < _MOST_PLACES:
@@ -147,7 +152,7 @@ def _worst_places(strain: np.ndarray, centres: np.ndarray, apart: float) -> list
     return found
 
 
-def _regions(result: Answer, part: str) -> list[tuple[str, np.ndarray]]:
+def _regions(result: Answer, part: str) -> list[tuple[str, Floats]]:
     """(label, positions (k, 3)) of what has a name on a part."""
     session, words = result.session, {"fixed": "fixed region", "handle": "handle"}
     return [
@@ -159,7 +164,7 @@ def _regions(result: Answer, part: str) -> list[tuple[str, np.ndarray]]:
     ]
 
 
-def _nearest(regions: list[tuple[str, np.ndarray]], place: np.ndarray, reach: float) -> str | None:
+def _nearest(regions: list[tuple[str, Floats]], place: Floats, reach: float) -> str | None:
     found = [
         (float(np.linalg.norm(points - place, axis=1).min()), label) for label, points in regions
     ]

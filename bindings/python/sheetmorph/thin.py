@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from .answer import Answer
+from .arrays import Floats
 from .part_mesh import PartMesh
 
 
@@ -40,7 +41,7 @@ def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
     }
 
 
-def thickness_in_file(result: Answer, part: str, points: np.ndarray) -> dict[str, Any] | None:
+def thickness_in_file(result: Answer, part: str, points: Floats) -> dict[str, Any] | None:
     """The thickness of a part on (n, 3) points that a file has in place of its vertices, mm.
 
     largest_change: from the sheet at rest; in_mesh: the same of the deformed mesh. None if the part
@@ -74,7 +75,7 @@ def crossings(result: Answer, part: str) -> tuple[int, int]:
     return result.crossings[part]
 
 
-def crossing_counts(core: Any, mesh: PartMesh, positions: np.ndarray) -> tuple[int, int]:
+def crossing_counts(core: Any, mesh: PartMesh, positions: Floats) -> tuple[int, int]:
     """The same of a mesh and positions (n, 3) of its vertices."""
     rest, deformed = (
         len(core.self_intersections(core.TriangleMesh(np.array(points), mesh.triangles)))

@@ -4,19 +4,26 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
+from .arrays import Floats, Ints
 from .errors import Fault, RecipeError
 from .part_mesh import PartMesh
+from .recipe.feature_entries import Vector
 from .recipe.model import ContactEntry, Model, PartEntry, RegionEntry
 from .recipe.pose import Moved, PoseEntry, Rotation
 
-Numbers = dict[tuple[str, str], np.ndarray]
+if TYPE_CHECKING:
+    from . import _core
+
+_Told = TypeVar("_Told", "_core.Pose", "_core.PoseRate")
+
+Numbers = dict[tuple[str, str], Floats]
 
 _NO_TURN = (0.0, 0.0, 0.0)
 _UPWARDS = (0.0, 0.0, 1.0)
@@ -38,32 +45,35 @@ class Translator:
         }
         self._places = {region.name: self._place(region) for region in model.regions}
 
-    def indices(self, region: RegionEntry) -> np.ndarray:
+    def indices(self, region: RegionEntry) -> Ints:
         """Indices (k,) of a region's vertices in its part."""
         return self._indices[region.where]
 
-    def _place(self, region: RegionEntry) -> np.ndarray:
+    def _place(self, region: RegionEntry) -> Floats:
         """Rest position (3,) of a point on a triangle, centroid of a set of vertices; mm."""
         mesh = self._meshes[region.part]
+        place: Floats
         if region.is_point:
             triangle, barycentric = self._on_mesh(region)
-            return np.asarray(barycentric) @ mesh.points[mesh.triangles[triangle]]
-        return mesh.points[self.indices(region)].mean(axis=0)
+            place = np.asarray(barycentric) @ mesh.points[mesh.triangles[triangle]]
+        else:
+            place = mesh.points[self.indices(region)].mean(axis=0)
+        return place
 
-    def _on_mesh(self, point: RegionEntry) -> tuple[int, Any]:
+    def _on_mesh(self, point: RegionEntry) -> tuple[int, Sequence[float]]:
         """Triangle and barycentric coordinates of a point on the mesh that is deformed."""
         mesh = self._meshes[point.part]
-        return mesh.place_on(self._core, point.triangle, point.barycentric)
+        return mesh.place_on(self._core, *point.on_triangle)
 
-    def assembly(self) -> Any:
+    def assembly(self) -> _core.Assembly:
         """The kernel's Assembly: everything but the pose."""
         core = self._core
         parts = [self._part(part) for part in self._model.parts]
-        primary = self._part_index[self._model.primary]
+        primary = self._part_index[self._model.primary or self._model.parts[0].name]
         assembly = core.Assembly(parts, primary, self._model.energy, self._model.operator)
-        assembly.fixed = [self._region(core.Region, f) for f in self._model.of_kind("fixed")]
+        assembly.fixed = [self._region(f) for f in self._model.of_kind("fixed")]
         followers = self._model.of_kind("follower")
-        assembly.followers = [self._region(core.Region, f) for f in followers]
+        assembly.followers = [self._region(f) for f in followers]
         handles = self._model.of_kind("handle")
         assembly.handles = [self._handle(h) for h in handles if not h.is_point]
         assembly.features = [self._feature(entry) for entry in self._model.of_kind("feature")]
@@ -77,9 +87,10 @@ class Translator:
         assembly.set_unheld(self._model.unheld)
         way = self._model.propagation
         assembly.propagation = core.Propagation(way.type, way.levels, way.smoothness)
-        return assembly
+        found: _core.Assembly = assembly
+        return found
 
-    def _relate(self, assembly: Any) -> None:
+    def _relate(self, assembly: _core.Assembly) -> None:
         features = [entry.name for entry in self._model.of_kind("feature")]
         for entry in self._model.relations:
             members = [features.index(name) for name in entry.features]
@@ -89,51 +100,62 @@ class Translator:
                 pair = self._core.FeaturePair(entry.name, entry.type, *members)
                 assembly.pairs = [*assembly.pairs, pair]
 
-    def _contact(self, entry: ContactEntry) -> Any:
-        sides = [self._region(self._core.Region, side) for side in (entry.a, entry.b)]
-        return self._core.Contact(entry.name, entry.type, *sides)
+    def _contact(self, entry: ContactEntry) -> _core.Contact:
+        sides = [self._region(side) for side in (entry.a, entry.b)]
+        found: _core.Contact = self._core.Contact(entry.name, entry.type, *sides)
+        return found
 
-    def _part(self, entry: PartEntry) -> Any:
+    def _part(self, entry: PartEntry) -> _core.Part:
         mesh = self._meshes[entry.name]
         triangles = self._core.TriangleMesh(mesh.points, mesh.triangles)
         ids = None if mesh.ids is None else mesh.ids.astype(np.int32)
-        part = self._core.Part(entry.name, triangles, ids, entry.mode)
+        part: _core.Part = self._core.Part(entry.name, triangles, ids, entry.mode)
         if entry.thin:
             part.make_thin(entry.thin == "yes", entry.thickness)
         told = 0.0 if entry.thin else mesh.thickness
         part.sheet_thickness, part.poisson = entry.sheet.thickness or told, entry.sheet.poisson
         return part
 
-    def _region(self, kind: Any, entry: RegionEntry) -> Any:
-        return kind(entry.name, self._part_index[entry.part], self.indices(entry))
+    def _region(self, entry: RegionEntry) -> _core.Region:
+        found: _core.Region = self._core.Region(
+            entry.name, self._part_index[entry.part], self.indices(entry)
+        )
+        return found
 
-    def _handle(self, entry: RegionEntry) -> Any:
+    def _handle(self, entry: RegionEntry) -> _core.Handle:
         place = self._part_index[entry.part], self.indices(entry)
-        return self._core.Handle(entry.name, *place, entry.turning == "free")
+        found: _core.Handle = self._core.Handle(entry.name, *place, entry.turning == "free")
+        return found
 
-    def _feature(self, entry: RegionEntry) -> Any:
+    def _feature(self, entry: RegionEntry) -> _core.FormFeature:
         place = self._part_index[entry.part], self.indices(entry)
         given = entry.motion
         motion = self._core.FeatureMotion(
             given.type, given.point or _NO_TURN, given.direction or _UPWARDS
         )
         told = entry.turning, motion, entry.size, entry.size is not None
-        return self._core.FormFeature(entry.name, *place, *told)
+        found: _core.FormFeature = self._core.FormFeature(entry.name, *place, *told)
+        return found
 
-    def _point(self, entry: RegionEntry) -> Any:
+    def _point(self, entry: RegionEntry) -> _core.PointConstraint:
         is_free = entry.kind == "handle" and entry.turning == "free"
         turned = not is_free and (entry.kind == "handle" or entry.rotation is not None)
         part = self._part_index[entry.part]
         place = self._on_mesh(entry)
-        return self._core.PointConstraint(entry.name, part, *place, turned, is_free)
+        found: _core.PointConstraint = self._core.PointConstraint(
+            entry.name, part, *place, turned, is_free
+        )
+        return found
 
-    def pose(self, pose: Mapping[str, Moved]) -> Any:
+    def pose(self, pose: Mapping[str, Moved]) -> _core.Pose:
         """The kernel's Pose; what it leaves out keeps the recipe's own values."""
-        return self._told(self._core.Pose(), self.numbers(pose))
+        found: _core.Pose = self._told(self._core.Pose(), self.numbers(pose))
+        return found
 
-    def pose_rate(self, numbers: Numbers) -> Any:
+    def pose_rate(self, numbers: Numbers) -> _core.PoseRate:
         """The kernel's PoseRate; numbers: how those of the pose change."""
-        return self._told(self._core.PoseRate(), numbers)
+        found: _core.PoseRate = self._told(self._core.PoseRate(), numbers)
+        return found
 
     def numbers(self, pose: Mapping[str, Moved]) -> Numbers:
         """What a pose tells the kernel, by (kind, name): of a handle translation, rotation log and
@@ -167,7 +189,7 @@ class Translator:
         moved = rigid.apply(place[None, :])[0]
         return {("point", entry.name): np.concatenate([moved, rigid.rotation_log])}
 
-    def _told(self, pose: Any, numbers: Numbers) -> Any:
+    def _told(self, pose: _Told, numbers: Numbers) -> _Told:
         for (kind, name), values in numbers.items():
             if kind == "handle":
                 rigid = self._core.RigidMotion(values[:3], values[3:6], values[6:])
@@ -180,10 +202,11 @@ class Translator:
                 pose.size_feature(name, float(values[0]))
         return pose
 
-    def _log(self, rotation: Rotation | None) -> Any:
+    def _log(self, rotation: Rotation | None) -> Vector | Floats:
         if rotation is None:
             return _NO_TURN
-        return self._core.rotation_log(rotation.axis, rotation.radians)
+        found: Vector | Floats = self._core.rotation_log(rotation.axis, rotation.radians)
+        return found
 
 
 @contextmanager

@@ -12,15 +12,16 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..decks.materials import STEEL
 from ..errors import FileError
-from ..files import FileSet
+from ..files import FileSet, PartFile
 from ..files.deck_file import DeckFile
 from ..finding.deck import part_material
 from ..joint_files.following import JointSource, joint_sources
 from ..kernel import load_kernel
 from ..recipe import filled, named_in, prepare, read_json
-from ..recipe.model import Model, RegionEntry, model_of
+from ..recipe.model import ContactEntry, Model, RegionEntry, model_of
 from ..recipe.parts import Parts, Source
 from .criteria import Criteria
 from .measuring import (
@@ -114,7 +115,7 @@ class Certifier:
         beside = [one.file.path for one in inputs.joint_files]
         self._inputs = _digests([inputs.recipe, *read, *beside])
 
-    def written(self, places: Mapping[str, np.ndarray]) -> dict[str, Written]:
+    def written(self, places: Mapping[str, Floats]) -> dict[str, Written]:
         """The parts beside their places (n, 3) as the files hold them, by name."""
         return {name: Written(sheet, places[name]) for name, sheet in self._sheets.items()}
 
@@ -123,7 +124,8 @@ class Certifier:
     ) -> dict[str, Any]:
         """The certificate of the files in a folder; sized: features that a pose gives a size."""
         core, criteria = self._core, self._criteria
-        beside = [*(source.file for source in self._sources), *self._joint_files]
+        files: list[PartFile | JointSource] = [source.file for source in self._sources]
+        files += self._joint_files
         entry = {
             "sheetmorph_certificate": 1,
             "criteria": {"name": criteria.name, "elements": criteria.elements},
@@ -137,7 +139,7 @@ class Certifier:
             "decks": [told for source in self._sources for told in _told_again(source, folder)],
             "joint_files": self._told_of_joints(folder, written),
             "inputs": self._inputs,
-            "outputs": _digests([f for s in beside for f in s.targets(folder)]),
+            "outputs": _digests([place for file in files for place in file.targets(folder)]),
         }
         failures = _failures(entry, criteria)
         return {**entry, "passed": not failures, "failures": failures}
@@ -150,7 +152,7 @@ class Certifier:
         sheet = self._sheets[region.part]
         return RestFeature(self._core, sheet, region.name, _vertices(region, sheet))
 
-    def _rest_contact(self, contact: Any) -> RestContact:
+    def _rest_contact(self, contact: ContactEntry) -> RestContact:
         one, two = (self._sheets[side.part] for side in (contact.a, contact.b))
         rows = _vertices(contact.a, one), _vertices(contact.b, two)
         return RestContact(contact.name, (one, two), rows)
@@ -188,13 +190,13 @@ def _sheets(parts: Parts) -> dict[str, Sheet]:
         for name, vertices in source.members.items():
             mesh = parts.meshes[name]
             given = entries[name].sheet.thickness or mesh.thickness
-            own = _own_faces(faces, vertices, mesh)
+            own = _own_faces(faces, vertices)
             error = _width_error(source, mesh.points)
             found[name] = Sheet(name, mesh, own, given, error, materials.get(name, STEEL))
     return found
 
 
-def _places_in(source: Source, folder: Path) -> dict[str, np.ndarray]:
+def _places_in(source: Source, folder: Path) -> dict[str, Floats]:
     """Places (n, 3) of the parts of a file that was written into a folder, by name."""
     place = folder / source.file.output_name
     if not place.is_file():
@@ -216,7 +218,7 @@ def _told_again(source: Source, folder: Path) -> list[dict[str, Any]]:
     return [told] if told else []
 
 
-def _faces(source: Source) -> np.ndarray:
+def _faces(source: Source) -> Ints:
     """(m, 4) corners of the elements of a file, -1 in the last one of triangles."""
     if isinstance(source.file, DeckFile):
         return source.file.corner_faces
@@ -224,14 +226,14 @@ def _faces(source: Source) -> np.ndarray:
     return np.concatenate([triangles, np.full((len(triangles), 1), -1)], axis=1)
 
 
-def _own_faces(faces: np.ndarray, vertices: np.ndarray, mesh: Any) -> np.ndarray:
+def _own_faces(faces: Ints, vertices: Ints) -> Ints:
     row = np.full(int(max(faces.max(initial=0), vertices.max(initial=0))) + 2, -1)
     row[vertices] = np.arange(len(vertices))
     inside = row[faces[:, 0]] >= 0
     return np.where(faces[inside] >= 0, row[faces[inside]], -1)
 
 
-def _width_error(source: Source, points: np.ndarray) -> float:
+def _width_error(source: Source, points: Floats) -> float:
     """What a coordinate in the file is good for, mm: half its last digit."""
     size = float(np.abs(points).max(initial=1.0))
     precision = source.file.precision
@@ -243,7 +245,7 @@ def _width_error(source: Source, points: np.ndarray) -> float:
     return 0.5 * 10.0 ** -min(decimals, 15)
 
 
-def _vertices(region: RegionEntry, sheet: Sheet) -> np.ndarray:
+def _vertices(region: RegionEntry, sheet: Sheet) -> Ints:
     rows, _ = sheet.mesh.find(region.vertices or [])
     return rows
 

@@ -33,7 +33,8 @@ class Criteria:
 def shipped() -> dict[str, Any]:
     """The sets that come along, by name."""
     text = resources.files("sheetmorph").joinpath("certifying/criteria.json").read_text("utf-8")
-    return json.loads(text)
+    found: dict[str, Any] = json.loads(text)
+    return found
 
 
 def read_criteria(name: str | Path | None) -> Criteria:

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..certificate import feature_edges
 from ..decks.following import rigid_motion
 from ..decks.materials import STEEL, Material
@@ -19,6 +21,9 @@ from ..kernel import load_kernel
 from ..part_mesh import PartMesh
 from .criteria import Criteria
 from .quality import MEASURES, areas, measured, step_length
+
+if TYPE_CHECKING:
+    from .. import _core
 
 _ROUND = 0.12
 _BINS = 20
@@ -29,21 +34,24 @@ class Shape:
     """Places (n, 3) of a part in one state, faces (m, 4) with -1 in the last corner of triangles;
     what is measured of it is measured once."""
 
-    places: np.ndarray
-    faces: np.ndarray
-    triangles: np.ndarray
-    _known: dict[Any, np.ndarray] = field(default_factory=dict)
+    places: Floats
+    faces: Ints
+    triangles: Ints
+    _known: dict[Any, Floats] = field(default_factory=dict)
 
-    def measured(self, measure: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    def measured(self, measure: Callable[[Floats], Floats]) -> Floats:
         """(m,) a measure of its elements."""
         if measure not in self._known:
             self._known[measure] = measured(measure, self.places, self.faces)
         return self._known[measure]
 
     @cached_property
-    def tree(self) -> Any:
+    def tree(self) -> _core.PickingTree:
         """Finds the nearest place on it."""
-        return load_kernel().PickingTree(np.ascontiguousarray(self.places), self.triangles)
+        found: _core.PickingTree = load_kernel().PickingTree(
+            np.ascontiguousarray(self.places), self.triangles
+        )
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +62,7 @@ class Sheet:
 
     name: str
     mesh: PartMesh
-    faces: np.ndarray
+    faces: Ints
     thickness: float
     width_error: float
     material: Material = STEEL
@@ -68,7 +76,7 @@ class Sheet:
 class Written:
     """A part beside what was written of it: (n, 3) places read from the file."""
 
-    def __init__(self, sheet: Sheet, places: np.ndarray):
+    def __init__(self, sheet: Sheet, places: Floats):
         self.sheet, self.mesh, self.faces = sheet, sheet.mesh, sheet.faces
         self.places, self.rest = places, sheet.shape
         self.now = Shape(places, sheet.faces, sheet.mesh.triangles)
@@ -77,7 +85,7 @@ class Written:
 class RestFeature:
     """What a form feature was: its vertices, its edges (e, 2), and its round rims."""
 
-    def __init__(self, core: Any, sheet: Sheet, name: str, vertices: np.ndarray):
+    def __init__(self, core: ModuleType, sheet: Sheet, name: str, vertices: Ints):
         self.name, self.part, self.vertices = name, sheet.name, vertices
         self.edges = feature_edges(sheet.mesh, vertices)
         self.rims = _round_rims(core, sheet.mesh, vertices)
@@ -93,7 +101,7 @@ class RestContact:
         self.gaps = _gaps(tuple(sheet.shape for sheet in sheets), rows)
 
 
-def feature_entry(core: Any, part: Written, feature: RestFeature) -> dict[str, Any]:
+def feature_entry(core: ModuleType, part: Written, feature: RestFeature) -> dict[str, Any]:
     """How a form feature came out: worst edge error against the best rigid motion, and round rims
     before and after."""
     rest, moved = part.mesh.points, part.places
@@ -116,7 +124,9 @@ def feature_entry(core: Any, part: Written, feature: RestFeature) -> dict[str, A
     }
 
 
-def _round_rims(core: Any, mesh: PartMesh, vertices: np.ndarray) -> list[tuple[np.ndarray, Any]]:
+def _round_rims(
+    core: ModuleType, mesh: PartMesh, vertices: Ints
+) -> list[tuple[Ints, _core.CircleFit]]:
     """Round rims among the vertices, with the circles they lie on."""
     inside = np.zeros(len(mesh.points), dtype=bool)
     inside[vertices] = True
@@ -134,7 +144,7 @@ def _round_rims(core: Any, mesh: PartMesh, vertices: np.ndarray) -> list[tuple[n
     return found
 
 
-def _rim_entry(core: Any, one: Any, places: np.ndarray) -> dict[str, float]:
+def _rim_entry(core: ModuleType, one: _core.CircleFit, places: Floats) -> dict[str, float]:
     """Diameter and roundness (the worst distance from the fitted circle) of a rim."""
     two = core.fit_circle(places)
     return {
@@ -157,7 +167,7 @@ def contact_entry(contact: RestContact, parts: tuple[Written, Written]) -> dict[
     }
 
 
-def _gaps(shapes: tuple[Shape, ...], rows: tuple[Any, ...]) -> np.ndarray:
+def _gaps(shapes: tuple[Shape, ...], rows: tuple[Any, ...]) -> Floats:
     """(k,) how far the vertices of either side are from the other part, mm."""
     gaps: list[float] = []
     for own, other, vertices in zip(shapes, shapes[::-1], rows):
@@ -166,7 +176,7 @@ def _gaps(shapes: tuple[Shape, ...], rows: tuple[Any, ...]) -> np.ndarray:
     return np.array(gaps)
 
 
-def part_entry(core: Any, part: Written, criteria: Criteria) -> dict[str, Any]:
+def part_entry(core: ModuleType, part: Written, criteria: Criteria) -> dict[str, Any]:
     """Quality before and after, flipped triangles, mass, time step."""
     sheet, rest, moved = part.sheet, part.mesh.points, part.places
     flipped = core.compare_quality(rest, moved, part.mesh.triangles).flipped
@@ -213,7 +223,7 @@ def _quality_entry(part: Written, name: str, limits: dict[str, float]) -> dict[s
     }
 
 
-def _histogram(before: np.ndarray, after: np.ndarray) -> dict[str, list[float]]:
+def _histogram(before: Floats, after: Floats) -> dict[str, Sequence[float]]:
     low = float(min(before.min(), after.min()))
     high = float(max(before.max(), after.max()))
     span = (low, high if high > low else low + 1.0)
@@ -225,20 +235,21 @@ def _histogram(before: np.ndarray, after: np.ndarray) -> dict[str, list[float]]:
     }
 
 
-def _counts(values: np.ndarray, edges: np.ndarray) -> list[int]:
+def _counts(values: Floats, edges: Floats) -> list[int]:
     """How many values lie between each two edges, on the last one too."""
     before = np.searchsorted(np.sort(values), edges)
     before[-1] = len(values)
-    return np.diff(before).tolist()
+    found: list[int] = np.diff(before).tolist()
+    return found
 
 
-def _fails(values: np.ndarray, limits: dict[str, float]) -> np.ndarray:
+def _fails(values: Floats, limits: dict[str, float]) -> Bools:
     slack = 1e-9
     low, high = limits.get("min", -np.inf), limits.get("max", np.inf)
     return (values < low - slack * abs(low)) | (values > high + slack * abs(high))
 
 
-def _newly_failing(part: Written, criteria: Criteria) -> np.ndarray:
+def _newly_failing(part: Written, criteria: Criteria) -> Bools:
     """(m,) whether an element that met the criteria does so no more."""
     found = np.zeros(len(part.faces), dtype=bool)
     for name, limits in criteria.elements.items():
@@ -247,7 +258,7 @@ def _newly_failing(part: Written, criteria: Criteria) -> np.ndarray:
     return found
 
 
-def _steps(part: Written, masses: list[np.ndarray], target: float | None) -> dict[str, Any]:
+def _steps(part: Written, masses: list[Floats], target: float | None) -> dict[str, Any]:
     """The explicit time step in ms, and the share of mass that scaling to a target adds."""
     sound = part.sheet.material.sound
     entry: dict[str, Any] = {"sound_m_s": sound, "target_ms": target}
@@ -276,15 +287,21 @@ def penetrations(one: Written, other: Written) -> dict[str, Any] | None:
     rounding = 4.0 * (one.sheet.width_error + other.sheet.width_error)
     count, worst = 0, 0.0
     for k in near.tolist():
-        now = float(after.nearest_point(one.places[k]).distance)
+        now = _away(after, one.places[k])
         if now >= room:
             continue
-        then = min(float(before.nearest_point(one.mesh.points[k]).distance), room)
+        then = min(_away(before, one.mesh.points[k]), room)
         if then - now > max(0.1 * room, rounding):
             count, worst = count + 1, max(worst, room - now)
     if not count:
         return None
     return {"part": one.sheet.name, "into": other.sheet.name, "vertices": count, "depth": worst}
+
+
+def _away(tree: _core.PickingTree, place: Floats) -> float:
+    """How far a place is from a part; infinite if that has no triangle."""
+    hit = tree.nearest_point(place)
+    return np.inf if hit is None else hit.distance
 
 
 def digest(path: Path) -> str:

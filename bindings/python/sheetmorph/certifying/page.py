@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from .measuring import Written
 from .quality import areas, aspect, measured
 
@@ -151,7 +152,8 @@ def _welds(deck: dict[str, Any]) -> str:
     welds = deck["joints"]["welds"]
 
     def change(weld: dict[str, Any]) -> float:
-        return max(abs(b - a) for a, b in zip(weld["before"], weld["after"]))
+        found: float = max(abs(b - a) for a, b in zip(weld["before"], weld["after"]))
+        return found
 
     rows = [
         [f"{w['card']} {w['id']}", w["line"], *_two(w["before"]), *_two(w["after"]), change(w)]
@@ -168,7 +170,7 @@ def _two(gaps: list[float]) -> list[object]:
 
 def _joints(file: dict[str, Any]) -> str:
     """The joints of a file of welds and bolts, the worst ones first."""
-    worst = sorted(file["joints"], key=lambda j: -j["change"] / max(j["limit"], 1e-30))
+    worst = sorted(file["joints"], key=lambda j: -float(j["change"] / max(j["limit"], 1e-30)))
     rows = [[j["joint"], j["kind"], ", ".join(j["parts"]), j["line"], j["gap_before"],
              j["gap_after"], j["change"], j["limit"]] for j in worst[:_MOST_JOINTS]]  # fmt: skip
     left = f", {len(file['left'])} without a sheet" if file["left"] else ""
@@ -188,7 +190,7 @@ def _histograms(entry: dict[str, Any]) -> str:
     return f"<h2>Histograms: before (grey) and after (blue)</h2><div class='row'>{shown}</div>"
 
 
-def _histogram(title: str, found: dict[str, list]) -> str:
+def _histogram(title: str, found: dict[str, list[float]]) -> str:
     most = max(1, *found["before"], *found["after"])
     bars = []
     for k, (one, two) in enumerate(zip(found["before"], found["after"])):
@@ -231,7 +233,7 @@ def _pictures(written: dict[str, Written]) -> str:
 class _View:
     """Everything from one side, the one that shows most."""
 
-    def __init__(self, points: np.ndarray):
+    def __init__(self, points: Floats):
         self._middle = points.mean(axis=0)
         _, _, axes = np.linalg.svd(points[:: max(1, len(points) // 20000)] - self._middle, False)
         tilt = np.radians(35.0)
@@ -244,14 +246,12 @@ class _View:
         self._scale = float(min((_WIDE - 20) / size[0], (_HIGH - 20) / size[1]))
         self._low, self._high = low, high
 
-    def _flat(self, points: np.ndarray) -> np.ndarray:
+    def _flat(self, points: Floats) -> Floats:
         return np.stack(
             [(points - self._middle) @ self._right, (points - self._middle) @ self._up], 1
         )
 
-    def figure(
-        self, title: str, points: np.ndarray, faces: np.ndarray, values: np.ndarray | None
-    ) -> str:
+    def figure(self, title: str, points: Floats, faces: Ints, values: Floats | None) -> str:
         """A picture of faces, coloured by (m,) values."""
         step = -(-len(faces) // _MOST_FACES)
         chosen = faces[::step]

@@ -7,37 +7,41 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..blocks import chunks
 
 _GAUSS = 1.0 / np.sqrt(3.0)
 _CORNERS = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], dtype=float)
 
 
-def _edges(corners: np.ndarray) -> np.ndarray:
+def _edges(corners: Floats) -> Floats:
     return np.roll(corners, -1, axis=1) - corners
 
 
-def _lengths(corners: np.ndarray) -> np.ndarray:
-    return np.linalg.norm(_edges(corners), axis=2)
+def _lengths(corners: Floats) -> Floats:
+    found: Floats = np.linalg.norm(_edges(corners), axis=2)
+    return found
 
 
-def _angles(corners: np.ndarray) -> np.ndarray:
+def _angles(corners: Floats) -> Floats:
     """(m, k) degrees, at every corner."""
     ahead = _edges(corners)
     behind = -np.roll(ahead, 1, axis=1)
     cosine = _ratio((ahead * behind).sum(axis=2), _norm(ahead) * _norm(behind), 1.0)
-    return np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    found: Floats = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    return found
 
 
-def _norm(vectors: np.ndarray) -> np.ndarray:
-    return np.linalg.norm(vectors, axis=-1)
+def _norm(vectors: Floats) -> Floats:
+    found: Floats = np.linalg.norm(vectors, axis=-1)
+    return found
 
 
-def _ratio(above: np.ndarray, below: np.ndarray, otherwise: float) -> np.ndarray:
+def _ratio(above: Floats, below: Floats, otherwise: float) -> Floats:
     return np.divide(above, below, out=np.full(below.shape, otherwise), where=below > 0.0)
 
 
-def areas(corners: np.ndarray) -> np.ndarray:
+def areas(corners: Floats) -> Floats:
     """(m,) areas of (m, 3, 3) triangles or (m, 4, 3) quads: half the cross product of diagonals."""
     if corners.shape[1] == 3:
         one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -46,13 +50,13 @@ def areas(corners: np.ndarray) -> np.ndarray:
     return 0.5 * _norm(np.cross(one, two))
 
 
-def aspect(corners: np.ndarray) -> np.ndarray:
+def aspect(corners: Floats) -> Floats:
     """Longest edge over shortest."""
     length = _lengths(corners)
     return _ratio(length.max(axis=1), length.min(axis=1), 1e9)
 
 
-def warpage(corners: np.ndarray) -> np.ndarray:
+def warpage(corners: Floats) -> Floats:
     """Degrees between the two triangles of a quad, of the worse diagonal; 0 for triangles."""
     if corners.shape[1] == 3:
         return np.zeros(len(corners))
@@ -65,7 +69,7 @@ def warpage(corners: np.ndarray) -> np.ndarray:
     return worst
 
 
-def skew(corners: np.ndarray) -> np.ndarray:
+def skew(corners: Floats) -> Floats:
     """90 degrees less the smallest angle between lines through the middles of sides (quads), or
     between a median and the line through the middles of the other sides (triangles)."""
     middle = 0.5 * (corners + np.roll(corners, -1, axis=1))
@@ -84,7 +88,7 @@ def skew(corners: np.ndarray) -> np.ndarray:
     return worst
 
 
-def taper(corners: np.ndarray) -> np.ndarray:
+def taper(corners: Floats) -> Floats:
     """1 less the smallest of the four corner triangles over half the quad; 0 for triangles."""
     if corners.shape[1] == 3:
         return np.zeros(len(corners))
@@ -92,7 +96,7 @@ def taper(corners: np.ndarray) -> np.ndarray:
     return 1.0 - _ratio(parts.min(axis=1), 0.25 * parts.sum(axis=1), 0.0)
 
 
-def jacobian(corners: np.ndarray) -> np.ndarray:
+def jacobian(corners: Floats) -> Floats:
     """Smallest over largest determinant at the 2 x 2 Gauss points of a quad; 1 for triangles."""
     if corners.shape[1] == 3:
         return np.ones(len(corners))
@@ -109,29 +113,32 @@ def jacobian(corners: np.ndarray) -> np.ndarray:
     return _ratio(values.min(axis=1), values.max(axis=1), -1.0)
 
 
-def min_angle(corners: np.ndarray) -> np.ndarray:
+def min_angle(corners: Floats) -> Floats:
     """Degrees, the smallest at a corner."""
-    return _angles(corners).min(axis=1)
+    found: Floats = _angles(corners).min(axis=1)
+    return found
 
 
-def max_angle(corners: np.ndarray) -> np.ndarray:
+def max_angle(corners: Floats) -> Floats:
     """Degrees, the largest at a corner."""
-    return _angles(corners).max(axis=1)
+    found: Floats = _angles(corners).max(axis=1)
+    return found
 
 
-def min_length(corners: np.ndarray) -> np.ndarray:
+def min_length(corners: Floats) -> Floats:
     """The shortest edge, mm."""
-    return _lengths(corners).min(axis=1)
+    found: Floats = _lengths(corners).min(axis=1)
+    return found
 
 
-def step_length(corners: np.ndarray) -> np.ndarray:
+def step_length(corners: Floats) -> Floats:
     """mm, what the time step of a shell goes by: its area (twice that of a triangle) over its
     longest edge (LS-DYNA's default)."""
     factor = 2.0 if corners.shape[1] == 3 else 1.0
     return _ratio(factor * areas(corners), _lengths(corners).max(axis=1), 0.0)
 
 
-MEASURES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+MEASURES: dict[str, Callable[[Floats], Floats]] = {
     "aspect": aspect,
     "warpage": warpage,
     "skew": skew,
@@ -143,9 +150,7 @@ MEASURES: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 }
 
 
-def measured(
-    measure: Callable[[np.ndarray], np.ndarray], points: np.ndarray, faces: np.ndarray
-) -> np.ndarray:
+def measured(measure: Callable[[Floats], Floats], points: Floats, faces: Ints) -> Floats:
     """(m,) a measure of faces (m, 4), whose last corner is -1 in triangles, at points (n, 3)."""
     found = np.empty(len(faces))
     is_quad = faces[:, 3] >= 0

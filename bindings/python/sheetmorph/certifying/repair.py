@@ -9,8 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..errors import Fault, RecipeError
 from ..files.deck_file import DeckFile
+from ..part_mesh import PartMesh
+from ..recipe.model import RegionEntry
 from ..recipe.parts import Source
 from ..session import Result
 from .criteria import read_criteria
@@ -34,15 +37,16 @@ def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Res
     """The result with nodes of its decks slid in the sheet until criteria hold; its `repairs` tell
     of every part. Raises FileError, and RecipeError if there is no deck."""
     wanted = read_criteria(criteria)
-    decks = [source for source in sources if isinstance(source.file, DeckFile)]
+    decks = [(s, s.file) for s in sources if isinstance(s.file, DeckFile)]
     if not decks:
         what = "no part of the recipe is a deck"
         raise RecipeError([Fault("repair", what, "leave it out: only elements of decks are slid")])
     positions, told = dict(result.positions), []
-    for source in decks:
+    for source, file in decks:
         for name, vertices in source.members.items():
-            faces = source.file.faces_among(vertices)
-            stays = _stays(result, source, name, faces)
+            faces = file.faces_among(vertices)
+            stays = _stays(result, name, faces)
+            stays |= _near_joints(file)[vertices]
             surface = positions[name], result.session.meshes[name].triangles
             slid = Sliding(surface, faces, stays, wanted.elements).slid()
             told.append(_entry(name, wanted.name, slid, positions[name]))
@@ -50,7 +54,7 @@ def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Res
     return replace(result, positions=positions, repairs=told)
 
 
-def _entry(name: str, criteria: str, slid: Slid, before: np.ndarray) -> dict[str, Any]:
+def _entry(name: str, criteria: str, slid: Slid, before: Floats) -> dict[str, Any]:
     way = np.linalg.norm(slid.places - before, axis=1)
     return {
         "part": name,
@@ -64,11 +68,11 @@ def _entry(name: str, criteria: str, slid: Slid, before: np.ndarray) -> dict[str
     }
 
 
-def _stays(result: Result, source: Source, name: str, faces: np.ndarray) -> np.ndarray:
-    """(n,) the vertices of a part that are not to slide: of regions, contacts and joints, on
+def _stays(result: Result, name: str, faces: Ints) -> Bools:
+    """(n,) the vertices of a part that are not to slide: of regions and contacts, on
     borders and creases, and around mid-side nodes. Thin solids stay as they are."""
     session = result.session
-    mesh, members = session.meshes[name], source.members[name]
+    mesh = session.meshes[name]
     stays = borders_and_creases(mesh.points, faces, _CREASE)
     if session.thin_solid(name) is not None:
         stays[:] = True
@@ -78,7 +82,6 @@ def _stays(result: Result, source: Source, name: str, faces: np.ndarray) -> np.n
     of_feature = (one.name for one in result.features if one.part == name)
     for feature in of_feature:
         stays[session.feature_vertices(feature)] = True
-    stays |= _near_joints(source.file)[members]
     is_corner = np.zeros(len(mesh.points) + 1, dtype=bool)  # the last one for what is no corner
     is_corner[faces] = True
     odd = mesh.triangles[~is_corner[:-1][mesh.triangles].all(axis=1)]
@@ -86,7 +89,7 @@ def _stays(result: Result, source: Source, name: str, faces: np.ndarray) -> np.n
     return stays
 
 
-def _near_joints(file: DeckFile) -> np.ndarray:
+def _near_joints(file: DeckFile) -> Bools:
     """(n,) the vertices of a deck that joints have, by which passengers go, and those around them,
     by which passengers turn."""
     deck, sheet = file.deck, file.sheet
@@ -98,7 +101,8 @@ def _near_joints(file: DeckFile) -> np.ndarray:
     return found
 
 
-def _vertices(region: Any, mesh: Any) -> np.ndarray:
+def _vertices(region: RegionEntry, mesh: PartMesh) -> Ints:
     if region.is_point:
-        return mesh.triangles[region.triangle]
+        found: Ints = mesh.triangles[region.on_triangle[0]]
+        return found
     return mesh.find(region.vertices or [], region.is_prepared)[0]

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..kernel import load_kernel
 from .quality import MEASURES, areas
 
@@ -28,7 +29,7 @@ class Slid:
     """places: (n, 3); failing: of elements, before and after; rounds: how many there were;
     off_sheet: mm, how far middles of elements that changed are from the sheet as it was at most."""
 
-    places: np.ndarray
+    places: Floats
     failing: tuple[int, int]
     rounds: int
     off_sheet: float
@@ -43,9 +44,9 @@ class Sliding:
 
     def __init__(
         self,
-        surface: tuple[np.ndarray, np.ndarray],
-        faces: np.ndarray,
-        stays: np.ndarray,
+        surface: tuple[Floats, Ints],
+        faces: Ints,
+        stays: Bools,
         limits: Mapping[str, Mapping[str, float]],
     ):
         self._rest, self._triangles = surface
@@ -72,11 +73,11 @@ class Sliding:
         after = int(self._fails(np.arange(len(self._faces))).sum())
         return Slid(self._places, (before, after), rounds, self._off_sheet())
 
-    def _fails(self, elements: np.ndarray) -> np.ndarray:
+    def _fails(self, elements: Ints) -> Bools:
         corners = self._places[np.maximum(self._faces[elements], 0)]
         return _missed(corners, self._faces[elements, 3] >= 0, self._limits, 0.0) > 0.0
 
-    def _nodes_near(self, elements: np.ndarray) -> np.ndarray:
+    def _nodes_near(self, elements: Ints) -> Ints:
         """The nodes that may slide of some elements and of those around them."""
         is_near = np.zeros(len(self._rest) + 1, dtype=bool)  # the last one for what is no corner
         is_near[self._faces[elements]] = True
@@ -85,7 +86,7 @@ class Sliding:
             is_near[self._faces[is_near[self._faces].any(axis=1)]] = True
         return np.flatnonzero(is_near[:-1] & ~self._stays)
 
-    def _apart(self, nodes: np.ndarray) -> list[np.ndarray]:
+    def _apart(self, nodes: Ints) -> list[Ints]:
         """The nodes in groups none of which has two nodes of one element."""
         groups, left = [], nodes
         order = np.random.default_rng(1).permutation(len(self._rest) + 1)
@@ -100,7 +101,7 @@ class Sliding:
             left = left[~first]
         return groups
 
-    def _rows(self, nodes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _rows(self, nodes: Ints) -> tuple[Ints, Bools]:
         """(k, d) the elements of nodes, and which of them there are."""
         counts = self._starts[nodes + 1] - self._starts[nodes]
         columns = np.arange(max(1, int(counts.max(initial=1))))
@@ -108,7 +109,7 @@ class Sliding:
         rows = self._around[np.where(valid, self._starts[nodes][:, None] + columns, 0)]
         return rows, valid
 
-    def _go(self, nodes: np.ndarray) -> None:
+    def _go(self, nodes: Ints) -> None:
         """Every node to the best of some places, if one is better than where it is."""
         rows, valid = self._rows(nodes)
         here = self._places[nodes][:, None]
@@ -125,7 +126,7 @@ class Sliding:
         self._places[nodes[is_better]] = targets[is_better]
         self._step[nodes[~is_better]] *= 0.5
 
-    def _trials(self, nodes: np.ndarray, rows: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    def _trials(self, nodes: Ints, rows: Ints, valid: Bools) -> Floats:
         """(k, 9, 3) a step in eight directions, and towards the middle of the elements around."""
         normal = (self._normals[rows] * valid[:, :, None]).sum(axis=1)
         one = np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=1)])
@@ -140,11 +141,10 @@ class Sliding:
         middle = sums / there.sum(axis=(1, 2))[:, None] - here
         long = np.linalg.norm(middle, axis=1, keepdims=True)
         middle *= np.minimum(1.0, step[:, 0] / np.maximum(long, 1e-300))
-        return here[:, None] + np.concatenate([step * ways, middle[:, None]], axis=1)
+        found: Floats = here[:, None] + np.concatenate([step * ways, middle[:, None]], axis=1)
+        return found
 
-    def _missed_around(
-        self, nodes: np.ndarray, rows: np.ndarray, valid: np.ndarray, trials: np.ndarray
-    ) -> np.ndarray:
+    def _missed_around(self, nodes: Ints, rows: Ints, valid: Bools, trials: Floats) -> Floats:
         """(k, t) by how much the elements around nodes miss the limits with it at (k, t, 3)."""
         faces = self._faces[rows]
         corners = self._places[np.maximum(faces, 0)]
@@ -156,9 +156,10 @@ class Sliding:
         normals = np.broadcast_to(self._normals[rows][:, None], corners.shape[:3] + (3,))
         turned = (_vector_areas(flat, quads.reshape(-1)) * normals.reshape(-1, 3)).sum(axis=1) <= 0
         found = (missed + _TURNED * turned).reshape(corners.shape[:3])
-        return np.where(valid[:, None], found, 0.0).sum(axis=2)
+        result: Floats = np.where(valid[:, None], found, 0.0).sum(axis=2)
+        return result
 
-    def _laid_back(self, places: np.ndarray, reach: np.ndarray) -> np.ndarray:
+    def _laid_back(self, places: Floats, reach: Floats) -> Floats:
         """(k, 3) the nearest places of the sheet; those that are farther than a step are left."""
         found = places.copy()
         for k, hit in enumerate(map(self._tree.nearest_point, places)):
@@ -177,11 +178,11 @@ class Sliding:
 
 
 def _missed(
-    corners: np.ndarray,
-    is_quad: np.ndarray,
+    corners: Floats,
+    is_quad: Bools,
     limits: Mapping[str, Mapping[str, float]],
     room: float,
-) -> np.ndarray:
+) -> Floats:
     """(m,) the sum of squares by which elements (m, 4, 3) miss limits moved in by a share."""
     found = np.zeros(len(corners))
     for rows, count in ((is_quad, 4), (~is_quad, 3)):
@@ -200,17 +201,19 @@ def _missed(
     return found
 
 
-def _vector_areas(corners: np.ndarray, is_quad: np.ndarray) -> np.ndarray:
+def _vector_areas(corners: Floats, is_quad: Bools) -> Floats:
     last = np.where(is_quad[:, None], corners[:, 3], corners[:, 0])
-    return np.cross(corners[:, 2] - corners[:, 0], last - corners[:, 1])
+    found: Floats = np.cross(corners[:, 2] - corners[:, 0], last - corners[:, 1])
+    return found
 
 
-def _face_normals(places: np.ndarray, faces: np.ndarray) -> np.ndarray:
+def _face_normals(places: Floats, faces: Ints) -> Floats:
     found = _vector_areas(places[np.maximum(faces, 0)], faces[:, 3] >= 0)
-    return found / np.maximum(np.linalg.norm(found, axis=1, keepdims=True), 1e-300)
+    result: Floats = found / np.maximum(np.linalg.norm(found, axis=1, keepdims=True), 1e-300)
+    return result
 
 
-def _elements_of(faces: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+def _elements_of(faces: Ints, count: int) -> tuple[Ints, Ints]:
     """The elements of every node one after the other, and where those of each begin."""
     rows, columns = np.nonzero(faces >= 0)
     nodes = faces[rows, columns]
@@ -219,7 +222,7 @@ def _elements_of(faces: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]
     return rows[order], starts
 
 
-def _shortest_edges(places: np.ndarray, faces: np.ndarray) -> np.ndarray:
+def _shortest_edges(places: Floats, faces: Ints) -> Floats:
     """(n,) the shortest edge at every node, mm; 0 at nodes of no element."""
     last = np.where(faces[:, 3] >= 0, faces[:, 3], faces[:, 0])
     ring = np.concatenate([faces[:, :3], last[:, None]], axis=1)
@@ -233,7 +236,7 @@ def _shortest_edges(places: np.ndarray, faces: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(found), found, 0.0)
 
 
-def borders_and_creases(places: np.ndarray, faces: np.ndarray, angle: float) -> np.ndarray:
+def borders_and_creases(places: Floats, faces: Ints, angle: float) -> Bools:
     """(n,) the nodes on edges of one element or of three, and where two meet at more than an
     angle, degrees; those of degenerate elements too."""
     corners = faces.astype(np.int64)

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..blocks import chunks
+from ..errors import FileError
 from .abaqus_joints import Sets, add_joint
 from .abaqus_lines import AbaqusLines, Keyword
 from .abaqus_sets import NamedSets
@@ -176,12 +178,12 @@ class _Reader:
         shift = np.array(([*rows[0], 0, 0, 0] if rows else [0, 0, 0])[:3], dtype=float)
         if len(rows) < 2:
             return _frame(np.eye(3), shift, 0)
-        values = np.array([*rows[1], *[0.0] * 7][:7])
-        start, axis = values[:3], values[3:6] - values[:3]
+        told = np.array([*rows[1], *[0.0] * 7][:7], dtype=float)
+        start, axis = told[:3], told[3:6] - told[:3]
         if not np.linalg.norm(axis) > 0.0:
             line = int(keyword.rows[1])
             raise self.raw.error((lines.file, line), "*INSTANCE: the axis has no length")
-        turn = _turn(axis / np.linalg.norm(axis), np.radians(values[6]))
+        turn = _turn(axis / np.linalg.norm(axis), np.radians(told[6]))
         return _frame(turn, start + turn @ (shift - start), 0)
 
     def _define(self, lines: AbaqusLines, keyword: Keyword) -> int:
@@ -261,13 +263,11 @@ class _Reader:
                 )
             )  # fmt: skip
 
-    def _tables(
-        self, lines: AbaqusLines, rows: np.ndarray, count: int
-    ) -> list[tuple[np.ndarray, np.ndarray]]:
+    def _tables(self, lines: AbaqusLines, rows: Ints, count: int) -> list[tuple[Ints, Ints]]:
         """Lines and whole numbers (id, nodes) of elements."""
         text = lines.text
         if 0 < count <= 15:
-            found = np.empty((len(rows), count + 1), dtype=np.int32)
+            found: Ints = np.empty((len(rows), count + 1), dtype=np.int32)
             for part in chunks(len(rows)):
                 begins, ends = comma_places(text, rows[part], count + 1)
                 if (begins[:, -1] > text.ends[rows[part]]).any():
@@ -281,22 +281,22 @@ class _Reader:
             return [(rows, found)]
         return self._loose(lines, rows, count)
 
-    def _require(self, lines: AbaqusLines, rows: np.ndarray, sound: np.ndarray) -> None:
+    def _require(self, lines: AbaqusLines, rows: Ints, sound: Bools) -> None:
         if not sound.all():
-            line = int(rows[np.flatnonzero(~sound)[0]])
-            what = "*ELEMENT: what is here is no whole number"
-            raise self.raw.error((lines.file, line), what)
+            raise self._no_number(lines, int(rows[np.flatnonzero(~sound)[0]]))
 
-    def _loose(
-        self, lines: AbaqusLines, rows: np.ndarray, count: int
-    ) -> list[tuple[np.ndarray, np.ndarray]]:
+    def _no_number(self, lines: AbaqusLines, line: int) -> FileError:
+        return self.raw.error((lines.file, line), "*ELEMENT: what is here is no whole number")
+
+    def _loose(self, lines: AbaqusLines, rows: Ints, count: int) -> list[tuple[Ints, Ints]]:
         """Elements over several lines: one goes on until it has its nodes."""
-        heads, found = [], []
+        heads: list[int] = []
+        found: list[list[int]] = []
         is_open = False
         for line in rows.tolist():
             numbers = lines.numbers(line)
             if numbers is None:
-                self._require(lines, np.array([line]), np.array([False]))
+                raise self._no_number(lines, line)
             shown = lines.text.line(line).rstrip()
             if is_open:
                 found[-1] += numbers
@@ -309,8 +309,8 @@ class _Reader:
                 is_open = False
         width = max(map(len, found), default=1)
         table = np.zeros((len(found), max(width, 2)), dtype=np.int64)
-        for row, numbers in zip(table, found):
-            row[: len(numbers)] = numbers
+        for row, nodes in zip(table, found):
+            row[: len(nodes)] = nodes
         return [(np.array(heads), table[:, : count + 1] if count else table)]
 
     def _number_parts(self) -> dict[int, tuple[list[int], int]]:
@@ -341,13 +341,14 @@ class _Reader:
         return owners
 
 
-def _frame(turn: np.ndarray, origin: np.ndarray, outer: int) -> Frame:
+def _frame(turn: Floats, origin: Floats, outer: int) -> Frame:
     corners = np.array([origin, origin + turn[:, 2], origin + turn[:, 0]])
     return Frame("R", None, corners, outer)
 
 
-def _turn(axis: np.ndarray, angle: float) -> np.ndarray:
+def _turn(axis: Floats, angle: float) -> Floats:
     """The rotation (3, 3) about a unit axis."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross
+    found: Floats = np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * cross @ cross
+    return found

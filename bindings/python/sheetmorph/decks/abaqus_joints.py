@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..arrays import Ints
 from .abaqus_lines import AbaqusLines, Keyword
 from .abaqus_sets import members_of
 from .model import Elements, Raw
@@ -16,10 +17,10 @@ class Sets:
 
     def __init__(self, raw: Raw):
         self._raw = raw
-        self._sets: dict[str, list[np.ndarray]] = {}
+        self._sets: dict[str, list[Ints]] = {}
         self._joints: list[tuple[str, list[str], int, int]] = []
 
-    def add_nodes(self, name: str, ids: np.ndarray) -> None:
+    def add_nodes(self, name: str, ids: Ints) -> None:
         """Put nodes into a set, if it has a name."""
         if name:
             self._sets.setdefault(name.upper(), []).append(ids)
@@ -56,8 +57,8 @@ def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
     """Take a set of nodes, or what joins some."""
     name, options = keyword.name, keyword.options
     if name == "NSET":
-        members, _ = members_of(lines, keyword)
-        sets.add_nodes(options.get("NSET", ""), np.array(members, dtype=np.int64))
+        ids, _ = members_of(lines, keyword)
+        sets.add_nodes(options.get("NSET", ""), np.array(ids, dtype=np.int64))
     elif name == "RIGID BODY":
         members = [options.get("REF NODE", ""), options.get("ROT NODE", "")]
         members += [options.get(key, "") for key in ("NSET", "TIE NSET", "PIN NSET")]
@@ -75,7 +76,8 @@ def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
 
 def _equations(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
     """Equations: their number of terms, then node, direction, factor for each."""
-    missing, members, start = 0, [], 0
+    members: list[str] = []
+    missing, start = 0, 0
     for line in keyword.rows.tolist():
         words = lines.words(line)
         if missing <= 0:

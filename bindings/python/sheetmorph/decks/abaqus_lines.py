@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Ints
 from ..blocks import chunks
 from .model import Raw
 from .numbers import parse_integer, parse_real
@@ -22,7 +23,7 @@ class Keyword:
     name: str
     options: dict[str, str]
     line: int
-    rows: np.ndarray
+    rows: Ints
 
 
 class AbaqusLines:
@@ -52,7 +53,7 @@ class AbaqusLines:
         """Whether there is any."""
         return len(self._heads) > 0
 
-    def data_rows(self) -> np.ndarray:
+    def data_rows(self) -> Ints:
         """All data lines."""
         return np.flatnonzero(self._is_data).astype(np.int32)
 
@@ -78,7 +79,8 @@ class AbaqusLines:
         """The whole numbers of a data line; None if something else is there."""
         words = [word.strip() for word in self.text.line(line).split(",")]
         found = [parse_integer(word) for word in words if word]
-        return None if None in found else found
+        sound = [number for number in found if number is not None]
+        return sound if len(sound) == len(found) else None
 
     def words(self, line: int) -> list[str]:
         """What stands between the commas of a data line, in capitals."""

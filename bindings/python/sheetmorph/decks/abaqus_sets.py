@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from ..arrays import Ints
 from .abaqus_lines import AbaqusLines, Keyword
 from .model import NamedSet, Raw
 from .numbers import parse_integer
@@ -20,10 +21,10 @@ class NamedSets:
     """Gathers them; what names of parts stand for is known at the end only."""
 
     def __init__(self) -> None:
-        self._found: dict[tuple[str, str], list[tuple[int, np.ndarray]]] = {}
+        self._found: dict[tuple[str, str], list[tuple[int, Ints]]] = {}
         self._sections: dict[str, int] = {}
 
-    def add(self, kind: str, name: str, owner: int, ids: np.ndarray) -> None:
+    def add(self, kind: str, name: str, owner: int, ids: Ints) -> None:
         """Put nodes ("NSET") or elements ("ELSET") of a part, by its number, into a set."""
         if name and len(ids):
             self._found.setdefault((kind, name.upper()), []).append((owner, ids))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Bools, Ints
 from .deck import Deck
 from .shells import Sheet
 
@@ -23,8 +24,8 @@ class Group:
     kinds: of those elements.
     """
 
-    nodes: np.ndarray
-    held: np.ndarray
+    nodes: Ints
+    held: Ints
     kinds: frozenset[str]
 
 
@@ -55,7 +56,7 @@ def groups_of(deck: Deck, sheet: Sheet) -> list[Group]:
     ]
 
 
-def _pinned(deck: Deck, row: np.ndarray) -> np.ndarray:
+def _pinned(deck: Deck, row: Ints) -> Ints:
     """(k, 2) nodes that an element of no length ties to one of the sheet, and its row: wherever
     else they belong to, they are where that node is."""
     found = [np.zeros((0, 2), dtype=np.int64)]
@@ -74,7 +75,7 @@ def _pinned(deck: Deck, row: np.ndarray) -> np.ndarray:
     return both[first]
 
 
-def _links(deck: Deck, free: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _links(deck: Deck, free: Bools) -> tuple[Ints, Ints, Ints]:
     """Pairs of free nodes; of a free node and one of the sheet; of a free node and a kind."""
     none = np.zeros((0, 2), dtype=np.int64)
     links, ties, kinds = [none], [none], [none]
@@ -97,7 +98,7 @@ def _links(deck: Deck, free: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nda
     return np.concatenate(links), np.concatenate(ties), np.concatenate(kinds)
 
 
-def labels_of(count: int, links: np.ndarray) -> np.ndarray:
+def labels_of(count: int, links: Ints) -> Ints:
     """(n,) the smallest index of what each node hangs together with."""
     labels = np.arange(count)
     while True:
@@ -111,9 +112,7 @@ def labels_of(count: int, links: np.ndarray) -> np.ndarray:
             return labels
 
 
-def _by_label(
-    labels: np.ndarray, pairs: np.ndarray, row: np.ndarray | None
-) -> dict[int, np.ndarray]:
+def _by_label(labels: Ints, pairs: Ints, row: Ints | None) -> dict[int, Ints]:
     """The second of each pair, by the label of the first; each once."""
     if not len(pairs):
         return {}

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..arrays import Bools, Codes, Floats, Ints
 from ..blocks import chunks
 from .model import FREE, Block, Raw
 from .numbers import parse_integers, parse_reals
@@ -14,7 +15,7 @@ from .text import DeckText
 _LONGEST = 64
 
 
-def comma_places(text: DeckText, rows: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+def comma_places(text: DeckText, rows: Ints, count: int) -> tuple[Ints, Ints]:
     """Begins and ends (n, count) of the first fields of some lines (rising).
 
     A field that is not there begins behind the end of its line.
@@ -34,7 +35,7 @@ def comma_places(text: DeckText, rows: np.ndarray, count: int) -> tuple[np.ndarr
     return begins, np.maximum(ends, np.minimum(begins, stops[:, None]))
 
 
-def _commas(text: DeckText, rows: np.ndarray) -> np.ndarray:
+def _commas(text: DeckText, rows: Ints) -> Ints:
     low, high = int(text.begins[rows[0]]), int(text.ends[rows[-1]])
     size = 1 << 20
     found = [
@@ -46,18 +47,18 @@ def _commas(text: DeckText, rows: np.ndarray) -> np.ndarray:
     return np.concatenate(found) if found else np.empty(0, dtype=np.int64)
 
 
-def integers(text: DeckText, begins: np.ndarray, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def integers(text: DeckText, begins: Ints, ends: Ints) -> tuple[Ints, Bools]:
     """Whole numbers (n,) between offsets, 0 where blank; and which are sound."""
     codes = _codes(text, begins, ends)
     return parse_integers(codes)
 
 
-def reals(text: DeckText, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
+def reals(text: DeckText, begins: Ints, ends: Ints) -> Floats:
     """Numbers (n,) between offsets, 0 where blank, NaN where there is none."""
     return parse_reals(_codes(text, begins, ends))
 
 
-def _codes(text: DeckText, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
+def _codes(text: DeckText, begins: Ints, ends: Ints) -> Codes:
     width = int(np.clip((ends - begins).max(initial=1), 1, _LONGEST))
     codes = text.columns(begins, ends, width)
     codes[codes == 9] = 32
@@ -66,7 +67,7 @@ def _codes(text: DeckText, begins: np.ndarray, ends: np.ndarray) -> np.ndarray:
     return codes
 
 
-def comma_nodes(raw: Raw, file: int, rows: np.ndarray, room: int) -> Block:
+def comma_nodes(raw: Raw, file: int, rows: Ints, room: int) -> Block:
     """Nodes: an id and three coordinates between commas; coordinates left out are 0."""
     text = raw.texts[file]
     leads: dict[tuple[int, int], int] = {}
@@ -82,8 +83,8 @@ def comma_nodes(raw: Raw, file: int, rows: np.ndarray, room: int) -> Block:
 
 
 def _comma_nodes(
-    raw: Raw, file: int, rows: np.ndarray, told: tuple[int, dict[tuple[int, int], int]]
-) -> tuple[np.ndarray, ...]:
+    raw: Raw, file: int, rows: Ints, told: tuple[int, dict[tuple[int, int], int]]
+) -> tuple[Ints, Floats, Ints, Ints]:
     text = raw.texts[file]
     first, leads = told
     begins, ends = comma_places(text, rows, 4)
@@ -104,7 +105,7 @@ def _comma_nodes(
     return ids, values, places, np.minimum(lengths - places, 255).astype(np.uint8)
 
 
-def _trimmed(text: DeckText, begins: np.ndarray, ends: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _trimmed(text: DeckText, begins: Ints, ends: Ints) -> tuple[Ints, Ints]:
     """The same places without blanks at their ends."""
     shape = begins.shape
     one, two = begins.reshape(-1), ends.reshape(-1)
@@ -116,7 +117,7 @@ def _trimmed(text: DeckText, begins: np.ndarray, ends: np.ndarray) -> tuple[np.n
     return (one + left).reshape(shape), (one + np.where(filled, right, 0)).reshape(shape)
 
 
-def words(text: DeckText, begin: int, end: int) -> tuple[np.ndarray, np.ndarray]:
+def words(text: DeckText, begin: int, end: int) -> tuple[Ints, Ints]:
     """Begins and ends of the words between two offsets."""
     size = 1 << 20
     kind = text.begins.dtype

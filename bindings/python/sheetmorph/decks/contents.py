@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Ints
 from .deck import Deck
 from .shells import Sheet
 
@@ -29,7 +30,7 @@ class Shells:
         return " · ".join(filter(None, (self.name, f"PID {self.number}", thickness)))
 
 
-def thickness_of(deck: Deck, sheet: Sheet, rows: np.ndarray) -> float:
+def thickness_of(deck: Deck, sheet: Sheet, rows: Ints) -> float:
     """The median thickness of the elements of some triangles (k,) of a sheet, mm; 0 if the deck
     does not tell."""
     elements = sheet.elements[rows]
@@ -39,7 +40,7 @@ def thickness_of(deck: Deck, sheet: Sheet, rows: np.ndarray) -> float:
     return float(np.median(np.repeat(told, counts))) if len(elements) else 0.0
 
 
-def shells_of(deck: Deck, sheet: Sheet, rows: np.ndarray) -> list[Shells]:
+def shells_of(deck: Deck, sheet: Sheet, rows: Ints) -> list[Shells]:
     """The properties of some triangles (k,) of a sheet, the lowest number first."""
     properties, elements = sheet.properties[rows], sheet.elements[rows]
     raw = deck.raw

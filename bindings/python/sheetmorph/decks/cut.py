@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..blocks import chunks
 from .model import FIXED, Block, Raw
 from .numbers import parse_integers, parse_reals
@@ -23,11 +24,11 @@ class Cut:
 
     raw: Raw
     file: int
-    rows: np.ndarray
-    stops: np.ndarray
+    rows: Ints
+    stops: Ints
     card: str
 
-    def integers(self, column: int, width: int, blank: int | None = None) -> np.ndarray:
+    def integers(self, column: int, width: int, blank: int | None = None) -> Ints:
         """(n,) whole numbers in some columns; what blank ones are, if they may be. FileError."""
         text = self.raw.texts[self.file]
         found = np.empty(len(self.rows), dtype=np.int64)
@@ -50,7 +51,7 @@ class Cut:
         what = f'{self.card}: "{shown}" in columns {column + 1} to {column + width} is not a whole'
         raise self.raw.error((self.file, line), f"{what} number")
 
-    def reals(self, column: int, width: int) -> np.ndarray:
+    def reals(self, column: int, width: int) -> Floats:
         """(n,) numbers in some columns; 0 where blank, NaN where there is no number."""
         text = self.raw.texts[self.file]
         found = np.empty(len(self.rows))
@@ -59,7 +60,7 @@ class Cut:
             found[part] = parse_reals(text.columns(text.begins[at] + column, self.stops[at], width))
         return found
 
-    def table(self, column: int, width: int, count: int) -> np.ndarray:
+    def table(self, column: int, width: int, count: int) -> Ints:
         """(n, count) whole numbers in columns one after another, blank ones 0."""
         some = (self.integers(column + k * width, width, 0) for k in range(count))
         return side_by_side(some, (len(self.rows), count))
@@ -91,18 +92,18 @@ class Cut:
         )  # fmt: skip
 
 
-def small(values: np.ndarray) -> np.ndarray:
+def small(values: Ints) -> Ints:
     """A copy of whole numbers, in half the memory where they fit."""
     return values.astype(np.int32 if _fit(values) else values.dtype)
 
 
-def _fit(values: np.ndarray) -> bool:
+def _fit(values: Ints) -> bool:
     return not values.size or bool(-(2**31) < values.min() and values.max() < 2**31)
 
 
-def side_by_side(columns: Iterable[np.ndarray], shape: tuple[int, int]) -> np.ndarray:
+def side_by_side(columns: Iterable[Ints], shape: tuple[int, int]) -> Ints:
     """Columns of whole numbers as one array of a shape, small() if they fit."""
-    whole = np.empty(shape, dtype=np.int32)
+    whole: Ints = np.empty(shape, dtype=np.int32)
     for k, column in enumerate(columns):
         if whole.dtype == np.int32 and not _fit(column):
             whole = whole.astype(np.int64)

@@ -3,18 +3,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..blocks import CHUNK, chunks
 from ..errors import FileError, list_ids
 from .frames import Frame, FrameError, Frames
 from .model import BINARY, FIXED, PADDED, Block, Elements, Raw, table_of
 from .numbers import format_reals, parse_real
-from .text import write_edited
+from .text import Edit, write_edited
 from .wide import is_small_grid, wide_grid
 
 _EIGHT = 8
@@ -38,7 +39,7 @@ class Deck:
         table = table_of(raw)
         self.ids, self._values, self._systems = table.ids, table.values, table.systems
         self._files, self._lines, self._rows = table.files, table.lines, table.rows
-        self._order: np.ndarray | None = None
+        self._order: Ints | None = None
         self.points = self._basic()
 
     @property
@@ -46,7 +47,7 @@ class Deck:
         """The name of the format."""
         return self.raw.form
 
-    def find(self, ids: np.ndarray) -> np.ndarray:
+    def find(self, ids: Ints) -> Ints:
         """Indices of the nodes with these ids, -1 where there is none."""
         if self._order is None:
             kind = np.int32 if len(self.ids) < 2**31 else np.int64
@@ -61,7 +62,7 @@ class Deck:
         """File and line, from 0, of the node with an index."""
         return int(self._files[node]), int(self._lines[node])
 
-    def width_of(self, nodes: np.ndarray) -> int:
+    def width_of(self, nodes: Ints) -> int:
         """The fewest characters that a number of these nodes (indices) may take."""
         wanted = np.zeros(len(self.ids), dtype=bool)
         wanted[nodes] = True
@@ -72,7 +73,7 @@ class Deck:
         ]
         return min(rooms, default=0)
 
-    def _basic(self) -> np.ndarray:
+    def _basic(self) -> Floats:
         if not self._systems.any():
             return self._values
         points, numbers = self._values.copy(), np.unique(self._systems)
@@ -84,7 +85,7 @@ class Deck:
             points[rows] = self._told(rows[0], lambda: frames.to_basic(number, self._values[rows]))
         return points
 
-    def _told(self, row: int, work):
+    def _told(self, row: int, work: Callable[[], Floats]) -> Floats:
         try:
             return work()
         except FrameError as error:
@@ -93,10 +94,11 @@ class Deck:
                 self.place_of(row), f"node {self.ids[row]}: {error}", todo
             ) from None
 
-    def _locate_at_rest(self, node: int) -> np.ndarray:
+    def _locate_at_rest(self, node: int) -> Floats:
         row = self._row_of(node)
         value = self._values[row : row + 1]
-        return self._frames_at_rest.to_basic(int(self._systems[row]), value)[0]
+        found: Floats = self._frames_at_rest.to_basic(int(self._systems[row]), value)[0]
+        return found
 
     def _row_of(self, node: int) -> int:
         row = int(self.find(np.array([node]))[0])
@@ -106,9 +108,7 @@ class Deck:
             )
         return row
 
-    def save(
-        self, positions: np.ndarray, file: int, out: BinaryIO, *, is_wide: bool = False
-    ) -> None:
+    def save(self, positions: Floats, file: int, out: BinaryIO, *, is_wide: bool = False) -> None:
         """Write one of the files with the nodes at (n, 3) positions.
 
         is_wide: moved nodes in small fields of Nastran get large ones. Raises FileError for a
@@ -118,7 +118,7 @@ class Deck:
         edits = self._wide_edits(file, values) if is_wide else self._edits(file, values)
         write_edited(self.texts[file], out, edits)
 
-    def _wide_edits(self, file: int, values: np.ndarray) -> Iterable:
+    def _wide_edits(self, file: int, values: Floats) -> Iterator[Edit]:
         """The same with small GRID cards made large ones, all at once."""
         text = self.texts[file]
         found: list[tuple[int, int, bytes]] = []
@@ -127,12 +127,12 @@ class Deck:
                 continue
             may = self.form == "Nastran" and block.kind == FIXED and block.room == 8
             changed = self._changed(number, values, slice(None)).reshape(-1, 3).any(axis=1)
-            rows = np.flatnonzero(changed) if may else np.empty(0, dtype=np.int64)
-            rows = [k for k in rows.tolist() if is_small_grid(text, int(block.lines[k]))]
+            moved = np.flatnonzero(changed).tolist() if may else []
+            rows = [k for k in moved if is_small_grid(text, int(block.lines[k]))]
             for k in rows:
                 node = int(self._rows[number][k])
-                numbers = self._texts(values[node], 16, node)
-                found.append(wide_grid(text, int(block.lines[k]), numbers))
+                shown = self._texts(values[node], 16, node)
+                found.append(wide_grid(text, int(block.lines[k]), shown))
             wide = {int(block.lines[k]) for k in rows}
             for at, widths, texts in self._edits_of([number], values):
                 lines = np.searchsorted(text.begins, at, side="right") - 1
@@ -145,16 +145,17 @@ class Deck:
                 ]
         found.sort(key=lambda edit: edit[0])
         if found:
-            begins, widths, texts = zip(*found)
-            yield np.array(begins), np.array(widths), list(texts)
+            begins, lengths, numbers = zip(*found)
+            yield np.array(begins), np.array(lengths), list(numbers)
 
-    def unwritten(self, positions: np.ndarray) -> np.ndarray:
+    def unwritten(self, positions: Floats) -> Ints:
         """The nodes (k,) that are not at rest in (n, 3) positions, and cannot be written."""
         locked = self.find(np.array(sorted(self.raw.locked), dtype=np.int64))
         locked = locked[locked >= 0]
-        return locked[(positions[locked] != self.points[locked]).any(axis=1)]
+        found: Ints = locked[(positions[locked] != self.points[locked]).any(axis=1)]
+        return found
 
-    def _written_values(self, positions: np.ndarray) -> np.ndarray:
+    def _written_values(self, positions: Floats) -> Floats:
         """(n, 3) numbers for the file; those of nodes that stay are those that are there."""
         moved = (positions != self.points).any(axis=1)
         values = np.where(moved[:, None], positions, self._values)
@@ -173,21 +174,22 @@ class Deck:
         before, after = self._frames_at_rest.axes(number), frames.axes(number)
         return all(np.array_equal(a, b) for a, b in zip(before, after))
 
-    def _moved_frames(self, positions: np.ndarray) -> Frames:
+    def _moved_frames(self, positions: Floats) -> Frames:
         """The coordinate systems as the written numbers of their nodes will define them."""
 
-        def locate(node: int) -> np.ndarray:
+        def locate(node: int) -> Floats:
             row = self._row_of(node)
             number, place = int(self._systems[row]), positions[row : row + 1]
-            if np.array_equal(place[0], self.points[row]) and number == 0:
-                return self.points[row]
-            value = frames.from_basic(number, place, self._values[row : row + 1])[0]
-            return frames.to_basic(number, self._rounded(row, value)[None])[0]
+            found: Floats = self.points[row]
+            if not np.array_equal(place[0], found) or number != 0:
+                value = frames.from_basic(number, place, self._values[row : row + 1])[0]
+                found = frames.to_basic(number, self._rounded(row, value)[None])[0]
+            return found
 
         frames = Frames(self.frames, locate)
         return frames
 
-    def _rounded(self, row: int, value: np.ndarray) -> np.ndarray:
+    def _rounded(self, row: int, value: Floats) -> Floats:
         block = next(
             block for block, rows in zip(self.raw.blocks, self._rows) if (rows == row).any()
         )
@@ -196,7 +198,7 @@ class Deck:
         texts = self._texts(value, block.room, row)
         return np.array([parse_real(text) for text in texts])
 
-    def _texts(self, values: np.ndarray, room: int, row: int) -> list[str]:
+    def _texts(self, values: Floats, room: int, row: int) -> list[str]:
         try:
             return format_reals(values, room, self.raw.mark)
         except ValueError as error:
@@ -205,7 +207,7 @@ class Deck:
                 self.place_of(row), f"node {self.ids[row]}: {error}", todo
             ) from None
 
-    def _edits(self, file: int, values: np.ndarray) -> Iterable:
+    def _edits(self, file: int, values: Floats) -> Iterator[Edit]:
         """The pieces of a file that change, in order."""
         blocks = enumerate(self.raw.blocks)
         mine = [k for k, block in blocks if block.file == file and len(block.ids)]
@@ -235,7 +237,7 @@ class Deck:
         ends = [int(block.begins[-1, -1]) for block in blocks]
         return all(end <= int(b.begins[0, 0]) for end, b in zip(ends, blocks[1:]))
 
-    def _edits_of(self, numbers: list[int], values: np.ndarray) -> Iterable:
+    def _edits_of(self, numbers: list[int], values: Floats) -> Iterator[Edit]:
         """The pieces of some blocks that change, in order."""
         if not numbers:
             return
@@ -254,11 +256,11 @@ class Deck:
         is_new = np.concatenate([self._changed(k, values, slice(None)) for k in numbers])
         order = np.flatnonzero(is_new)
         order = order[np.argsort(at[order], kind="stable")]
-        for part in range(0, len(order), CHUNK):
-            rows = order[part : part + CHUNK]
+        for begin in range(0, len(order), CHUNK):
+            rows = order[begin : begin + CHUNK]
             yield at[rows], *self._pieces(owner[rows], index[rows], values)
 
-    def _changed(self, number: int, values: np.ndarray, part: slice) -> np.ndarray:
+    def _changed(self, number: int, values: Floats, part: slice) -> Bools:
         """Which numbers (3 k,) of some rows of a block are to be written."""
         block, rows = self.raw.blocks[number], self._rows[number][part]
         new = values[np.maximum(rows, 0)]
@@ -270,11 +272,10 @@ class Deck:
             if first <= line < last:
                 short[line - first] = True
         changed |= (changed.any(axis=1) & short)[:, None]
-        return changed.reshape(-1)
+        found: Bools = changed.reshape(-1)
+        return found
 
-    def _pieces(
-        self, owner: np.ndarray, index: np.ndarray, values: np.ndarray
-    ) -> tuple[np.ndarray, list[bytes]]:
+    def _pieces(self, owner: Ints, index: Ints, values: Floats) -> tuple[Ints, list[bytes]]:
         widths = np.zeros(len(owner), dtype=np.int64)
         texts: list[bytes] = [b""] * len(owner)
         for number in np.unique(owner).tolist():
@@ -288,7 +289,7 @@ class Deck:
                 texts[k] = text
         return widths, texts
 
-    def _shown(self, block: Block, new: np.ndarray, rows: np.ndarray) -> list[bytes]:
+    def _shown(self, block: Block, new: Floats, rows: Ints) -> list[bytes]:
         if block.kind == BINARY:
             raw = new.astype("<f8").tobytes()
             return [raw[k : k + _EIGHT] for k in range(0, len(raw), _EIGHT)]
@@ -299,9 +300,7 @@ class Deck:
                 self._texts(np.array([value]), block.room, row)  # raises for the one
             raise
 
-    def _fitted(
-        self, block: Block, line: np.ndarray, axis: np.ndarray, shown: list[bytes]
-    ) -> Iterator[bytes]:
+    def _fitted(self, block: Block, line: Ints, axis: Ints, shown: list[bytes]) -> Iterator[bytes]:
         """The numbers with the blanks that keep all others in their columns."""
         if block.kind == PADDED:
             for row, k, text in zip(line.tolist(), axis.tolist(), shown):

@@ -51,6 +51,10 @@ def read_dyna(path: Path, opener: Opener) -> Deck:
     return reader.read()
 
 
+# Line, id, values, and of each coordinate its text, begin and width.
+_OddNode = tuple[int, int, list[float], list[tuple[str, int, int]]]
+
+
 @dataclass(frozen=True)
 class _Widths:
     """Widths of the fields of a keyword: of ids in nodes and elements, of other ids, of numbers."""
@@ -146,9 +150,8 @@ class _Reader:
         self._take_options(section.rest.lower())
 
     def _take_options(self, options: str) -> None:
-        if re.search(r"long\s*=\s*(y|s|k)", options):
-            kind = re.search(r"long\s*=\s*(\w)", options).group(1)
-            self._widths = _STANDARD if kind == "s" else _LONG
+        if kind := re.search(r"long\s*=\s*(y|s|k)", options):
+            self._widths = _STANDARD if kind.group(1) == "s" else _LONG
         if re.search(r"i10\s*=\s*y", options):
             self._widths = _TEN
 
@@ -198,7 +201,7 @@ class _Reader:
         if is_model:
             self.raw.blocks += blocks
 
-    def _odd_node(self, cards: DynaCards, line: int, widths: _Widths) -> tuple | None:
+    def _odd_node(self, cards: DynaCards, line: int, widths: _Widths) -> _OddNode | None:
         """A node in free fields, or with parameters."""
         fields = cards.places(line, [widths.label] + [widths.real] * 3)
         number = parse_integer(cards.value(fields[0][0]))
@@ -262,7 +265,7 @@ def _is_plain(cards: DynaCards, section: Section) -> bool:
     return True
 
 
-def _joined(file: int, rows: list[tuple], room: int) -> list[Block]:
+def _joined(file: int, rows: list[_OddNode], room: int) -> list[Block]:
     if not rows:
         return []
     lines, ids, values, fields = zip(*rows)

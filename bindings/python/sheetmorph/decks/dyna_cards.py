@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Bools, Ints
 from .model import Raw
 
 _HEAD = re.compile(r"\*\s*([A-Za-z0-9_\-]*[A-Za-z0-9_])\s*([%+\-]?)(.*)", re.DOTALL)
@@ -23,7 +24,7 @@ class Section:
     suffix: str
     rest: str
     line: int
-    rows: np.ndarray
+    rows: Ints
 
 
 class DynaCards:
@@ -66,7 +67,7 @@ class DynaCards:
             name, suffix, rest = found.groups()
             yield Section(name.upper(), suffix, rest, line, rows)
 
-    def filled(self, rows: np.ndarray) -> np.ndarray:
+    def filled(self, rows: Ints) -> Ints:
         """Those of some lines that are not blank."""
         text = self.text
         blank = text.ends[rows] == text.begins[rows]
@@ -76,9 +77,10 @@ class DynaCards:
         for k in some.tolist():
             row = rows[k]
             blank[k] = not text.data[text.begins[row] : text.ends[row]].strip()
-        return rows[~blank]
+        found: Ints = rows[~blank]
+        return found
 
-    def plain(self, rows: np.ndarray) -> np.ndarray:
+    def plain(self, rows: Ints) -> Bools:
         """Which of some lines are written in columns, with numbers alone."""
         return ~self._odd[rows]
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Ints
 from .cut import Cut, small
 from .dyna_cards import DynaCards, Section
 from .model import Elements
@@ -75,7 +76,7 @@ def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> 
     _add(cards, section, heads, (known, width))
 
 
-def _heads(cards: DynaCards, section: Section, rows: np.ndarray, each: int) -> np.ndarray:
+def _heads(cards: DynaCards, section: Section, rows: Ints, each: int) -> Ints:
     """The first line of every element of some lines each."""
     if len(rows) % each:
         what = f"*{section.name}: {len(rows)} cards are no whole number of elements of {each}"
@@ -84,8 +85,8 @@ def _heads(cards: DynaCards, section: Section, rows: np.ndarray, each: int) -> n
 
 
 def _shells_with_more(
-    cards: DynaCards, section: Section, rows: np.ndarray, layout: tuple[int, int]
-) -> np.ndarray:
+    cards: DynaCards, section: Section, rows: Ints, layout: tuple[int, int]
+) -> Ints:
     """Shells with values at their nodes: one more line where there are mid-side nodes."""
     width, extra = layout
     size = cards.text.ends[rows] - cards.text.begins[rows]
@@ -102,7 +103,7 @@ def _shells_with_more(
     return np.array(heads)
 
 
-def _add(cards: DynaCards, section: Section, heads: np.ndarray, layout: tuple[_Kind, int]) -> None:
+def _add(cards: DynaCards, section: Section, heads: Ints, layout: tuple[_Kind, int]) -> None:
     known, width = layout
     plain = cards.plain(heads)
     cut = Cut(cards.raw, cards.file, heads[plain], cards.stops, f"*{section.name}")
@@ -143,7 +144,7 @@ def _numbers(cards: DynaCards, section: Section, line: int, layout: tuple[int, i
 
 
 def _solids(
-    cards: DynaCards, section: Section, rows: np.ndarray, layout: tuple[int, int, list[str]]
+    cards: DynaCards, section: Section, rows: Ints, layout: tuple[int, int, list[str]]
 ) -> None:
     """Solids: nodes behind the part in one line, or in lines of their own."""
     width, extra, words = layout

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..arrays import Floats, Ints
+
 # Of the nodes that hold a group, so many nearest ones carry each of its nodes.
 _NEAREST = 12
 
@@ -17,9 +19,7 @@ class Motion:
     rows: (k,) those of its nodes whose rotations are asked for.
     """
 
-    def __init__(
-        self, rest: np.ndarray, moved: np.ndarray, triangles: np.ndarray, rows: np.ndarray
-    ):
+    def __init__(self, rest: Floats, moved: Floats, triangles: Ints, rows: Ints):
         self.rest, self.moved, self.triangles = rest, moved, triangles
         near = (rest != moved).any(axis=1)
         near[triangles[near[triangles].any(axis=1)]] = True
@@ -28,16 +28,17 @@ class Motion:
         self._place[rows] = np.arange(len(rows))
         self._turns = self._all_turns(len(rows))
 
-    def turns(self, rows: np.ndarray) -> np.ndarray:
+    def turns(self, rows: Ints) -> Floats:
         """(k, 3, 3) the rotation of the sheet around some of its nodes: the best of the edges and
         normals of the triangles there."""
-        return self._turns[self._place[rows]]
+        found: Floats = self._turns[self._place[rows]]
+        return found
 
-    def stays(self, rows: np.ndarray) -> bool:
+    def stays(self, rows: Ints) -> bool:
         """Whether no triangle at some nodes moves at all."""
         return not self._is_near[rows].any()
 
-    def _all_turns(self, count: int) -> np.ndarray:
+    def _all_turns(self, count: int) -> Floats:
         place = self._place
         corners = self.triangles[(place[self.triangles] >= 0).any(axis=1)]
         before, after = _normals(self.rest, corners), _normals(self.moved, corners)
@@ -54,17 +55,18 @@ class Motion:
         return _rotations(sums)
 
 
-def _normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def _normals(points: Floats, triangles: Ints) -> Floats:
     """(m, 3) normals as long as the square root of twice the area."""
     one = points[triangles[:, 1]] - points[triangles[:, 0]]
     two = points[triangles[:, 2]] - points[triangles[:, 0]]
     normal = np.cross(one, two)
     size = np.linalg.norm(normal, axis=1)
     scale = np.divide(1.0, np.sqrt(size), out=np.zeros_like(size), where=size > 0.0)
-    return normal * scale[:, None]
+    found: Floats = normal * scale[:, None]
+    return found
 
 
-def _rotations(sums: np.ndarray) -> np.ndarray:
+def _rotations(sums: Floats) -> Floats:
     """(k, 3, 3) the rotations nearest to sums of b a^T."""
     left, _, right = np.linalg.svd(sums)
     sign = np.where(np.linalg.det(left @ right) < 0.0, -1.0, 1.0)
@@ -73,7 +75,7 @@ def _rotations(sums: np.ndarray) -> np.ndarray:
     return left @ right
 
 
-def rigid_motion(rest: np.ndarray, moved: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
+def rigid_motion(rest: Floats, moved: Floats) -> tuple[Floats, Floats] | None:
     """Rotation (3, 3) and shift (3,) that carry (k, 3) points to others best; None if they lie on a
     line, which leaves the rotation open."""
     if len(rest) < 3:
@@ -86,7 +88,7 @@ def rigid_motion(rest: np.ndarray, moved: np.ndarray) -> tuple[np.ndarray, np.nd
     return turn, other - turn @ middle
 
 
-def blended(motion: Motion, held: np.ndarray, points: np.ndarray) -> np.ndarray:
+def blended(motion: Motion, held: Ints, points: Floats) -> Floats:
     """(k, 3) places of points that go along with the sheet around some of its nodes (j,)."""
     turns = motion.turns(held)
     anchors, targets = motion.rest[held], motion.moved[held]
@@ -103,17 +105,17 @@ def blended(motion: Motion, held: np.ndarray, points: np.ndarray) -> np.ndarray:
     return found
 
 
-def on_triangle(
-    motion: Motion, triangle: int, barycentric: np.ndarray, point: np.ndarray
-) -> np.ndarray:
+def on_triangle(motion: Motion, triangle: int, barycentric: Floats, point: Floats) -> Floats:
     """(3,) the place of a point that goes along with a triangle, from its nearest point on it."""
     corners = motion.triangles[triangle]
     foot, target = barycentric @ motion.rest[corners], barycentric @ motion.moved[corners]
     turn = _rotations(motion.turns(corners).sum(axis=0)[None])[0]
-    return target + turn @ (point - foot)
+    found: Floats = target + turn @ (point - foot)
+    return found
 
 
-def turn_at(places: Sequence[tuple[Motion, int]]) -> np.ndarray:
+def turn_at(places: Sequence[tuple[Motion, int]]) -> Floats:
     """(3, 3) the rotation of sheets at some of their triangles, in the middle."""
     turns = [motion.turns(motion.triangles[triangle]).sum(axis=0) for motion, triangle in places]
-    return _rotations(np.sum(turns, axis=0)[None])[0]
+    found: Floats = _rotations(np.sum(turns, axis=0)[None])[0]
+    return found

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Floats
+
 _SMALLEST = 1e-12
-Locate = Callable[[int], np.ndarray]
+Locate = Callable[[int], Floats]
 
 
 class FrameError(ValueError):
@@ -31,7 +33,7 @@ class Frame:
 
     kind: str
     nodes: tuple[int, int, int] | None = None
-    points: np.ndarray | None = None
+    points: Floats | None = None
     reference: int = 0
 
 
@@ -44,10 +46,10 @@ class Frames:
     def __init__(self, frames: dict[int, Frame], locate: Locate):
         self._frames = frames
         self._locate = locate
-        self._known: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+        self._known: dict[int, tuple[Floats, Floats]] = {}
         self._open: list[int] = []
 
-    def axes(self, number: int) -> tuple[np.ndarray, np.ndarray]:
+    def axes(self, number: int) -> tuple[Floats, Floats]:
         """Origin (3,) and axes (3, 3), one a row, in the basic system. Raises FrameError."""
         if number == 0:
             return np.zeros(3), np.eye(3)
@@ -65,19 +67,20 @@ class Frames:
                 self._open.pop()
         return self._known[number]
 
-    def _points(self, frame: Frame) -> np.ndarray:
+    def _points(self, frame: Frame) -> Floats:
         if frame.nodes is not None:
             return np.array([self._locate(node) for node in frame.nodes])
+        assert frame.points is not None
         return self.to_basic(frame.reference, frame.points)
 
-    def to_basic(self, number: int, values: np.ndarray) -> np.ndarray:
+    def to_basic(self, number: int, values: Floats) -> Floats:
         """Positions (n, 3) in the basic system of (n, 3) coordinates in a system."""
         if number == 0:
             return values
         origin, axes = self.axes(number)
         return origin + _flat(self._frames[number].kind, values) @ axes
 
-    def from_basic(self, number: int, points: np.ndarray, near: np.ndarray) -> np.ndarray:
+    def from_basic(self, number: int, points: Floats, near: Floats) -> Floats:
         """Coordinates (n, 3) in a system of (n, 3) positions; angles nearest to those of `near`."""
         if number == 0:
             return points
@@ -85,7 +88,7 @@ class Frames:
         return _round(self._frames[number].kind, (points - origin) @ axes.T, near)
 
 
-def _axes_of(number: int, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _axes_of(number: int, points: Floats) -> tuple[Floats, Floats]:
     origin, z, x = points[0], points[1] - points[0], points[2] - points[0]
     length = np.linalg.norm(z)
     y = np.cross(z, x)
@@ -97,7 +100,7 @@ def _axes_of(number: int, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return origin, np.array([np.cross(y, z), y, z])
 
 
-def _flat(kind: str, values: np.ndarray) -> np.ndarray:
+def _flat(kind: str, values: Floats) -> Floats:
     if kind == "R":
         return values
     if kind == "C":
@@ -110,7 +113,7 @@ def _flat(kind: str, values: np.ndarray) -> np.ndarray:
     return np.stack(parts, axis=1)
 
 
-def _round(kind: str, flat: np.ndarray, near: np.ndarray) -> np.ndarray:
+def _round(kind: str, flat: Floats, near: Floats) -> Floats:
     if kind == "R":
         return flat
     radius = np.hypot(flat[:, 0], flat[:, 1])
@@ -124,5 +127,6 @@ def _round(kind: str, flat: np.ndarray, near: np.ndarray) -> np.ndarray:
     return np.stack([np.linalg.norm(flat, axis=1), tilt, turn], axis=1)
 
 
-def _nearest(angle: np.ndarray, near: np.ndarray) -> np.ndarray:
-    return angle + 360.0 * np.round((near - angle) / 360.0)
+def _nearest(angle: Floats, near: Floats) -> Floats:
+    found: Floats = angle + 360.0 * np.round((near - angle) / 360.0)
+    return found

@@ -6,9 +6,11 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from ..arrays import Array, Floats, Ints
 from ..blocks import CHUNK, chunks
 from .commas import integers, reals, words
 from .cut import small
@@ -107,7 +109,7 @@ class _Text:
                     self._nodes()
                 else:
                     self._elements()
-                self._words = None  # what comes next has none, or its own
+                del self._words  # what comes next has none, or its own
         for mark in self._text.matches(rb"^\$(NodeData|ElementData|ElementNodeData|Periodic)\b"):
             line = self._text.line_of(mark.start())
             card = f"${mark.group(1).decode()}"
@@ -129,7 +131,7 @@ class _Text:
         at = int(begins[min(self._at, len(begins) - 1)]) if len(begins) else 0
         return self.raw.error((0, self._text.line_of(at)), "numbers are missing", "export it again")
 
-    def _integers(self, count: int) -> np.ndarray:
+    def _integers(self, count: int) -> Ints:
         """The next whole numbers."""
         begins, ends = self._words
         if count < 0 or self._at + count > len(begins):
@@ -147,7 +149,7 @@ class _Text:
         self._at += count
         return found
 
-    def _reals(self, count: int, each: int) -> tuple[np.ndarray, ...]:
+    def _reals(self, count: int, each: int) -> tuple[Floats, Ints, Ints]:
         """Values, begins, widths (count, 3) of the next points of `each` numbers."""
         begins, ends = self._words
         if count < 0 or self._at + count * each > len(begins):
@@ -157,7 +159,7 @@ class _Text:
         one, two = (some[here].reshape(count, each)[:, :3] for some in (begins, ends))
         return self._points(one, two)
 
-    def _points(self, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, ...]:
+    def _points(self, one: Ints, two: Ints) -> tuple[Floats, Ints, Ints]:
         """Values, begins, widths (n, 3) of numbers from places (n, 3) to others."""
         values, widths = np.empty(one.shape), np.empty(one.shape, dtype=np.uint8)
         for part in chunks(len(one)):
@@ -166,7 +168,7 @@ class _Text:
             widths[part] = np.minimum(two[part] - one[part], 255)
         return values, one.astype(self._text.begins.dtype), widths
 
-    def _add(self, ids: np.ndarray, found: tuple[np.ndarray, ...]) -> None:
+    def _add(self, ids: Ints, found: tuple[Floats, Ints, Ints]) -> None:
         values, begins, widths = found
         if len(ids):
             lines = np.empty(len(ids), dtype=np.int32)
@@ -230,7 +232,7 @@ class _Text:
         what = f"elements of type {kind} are not read"
         return self.raw.error((0, self._text.line_of(at)), what, "export elements up to order 2")
 
-    def _put(self, kind: int, table: np.ndarray, tags: np.ndarray, lines: np.ndarray) -> None:
+    def _put(self, kind: int, table: Ints, tags: Ints, lines: Ints) -> None:
         """Elements: an id and nodes a row."""
         name, count = _TYPES[kind]
         if len(table):
@@ -250,7 +252,7 @@ class _Text:
         self._words = words(text, begin, int(text.ends[min(first, len(text) - 1)]))
         self._at = 0
         count = int(self._integers(1)[0])
-        found: dict[int, list[tuple[np.ndarray, ...]]] = {}
+        found: dict[int, list[tuple[Ints, Ints, Ints]]] = {}
         total = 0
         for part in chunks(last - first - 1):
             rows = slice(first + 1 + part.start, first + 1 + part.stop)
@@ -264,7 +266,7 @@ class _Text:
             table, tags, lines = (np.concatenate(some) for some in zip(*found.pop(kind)))
             self._put(kind, table, tags, lines)
 
-    def _some_elements(self, found: dict[int, list[tuple[np.ndarray, ...]]]) -> int:
+    def _some_elements(self, found: dict[int, list[tuple[Ints, Ints, Ints]]]) -> int:
         """Sort the elements of some lines by type; how many there are."""
         begins = self._words[0]
         if not len(begins):
@@ -317,7 +319,7 @@ class _Binary(_Text):
         self._cursor += struct.calcsize("<" + layout)
         return found
 
-    def _array(self, kind: np.dtype, count: int) -> np.ndarray:
+    def _array(self, kind: np.dtype[Any], count: int) -> Array:
         size = count * kind.itemsize
         if count < 0 or self._cursor + size > len(self._text.data):
             raise ValueError("cut")
@@ -331,7 +333,7 @@ class _Binary(_Text):
         self._cursor = line + 1
         return number
 
-    def _points(self, ids: np.ndarray, values: np.ndarray, begins: np.ndarray) -> None:
+    def _put_points(self, ids: Ints, values: Floats, begins: Ints) -> None:
         places = begins[:, None] + 8 * np.arange(3)
         widths = np.full((len(ids), 3), 8, np.uint8)
         lines = np.zeros(len(ids), np.int32)
@@ -345,7 +347,7 @@ class _Binary(_Text):
             count = self._line_number()
             start = self._cursor
             rows = self._array(np.dtype([("id", "<i4"), ("at", "<f8", 3)]), count)
-            self._points(rows["id"], rows["at"], start + 28 * np.arange(count) + 4)
+            self._put_points(rows["id"], rows["at"], start + 28 * np.arange(count) + 4)
             return
         blocks = self._take("4Q")[0]
         for _ in range(blocks):
@@ -355,7 +357,7 @@ class _Binary(_Text):
             each = 3 + (dim if parametric and 0 < dim <= 3 else 0)
             start = self._cursor
             values = self._array(np.dtype("<f8"), count * each).reshape(count, each)
-            self._points(ids, values[:, :3], start + 8 * each * np.arange(count))
+            self._put_points(ids, values[:, :3], start + 8 * each * np.arange(count))
 
     def _elements(self) -> None:
         if self._version < 4.0:
@@ -370,14 +372,16 @@ class _Binary(_Text):
                 if tags > 1:
                     self.groups.add(_TYPES[kind][0], tag, table[:, 1])
                 rows = np.delete(table, np.arange(1, 1 + tags), axis=1)
-                self._put(kind, rows.astype(np.int64), tag, np.zeros(some))
+                self._put(kind, rows.astype(np.int64), tag, np.zeros(some, np.int32))
                 done += some
             return
         for _ in range(self._take("4Q")[0]):
-            _dim, tag, kind = self._take("3i")
+            _dim, entity, kind = self._take("3i")
             (count,) = self._take("Q")
             if kind not in _TYPES:
                 raise ValueError("cut")
             width = 1 + _TYPES[kind][1]
             table = self._array(np.dtype("<u8"), count * width).reshape(count, width)
-            self._put(kind, table.astype(np.int64), np.full(count, tag), np.zeros(count))
+            self._put(
+                kind, table.astype(np.int64), np.full(count, entity), np.zeros(count, np.int32)
+            )

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ..arrays import Ints
 from .model import NamedSet, Raw
 
 _DIMENSIONS = {"mass": 0, "line": 1, "shell": 2, "solid": 3}
@@ -21,7 +22,7 @@ class PhysicalGroups:
     def __init__(self) -> None:
         self._groups: dict[Entity, set[int]] = {}
 
-    def add(self, kind: str, entities: np.ndarray, groups: np.ndarray) -> None:
+    def add(self, kind: str, entities: Ints, groups: Ints) -> None:
         """Elements of a kind, their entities and groups (n,), 0 for none, as version 2 has them."""
         pairs = np.unique(np.stack([entities, groups], axis=1), axis=0)
         for entity, group in pairs.tolist():
@@ -58,7 +59,7 @@ class PhysicalGroups:
                 for (of, tag), groups in self._groups.items()
                 if of == dimension and group in groups
             ]
-            ids: list[np.ndarray] = []
+            ids: list[Ints] = []
             for block in raw.elements:
                 if _DIMENSIONS.get(block.kind) == dimension:
                     rows = np.isin(block.properties, tags)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..strain import middle_edge
 from .deck import Deck
 from .model import Elements, Place
@@ -45,9 +46,7 @@ class Joints:
     welds: list[WeldGaps]
 
 
-def joints_of(
-    deck: Deck, sheet: Sheet, positions: np.ndarray, limit: float | None = None
-) -> Joints:
+def joints_of(deck: Deck, sheet: Sheet, positions: Floats, limit: float | None = None) -> Joints:
     """How the joints of a deck hold with its nodes at (n, 3) positions.
 
     limit: mm, instead of the one by gap, thickness and edges.
@@ -81,8 +80,8 @@ def _least(deck: Deck, sheet: Sheet) -> float:
 
 
 def _changes(
-    deck: Deck, block: Elements, positions: np.ndarray, moved: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    deck: Deck, block: Elements, positions: Floats, moved: Bools
+) -> tuple[Ints, Floats, Floats]:
     """Rows of elements with a node that moved, the largest change of a distance from the first node
     to another, and that distance at rest."""
     index = np.where(block.nodes == 0, -1, deck.find(block.nodes))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Array, Floats, Ints
 from ..errors import FileError
 from .materials import Materials
 from .text import DeckText
@@ -30,11 +31,11 @@ class Elements:
 
     name: str
     kind: str
-    ids: np.ndarray
-    properties: np.ndarray
-    nodes: np.ndarray
+    ids: Ints
+    properties: Ints
+    nodes: Ints
     file: int
-    lines: np.ndarray
+    lines: Ints
 
 
 @dataclass(frozen=True)
@@ -50,14 +51,14 @@ class Block:
     """
 
     file: int
-    lines: np.ndarray
-    ids: np.ndarray
-    values: np.ndarray
-    begins: np.ndarray
-    widths: np.ndarray
+    lines: Ints
+    ids: Ints
+    values: Floats
+    begins: Ints
+    widths: Ints
     room: int
     kind: int = FIXED
-    systems: np.ndarray | None = None
+    systems: Ints | None = None
     leads: dict[tuple[int, int], int] = field(default_factory=dict)
 
 
@@ -79,7 +80,7 @@ class NamedSet:
 
     name: str
     kind: str
-    ids: Sequence[int] | np.ndarray
+    ids: Sequence[int] | Ints
     blocks: tuple[int, ...] = ()
 
 
@@ -119,12 +120,12 @@ class Table:
     lines (n,); rows: per block the node (k,) of each of its lines, -1 where another
     definition counts."""
 
-    ids: np.ndarray
-    values: np.ndarray
-    systems: np.ndarray
-    files: np.ndarray
-    lines: np.ndarray
-    rows: list[np.ndarray]
+    ids: Ints
+    values: Floats
+    systems: Ints
+    files: Ints
+    lines: Ints
+    rows: list[Ints]
 
 
 def table_of(raw: Raw) -> Table:
@@ -135,14 +136,15 @@ def table_of(raw: Raw) -> Table:
         empty = np.zeros(0, dtype=np.int32)
         return Table(empty.astype(np.int64), np.zeros((0, 3)), empty, empty, empty, [])
     blocks = raw.blocks
-    found = (
+    found: tuple[Array, ...] = (
         _whole([block.ids for block in blocks]),
         _whole([block.values for block in blocks]),
         _whole([_systems(block) for block in blocks]),
         _whole([np.broadcast_to(np.int32(b.file), len(b.ids)) for b in blocks]),
         _whole([block.lines.astype(np.int32, copy=False) for block in blocks]),
     )
-    ids, row = found[0], np.arange(len(found[0]), dtype=np.int32)
+    ids: Ints = found[0]
+    row: Ints = np.arange(len(found[0]), dtype=np.int32)
     if (np.diff(ids) <= 0).any():
         by_place = (found[4], found[3], ids)
         order = np.lexsort(by_place) if raw.wins == "same" else np.argsort(ids, kind="stable")
@@ -158,14 +160,15 @@ def table_of(raw: Raw) -> Table:
         back[order], back[-1] = np.arange(len(order)), -1
         row = back[row]
     ends = np.cumsum([len(block.ids) for block in blocks])
-    return Table(*found, np.split(row, ends[:-1]))
+    ids, values, systems, files, lines = found
+    return Table(ids, values, systems, files, lines, np.split(row, ends[:-1]))
 
 
-def _whole(parts: list[np.ndarray]) -> np.ndarray:
+def _whole(parts: list[Array]) -> Array:
     return parts[0] if len(parts) == 1 else np.concatenate(parts)
 
 
-def _systems(block: Block) -> np.ndarray:
+def _systems(block: Block) -> Ints:
     none = np.broadcast_to(np.int32(0), len(block.ids))
     return none if block.systems is None else block.systems.astype(np.int32, copy=False)
 
@@ -184,9 +187,7 @@ def _check(raw: Raw, block: Block) -> None:
     raise raw.error((block.file, line), what)
 
 
-def _without_doubles(
-    raw: Raw, found: tuple[np.ndarray, ...], order: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
+def _without_doubles(raw: Raw, found: tuple[Array, ...], order: Ints) -> tuple[Ints, Ints]:
     """Which rows count, and for every row the number of the one that does, -1 if it is another."""
     ids, values, systems, files, lines = found
     starts = np.flatnonzero(np.diff(ids[order], prepend=ids[order][0] - 1) != 0)
@@ -200,12 +201,12 @@ def _without_doubles(
         first = chosen[group]
         same = (values[order] == values[first]).all(axis=1) & (systems[order] == systems[first])
         if not same.all():
-            row = int(order[np.flatnonzero(~same)[0]])
+            bad = int(order[np.flatnonzero(~same)[0]])
             other = int(first[np.flatnonzero(~same)[0]])
             name = raw.texts[files[other]].path.name
-            what = f"node {ids[row]} is defined twice, differently"
+            what = f"node {ids[bad]} is defined twice, differently"
             what += f" (first in {name}, line {lines[other] + 1})"
-            raise raw.error((int(files[row]), int(lines[row])), what, "remove one of the cards")
+            raise raw.error((int(files[bad]), int(lines[bad])), what, "remove one of the cards")
     keep = np.sort(chosen)
     row = np.full(len(ids), -1, dtype=np.int32)
     row[order] = np.searchsorted(keep, chosen[group])

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Bools, Ints
 from ..blocks import chunks
 from .cut import side_by_side, small
 from .deck import Deck
@@ -61,13 +62,8 @@ class _Reader:
 
     def deck(self) -> Deck:
         """The deck, once all is read."""
-        if self._default_system:
-            for k, block in enumerate(self.raw.blocks):
-                systems = np.where(block.systems < 0, self._default_system, block.systems)
-                self.raw.blocks[k] = _with_systems(block, systems)
-        else:
-            for k, block in enumerate(self.raw.blocks):
-                self.raw.blocks[k] = _with_systems(block, np.maximum(block.systems, 0))
+        for k, block in enumerate(self.raw.blocks):
+            self.raw.blocks[k] = _with_systems(block, self._default_system)
         if self._generated:
             count = len(self._generated)
             self.raw.notes.append(
@@ -147,20 +143,20 @@ class _Reader:
                 taken[rows] = True
         self._rest(file, lines, taken)
 
-    def _plain_grids(self, file: int, lines: Lines, taken: np.ndarray) -> None:
+    def _plain_grids(self, file: int, lines: Lines, taken: Bools) -> None:
         """GRID cards in columns of 8 that are as long as they should be."""
         text = self.raw.texts[file]
         rows = np.flatnonzero(lines.plain & (lines.heads == b"GRID"))
         rows = rows[lines.stops[rows + lines.first] - text.begins[rows + lines.first] >= 48]
         if not len(rows):
             return
-        ids, systems = self._integers(file, lines, rows, (8, 8)), None
+        ids = self._integers(file, lines, rows, (8, 8))
         systems = self._integers(file, lines, rows, (16, 8), -1)
         columns = np.array([24, 32, 40])
         self._add(file, rows + lines.first, (ids, systems), (columns, 8))
         taken[rows] = True
 
-    def _large_grids(self, file: int, lines: Lines, taken: np.ndarray) -> None:
+    def _large_grids(self, file: int, lines: Lines, taken: Bools) -> None:
         """GRID* cards whose second line follows, both as long as they should be."""
         text = self.raw.texts[file]
         rows = np.flatnonzero(lines.plain & (lines.heads == b"GRID*"))
@@ -180,7 +176,7 @@ class _Reader:
         taken[rows] = taken[rows + 1] = True
 
     def _add(
-        self, file: int, at: np.ndarray, numbers: tuple, layout: tuple[np.ndarray, int]
+        self, file: int, at: Ints, numbers: tuple[Ints, Ints], layout: tuple[Ints, int]
     ) -> None:
         """Nodes in lines `at`, their coordinates in columns (3,) or (n, 3) of some width."""
         text = self.raw.texts[file]
@@ -197,8 +193,8 @@ class _Reader:
         self.raw.blocks.append(block)
 
     def _integers(
-        self, file: int, lines: Lines, rows: np.ndarray, field: tuple[int, int], *blank: int
-    ) -> np.ndarray:
+        self, file: int, lines: Lines, rows: Ints, field: tuple[int, int], *blank: int
+    ) -> Ints:
         """Whole numbers in (column, width) of lines; blank ones are refused or stand for one."""
         text, (column, width) = self.raw.texts[file], field
         found = np.empty(len(rows), dtype=np.int64)
@@ -219,9 +215,7 @@ class _Reader:
                 found[part][empty] = blank[0]
         return found
 
-    def _plain_shells(
-        self, file: int, lines: Lines, rows: np.ndarray, kind: tuple[str, int]
-    ) -> Elements:
+    def _plain_shells(self, file: int, lines: Lines, rows: Ints, kind: tuple[str, int]) -> Elements:
         name, count = kind
         ids = self._integers(file, lines, rows, (8, 8))
         properties = self._integers(file, lines, rows, (16, 8), 0)
@@ -231,7 +225,7 @@ class _Reader:
         numbers = small(ids), small(properties), nodes
         return Elements(name, "shell", *numbers, file, (rows + lines.first).astype(np.int32))
 
-    def _rest(self, file: int, lines: Lines, taken: np.ndarray) -> None:
+    def _rest(self, file: int, lines: Lines, taken: Bools) -> None:
         """All other cards, one by one."""
         heads = np.char.rstrip(lines.heads, b"*")
         self._generated += [
@@ -306,11 +300,12 @@ class _Reader:
         if card.name[4] == "1":
             for at in (0, 4):
                 if card.text(at):
-                    numbers = [self._whole(file, card, at + k) for k in range(4)]
-                    if None in numbers:
+                    told = [self._whole(file, card, at + k) for k in range(4)]
+                    ids = [number for number in told if number is not None]
+                    if len(ids) < 4:
                         what = f"{card.name} {card.text(at)} needs three nodes"
                         raise self.raw.error((file, card.line), what)
-                    self._define(file, card, numbers[0], Frame(kind, tuple(numbers[1:])))
+                    self._define(file, card, ids[0], Frame(kind, (ids[1], ids[2], ids[3])))
             return
         number = self._whole(file, card, 0) or 0
         values = [parse_real(card.text(k)) for k in range(2, 11)]
@@ -325,7 +320,8 @@ class _Reader:
         old = self._frames.get(number)
         if old is not None and (
             (old.kind, old.nodes, old.reference) != (frame.kind, frame.nodes, frame.reference)
-            or old.nodes is None
+            or old.points is not None
+            and frame.points is not None
             and not np.array_equal(old.points, frame.points)
         ):
             what = f"coordinate system {number} is defined twice, differently"
@@ -333,5 +329,8 @@ class _Reader:
         self._frames[number] = frame
 
 
-def _with_systems(block: Block, systems: np.ndarray) -> Block:
+def _with_systems(block: Block, default: int) -> Block:
+    """With the number of a system wherever a card leaves it out."""
+    assert block.systems is not None  # every GRID tells its own, or -1
+    systems = np.where(block.systems < 0, default, block.systems)
     return replace(block, systems=systems.astype(np.int32))

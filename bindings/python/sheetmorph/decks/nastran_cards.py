@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..arrays import Bools, Ints
 from ..blocks import chunks
 from .numbers import parse_integer, parse_real
 from .text import DeckText
@@ -69,9 +70,9 @@ class Lines:
 
     first: int
     end: int
-    heads: np.ndarray
-    plain: np.ndarray
-    stops: np.ndarray
+    heads: np.ndarray[Any, np.dtype[np.bytes_]]
+    plain: Bools
+    stops: Ints
 
 
 def sorted_lines(text: DeckText, first: int, end: int) -> Lines:
@@ -107,7 +108,7 @@ def _name_of(text: DeckText, begin: int, stop: int) -> bytes:
     return b"+" if not head or head[:1] in b"+*" else head[:8]
 
 
-def cards(text: DeckText, lines: Lines, wanted: np.ndarray) -> Iterator[Card]:
+def cards(text: DeckText, lines: Lines, wanted: Ints) -> Iterator[Card]:
     """The cards that begin in some lines (indices, rising), with their continuation lines."""
     for number in wanted.tolist():
         name = lines.heads[number - lines.first].decode("latin-1")

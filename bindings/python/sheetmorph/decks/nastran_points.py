@@ -12,13 +12,17 @@ from .nastran_cards import Card, Field
 from .numbers import parse_real
 
 
+# Line, node, system, values, and begins, widths, leads of the three fields.
+_Row = tuple[int, int, int, list[float | None], list[int], list[int], list[int]]
+
+
 class Points:
     """Points of one file; those written in one way become one block."""
 
     def __init__(self, raw: Raw, file: int):
         self._raw = raw
         self._file = file
-        self._rows: dict[tuple[int, int], list[tuple]] = defaultdict(list)
+        self._rows: dict[tuple[int, int], list[_Row]] = defaultdict(list)
 
     def add(self, card: Card, node: int, system: int, fields: list[Field]) -> None:
         """A point with an id, in a coordinate system, in three fields of a card."""
@@ -68,7 +72,7 @@ class Points:
         """What was added."""
         return [self._block(kind, room, rows) for (kind, room), rows in self._rows.items()]
 
-    def _block(self, kind: int, room: int, rows: list[tuple]) -> Block:
+    def _block(self, kind: int, room: int, rows: list[_Row]) -> Block:
         lines, ids, systems, values, begins, widths, leads = zip(*rows)
         some = {
             (row, axis): lead

@@ -9,6 +9,8 @@ import re
 
 import numpy as np
 
+from ..arrays import Bools, Codes, Floats, Ints
+
 _REAL = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))(?:[ED]([+-]?\d+)|([+-]\d+))?", re.IGNORECASE)
 # Beyond it, squares of coordinates overflow.
 LARGEST = 1e100
@@ -39,7 +41,7 @@ def parse_integer(text: str) -> int | None:
     return int(stripped) if re.fullmatch(r"[+-]?\d{1,18}", stripped) else None
 
 
-def parse_reals(codes: np.ndarray) -> np.ndarray:
+def parse_reals(codes: Codes) -> Floats:
     """Values (n,) of fields (n, w) of character codes; blank ones are 0, what is no number NaN."""
     if not codes.size:
         return np.zeros(len(codes))
@@ -55,7 +57,7 @@ def parse_reals(codes: np.ndarray) -> np.ndarray:
     return values
 
 
-def _with_plain_exponents(codes: np.ndarray) -> np.ndarray:
+def _with_plain_exponents(codes: Codes) -> Codes:
     """A copy one wider, `1.5D3` and `1.5-3` as `1.5e3` and `1.5e-3`."""
     texts = np.full((len(codes), codes.shape[1] + 1), _BLANK, dtype=np.uint8)
     texts[:, :-1] = codes
@@ -74,7 +76,7 @@ def _with_plain_exponents(codes: np.ndarray) -> np.ndarray:
     return texts
 
 
-def _converted(texts: np.ndarray) -> np.ndarray:
+def _converted(texts: Codes) -> Floats:
     whole = np.ascontiguousarray(texts).view(f"S{texts.shape[1]}").ravel()
     try:
         return whole.astype(np.float64)
@@ -83,7 +85,7 @@ def _converted(texts: np.ndarray) -> np.ndarray:
         return np.array([math.nan if value is None else value for value in values])
 
 
-def parse_integers(codes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def parse_integers(codes: Codes) -> tuple[Ints, Bools]:
     """Values (n,) int64 of fields (n, w) of character codes, blank ones 0; and which are sound."""
     values = np.zeros(len(codes), dtype=np.int64)
     negative = np.zeros(len(codes), dtype=bool)
@@ -106,7 +108,7 @@ def parse_integers(codes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.where(negative, -values, values), sound
 
 
-def format_reals(values: np.ndarray, room: int, mark: str = "") -> list[str]:
+def format_reals(values: Floats, room: int, mark: str = "") -> list[str]:
     """For each of the values (n,) the text of at most `room` characters that is nearest to it.
 
     Always with a decimal point, as Nastran tells reals from integers; mark: what stands before an

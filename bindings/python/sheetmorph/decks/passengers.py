@@ -3,17 +3,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..kernel import load_kernel
 from ..strain import middle_edge
 from .attachment import Group, groups_of
 from .deck import Deck
 from .following import Motion, blended, on_triangle, rigid_motion
 from .shells import Sheet
+
+if TYPE_CHECKING:
+    from .. import _core
 
 RULES = ("blend", "rigid", "nearest", "stay")
 # A group that nothing ties to the sheet and that has more nodes is a part of its own.
@@ -37,9 +42,9 @@ class Carried:
     """Positions (n, 3) of all nodes of a deck; by rule how many nodes followed; left: indices of
     those that hang on nothing that moves, or are told to stay."""
 
-    positions: np.ndarray
+    positions: Floats
     counts: dict[str, int]
-    left: np.ndarray
+    left: Ints
 
 
 class Passengers:
@@ -57,7 +62,7 @@ class Passengers:
         """How many there are."""
         return sum(len(group.nodes) for group in self._groups)
 
-    def carried(self, positions: np.ndarray) -> Carried:
+    def carried(self, positions: Floats) -> Carried:
         """All nodes, with those of the sheet at (k, 3) positions."""
         whole = self._deck.points.copy()
         whole[self._sheet.nodes] = positions
@@ -79,7 +84,7 @@ class Passengers:
         found.left = np.concatenate(left)
         return found
 
-    def holding(self) -> np.ndarray:
+    def holding(self) -> Ints:
         """(k,) the rows of the sheet's nodes by whose places and turns passengers go."""
         near = {
             number: [hit for hit in hits if hit is not None and hit.distance <= self.reach]
@@ -87,14 +92,15 @@ class Passengers:
         }
         return self._asked(near)
 
-    def _asked(self, hits: dict[int, list]) -> np.ndarray:
+    def _asked(self, hits: Mapping[int, Sequence[_core.Hit | None]]) -> Ints:
         asked = [group.held for group in self._groups]
         asked += [
             self._sheet.triangles[hit.triangle] for some in hits.values() for hit in some if hit
         ]
-        return np.unique(np.concatenate([np.empty(0, np.int64), *asked])).astype(np.int64)
+        found: Ints = np.unique(np.concatenate([np.empty(0, np.int64), *asked])).astype(np.int64)
+        return found
 
-    def _hits(self) -> dict[int, list]:
+    def _hits(self) -> dict[int, list[_core.Hit | None]]:
         """By group the nearest places on the sheet, of those that go by them."""
         wanted = [
             k
@@ -116,8 +122,8 @@ class Passengers:
         return "rigid" if "rigid" in group.kinds and "solid" not in group.kinds else "blend"
 
     def _places(
-        self, motion: Motion, group: Group, rule: str, hits: list | None
-    ) -> np.ndarray | None:
+        self, motion: Motion, group: Group, rule: str, hits: list[_core.Hit | None] | None
+    ) -> Floats | None:
         points = self._deck.points[group.nodes]
         if rule == "stay" or (hits is None and not len(group.held)):
             return None
@@ -132,37 +138,39 @@ class Passengers:
                 return points @ turn.T + shift
         return blended(motion, group.held, points)
 
-    def _nearest(self, motion: Motion, hits: list, points: np.ndarray) -> np.ndarray | None:
+    def _nearest(
+        self, motion: Motion, hits: Sequence[_core.Hit | None], points: Floats
+    ) -> Floats | None:
         """Where loose points go; None if they are too far from the sheet."""
-        near = [hit is not None and hit.distance <= self.reach for hit in hits]
-        if not any(near):
+        near = {k: hit for k, hit in enumerate(hits) if hit and hit.distance <= self.reach}
+        if not near:
             return None
-        chosen = [k for k, is_near in enumerate(near) if is_near]
-        images = np.array([self._image(motion, hits[k], points[k]) for k in chosen])
+        chosen = list(near)
+        images = np.array([self._image(motion, hit, points[k]) for k, hit in near.items()])
         if len(points) == 1 or len(chosen) == len(points) < 3:
             return images
         found = rigid_motion(points[chosen], images)
         if found is None:
             shift = (images - points[chosen]).mean(axis=0)
-            return points + shift
+            result: Floats | None = points + shift
+            return result
         turn, shift = found
         moved = points @ turn.T + shift
         return points if np.array_equal(images, points[chosen]) else moved
 
     @staticmethod
-    def _image(motion: Motion, hit: object, point: np.ndarray) -> np.ndarray:
+    def _image(motion: Motion, hit: _core.Hit, point: Floats) -> Floats:
         corners = motion.triangles[hit.triangle]
         if motion.stays(corners):
             return point
         return on_triangle(motion, hit.triangle, np.asarray(hit.barycentric), point)
 
 
-def rules_of(entries: dict[str, object] | None) -> Rules:
+def rules_of(entries: dict[str, Any] | None) -> Rules:
     """What a recipe says under `passengers`."""
     entries = entries or {}
     given: dict[int, str] = {}
-    rules: Sequence[dict] = entries.get("rules", ())
-    for entry in rules:
+    for entry in entries.get("rules", ()):
         given |= {int(node): entry["rule"] for node in entry["nodes"]}
     reach = entries.get("reach")
     return Rules(None if reach is None else float(reach), given)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Bools, Ints
 from .cut import Cut, small
 from .deck import Deck
 from .includes import Included
@@ -103,7 +104,7 @@ class _Reader:
         self._shift = outer
         self._included.leave()
 
-    def _require_whole(self, file: int, first: np.ndarray, end: int) -> None:
+    def _require_whole(self, file: int, first: Ints, end: int) -> None:
         """An include that goes on with a block begun outside of it is not read."""
         text = self.raw.texts[file]
         for line in np.flatnonzero((first[:end] != ord("#")) & (first[:end] != 0)).tolist():
@@ -111,7 +112,7 @@ class _Reader:
                 what = "this include goes on with a block that begins outside of it"
                 raise self.raw.error((file, line), what, "put whole blocks into the include")
 
-    def _includes(self, file: int, submodels: Submodels) -> np.ndarray:
+    def _includes(self, file: int, submodels: Submodels) -> Bools:
         text = self.raw.texts[file]
         found = np.zeros(len(text), dtype=bool)
         for mark in text.matches(rb"^#include[ \t]+([^\r\n]+)"):
@@ -122,7 +123,7 @@ class _Reader:
             self._file(self._included.add(name, (file, line)))
         return found
 
-    def _block(self, file: int, words: list[str], at: tuple[int, np.ndarray]) -> bool:
+    def _block(self, file: int, words: list[str], at: tuple[int, Ints]) -> bool:
         """Take one block; whether the file ends with it."""
         line, rows = at
         name = words[0]
@@ -167,7 +168,7 @@ class _Reader:
             at += width
         return found
 
-    def _numbers(self, file: int, rows: np.ndarray) -> list[int]:
+    def _numbers(self, file: int, rows: Ints) -> list[int]:
         found = []
         for line in rows.tolist():
             for text in self._fields(file, line, (10,) * 10):
@@ -175,7 +176,7 @@ class _Reader:
                 found += [number] if number is not None else []
         return found or [0]
 
-    def _nodes(self, file: int, at: tuple[int, np.ndarray]) -> None:
+    def _nodes(self, file: int, at: tuple[int, Ints]) -> None:
         line, rows = at
         if not len(rows):
             return
@@ -185,7 +186,7 @@ class _Reader:
         block = cut.nodes(10, 20)
         self.raw.blocks.append(replace(block, ids=shifted(block.ids, self._shift.node)))
 
-    def _require_no_parameters(self, file: int, rows: np.ndarray, card: str) -> None:
+    def _require_no_parameters(self, file: int, rows: Ints, card: str) -> None:
         text = self.raw.texts[file]
         odd = text.first_per_line(ord("&"))[rows] < text.ends[rows]
         if odd.any():
@@ -193,7 +194,7 @@ class _Reader:
             line = int(rows[np.flatnonzero(odd)[0]])
             raise self.raw.error((file, line), what, "write the numbers")
 
-    def _elements(self, file: int, name: str, given: tuple[int, np.ndarray]) -> None:
+    def _elements(self, file: int, name: str, given: tuple[int, Ints]) -> None:
         part, rows = given
         if not len(rows):
             return
@@ -222,7 +223,7 @@ class _Reader:
             Elements(f"/{name}", kind, ids, parts, nodes, file, heads.astype(np.int32))
         )
 
-    def _body(self, file: int, words: list[str], at: tuple[int, np.ndarray]) -> None:
+    def _body(self, file: int, words: list[str], at: tuple[int, Ints]) -> None:
         line, rows = at
         fields = self._fields(file, int(rows[1]), (10,) * 5)
         number = parse_integer(words[1]) or 0 if len(words) > 1 else 0

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Ints
 from .model import Raw
 from .numbers import parse_integer
 from .placing import remember_placing
@@ -75,7 +76,7 @@ def _numbers(text: DeckText, line: int) -> list[int]:
     return [parse_integer(field) or 0 for field in fields]
 
 
-def shifted(numbers: np.ndarray, shift: int) -> np.ndarray:
+def shifted(numbers: Ints, shift: int) -> Ints:
     """Whole numbers with a shift where they are no zero."""
     if not shift:
         return numbers

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..errors import FileError
 from .deck import Deck, missing_nodes
 from .model import Elements
@@ -23,12 +24,12 @@ class Sheet:
     which of the deck's elements they are of; faces: (e, 4)
     rows of nodes at the corners of every shell, -1 in the last one of a triangle."""
 
-    nodes: np.ndarray
-    triangles: np.ndarray
-    properties: np.ndarray
-    elements: np.ndarray
-    blocks: np.ndarray
-    faces: np.ndarray
+    nodes: Ints
+    triangles: Ints
+    properties: Ints
+    elements: Ints
+    blocks: Ints
+    faces: Ints
 
 
 def sheet_of(deck: Deck) -> Sheet:
@@ -59,7 +60,7 @@ def sheet_of(deck: Deck) -> Sheet:
     return Sheet(np.flatnonzero(used), rows[triangles], properties, elements, blocks, faces)
 
 
-def _corners(deck: Deck, block: Elements) -> np.ndarray:
+def _corners(deck: Deck, block: Elements) -> Ints:
     """(e, 4) indices of the nodes at the corners of elements, -1 in the last one of triangles."""
     count = 4 if block.nodes.shape[1] >= 4 and block.nodes.shape[1] != 6 else 3
     corners = np.full((len(block.ids), 4), -1, dtype=np.int32)
@@ -69,10 +70,11 @@ def _corners(deck: Deck, block: Elements) -> np.ndarray:
         corners[~is_quad, 3] = -1
     first = corners[:, :3]
     sound = (first[:, 0] != first[:, 1]) & (first[:, 1] != first[:, 2])
-    return corners[sound & (first[:, 2] != first[:, 0])]
+    found: Ints = corners[sound & (first[:, 2] != first[:, 0])]
+    return found
 
 
-def _triangles(deck: Deck, block: Elements) -> tuple[np.ndarray, ...]:
+def _triangles(deck: Deck, block: Elements) -> tuple[Ints, Ints, Ints, Ints]:
     """(m, 3) indices of nodes, (m,) places in the deck, properties and ids."""
     count = max(3, 1 + int(np.flatnonzero((block.nodes != 0).any(axis=0)).max(initial=0)))
     nodes = block.nodes[:, :count]
@@ -96,8 +98,10 @@ def _triangles(deck: Deck, block: Elements) -> tuple[np.ndarray, ...]:
         triangles.append(cut.reshape(-1, 3))
         owners.append(np.repeat(rows, cut.shape[1]))
     owner = np.concatenate(owners)
-    order = np.argsort(owner, kind="stable") if len(owners) > 1 else slice(None)
-    owner, corners = owner[order], np.concatenate(triangles)[order]
+    corners = np.concatenate(triangles)
+    if len(owners) > 1:
+        order = np.argsort(owner, kind="stable")
+        owner, corners = owner[order], corners[order]
     # Triangles of a degenerate element have no area and no business in a sheet.
     sound = (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2])
     sound &= corners[:, 2] != corners[:, 0]
@@ -112,7 +116,7 @@ def _told(deck: Deck, block: Elements) -> FileError:
     return error
 
 
-def _kinds(index: np.ndarray) -> np.ndarray:
+def _kinds(index: Ints) -> Ints:
     """How each element is cut: its number of corners, or 6, 8, 9 where all mid-side nodes are."""
     count = index.shape[1]
     there = index >= 0
@@ -131,7 +135,7 @@ def _kinds(index: np.ndarray) -> np.ndarray:
     return np.where(full & (count == 9), 9, kind)
 
 
-def _cut(points: np.ndarray, index: np.ndarray, kind: int) -> np.ndarray:
+def _cut(points: Floats, index: Ints, kind: int) -> Ints:
     """(m, k, 3) triangles of elements of one kind."""
     if kind == 3:
         return index[:, None, :3]
@@ -144,7 +148,7 @@ def _cut(points: np.ndarray, index: np.ndarray, kind: int) -> np.ndarray:
     return np.concatenate([index[:, np.array(_EIGHT)], _quads(points, index[:, 4:8])], axis=1)
 
 
-def _quads(points: np.ndarray, quads: np.ndarray) -> np.ndarray:
+def _quads(points: Floats, quads: Ints) -> Ints:
     """Cut along the shorter diagonal, the one from the first node if they are equal to rounding."""
     first = np.linalg.norm(points[quads[:, 0]] - points[quads[:, 2]], axis=1)
     second = np.linalg.norm(points[quads[:, 1]] - points[quads[:, 3]], axis=1)

@@ -10,6 +10,7 @@ from typing import BinaryIO
 
 import numpy as np
 
+from ..arrays import Codes, Ints
 from ..blocks import chunks
 from ..errors import FileError
 
@@ -31,8 +32,10 @@ class DeckText:
         kind = np.int32 if len(data) < 2**31 - 1 else np.int64
         stops = _offsets_of(self.codes, newline).astype(kind)
         if len(data) and (not len(stops) or stops[-1] != len(data) - 1):
-            stops = np.append(stops, kind(len(data)))
-        self.begins = np.concatenate([np.zeros(min(1, len(stops)), kind), stops[:-1] + kind(1)])
+            stops = np.append(stops, np.array([len(data)], kind))
+        self.begins = np.concatenate(
+            [np.zeros(min(1, len(stops)), kind), stops[:-1] + np.ones(1, kind)]
+        )
         self.ends = stops
         if newline == 10 and b"\r" in data:
             filled = stops > self.begins
@@ -50,7 +53,7 @@ class DeckText:
         """The index of the line with a byte."""
         return max(int(np.searchsorted(self.begins, offset, side="right")) - 1, 0)
 
-    def first_per_line(self, code: int) -> np.ndarray:
+    def first_per_line(self, code: int) -> Ints:
         """(l,) the first offset of a character in every line, its end where it has none."""
         found = _offsets_of(self.codes, code).astype(self.begins.dtype)
         if not len(found):
@@ -62,7 +65,7 @@ class DeckText:
             first[part] = np.minimum(found[place], first[part])
         return first
 
-    def columns(self, begins: np.ndarray, ends: np.ndarray, width: int) -> np.ndarray:
+    def columns(self, begins: Ints, ends: Ints, width: int) -> Codes:
         """(n, width) character codes from offsets (n,) on; behind `ends` (n,) all is blank."""
         at = begins[:, None].astype(np.int64) + np.arange(width)
         inside = at < ends[:, None]
@@ -78,7 +81,7 @@ class DeckText:
         return FileError(self.path, what, todo, int(line) + 1)
 
 
-def _offsets_of(codes: np.ndarray, code: int) -> np.ndarray:
+def _offsets_of(codes: Codes, code: int) -> Ints:
     size = 1 << 20
     kind = np.int32 if len(codes) < 2**31 - 1 else np.int64
     found = [
@@ -88,10 +91,10 @@ def _offsets_of(codes: np.ndarray, code: int) -> np.ndarray:
     return np.concatenate(found) if found else np.empty(0, dtype=kind)
 
 
-Block = tuple[np.ndarray, np.ndarray, list[bytes]]
+Edit = tuple[Ints, Ints, list[bytes]]
 
 
-def write_edited(text: DeckText, out: BinaryIO, blocks: Iterable[Block]) -> None:
+def write_edited(text: DeckText, out: BinaryIO, blocks: Iterable[Edit]) -> None:
     """Write a file with some of its bytes exchanged.
 
     blocks: offsets of what is replaced (n,), lengths (n,), and what is put there; all in the order

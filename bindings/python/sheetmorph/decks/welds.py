@@ -4,16 +4,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..kernel import load_kernel
 from ..strain import middle_edge
 from .attachment import labels_of
 from .deck import Deck
 from .model import Elements, Place
 from .shells import Sheet
+
+if TYPE_CHECKING:
+    from .. import _core
 
 # Sheets that a weld's point is nearer to than this, in middle edges, may be what it joins.
 _REACH, _MOST = 3.0, 2
@@ -34,7 +38,7 @@ class WeldGaps:
         return max(abs(b - a) for a, b in zip(self.before, self.after))
 
 
-def weld_gaps(deck: Deck, sheet: Sheet, positions: np.ndarray) -> list[WeldGaps]:
+def weld_gaps(deck: Deck, sheet: Sheet, positions: Floats) -> list[WeldGaps]:
     """All welds of a deck that have a point near a sheet, its nodes at (n, 3) positions."""
     blocks = [block for block in deck.elements if block.kind == "weld"]
     if not blocks or not len(sheet.triangles):
@@ -72,7 +76,7 @@ def _gaps(deck: Deck, block: Elements, given: tuple[Any, ...]) -> list[WeldGaps]
 class _Sheets:
     """The sheets of a deck that hang together, each with trees of before and after."""
 
-    def __init__(self, rest: np.ndarray, moved: np.ndarray, triangles: np.ndarray):
+    def __init__(self, rest: Floats, moved: Floats, triangles: Ints):
         self._reach = _REACH * middle_edge(rest, triangles)
         links = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]]]).astype(np.int64)
         label = labels_of(len(rest), links)[triangles[:, 0]]
@@ -82,9 +86,10 @@ class _Sheets:
         self._boxes = np.array(
             [(rest[piece].min(axis=(0, 1)), rest[piece].max(axis=(0, 1))) for piece in self._pieces]
         )
-        self._states, self._trees = (rest, moved), {}
+        self._states = (rest, moved)
+        self._trees: dict[tuple[int, int], _core.PickingTree] = {}
 
-    def gaps(self, before: np.ndarray, after: np.ndarray) -> tuple[tuple[float, ...], ...]:
+    def gaps(self, before: Floats, after: Floats) -> tuple[tuple[float, ...], ...]:
         """Distances of a point from the nearest sheets, the nearest first, before and after."""
         low, high = self._boxes[:, 0], self._boxes[:, 1]
         away = np.linalg.norm(np.maximum(np.maximum(low - before, before - high), 0.0), axis=1)
@@ -97,7 +102,7 @@ class _Sheets:
         now = tuple(self._distance(1, k, after) for _, k in chosen)
         return tuple(distance for distance, _ in chosen), now
 
-    def _distance(self, state: int, piece: int, point: np.ndarray) -> float:
+    def _distance(self, state: int, piece: int, point: Floats) -> float:
         if (state, piece) not in self._trees:
             rows, corners = np.unique(self._pieces[piece], return_inverse=True)
             triangles = np.ascontiguousarray(corners.reshape(-1, 3), np.int32)

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import FileError
 from ..kernel import load_cad
 from ..labels import CadFace, Labels
@@ -49,7 +50,7 @@ class CadFile(PartFile):
         """The OBJ file of the same name: a CAD file cannot hold the deformed mesh."""
         return f"{self.path.stem}.obj"
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         lines = []
         first = 0
         for part in self.model.parts:
@@ -61,7 +62,7 @@ class CadFile(PartFile):
             first = last
         path.write_text("\n".join(lines) + "\n", "utf-8")
 
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         return ObjFile.read(path).mesh.points
 
 

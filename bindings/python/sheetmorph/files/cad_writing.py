@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import FileError
 from ..kernel import load_cad
 from ..progress import Progress
@@ -42,7 +43,7 @@ class CadWriting:
 def write_shapes(
     file: CadFile,
     path: Path,
-    positions: np.ndarray,
+    positions: Floats,
     writing: CadWriting,
     *,
     progress: Progress | None = None,
@@ -60,7 +61,7 @@ def write_shapes(
 def write_model(
     model: Any,
     path: Path,
-    positions: Sequence[np.ndarray],
+    positions: Sequence[Floats],
     writing: CadWriting,
     *,
     progress: Progress | None = None,
@@ -73,7 +74,10 @@ def write_model(
     }
     arrays = [np.ascontiguousarray(one, dtype=np.float64) for one in positions]
     try:
-        return load_cad().write_cad(model, arrays, str(path.absolute()), wanted, progress)
+        found: list[dict[str, Any]] = load_cad().write_cad(
+            model, arrays, str(path.absolute()), wanted, progress
+        )
+        return found
     except ValueError as error:
         what, _, todo = str(error).rpartition("; ")
         raise FileError(path, what or todo, todo if what else "look at the part") from None

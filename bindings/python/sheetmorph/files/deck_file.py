@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..decks import Deck, output_places, read_bytes, read_deck, sheet_of, suffixes
 from ..decks.contents import Shells, shells_of, thickness_of
 from ..decks.joints import Joint, joints_of
@@ -49,8 +50,8 @@ class DeckFile(PartFile):
         self.notes += self.deck.notes
         self.settings: Mapping[str, Any] = {}
         self._passengers: Passengers | None = None
-        self._last: tuple[np.ndarray, Carried] | None = None
-        self._stored: tuple[list[tuple[int, ...]], np.ndarray] | None = None
+        self._last: tuple[Floats, Carried] | None = None
+        self._stored: tuple[list[tuple[int, ...]], Floats] | None = None
 
     @property
     def files_read(self) -> list[Path]:
@@ -59,9 +60,9 @@ class DeckFile(PartFile):
     def targets(self, folder: Path) -> list[Path]:
         return output_places(self.deck.texts, folder / self.output_name)
 
-    def _labels(self, ids: np.ndarray) -> Labels:
+    def _labels(self, ids: Ints) -> Labels:
         """The sets as groups: "SET 3", and "SET 3 nodes" or "SET 3 elements" if it may be both."""
-        groups: dict[str, np.ndarray] = {}
+        groups: dict[str, Ints] = {}
         nodes: dict[str, list[int]] = {}
         raw = self.deck.raw
         parts = [NamedSet(f"PART {name}", "properties", [k]) for k, name in raw.names.items()]
@@ -79,7 +80,7 @@ class DeckFile(PartFile):
                     nodes[name] = [*nodes.get(name, []), *members.tolist()]
         return Labels(groups, nodes)
 
-    def _rows_of(self, one: NamedSet) -> np.ndarray:
+    def _rows_of(self, one: NamedSet) -> Ints:
         """The triangles of a set of elements or properties."""
         if one.kind == "nodes":
             return np.empty(0, dtype=np.int64)
@@ -89,27 +90,27 @@ class DeckFile(PartFile):
             inside &= np.isin(self.sheet.blocks, one.blocks)
         return np.flatnonzero(inside)
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         with path.open("wb") as out:
             self.deck.save(self._all(positions), 0, out)
 
-    def write_into(self, files: FileSet, path: Path, positions: np.ndarray) -> Path:
+    def write_into(self, files: FileSet, path: Path, positions: Floats) -> Path:
         self._stored = None
         checked = self._all(self._checked(positions))
         self._require_free(checked)
         if self.is_wide and self.deck.form == "Nastran" and self.precision == "8 characters":
             self.precision = "16 characters"
-        first = None
+        written = []
         for number, place in enumerate(output_places(self.deck.texts, path)):
             place.parent.mkdir(parents=True, exist_ok=True)
             temporary = files.temporary_for(place)
             with files.named(temporary), temporary.open("wb") as out:
                 self.deck.save(checked, number, out, is_wide=self.is_wide)
             self._written[self.deck.texts[number].path] = temporary
-            first = first or temporary
-        return first
+            written.append(temporary)
+        return written[0]
 
-    def _require_free(self, positions: np.ndarray) -> None:
+    def _require_free(self, positions: Floats) -> None:
         stuck = self.deck.unwritten(positions)
         if len(stuck):
             file, line = self.deck.place_of(int(stuck[0]))
@@ -121,9 +122,10 @@ class DeckFile(PartFile):
 
     @property
     def _written(self) -> dict[Path, Path]:
-        return self.__dict__.setdefault("_written_files", {})
+        found: dict[Path, Path] = self.__dict__.setdefault("_written_files", {})
+        return found
 
-    def _all(self, positions: np.ndarray) -> np.ndarray:
+    def _all(self, positions: Floats) -> Floats:
         """(n, 3) positions of all nodes of the deck."""
         return self._carried(positions).positions
 
@@ -135,35 +137,36 @@ class DeckFile(PartFile):
             self._passengers = Passengers(self.deck, self.sheet, rules)
         return self._passengers
 
-    def _carried(self, positions: np.ndarray) -> Carried:
+    def _carried(self, positions: Floats) -> Carried:
         if self._last is None or not np.array_equal(self._last[0], positions):
             self._last = positions.copy(), self.passengers.carried(positions)
         return self._last[1]
 
     @property
-    def corner_faces(self) -> np.ndarray:
+    def corner_faces(self) -> Ints:
         """(m, 4) rows of ``mesh`` at the corners of the shells, -1 in the last one of triangles."""
         return self.sheet.faces
 
-    def faces_among(self, vertices: np.ndarray) -> np.ndarray:
+    def faces_among(self, vertices: Ints) -> Ints:
         """(e, 4) the same of the shells among vertices (k,), as rows of those."""
         row = np.full(len(self.mesh.points) + 1, -1, dtype=np.int32)  # the last one stands for -1
         row[vertices] = np.arange(len(vertices))
         faces = row[self.sheet.faces]
-        return faces[(faces[:, :3] >= 0).all(axis=1)]
+        found: Ints = faces[(faces[:, :3] >= 0).all(axis=1)]
+        return found
 
-    def shells_of(self, rows: np.ndarray) -> list[Shells]:
+    def shells_of(self, rows: Ints) -> list[Shells]:
         """The properties of some of the triangles (k,)."""
         return shells_of(self.deck, self.sheet, rows)
 
-    def thickness_of(self, rows: np.ndarray) -> float:
+    def thickness_of(self, rows: Ints) -> float:
         return thickness_of(self.deck, self.sheet, rows)
 
-    def told(self, positions: np.ndarray) -> dict[str, Any]:
+    def told(self, positions: Floats) -> dict[str, Any]:
         """What hangs on the sheet, how its joints hold, and what the motion leaves wrong."""
         return self._told(self._carried(self._checked(positions)))
 
-    def told_of(self, nodes: np.ndarray) -> dict[str, Any]:
+    def told_of(self, nodes: Floats) -> dict[str, Any]:
         """The same of a deck that was written, with its nodes at (n, 3) positions."""
         rules = self._carried(nodes[self.sheet.nodes])
         return self._told(Carried(nodes, rules.counts, rules.left))
@@ -213,10 +216,10 @@ class DeckFile(PartFile):
         name = self.deck.texts[place.file].path.name
         return {"card": place.card, "id": place.number, "file": name, "line": place.line + 1}
 
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         return self.stored_nodes(path)[self.sheet.nodes]
 
-    def stored_nodes(self, path: Path) -> np.ndarray:
+    def stored_nodes(self, path: Path) -> Floats:
         """(n, 3) all nodes of the deck as it was written; the same files are read again once."""
         state = _state_of(self._written_at(path).values())
         if self._stored is None or not state or self._stored[0] != state:

@@ -9,9 +9,11 @@ import io
 import re
 import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import FileError
 from ..part_mesh import PartMesh
 from .part_file import PartFile
@@ -42,7 +44,7 @@ class MeshioFile(PartFile):
         super().__init__(path, _part_mesh(path, space, self._mesh.cells), precision)
         self.notes.append("written through meshio: comments and sections unknown to it are lost")
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         import meshio
 
         kind = np.float32 if self.precision == "float32" else np.float64
@@ -58,7 +60,7 @@ class MeshioFile(PartFile):
         if form == "vtu" and not options["binary"]:
             _write_all_digits(path, changed.points)
 
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         points = MeshioFile(path).mesh.points
         if points.shape != self.mesh.points.shape:
             what = "meshio does not read back the vertices that it wrote"
@@ -83,7 +85,7 @@ def _reason(error: BaseException) -> str:
     return (text[:100] or type(error).__name__) if not isinstance(error, SystemExit) else "corrupt"
 
 
-def _read(path: Path):
+def _read(path: Path) -> Any:
     import meshio
 
     read_bytes(path)
@@ -95,7 +97,7 @@ def _read(path: Path):
         raise FileError(path, what, "check the file, or export it as VTU or PLY") from error
 
 
-def _part_mesh(path: Path, points: np.ndarray, blocks: list) -> PartMesh:
+def _part_mesh(path: Path, points: Floats, blocks: list[Any]) -> PartMesh:
     faces: list[list[int]] = []
     for block in blocks:
         if block.type in _CURVED:
@@ -112,7 +114,7 @@ def _part_mesh(path: Path, points: np.ndarray, blocks: list) -> PartMesh:
     return PartMesh(points, triangulate(points, faces), name=path.stem)
 
 
-def _write_all_digits(path: Path, points: np.ndarray) -> None:
+def _write_all_digits(path: Path, points: Floats) -> None:
     """meshio writes 12 digits into a text VTU, too few for a double."""
     numbers = "\n".join(map(repr, points.astype(np.float64).ravel().tolist()))
     pattern = rb"(<Points>.*?<DataArray[^>]*>)[^<]*(</DataArray>)"

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..part_mesh import PartMesh
 from .atomic import FileSet
 
@@ -28,12 +29,12 @@ class PartFile(ABC):
     def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):
         self.path = path
         self.origin = path
-        self.unpacked_in: TemporaryDirectory | None = None
+        self.unpacked_in: TemporaryDirectory[str] | None = None
         self.mesh = mesh
         self.precision = precision
         self.notes: list[str] = []
-        self.properties: np.ndarray | None = None
-        self.bodies: dict[str, np.ndarray] | None = None
+        self.properties: Ints | None = None
+        self.bodies: dict[str, Ints] | None = None
         self.is_wide = False
 
     @property
@@ -50,25 +51,25 @@ class PartFile(ABC):
         """All files that a run writes into a folder."""
         return [folder / self.output_name]
 
-    def thickness_of(self, _rows: np.ndarray) -> float:
+    def thickness_of(self, _rows: Ints) -> float:
         """What the file says of how thick some of its triangles (k,) are, mm; 0: nothing."""
         return 0.0
 
-    def told(self, positions: np.ndarray) -> dict[str, Any] | None:
+    def told(self, positions: Floats) -> dict[str, Any] | None:
         """For the report, what else than its mesh moves, holds or stays with its vertices at (n, 3)
         positions; None if there is nothing else in it. ``failures`` are reasons not to write it."""
         self._checked(positions)
         return None
 
     @abstractmethod
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         """Write the file with its vertices at (n, 3) positions, straight to `path`."""
 
     @abstractmethod
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         """Read `path`, a file written by save(), again: (n, 3) positions of the same vertices."""
 
-    def write(self, path: str | Path, positions: np.ndarray) -> None:
+    def write(self, path: str | Path, positions: Floats) -> None:
         """Write the deformed part beside `path`, then rename: never a half file.
 
         positions: (n, 3) float64, mm, one row a vertex of ``mesh``.
@@ -78,7 +79,7 @@ class PartFile(ABC):
             self.write_into(files, Path(path), positions)
             files.commit()
 
-    def write_into(self, files: FileSet, path: Path, positions: np.ndarray) -> Path:
+    def write_into(self, files: FileSet, path: Path, positions: Floats) -> Path:
         """As write(), but named `path` only when `files` commits; returns the temporary's path."""
         checked = self._checked(positions)
         temporary = files.temporary_for(path)
@@ -86,12 +87,12 @@ class PartFile(ABC):
             self.save(temporary, checked)
         return temporary
 
-    def read_back_error(self, path: str | Path, positions: np.ndarray) -> float:
+    def read_back_error(self, path: str | Path, positions: Floats) -> float:
         """Largest distance (mm) between (n, 3) positions and what the file at `path` holds."""
         stored = self.stored_positions(Path(path))
         return float(np.linalg.norm(stored - self._checked(positions), axis=1).max(initial=0.0))
 
-    def _checked(self, positions: np.ndarray) -> np.ndarray:
+    def _checked(self, positions: Floats) -> Floats:
         array = np.asarray(positions, dtype=np.float64)
         if array.shape != self.mesh.points.shape:
             raise ValueError(f"positions must be {self.mesh.points.shape}, not {array.shape}")

@@ -6,9 +6,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..part_mesh import PartMesh
 from .part_file import PartFile
 from .ply_header import Element, Header, check_faces, checked_elements, parse_header, scalar_dtype
@@ -99,7 +101,7 @@ class BinaryPlyFile(PartFile):
         mesh = PartMesh(points, triangulate(points, faces), name=source.path.stem)
         super().__init__(source.path, mesh, "float32" if is_single else "double")
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         data = bytearray(self._data)
         records = np.frombuffer(data, self._record, self._size, self._begin)
         for axis, name in enumerate(self._fields):
@@ -107,11 +109,13 @@ class BinaryPlyFile(PartFile):
             records[name][changed] = positions[changed, axis]
         path.write_bytes(data)
 
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         return read_ply(path).mesh.points
 
 
-def _blocks(source: Source, header: Header, wanted: tuple[Element, Element]) -> Iterator[tuple]:
+def _blocks(
+    source: Source, header: Header, wanted: tuple[Element, Element]
+) -> Iterator[tuple[Element, Any]]:
     """For vertex its byte offset, for face the lists of vertex indices; others are stepped over."""
     vertex, face = wanted
     offset = header.begin
@@ -165,13 +169,13 @@ def _walk(
     return lists, offset
 
 
-def _list_size(source: Source, element: Element, count_type: np.dtype, offset: int) -> int:
+def _list_size(source: Source, element: Element, count_type: np.dtype[Any], offset: int) -> int:
     if offset + count_type.itemsize > len(source.data):
         raise _ends_early(source, element)
     return int(np.frombuffer(source.data, count_type, 1, offset)[0])
 
 
-def _equal_lists(source: Source, element: Element, order: str, begin: int) -> np.ndarray | None:
+def _equal_lists(source: Source, element: Element, order: str, begin: int) -> Ints | None:
     """Faces (m, k) of an element of one list if all have as many vertices as the first one.
 
     The quick way for the usual triangle mesh; None where it does not apply.

@@ -142,6 +142,6 @@ def check_faces(source: Source, faces: list[list[int]], vertex_count: int) -> No
             raise source.error(0, what)
 
 
-def scalar_dtype(element: Element, order: str) -> np.dtype:
+def scalar_dtype(element: Element, order: str) -> np.dtype[np.void]:
     """The record of an element without lists."""
     return np.dtype([(f"p{k}", order + p.dtype) for k, p in enumerate(element.properties)])

@@ -7,8 +7,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 
-def triangulate(points: np.ndarray, faces: Sequence[Sequence[int]]) -> np.ndarray:
+
+def triangulate(points: Floats, faces: Sequence[Sequence[int]]) -> Ints:
     """Triangles (m, 3) int32 of faces (each three or more vertex indices), in the faces' order.
 
     points: (n, 3). A quad is cut along its shorter diagonal, the one from its first vertex if they
@@ -29,13 +31,13 @@ def triangulate(points: np.ndarray, faces: Sequence[Sequence[int]]) -> np.ndarra
     return np.ascontiguousarray(np.concatenate(triangles)[order], dtype=np.int32)
 
 
-def _fan(block: np.ndarray) -> np.ndarray:
+def _fan(block: Ints) -> Ints:
     count = block.shape[1] - 2
     corners = [block[:, [0, k + 1, k + 2]] for k in range(count)]
     return np.stack(corners, axis=1)
 
 
-def _split_quads(points: np.ndarray, quads: np.ndarray) -> np.ndarray:
+def _split_quads(points: Floats, quads: Ints) -> Ints:
     first = np.linalg.norm(points[quads[:, 0]] - points[quads[:, 2]], axis=1)
     second = np.linalg.norm(points[quads[:, 1]] - points[quads[:, 3]], axis=1)
     turned = second < first * (1.0 - 1e-6)

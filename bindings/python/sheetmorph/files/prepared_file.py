@@ -4,11 +4,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..kernel import load_kernel
-from ..prepared_mesh import Progress, Wanted, prepared_mesh
+from ..prepared_mesh import Wanted, prepared_mesh
+from ..progress import Progress
 from .obj import ObjFile
 from .part_file import PartFile
 
@@ -23,7 +26,7 @@ class PreparedFile(PartFile):
         mesh, triangle_of = prepared_mesh(load_kernel(), file.mesh, wanted, progress)
         super().__init__(file.path, mesh)
         self.origin, self.unpacked_in = file.origin, file.unpacked_in
-        self.notes = [*file.notes, *_notes(mesh.preparation)]
+        self.notes = [*file.notes, *_notes(mesh.preparation or {})]
         if file.properties is not None:
             self.properties = file.properties[triangle_of]
         if file.bodies is not None:
@@ -37,16 +40,16 @@ class PreparedFile(PartFile):
         """The OBJ file of the same name: doubles, and room for other vertices than the file's."""
         return f"{self.path.stem}.obj"
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in positions.tolist()]
         lines += [f"f {a} {b} {c}" for a, b, c in (self.mesh.triangles + 1).tolist()]
         path.write_text("\n".join(lines) + "\n", "utf-8")
 
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         return ObjFile.read(path).mesh.points
 
 
-def _notes(done: dict) -> list[str]:
+def _notes(done: dict[str, Any]) -> list[str]:
     notes = [
         f"prepared: {done['welded']} vertices welded, {done['removed']} triangles removed, "
         f"{done['split']} cut, {done['turned']} turned; written as OBJ"

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..part_mesh import PartMesh
 from .part_file import PartFile
 from .text import CoordinateText, Source, check_points, read_bytes, show
@@ -30,12 +31,12 @@ _LAST = re.compile(rb"\s*endsolid\b.*", re.IGNORECASE | re.DOTALL)
 class _Weld:
     """points (n, 3) in order of first appearance; corner (3 m,): the vertex of every corner."""
 
-    points: np.ndarray
-    corner: np.ndarray
-    first: np.ndarray
+    points: Floats
+    corner: Ints
+    first: Ints
 
 
-def _weld(corners: np.ndarray) -> _Weld:
+def _weld(corners: Floats) -> _Weld:
     """Corners (3 m, 3) with exactly equal coordinates become one vertex."""
     rows = np.ascontiguousarray(corners + 0.0)  # -0.0 and 0.0 are one place
     keys = rows.view(np.dtype((np.void, rows.dtype.itemsize * 3))).ravel()
@@ -49,18 +50,18 @@ def _weld(corners: np.ndarray) -> _Weld:
 class StlFile(PartFile):
     """What both kinds share: vertices are the welded corners; ids count their first appearance."""
 
-    def __init__(self, source: Source, corners: np.ndarray, precision: str):
+    def __init__(self, source: Source, corners: Floats, precision: str):
         weld = _weld(corners)
         self._corner = weld.corner
         self._first = weld.first
         mesh = PartMesh(weld.points, weld.corner.reshape(-1, 3), name=source.path.stem)
         super().__init__(source.path, mesh, precision)
 
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         # Rounding may bring two vertices to one place; the order of the corners stays.
         return read_corners(path)[self._first]
 
-    def _changes(self, positions: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def _changes(self, positions: Floats) -> tuple[Bools, Floats, Floats]:
         """Facets that changed (m,) bool, corners (m, 3, 3) and unit normals (m, 3)."""
         moved = (positions != self.mesh.points).any(axis=1)[self._corner].reshape(-1, 3).any(axis=1)
         corners = positions[self._corner].reshape(-1, 3, 3)
@@ -77,7 +78,7 @@ class BinaryStlFile(StlFile):
         self._data = source.data
         super().__init__(source, _binary_corners(source), "float32")
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         data = bytearray(self._data)
         records = np.frombuffer(data, _RECORD, offset=_HEADER_SIZE)
         moved, corners, normals = self._changes(positions)
@@ -95,7 +96,7 @@ class AsciiStlFile(StlFile):
         corners = numbers.reshape(-1, 4, 3)[:, 1:].reshape(-1, 3)
         super().__init__(source, corners, "double")
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         moved, corners, normals = self._changes(positions)
         rows = self._text.values.reshape(-1, 4, 3).copy()
         rows[moved, 1:] = corners[moved]
@@ -103,7 +104,7 @@ class AsciiStlFile(StlFile):
         path.write_bytes(self._text.rewritten(rows.reshape(-1, 3)))
 
 
-def _ascii_facets(source: Source) -> tuple[np.ndarray, np.ndarray]:
+def _ascii_facets(source: Source) -> tuple[Ints, Floats]:
     """Spans (4 m, 3, 2) and values (4 m, 3) of the normal and the three corners of every facet."""
     spans: list[tuple[int, int]] = []
     done = 0
@@ -125,7 +126,7 @@ def _check_between(source: Source, begin: int, end: int) -> None:
             raise source.error(begin, f'"{show(line.strip())}" is not a facet')
 
 
-def _binary_corners(source: Source) -> np.ndarray:
+def _binary_corners(source: Source) -> Floats:
     """Corners (3 m, 3) float64 of a binary STL. Raises FileError."""
     records = np.frombuffer(source.data, _RECORD, offset=_HEADER_SIZE)
     corners = records["corners"].reshape(-1, 3).astype(np.float64)
@@ -147,7 +148,7 @@ def _is_binary(source: Source) -> bool:
     raise source.error(0, what, "copy or export it again")
 
 
-def read_corners(path: Path) -> np.ndarray:
+def read_corners(path: Path) -> Floats:
     """Corners (3 m, 3) float64 of an STL file in its own order. Raises FileError."""
     source = Source(path, read_bytes(path))
     if _is_binary(source):

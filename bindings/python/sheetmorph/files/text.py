@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..errors import FileError
 from ..part_mesh import PartMesh
 from .part_file import PartFile
@@ -68,7 +69,7 @@ class Source:
         return int(token)
 
 
-def check_points(path: Path, points: np.ndarray) -> None:
+def check_points(path: Path, points: Floats) -> None:
     """(n, 3) coordinates of a binary file are numbers to compute with. Raises FileError."""
     bad = np.flatnonzero(~(np.abs(points) <= LARGEST).all(axis=1))
     if len(bad):
@@ -90,10 +91,10 @@ class CoordinateText:
     """
 
     data: bytes
-    spans: np.ndarray
-    values: np.ndarray
+    spans: Ints
+    values: Floats
 
-    def rewritten(self, positions: np.ndarray) -> bytes:
+    def rewritten(self, positions: Floats) -> bytes:
         """The file with (n, 3) positions; a coordinate that did not change keeps its text.
 
         Changed ones get the shortest text that reads back to the same double (17 digits at most).
@@ -108,7 +109,7 @@ class CoordinateText:
         return b"".join(found)
 
     @cached_property
-    def _pieces(self) -> tuple[np.ndarray, list[bytes]]:
+    def _pieces(self) -> tuple[Ints, list[bytes]]:
         """The coordinates (3 n,) in the order of the file, and its bytes: what stands before the
         first one, that one, what is between, and so on."""
         spans = self.spans.reshape(-1, 2)
@@ -122,10 +123,13 @@ class CoordinateText:
         no word of its own."""
         found = list(TOKEN.finditer(self.data))
         places = {word.span(): k for k, word in enumerate(found)}
-        own = [places.get((begin, end)) for begin, end in self.spans.reshape(-1, 2).tolist()]
-        return None if None in own else ([word.group() for word in found], own)
+        try:
+            own = [places[begin, end] for begin, end in self.spans.reshape(-1, 2).tolist()]
+        except KeyError:
+            return None
+        return [word.group() for word in found], own
 
-    def read_again(self, data: bytes) -> np.ndarray | None:
+    def read_again(self, data: bytes) -> Floats | None:
         """(n, 3) coordinates of the same file with other numbers; None if another word differs."""
         if self._words is None:
             return None
@@ -149,10 +153,10 @@ class TextPartFile(PartFile):
         super().__init__(path, mesh)
         self._text = text
 
-    def save(self, path: Path, positions: np.ndarray) -> None:
+    def save(self, path: Path, positions: Floats) -> None:
         path.write_bytes(self._text.rewritten(positions))
 
-    def stored_positions(self, path: Path) -> np.ndarray:
+    def stored_positions(self, path: Path) -> Floats:
         # The file is what was written, so nothing but its numbers has to be understood again.
         found = self._text.read_again(read_bytes(path))
         return type(self).read(path).mesh.points if found is None else found

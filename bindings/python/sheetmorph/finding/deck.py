@@ -28,7 +28,9 @@ def part_material(sources: Sequence[Source]) -> dict[str, Material]:
         for name, vertices in source.members.items():
             inside = np.zeros(len(source.file.mesh.points), dtype=bool)
             inside[vertices] = True
-            numbers, counts = np.unique(source.file.properties[inside[corners]], return_counts=True)
+            numbers, counts = np.unique(
+                source.file.sheet.properties[inside[corners]], return_counts=True
+            )
             if len(numbers):
                 most = int(numbers[counts.argmax()])
                 found[name] = source.file.deck.raw.materials.of(most)

@@ -74,7 +74,7 @@ def _exact_bend(entry: Entry, walls: list[Entry]) -> Entry:
     bend = frozenset(entry["vertices"])
     cylinders = [wall for wall in walls if wall["kind"] == "cylinder" and wall["vertices"]]
     skins = [wall for wall in cylinders if bend.issuperset(wall["vertices"])]
-    skins.sort(key=lambda skin: skin["radius"])
+    skins.sort(key=lambda skin: float(skin["radius"]))
     if not skins:
         return entry
     depth = {"depth": skins[-1]["radius"] - skins[0]["radius"]} if "depth" in entry else {}

@@ -7,10 +7,14 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from importlib import resources
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from ..arrays import Ints
 from ..part_mesh import PartMesh
 from .options import HOLES
+
+if TYPE_CHECKING:
+    from .. import _core
 
 _LENGTHS = {
     "slotted hole": ("length", "width"),
@@ -31,7 +35,8 @@ _CURVED = ("cylinder", "cone", "sphere")
 def find_schema() -> dict[str, Any]:
     """The published JSON Schema of what is found."""
     text = resources.files("sheetmorph").joinpath("find.schema.json").read_text("utf-8")
-    return json.loads(text)
+    found: dict[str, Any] = json.loads(text)
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +50,7 @@ class FindPart:
     mesh: PartMesh
     thickness: float = 0.0
     exact: list[dict[str, Any]] = field(default_factory=list)
-    kept: dict[tuple, Any] = field(default_factory=dict)
+    kept: dict[tuple[float | None, ...], list[_core.Feature]] = field(default_factory=dict)
 
 
 @dataclass
@@ -60,7 +65,7 @@ class Findings:
     seconds: dict[str, float] = field(default_factory=dict)
 
 
-def feature_entry(part: FindPart, found: Any) -> dict[str, Any]:
+def feature_entry(part: FindPart, found: _core.Feature) -> dict[str, Any]:
     """A feature of the kernel as a recipe's entry, still without name and part; what its kind has
     not is left out."""
     mesh = part.mesh
@@ -87,10 +92,12 @@ def feature_entry(part: FindPart, found: Any) -> dict[str, Any]:
     return entry
 
 
-def contact_entry(parts: Sequence[FindPart], found: Any, name: str) -> dict[str, Any]:
+def contact_entry(
+    parts: Sequence[FindPart], found: _core.FoundContact, name: str
+) -> dict[str, Any]:
     """A contact of the kernel as a recipe's entry."""
 
-    def side(index: int, vertices: Any) -> dict[str, Any]:
+    def side(index: int, vertices: Ints) -> dict[str, Any]:
         part = parts[index]
         return {"part": part.name, "vertices": part.mesh.file_ids(vertices)}
 

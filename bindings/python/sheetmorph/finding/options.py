@@ -6,7 +6,11 @@ from __future__ import annotations
 import dataclasses
 import math
 from dataclasses import dataclass
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .. import _core
 
 HOLES = ("round hole", "slotted hole", "rectangular hole", "hole")
 SURFACES = ("plane", "cylinder", "cone", "sphere")
@@ -32,8 +36,10 @@ LIMITS = {
     "smallest": (1, 1_000_000),
 }
 
-_OF_FEATURES = ("rings", "smallest_radius", "largest_radius", "roundness", "surface")
-_OF_FEATURES += ("crease_angle", "plane_angle", "smallest_area", "scatter")
+_OF_FEATURES = (
+    *("rings", "smallest_radius", "largest_radius", "roundness", "surface"),
+    *("crease_angle", "plane_angle", "smallest_area", "scatter"),
+)
 
 
 @dataclass(frozen=True)
@@ -66,13 +72,13 @@ class FindOptions:
     smallest: int = 3
     one_per_pair: bool = False
 
-    def feature_key(self) -> tuple:
+    def feature_key(self) -> tuple[float | None, ...]:
         """All that decides which features the kernel finds on a mesh."""
         return tuple(getattr(self, name) for name in _OF_FEATURES)
 
-    def feature_tolerances(self, core: Any) -> Any:
+    def feature_tolerances(self, core: ModuleType) -> _core.FeatureTolerances:
         """The kernel's FeatureTolerances."""
-        found = core.FeatureTolerances()
+        found: _core.FeatureTolerances = core.FeatureTolerances()
         found.washer_rings = int(self.rings)
         found.smallest_radius = float(self.smallest_radius)
         found.largest_radius = float(self.largest_radius)
@@ -84,9 +90,9 @@ class FindOptions:
         found.scatter = -1.0 if self.scatter is None else float(self.scatter)
         return found
 
-    def contact_tolerances(self, core: Any) -> Any:
+    def contact_tolerances(self, core: ModuleType) -> _core.ContactTolerances:
         """The kernel's ContactTolerances."""
-        found = core.ContactTolerances()
+        found: _core.ContactTolerances = core.ContactTolerances()
         found.gap = -1.0 if self.gap is None else float(self.gap)
         found.facing_angle = math.radians(self.facing_angle)
         found.smallest = int(self.smallest)

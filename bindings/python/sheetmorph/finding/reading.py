@@ -3,14 +3,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 
+from ..arrays import Ints
 from ..errors import Fault, RecipeError
 from ..files import is_cad, read_part, unpacked_name
 from ..recipe.model import model_of
@@ -87,7 +86,7 @@ def parts_of_files(
         raise RecipeError([Fault("find", "only CAD files are meshed", todo)])
     entries: list[dict[str, Any]] = []
     names: set[str] = set()
-    for path in map(os.fspath, paths):
+    for path in map(str, paths):
         way = _way(path) if split == "auto" else split
         if way == "none":
             name = _free_name(unpacked_name(path).stem, names)
@@ -123,7 +122,7 @@ def _free_name(name: str, names: set[str]) -> str:
     return name
 
 
-def _entry(path: Path, members: dict[str, np.ndarray], meshing: Any) -> dict[str, Any]:
+def _entry(path: Path, members: dict[str, Ints], meshing: Any) -> dict[str, Any]:
     """The entry of a recipe that stands for a file, and the parts it stands for."""
     names = list(members)
     stem = unpacked_name(path).stem

@@ -6,7 +6,8 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Sequence
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from ..progress import Progress
 from .exact import with_exact
 from .findings import FindPart, Findings, contact_entry, feature_entry
 from .options import FindOptions
+
+if TYPE_CHECKING:
+    from .. import _core
 
 Connection = tuple[int, int, int, int]
 
@@ -38,7 +42,8 @@ def find(
     meshes = [core.TriangleMesh(part.mesh.points, part.mesh.triangles) for part in parts]
     features = _features(core, (parts, meshes), options, progress)
     middle = time.perf_counter()
-    contacts, gap = [], 0.0
+    contacts: list[_core.FoundContact] = []
+    gap = 0.0
     if with_contacts and len(parts) > 1:
         # A proposed gap is that of the meshes as they stand, whatever thickness they stand for.
         thickness = [0.0 if options.gap is None else float(part.thickness) for part in parts]
@@ -54,8 +59,11 @@ def find(
 
 
 def _features(
-    core: Any, shapes: tuple, options: FindOptions, progress: Progress | None
-) -> list[Any]:
+    core: ModuleType,
+    shapes: tuple[Sequence[FindPart], list[_core.TriangleMesh]],
+    options: FindOptions,
+    progress: Progress | None,
+) -> list[list[_core.Feature]]:
     """The kernel's features of every part, searched where they are not kept; shapes: the parts
     and their meshes."""
     first = None if progress is None else lambda share, task: progress(0.5 * share, task)
@@ -68,7 +76,12 @@ def _features(
     return [part.kept[key] for part in shapes[0]]
 
 
-def _contacts(core: Any, shapes: list[Any], options: FindOptions, more: tuple) -> tuple:
+def _contacts(
+    core: ModuleType,
+    shapes: list[_core.ContactPart],
+    options: FindOptions,
+    more: tuple[Sequence[Connection], Progress | None],
+) -> tuple[list[_core.FoundContact], float]:
     """The kernel's contacts, and the gap in use; more: connections and progress."""
     connections, progress = more
     tolerances = options.contact_tolerances(core)
@@ -80,7 +93,7 @@ def _contacts(core: Any, shapes: list[Any], options: FindOptions, more: tuple) -
 
 
 def _feature_entries(
-    parts: Sequence[FindPart], features: Sequence[Any], options: FindOptions
+    parts: Sequence[FindPart], features: Sequence[Sequence[_core.Feature]], options: FindOptions
 ) -> list[dict[str, Any]]:
     entries = []
     for part, of_part in zip(parts, features):
@@ -103,7 +116,7 @@ def _is_wanted(known: dict[str, Any], options: FindOptions) -> bool:
 
 
 def _contact_entries(
-    parts: Sequence[FindPart], contacts: Sequence[Any], options: FindOptions
+    parts: Sequence[FindPart], contacts: Sequence[_core.FoundContact], options: FindOptions
 ) -> list[dict[str, Any]]:
     entries = []
     counts: Counter[str] = Counter()
@@ -115,7 +128,9 @@ def _contact_entries(
     return entries
 
 
-def _primary_candidates(parts: Sequence[FindPart], contacts: Sequence[Any]) -> list[str]:
+def _primary_candidates(
+    parts: Sequence[FindPart], contacts: Sequence[_core.FoundContact]
+) -> list[str]:
     """The part that touches most others is the likeliest to be dragged; then the largest."""
     touched: list[set[int]] = [set() for _ in parts]
     for found in contacts:

@@ -7,11 +7,16 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from ..errors import FileError
+
+if TYPE_CHECKING:
+    from .. import _core
 
 # Inner radius over thickness, and where the neutral fibre lies in the thickness from inside.
 _USUAL = ((0.0, 0.33), (1.0, 0.38), (3.0, 0.43), (10.0, 0.5))
@@ -72,9 +77,9 @@ class Bend:
     angle: float
     radius: float
     is_up: bool
-    direction: np.ndarray
-    vertices: np.ndarray
-    triangles: np.ndarray
+    direction: Floats
+    vertices: Ints
+    triangles: Ints
     inner: float | None = None
     k_factor: float | None = None
     allowance: float | None = None
@@ -87,7 +92,9 @@ class Bend:
         return self.allowance / (self.angle * self.radius)
 
 
-def find_bends(core: Any, mesh: Any, thickness: float | None, table: KTable) -> list[Bend]:
+def find_bends(
+    core: ModuleType, mesh: _core.TriangleMesh, thickness: float | None, table: KTable
+) -> list[Bend]:
     """The bends of a kernel mesh, rounded ones first, then sharp folds; thickness in mm."""
     points, triangles = np.asarray(mesh.points), np.asarray(mesh.triangles)
     normals = _normals(points, triangles)
@@ -123,13 +130,13 @@ def _with_allowance(bend: Bend, thickness: float | None, table: KTable) -> Bend:
     )
 
 
-def _beside(triangles: np.ndarray, own: np.ndarray) -> np.ndarray:
+def _beside(triangles: Ints, own: Ints) -> Ints:
     """The triangles that touch some others, and are none of them."""
     touched = np.flatnonzero(np.isin(triangles, triangles[own]).any(axis=1))
     return np.setdiff1d(touched, own)
 
 
-def _turn(normals: np.ndarray, beside: np.ndarray, axis: np.ndarray) -> float | None:
+def _turn(normals: Floats, beside: Floats, axis: Floats) -> float | None:
     """How far the flats beside a bend are turned against each other, radians, of their normals and
     those of the bend; None where it ends on one side."""
     middle = normals.mean(axis=0)
@@ -142,7 +149,7 @@ def _turn(normals: np.ndarray, beside: np.ndarray, axis: np.ndarray) -> float | 
     return float(np.median(ends[0]) - np.median(ends[1]))
 
 
-def _bends_up(centres: np.ndarray, normals: np.ndarray, axis: np.ndarray) -> bool:
+def _bends_up(centres: Floats, normals: Floats, axis: Floats) -> bool:
     """Whether the normals of a cylinder's triangles run together: it is curved to their side."""
     across = np.cross(axis, normals.mean(axis=0))
     shift = (centres - centres.mean(axis=0)) @ across
@@ -150,15 +157,14 @@ def _bends_up(centres: np.ndarray, normals: np.ndarray, axis: np.ndarray) -> boo
     return bool(shift @ turn < 0.0)
 
 
-def _normals(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+def _normals(points: Floats, triangles: Ints) -> Floats:
     corners = points[triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    return normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    found: Floats = normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    return found
 
 
-def _folds(
-    points: np.ndarray, triangles: np.ndarray, normals: np.ndarray, taken: np.ndarray
-) -> Iterator[Bend]:
+def _folds(points: Floats, triangles: Ints, normals: Floats, taken: Bools) -> Iterator[Bend]:
     """Edges at which the sheet bends sharply, in straight rows."""
     sides = np.vstack([triangles[:, [k, (k + 1) % 3]] for k in range(3)])
     owner = np.tile(np.arange(len(triangles)), 3)
@@ -183,14 +189,14 @@ def _folds(
         )
 
 
-def _rows(edges: np.ndarray, along: np.ndarray, sign: np.ndarray) -> list[np.ndarray]:
+def _rows(edges: Ints, along: Floats, sign: Floats) -> list[Ints]:
     """Indices of edges that go on straight from each other and bend to one side."""
     at_vertex: dict[int, list[int]] = {}
     for k, (a, b) in enumerate(edges.tolist()):
         at_vertex.setdefault(a, []).append(k)
         at_vertex.setdefault(b, []).append(k)
     row_of = np.full(len(edges), -1)
-    rows: list[np.ndarray] = []
+    rows: list[Ints] = []
     for start in range(len(edges)):
         if row_of[start] >= 0:
             continue

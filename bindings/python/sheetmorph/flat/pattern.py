@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..errors import FileError
 from ..files import read_part
 from ..files.packed import unpacked_name
@@ -18,6 +20,9 @@ from ..part_mesh import PartMesh
 from ..progress import Progress
 from ..strain import arcs, areas, principal_stretches
 from .bends import Bend, KTable, find_bends
+
+if TYPE_CHECKING:
+    from .. import _core
 
 _ROUND = 2e-3  # of the radius: rims that are nearer to a circle are cut as one
 _FEWEST_OF_CIRCLE = 12
@@ -41,16 +46,16 @@ class FlatPattern:
     """
 
     name: str
-    rest: np.ndarray
-    flat: np.ndarray
-    triangles: np.ndarray
-    outline: np.ndarray
-    holes: list[np.ndarray]
-    circles: list[tuple[np.ndarray, float] | None]
+    rest: Floats
+    flat: Floats
+    triangles: Ints
+    outline: Ints
+    holes: list[Ints]
+    circles: list[tuple[Floats, float] | None]
     rigid: list[bool]
     bends: list[Bend]
-    lines: list[np.ndarray]
-    stretches: np.ndarray
+    lines: list[Floats]
+    stretches: Floats
     thickness: float | None = None
     notes: list[str] = field(default_factory=list)
 
@@ -60,14 +65,15 @@ class FlatPattern:
         low, high = self.flat.min(axis=0), self.flat.max(axis=0)
         return float(high[0] - low[0]), float(high[1] - low[1])
 
-    def corners(self, loop: np.ndarray) -> np.ndarray:
+    def corners(self, loop: Ints) -> Floats:
         """The vertices of a loop at which it turns, (k,)."""
         places = self.flat[loop, :2]
         before, after = places - np.roll(places, 1, 0), np.roll(places, -1, 0) - places
         sine = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
         lengths = np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
         is_corner = np.abs(sine) > _STRAIGHT * np.maximum(lengths, 1e-300)
-        return loop[is_corner] if is_corner.sum() >= 3 else loop
+        found: Floats = loop[is_corner] if is_corner.sum() >= 3 else loop
+        return found
 
     def residual(self) -> tuple[float, float]:
         """The largest |principal stretch - 1|, and what 99 % of the area stay below."""
@@ -129,7 +135,7 @@ class _Wishes:
     progress: Progress | None
 
 
-def _welded(mesh: PartMesh, tolerance: float | None) -> tuple[np.ndarray, np.ndarray]:
+def _welded(mesh: PartMesh, tolerance: float | None) -> tuple[Floats, Ints]:
     """Points and triangles, after welding if a tolerance in mm is given; none that repeat a
     vertex."""
     points, triangles = mesh.points, mesh.triangles
@@ -141,7 +147,7 @@ def _welded(mesh: PartMesh, tolerance: float | None) -> tuple[np.ndarray, np.nda
     return points, triangles[sound]
 
 
-def _pieces(points: np.ndarray, triangles: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def _pieces(points: Floats, triangles: Ints) -> Iterator[tuple[Floats, Ints]]:
     """Points and triangles of every connected piece, by rising first vertex."""
     root = np.arange(len(points))
     while True:
@@ -158,7 +164,9 @@ def _pieces(points: np.ndarray, triangles: np.ndarray) -> Iterator[tuple[np.ndar
         yield points[used], new.reshape(own.shape).astype(np.int32)
 
 
-def _sheet(core: Any, name: str, piece: tuple[np.ndarray, np.ndarray]) -> tuple[Any, float | None]:
+def _sheet(
+    core: ModuleType, name: str, piece: tuple[Floats, Ints]
+) -> tuple[_core.TriangleMesh, float | None]:
     """The kernel's mesh of an open sheet, or of the middle of a thin solid, and its thickness."""
     part = core.Part(name, core.TriangleMesh(*piece))
     part.make_thin(False)
@@ -167,7 +175,7 @@ def _sheet(core: Any, name: str, piece: tuple[np.ndarray, np.ndarray]) -> tuple[
     return session.sheet(0), None if solid is None else float(solid.thickness)
 
 
-def _flat(name: str, piece: tuple[np.ndarray, np.ndarray], wishes: _Wishes) -> FlatPattern:
+def _flat(name: str, piece: tuple[Floats, Ints], wishes: _Wishes) -> FlatPattern:
     core = load_kernel()
     mesh, own_thickness = _sheet(core, name, piece)
     thickness = own_thickness or wishes.thickness
@@ -196,7 +204,7 @@ def _flat(name: str, piece: tuple[np.ndarray, np.ndarray], wishes: _Wishes) -> F
     return pattern
 
 
-def _require_flat(pattern: FlatPattern, found: Any, limit: float) -> None:
+def _require_flat(pattern: FlatPattern, found: _core.Flattening, limit: float) -> None:
     largest, most = pattern.residual()
     if len(found.flipped):
         what = f"{len(found.flipped)} triangles come out upside down"
@@ -209,7 +217,7 @@ def _require_flat(pattern: FlatPattern, found: Any, limit: float) -> None:
         )
 
 
-def _notes(found: Any, bends: list[Bend], thickness: float | None) -> list[str]:
+def _notes(found: _core.Flattening, bends: list[Bend], thickness: float | None) -> list[str]:
     notes = ["kinematic, no forming simulation: what tools, friction and yield do is not in it"]
     curved = len(found.is_rigid) - sum(found.is_rigid)
     if curved:
@@ -225,14 +233,14 @@ def _notes(found: Any, bends: list[Bend], thickness: float | None) -> list[str]:
     return notes
 
 
-def _length_in(points: np.ndarray) -> Any:
+def _length_in(points: Floats) -> Callable[[Ints], float]:
     """The length of a closed loop of vertices, mm."""
     return lambda loop: float(
         np.linalg.norm(points[loop] - np.roll(points[loop], 1, 0), axis=1).sum()
     )
 
 
-def _apart(loops: list[np.ndarray]) -> list[np.ndarray]:
+def _apart(loops: list[Ints]) -> list[Ints]:
     """The loops that share no vertex with one before."""
     seen: set[int] = set()
     found = []
@@ -243,9 +251,7 @@ def _apart(loops: list[np.ndarray]) -> list[np.ndarray]:
     return found
 
 
-def _neutral(
-    rest: np.ndarray, triangles: np.ndarray, bends: list[Bend]
-) -> tuple[np.ndarray, np.ndarray]:
+def _neutral(rest: Floats, triangles: Ints, bends: list[Bend]) -> tuple[Floats, Floats]:
     """Directions (m, 3) and factors (m,): by how much the neutral fibre is longer than the flat
     triangle, which is a chord of the bent sheet."""
     directions, turns = arcs(rest, triangles)
@@ -263,7 +269,7 @@ def _neutral(
     return directions, factors
 
 
-def _laid_along_x(flat: np.ndarray, outline: np.ndarray) -> np.ndarray:
+def _laid_along_x(flat: Floats, outline: Ints) -> Floats:
     """The blank turned to the smallest box that one of its sides gives, its corner at 0."""
     rim = flat[outline, :2]
     sides = np.roll(rim, -1, 0) - rim
@@ -278,7 +284,7 @@ def _laid_along_x(flat: np.ndarray, outline: np.ndarray) -> np.ndarray:
     return np.column_stack([turned, np.zeros(len(flat))])
 
 
-def _circle(rim: np.ndarray) -> tuple[np.ndarray, float] | None:
+def _circle(rim: Floats) -> tuple[Floats, float] | None:
     """Centre and radius of a rim whose vertices lie on a circle."""
     if len(rim) < _FEWEST_OF_CIRCLE:
         return None
@@ -290,7 +296,7 @@ def _circle(rim: np.ndarray) -> tuple[np.ndarray, float] | None:
     return (centre, radius) if off <= _ROUND * radius else None
 
 
-def _line(rest: np.ndarray, flat: np.ndarray, triangles: np.ndarray, bend: Bend) -> np.ndarray:
+def _line(rest: Floats, flat: Floats, triangles: Ints, bend: Bend) -> Floats:
     """The ends (2, 3) of a bend's middle line in the blank."""
     places = flat[bend.vertices, :2]
     if len(bend.triangles):
@@ -304,13 +310,12 @@ def _line(rest: np.ndarray, flat: np.ndarray, triangles: np.ndarray, bend: Bend)
     return np.column_stack([ends, np.zeros(2)])
 
 
-def _carried(
-    rest: np.ndarray, flat: np.ndarray, triangles: np.ndarray, direction: np.ndarray
-) -> np.ndarray:
+def _carried(rest: Floats, flat: Floats, triangles: Ints, direction: Floats) -> Floats:
     """A direction (3,) on some triangles as it lies in the blank, (2,) of length 1."""
     sides = rest[triangles[:, 1:]] - rest[triangles[:, :1]]
     moved = flat[triangles[:, 1:], :2] - flat[triangles[:, :1], :2]
     gram = np.einsum("mik,mjk->mij", sides, sides)
     weights = np.linalg.solve(gram, (sides @ direction)[:, :, None])[:, :, 0]
     along = np.einsum("mi,mik->mk", weights, moved).mean(axis=0)
-    return along / np.linalg.norm(along)
+    found: Floats = along / np.linalg.norm(along)
+    return found

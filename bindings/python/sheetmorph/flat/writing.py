@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..files.atomic import FileSet
 from .bends import Bend
 from .pattern import FlatPattern
@@ -92,14 +93,14 @@ def dxf_of(pattern: FlatPattern) -> str:
     return "".join(f"{code}\n{_number(value)}\n" for code, value in pairs)
 
 
-def _polyline(layer: str, places: np.ndarray) -> Iterator[tuple[int, Any]]:
+def _polyline(layer: str, places: Floats) -> Iterator[tuple[int, Any]]:
     yield from ((0, "POLYLINE"), (8, layer), (66, 1), (70, 1), *_place(np.zeros(3)))
     for place in places:
         yield from ((0, "VERTEX"), (8, layer), *_place(place))
     yield from ((0, "SEQEND"), (8, layer))
 
 
-def _place(place: np.ndarray, number: int = 0) -> list[tuple[int, float]]:
+def _place(place: Floats, number: int = 0) -> list[tuple[int, float]]:
     return [(10 * (axis + 1) + number, float(place[axis])) for axis in range(3)]
 
 
@@ -141,7 +142,7 @@ def svg_of(pattern: FlatPattern) -> str:
     return "\n".join([*lines, "</svg>", ""])
 
 
-def _path(places: np.ndarray) -> str:
+def _path(places: Floats) -> str:
     return "M" + "L".join(f"{x:.4f} {y:.4f}" for x, y in places[:, :2]) + "Z"
 
 

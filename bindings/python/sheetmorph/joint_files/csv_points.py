@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from .points import Joint, JointFile
 
@@ -106,13 +107,14 @@ def _rows(file: JointFile) -> Iterator[_Line]:
 def _fields(data: bytes, begin: int, end: int, separator: bytes) -> list[tuple[int, int]]:
     """Where the fields of a line are, quotation marks left out."""
     rule = re.compile(rb"(%s|[^%s]*)(%s|$)" % (_QUOTED, separator, separator))
+    # Where something stands behind a closing quotation mark.
+    plain = re.compile(rb"([^%s]*)(%s|$)" % (separator, separator))
     found, at = [], begin
     raw = data[begin:end]
     place = 0
     while True:
-        match = rule.match(raw, place)
-        if match is None:  # something behind a closing quotation mark
-            match = re.compile(rb"([^%s]*)(%s|$)" % (separator, separator)).match(raw, place)
+        match = rule.match(raw, place) or plain.match(raw, place)
+        assert match is not None  # a field may be empty, and so may the rest of a line
         first, last = match.span(1)
         inner = raw[first:last]
         if re.fullmatch(_QUOTED, inner):
@@ -124,10 +126,10 @@ def _fields(data: bytes, begin: int, end: int, separator: bytes) -> list[tuple[i
             return found
 
 
-def _columns(file: JointFile, head: _Line) -> tuple[list[int], dict]:
+def _columns(file: JointFile, head: _Line) -> tuple[list[int], dict[str, Any]]:
     """The columns of x, y and z, and those of other things."""
     axes: dict[str, int] = {}
-    others: dict = {"parts": []}
+    others: dict[str, Any] = {"parts": []}
     units = set()
     for k, field in enumerate(head.fields):
         shown = _shown(file.data, field).lower()

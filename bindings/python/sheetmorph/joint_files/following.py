@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..decks.following import Motion, on_triangle, turn_at
 from ..errors import Fault, FileError, RecipeError
 from ..files import FileSet
@@ -33,10 +34,10 @@ class Placed:
     """Points (n, 3) mm and directions (d, 3) of a file; by point where each of its sheets carries
     it, and the feet on them before and after, (k, 3)."""
 
-    points: np.ndarray
-    directions: np.ndarray
-    images: list[np.ndarray]
-    feet: list[tuple[np.ndarray, np.ndarray]]
+    points: Floats
+    directions: Floats
+    images: list[Floats]
+    feet: list[tuple[Floats, Floats]]
 
 
 class JointSource:
@@ -81,19 +82,19 @@ class JointSource:
         """The file that a run writes."""
         return [folder / self.file.path.name]
 
-    def write_into(self, files: FileSet, path: Path, of_parts: Mapping[str, np.ndarray]) -> None:
+    def write_into(self, files: FileSet, path: Path, of_parts: Mapping[str, Floats]) -> None:
         """Write the file with the parts at their positions, named when `files` commits."""
         placed = self._placed(self._motions(of_parts))
         temporary = files.temporary_for(path)
         with files.named(temporary), temporary.open("wb") as out:
             self.file.save(placed.points, placed.directions, out)
 
-    def told(self, of_parts: Mapping[str, np.ndarray]) -> dict[str, Any]:
+    def told(self, of_parts: Mapping[str, Floats]) -> dict[str, Any]:
         """For the report: what moved, what stays, which joints came apart."""
         placed = self._placed(self._motions(of_parts))
         return self._told(placed, placed.points)
 
-    def told_of(self, path: Path, of_parts: Mapping[str, np.ndarray]) -> dict[str, Any]:
+    def told_of(self, path: Path, of_parts: Mapping[str, Floats]) -> dict[str, Any]:
         """The same of a file that was written, with the parts at their (n, 3) positions as they
         were written. Raises FileError if it is not there or has other joints."""
         again = read_joint_file(path)
@@ -103,13 +104,13 @@ class JointSource:
             raise FileError(path, what, "name the folder that a run of this recipe wrote")
         return self._told(self._placed(self._motions(of_parts)), again.points)
 
-    def _motions(self, of_parts: Mapping[str, np.ndarray]) -> list[Motion]:
+    def _motions(self, of_parts: Mapping[str, Floats]) -> list[Motion]:
         return self._sheets.motions(of_parts, [foot for some in self._feet for foot in some])
 
     def _placed(self, motions: list[Motion]) -> Placed:
         points, directions = self._points.copy(), self._directions.copy()
-        images: list[np.ndarray] = []
-        places: list[tuple[np.ndarray, np.ndarray]] = []
+        images: list[Floats] = []
+        places: list[tuple[Floats, Floats]] = []
         for row, feet in enumerate(self._feet):
             places.append(_places(motions, feet))
             images.append(np.array([_image(motions, foot, points[row]) for foot in feet]))
@@ -125,7 +126,7 @@ class JointSource:
             directions[joint.directions] = directions[joint.directions] @ turn.T
         return Placed(points, directions, images, places)
 
-    def _told(self, placed: Placed, points: np.ndarray) -> dict[str, Any]:
+    def _told(self, placed: Placed, points: Floats) -> dict[str, Any]:
         entries = [self._entry(joint, placed, points) for joint in self.file.joints]
         broken = [entry for entry in entries if entry["change"] > entry["limit"]]
         texts = [self._broken_text(entry) for entry in broken[:_SHOWN]]
@@ -153,7 +154,7 @@ class JointSource:
             "notes": notes if refused else [*notes, *texts],
         }
 
-    def _entry(self, joint: Joint, placed: Placed, points: np.ndarray) -> dict[str, Any]:
+    def _entry(self, joint: Joint, placed: Placed, points: Floats) -> dict[str, Any]:
         """A joint: the gap of its sheets before and after, and by how much it came apart."""
         change, limit = 0.0, 0.0
         gaps = [0.0, 0.0]
@@ -198,15 +199,15 @@ def _stays(motions: list[Motion], foot: Foot) -> bool:
     return motion.stays(motion.triangles[foot.triangle])
 
 
-def _image(motions: list[Motion], foot: Foot, point: np.ndarray) -> np.ndarray:
+def _image(motions: list[Motion], foot: Foot, point: Floats) -> Floats:
     if _stays(motions, foot):
         return point
     return on_triangle(motions[foot.source], foot.triangle, foot.barycentric, point)
 
 
-def _places(motions: list[Motion], feet: Sequence[Foot]) -> tuple[np.ndarray, np.ndarray]:
+def _places(motions: list[Motion], feet: Sequence[Foot]) -> tuple[Floats, Floats]:
     """(k, 3) where feet are, before and after."""
-    found: tuple[list[np.ndarray], list[np.ndarray]] = ([], [])
+    found: tuple[list[Floats], list[Floats]] = ([], [])
     for foot in feet:
         motion = motions[foot.source]
         corners = motion.triangles[foot.triangle]
@@ -215,7 +216,7 @@ def _places(motions: list[Motion], feet: Sequence[Foot]) -> tuple[np.ndarray, np
     return np.array(found[0]), np.array(found[1])
 
 
-def _widest(places: np.ndarray, point: np.ndarray) -> float:
+def _widest(places: Floats, point: Floats) -> float:
     """The largest distance among some places and a point."""
     whole = np.concatenate([places, point[None]])
     return float(np.linalg.norm(whole[:, None] - whole, axis=2).max())

@@ -11,6 +11,7 @@ from typing import BinaryIO
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import FileError
 
 _REAL = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
@@ -70,16 +71,16 @@ class JointFile:
         self._directions.append(list(numbers))
 
     @property
-    def points(self) -> np.ndarray:
+    def points(self) -> Floats:
         """(n, 3) mm."""
         return self.unit * _values(self._points)
 
     @property
-    def directions(self) -> np.ndarray:
+    def directions(self) -> Floats:
         """(d, 3), of any length."""
         return _values(self._directions)
 
-    def save(self, points: np.ndarray, directions: np.ndarray, out: BinaryIO) -> None:
+    def save(self, points: Floats, directions: Floats, out: BinaryIO) -> None:
         """Write the file with its points at (n, 3) mm and its directions (d, 3); the bytes of
         numbers that stay, and all others, are as they were."""
         edits = _edits(self._points, points, self.points, self.unit)
@@ -109,12 +110,12 @@ class JointFile:
         raise self.error(line, f'{what}: "{text}" is not a number')
 
 
-def _values(rows: list[list[Number]]) -> np.ndarray:
+def _values(rows: list[list[Number]]) -> Floats:
     return np.array([[one.value for one in row] for row in rows], dtype=float).reshape(-1, 3)
 
 
 def _edits(
-    rows: list[list[Number]], wanted: np.ndarray, own: np.ndarray, unit: float
+    rows: list[list[Number]], wanted: Floats, own: Floats, unit: float
 ) -> list[tuple[Number, float]]:
     changed = np.argwhere(wanted != own)
     return [(rows[k][axis], float(wanted[k, axis] / unit)) for k, axis in changed.tolist()]

@@ -5,15 +5,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..decks.following import Motion
 from ..files.deck_file import DeckFile
 from ..kernel import load_kernel
 from ..recipe.parts import Source
 from ..strain import middle_edge
+
+if TYPE_CHECKING:
+    from .. import _core
 
 
 @dataclass(frozen=True)
@@ -23,7 +27,7 @@ class Foot:
 
     source: int
     triangle: int
-    barycentric: np.ndarray
+    barycentric: Floats
     distance: float
     thickness: float
 
@@ -34,12 +38,12 @@ class Piece:
     the middle length of its edges, mm."""
 
     source: int
-    triangles: np.ndarray
-    tree: Any
+    triangles: Ints
+    tree: _core.PickingTree
     thickness: float
     edge: float
 
-    def foot(self, point: np.ndarray) -> Foot | None:
+    def foot(self, point: Floats) -> Foot | None:
         """The nearest place to a point."""
         hit = self.tree.nearest_point(point)
         if hit is None:
@@ -90,7 +94,7 @@ class Sheets:
         number, found = int(wanted[:18]), []
         for k, source in enumerate(self.sources):
             if isinstance(source.file, DeckFile):
-                rows = np.flatnonzero(source.file.properties == number)
+                rows = np.flatnonzero(source.file.sheet.properties == number)
                 thickness = source.file.deck.raw.thickness.get(number, 0.0)
                 found += [self._piece(k, rows, thickness)] if len(rows) else []
         return found
@@ -106,18 +110,18 @@ class Sheets:
         return found
 
     @staticmethod
-    def _own(source: Source, vertices: np.ndarray) -> np.ndarray:
+    def _own(source: Source, vertices: Ints) -> Ints:
         inside = np.zeros(len(source.file.mesh.points), dtype=bool)
         inside[vertices] = True
         return np.flatnonzero(inside[source.file.mesh.triangles].all(axis=1))
 
-    def _piece(self, number: int, rows: np.ndarray, thickness: float) -> Piece:
+    def _piece(self, number: int, rows: Ints, thickness: float) -> Piece:
         points = self.rest[number]
         triangles = np.ascontiguousarray(self.sources[number].file.mesh.triangles[rows], np.int32)
         tree = load_kernel().PickingTree(points, triangles)
         return Piece(number, rows, tree, thickness, middle_edge(points, triangles))
 
-    def motions(self, of_parts: Mapping[str, np.ndarray], feet: Sequence[Foot]) -> list[Motion]:
+    def motions(self, of_parts: Mapping[str, Floats], feet: Sequence[Foot]) -> list[Motion]:
         """How each source moves at some feet, its parts at (n, 3) positions."""
         found = []
         for k, source in enumerate(self.sources):

@@ -138,7 +138,7 @@ class _Reader:
         begin, end = self._begin, self._parser.CurrentByteIndex
         raw = b"" if begin is None else self._file.data[begin:end]
         found = list(_TOKEN.finditer(raw))
-        if len(found) != 3 or b"<" in raw or b"&" in raw:
+        if begin is None or len(found) != 3 or b"<" in raw or b"&" in raw:
             raise self._error("<loc> needs three numbers and nothing else")
         self._file.add_point(
             joint, [self._number(begin + m.start(), begin + m.end(), "<loc>") for m in found]

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..answer import Answer
+from ..arrays import Floats, Ints
 from ..part_mesh import PartMesh
 from ..recipe.model import Model, RegionEntry
 from ..recipe.pose import Moved, pose_of
@@ -67,22 +68,20 @@ def before_and_after(result: Answer) -> tuple[Scene, Scene]:
     return _with_room(before, seen[1]), _with_room(after, seen[0])
 
 
-def _with_room(scene: Scene, corners: np.ndarray) -> Scene:
+def _with_room(scene: Scene, corners: Floats) -> Scene:
     """The scene with room for points (k, 3) that are not drawn."""
     return replace(scene, sheets=[*scene.sheets, Sheet(corners, np.zeros((0, 3), int))])
 
 
-def _corners(scene: Scene) -> np.ndarray:
+def _corners(scene: Scene) -> Floats:
     """The points (6, 3) that reach farthest."""
     whole = np.concatenate([sheet.points for sheet in scene.sheets])
     return np.concatenate([whole[whole.argmin(axis=0)], whole[whole.argmax(axis=0)]])
 
 
-def _regions(
-    model: Model, meshes: Mapping[str, PartMesh]
-) -> dict[str, list[tuple[str, np.ndarray]]]:
+def _regions(model: Model, meshes: Mapping[str, PartMesh]) -> dict[str, list[tuple[str, Ints]]]:
     """By part: role and vertices of every region."""
-    found: dict[str, list[tuple[str, np.ndarray]]] = {name: [] for name in meshes}
+    found: dict[str, list[tuple[str, Ints]]] = {name: [] for name in meshes}
     marked = [(_ROLE_OF[region.kind], region) for region in model.regions]
     for contact in model.contacts:
         marked += [("contact, side a", contact.a), ("contact, side b", contact.b)]
@@ -92,7 +91,7 @@ def _regions(
     return found
 
 
-def _painted(mesh: PartMesh, regions: list[tuple[str, np.ndarray]]) -> list[Sheet]:
+def _painted(mesh: PartMesh, regions: list[tuple[str, Ints]]) -> list[Sheet]:
     """The part, each triangle in the colour of the last region that it belongs to, and lines along
     what no triangle of a region shows, such as rims."""
     roles = list(ROLES)
@@ -115,15 +114,16 @@ def _painted(mesh: PartMesh, regions: list[tuple[str, np.ndarray]]) -> list[Shee
     return faces + lines
 
 
-def _edges(triangles: np.ndarray) -> np.ndarray:
+def _edges(triangles: Ints) -> Ints:
     """(3 m, 2) of triangles (m, 3); an edge of two stands twice."""
     return triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
 
 
-def _vertices(mesh: PartMesh, region: RegionEntry) -> np.ndarray:
+def _vertices(mesh: PartMesh, region: RegionEntry) -> Ints:
     if region.is_point:
-        return mesh.triangles[region.triangle] if region.triangle is not None else []
-    return mesh.find(region.vertices, region.is_prepared)[0]
+        found: Ints = mesh.triangles[region.on_triangle[0]]
+        return found
+    return mesh.find(region.vertices or [], region.is_prepared)[0]
 
 
 def _arrows(

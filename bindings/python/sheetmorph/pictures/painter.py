@@ -30,6 +30,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
+from ..arrays import Ints
 from .scene import SHEET, Arrow, Colour, Scene, Sheet
 
 _TEXT: Colour = (0.13, 0.17, 0.22)
@@ -121,7 +122,7 @@ def _lift(mapper: Any) -> None:
     mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-4.0, -4.0)
 
 
-def _cells(rows: np.ndarray) -> Any:
+def _cells(rows: Ints) -> Any:
     """Cells of the same number of corners each, (m, k)."""
     whole = np.column_stack([np.full(len(rows), rows.shape[1]), rows]).astype(np.int64)
     cells = vtkCellArray()

@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
+
+from ..arrays import Floats, Ints
 
 Colour = tuple[float, float, float]
 
@@ -29,11 +30,11 @@ class Sheet:
     lines: (k, 2) point indices of strong lines.
     """
 
-    points: np.ndarray
-    triangles: np.ndarray
+    points: Floats
+    triangles: Ints
     colour: Colour = SHEET
-    values: np.ndarray | None = None
-    lines: np.ndarray | None = None
+    values: Floats | None = None
+    lines: Ints | None = None
 
 
 @dataclass(frozen=True)

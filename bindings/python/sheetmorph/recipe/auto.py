@@ -9,8 +9,9 @@ from typing import Any
 
 from ..finding.findings import FindPart, Findings
 from ..finding.options import HOLES, USUAL_FEATURES, FindOptions
-from ..finding.search import Connection, Progress, find
+from ..finding.search import Connection, find
 from ..part_mesh import PartMesh
+from ..progress import Progress
 from .found import Found
 from .places import driven_in
 from .stacks import regions_by_vertex, solvable
@@ -22,7 +23,7 @@ _OF_EVERY = ("rotation",)
 
 def asked_sections(recipe: Any) -> dict[str, dict[str, Any]]:
     """The options of every section that is to be found, by section; {} for the plain word."""
-    asked = {}
+    asked: dict[str, dict[str, Any]] = {}
     for section in SECTIONS if isinstance(recipe, dict) else ():
         value = recipe.get(section)
         if value == "auto":

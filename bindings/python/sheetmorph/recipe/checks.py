@@ -11,7 +11,8 @@ import numpy as np
 
 from ..errors import Fault, list_ids
 from ..part_mesh import PartMesh
-from .model import Model, PartEntry, RegionEntry
+from .feature_entries import RelationEntry
+from .model import ContactEntry, Model, PartEntry, RegionEntry
 from ..selecting.grammar import form_faults
 from .places import names_in, place_of
 from .pose import Moved, Rotation
@@ -82,7 +83,7 @@ def pose_meaning_faults(
     place: where it stands in the recipe, and names that exist though their entries are faulty.
     """
     regions = {region.name: region for region in model.regions if region.kind not in _NOT_POSED}
-    faults = []
+    faults: list[Fault] = []
     for name, moved in pose.items():
         where = f"{place[0]}.{name}"
         if name in regions:
@@ -129,7 +130,9 @@ def _part_mesh(part: PartEntry, mesh: PartMesh) -> Iterator[Fault]:
         largest = np.iinfo(np.int32).max
         huge = mesh.ids[(mesh.ids > largest) | (mesh.ids < -largest)]
         if len(huge):
-            what = f"the vertex ids {list_ids(huge)} of part {part.name} are beyond {largest}"
+            what = (
+                f"the vertex ids {list_ids(huge.tolist())} of part {part.name} are beyond {largest}"
+            )
             yield Fault(part.where, what, "renumber its nodes")
 
 
@@ -138,13 +141,14 @@ def _list(names: Set[str]) -> str:
 
 
 def _repeated_names(model: Model) -> Iterator[Fault]:
-    for what, entries in (
-        ("part", model.parts),
-        ("region", model.regions),
-        ("contact", model.contacts),
-        ("group", [entry for entry in model.relations if entry.type == "group"]),
-        ("pair", [entry for entry in model.relations if entry.type != "group"]),
-    ):
+    named: dict[str, Sequence[PartEntry | RegionEntry | ContactEntry | RelationEntry]] = {
+        "part": model.parts,
+        "region": model.regions,
+        "contact": model.contacts,
+        "group": [entry for entry in model.relations if entry.type == "group"],
+        "pair": [entry for entry in model.relations if entry.type != "group"],
+    }
+    for what, entries in named.items():
         seen: dict[str, str] = {}
         for entry in entries:
             if entry.name in seen:

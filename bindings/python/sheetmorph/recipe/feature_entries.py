@@ -64,8 +64,8 @@ def symmetry_of(entry: dict[str, Any] | None) -> SymmetryEntry | None:
     return SymmetryEntry(vector_of(entry["point"]), vector_of(entry["normal"]))
 
 
-def vector_of(value: Any) -> Vector | None:
-    """Three numbers as such; None stays None."""
+def vector_of(value: Any) -> Any:
+    """Three numbers as a Vector; None stays None."""
     return None if value is None else (float(value[0]), float(value[1]), float(value[2]))
 
 

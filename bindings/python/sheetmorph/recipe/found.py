@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -18,7 +18,7 @@ class Found:
     gap: float = 0.0
     left_out: list[str] = field(default_factory=list)
 
-    def for_report(self, asked: Sequence[str]) -> dict[str, Any]:
+    def for_report(self, asked: Collection[str]) -> dict[str, Any]:
         """The sections that were asked for, as the report tells them."""
         told: dict[str, Any] = {"left_out": self.left_out}
         if "features" in asked:

@@ -55,7 +55,7 @@ def _entries(text: str) -> Iterator[tuple[list[str | int], int]]:
         elif token == ",":
             is_key = kinds[-1] == "{"
             if kinds[-1] == "[":
-                path[-1] += 1
+                path[-1] = int(path[-1]) + 1
         elif token == ":":
             is_key = False
         elif is_key:

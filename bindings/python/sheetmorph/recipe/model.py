@@ -100,6 +100,12 @@ class RegionEntry:
         """Whether it is a point on a triangle rather than a set of vertices."""
         return self.vertices is None and self.selector is None
 
+    @property
+    def on_triangle(self) -> tuple[int, Vector]:
+        """The triangle of a point, and where on it."""
+        assert self.triangle is not None and self.barycentric is not None
+        return self.triangle, self.barycentric
+
 
 @dataclass(frozen=True)
 class ContactEntry:
@@ -321,4 +327,5 @@ def _region(kind: str, where: str, k: int, entry: dict[str, Any]) -> RegionEntry
 def _turning(rotation: Any, default: str) -> str:
     if isinstance(rotation, dict):
         return "prescribed"
-    return default if rotation is None else rotation
+    found: str = default if rotation is None else rotation
+    return found

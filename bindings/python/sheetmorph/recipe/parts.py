@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..errors import Fault, FileError
 from ..files import PartFile, is_cad, output_name, read_part
 from ..files.cad_writing import CadWriting
@@ -30,10 +32,10 @@ class Source:
 
     file: PartFile
     placement: Placement = Placement()
-    members: dict[str, np.ndarray] = field(default_factory=dict)
+    members: dict[str, Ints] = field(default_factory=dict)
     writing: CadWriting | None = None
 
-    def positions(self, of_parts: dict[str, np.ndarray]) -> np.ndarray:
+    def positions(self, of_parts: dict[str, Floats]) -> Floats:
         """Positions (n, 3) of the whole file as it stands there; vertices of no part, and those
         that did not move, stay as they are."""
         own = self.file.mesh.points
@@ -59,16 +61,16 @@ class Parts:
     unread: list[str] = field(default_factory=list)
     joint_files: list[JointFileEntry] = field(default_factory=list)
     found: Found | None = None
-    resolved: Resolved | None = None
+    resolved: Resolved = field(default_factory=lambda: Resolved({}))
 
     def add(self, entry: PartEntry, file: PartFile) -> None:
         """Put the part, or the parts, of a file in."""
         source = Source(file, entry.placement, writing=entry.write)
         whole = entry.placement.placed_mesh(file.mesh)
         if not entry.split:
-            rows = np.arange(len(whole.triangles))
+            thickness = file.thickness_of(np.arange(len(whole.triangles)))
             source.members[entry.name] = np.arange(len(whole.points))
-            self.meshes[entry.name] = replace(whole, thickness=file.thickness_of(rows))
+            self.meshes[entry.name] = replace(whole, thickness=thickness)
             self.entries.append(entry)
         else:
             for number, rows in split_triangles(file, entry.split).items():
@@ -146,7 +148,7 @@ def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> Pa
         raise FileError(file.path, f"it cannot be prepared: {what}", todo) from error
 
 
-def parts_of_meshes(entries: list[PartEntry], meshes: dict[str, PartMesh]) -> list[PartEntry]:
+def parts_of_meshes(entries: list[PartEntry], meshes: Mapping[str, PartMesh]) -> list[PartEntry]:
     """The entries with those of split files replaced by the meshes given for them."""
     found = []
     for entry in entries:

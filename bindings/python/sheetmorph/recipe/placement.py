@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..part_mesh import PartMesh
 from ..prepared_mesh import PreparedMesh
 
@@ -30,7 +31,8 @@ class Placement:
         Quarter turns about an axis of the coordinates are exact.
         """
         length = float(np.linalg.norm(axis))
-        x, y, z = (np.asarray(axis, dtype=float) / length) if length > 1e-100 else (0.0, 0.0, 0.0)
+        unit = np.asarray(axis, dtype=float) / length if length > 1e-100 else np.zeros(3)
+        x, y, z = unit.tolist()
         quarter, rest = divmod(degrees % 360.0, 90.0)
         if rest == 0.0:
             sine, cosine = ((0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0))[int(quarter) % 4]
@@ -43,13 +45,15 @@ class Placement:
     def __bool__(self) -> bool:
         return self != Placement()
 
-    def placed(self, points: np.ndarray) -> np.ndarray:
+    def placed(self, points: Floats) -> Floats:
         """Points (n, 3) of the file in the assembly."""
-        return points @ np.array(self.rotation).T + self.translation if self else points
+        found: Floats = points @ np.array(self.rotation).T + self.translation if self else points
+        return found
 
-    def taken_back(self, points: np.ndarray) -> np.ndarray:
+    def taken_back(self, points: Floats) -> Floats:
         """Points (n, 3) of the assembly in the file."""
-        return (points - self.translation) @ np.array(self.rotation) if self else points
+        found: Floats = (points - self.translation) @ np.array(self.rotation) if self else points
+        return found
 
     def placed_mesh(self, mesh: PartMesh) -> PartMesh:
         """A mesh of the file in the assembly, the one whose ids it understands too."""

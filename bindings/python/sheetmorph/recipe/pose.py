@@ -43,7 +43,7 @@ Pose = dict[str, Any]
 """By name a Moved, or an entry of a recipe's pose."""
 
 
-@dataclass(frozen=True)
+@dataclass
 class PoseEntry:
     """An entry of a recipe's pose as a Moved."""
 
@@ -86,7 +86,8 @@ def _has_form(entry: Any) -> TypeGuard[Moved]:
 
 def _moved(entry: Any) -> Moved:
     if type(entry) is not dict:
-        return entry
+        moved: Moved = entry
+        return moved
     return PoseEntry(
         vector_of(entry.get("translation")),
         rotation_of(entry.get("rotation")),

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..arrays import Ints
 from ..errors import list_ids
 from ..files import PartFile
 from ..part_mesh import PartMesh
@@ -23,7 +24,7 @@ class SplitError(ValueError):
         self.todo = todo
 
 
-def split_triangles(file: PartFile, way: str) -> dict[str, np.ndarray]:
+def split_triangles(file: PartFile, way: str) -> dict[str, Ints]:
     """Triangle indices by part name, without the file's stem.
 
     way: "components", counted from 1 in order of their first vertex, of a CAD file its solids and
@@ -38,7 +39,9 @@ def split_triangles(file: PartFile, way: str) -> dict[str, np.ndarray]:
         raise SplitError("only decks have properties", 'use "split": "components"')
     labels = file.properties
     numbers = {label: str(label) for label in dict.fromkeys(labels.tolist())}
-    found = {name: np.flatnonzero(labels == label) for label, name in numbers.items()}
+    found: dict[str, Ints] = {
+        name: np.flatnonzero(labels == label) for label, name in numbers.items()
+    }
     _check_apart(mesh, found)
     return found
 
@@ -56,7 +59,7 @@ def usual_split(file: PartFile) -> str:
     return ""
 
 
-def pieces_of(mesh: PartMesh) -> dict[str, np.ndarray]:
+def pieces_of(mesh: PartMesh) -> dict[str, Ints]:
     """Triangle indices of everything that hangs together, counted from "1" on."""
     labels = _component_labels(len(mesh.points), mesh.triangles)[mesh.triangles[:, 0]]
     return {
@@ -65,7 +68,7 @@ def pieces_of(mesh: PartMesh) -> dict[str, np.ndarray]:
     }
 
 
-def _component_labels(count: int, triangles: np.ndarray) -> np.ndarray:
+def _component_labels(count: int, triangles: Ints) -> Ints:
     """(n,) the smallest vertex index of each vertex's component."""
     labels = np.arange(count)
     while True:
@@ -79,7 +82,7 @@ def _component_labels(count: int, triangles: np.ndarray) -> np.ndarray:
             return labels
 
 
-def _check_apart(mesh: PartMesh, found: dict[str, np.ndarray]) -> None:
+def _check_apart(mesh: PartMesh, found: dict[str, Ints]) -> None:
     owner = np.full(len(mesh.points), -1)
     for number, rows in enumerate(found.values()):
         vertices = np.unique(mesh.triangles[rows])
@@ -90,7 +93,7 @@ def _check_apart(mesh: PartMesh, found: dict[str, np.ndarray]) -> None:
         owner[vertices] = number
 
 
-def part_of(mesh: PartMesh, rows: np.ndarray, name: str) -> tuple[PartMesh, np.ndarray]:
+def part_of(mesh: PartMesh, rows: Ints, name: str) -> tuple[PartMesh, Ints]:
     """The mesh of some triangles with the file's vertex ids, and its vertices' indices (k,)."""
     vertices, corners = np.unique(mesh.triangles[rows], return_inverse=True)
     part = mesh.restricted(vertices, corners.reshape(-1, 3), name)

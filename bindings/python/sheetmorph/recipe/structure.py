@@ -21,7 +21,8 @@ from .values import are_ids, bad_values, copied, depth_faults
 def schema() -> dict[str, Any]:
     """The published JSON Schema of the recipe."""
     text = resources.files("sheetmorph").joinpath("recipe.schema.json").read_text("utf-8")
-    return json.loads(text)
+    found: dict[str, Any] = json.loads(text)
+    return found
 
 
 _IDS = {"$ref": "#/$defs/id"}
@@ -105,7 +106,7 @@ _ONLY_REF: dict[str, Any] = {
 }
 
 
-_ANY_TYPE = {**_ONLY_REF, "type": ["object", "array"]}
+_ANY_TYPE: dict[str, Any] = {**_ONLY_REF, "type": ["object", "array"]}
 
 
 def _fault(recipe: Any, error: jsonschema.ValidationError, root: list[str] | None = None) -> Fault:
@@ -117,14 +118,16 @@ def _fault(recipe: Any, error: jsonschema.ValidationError, root: list[str] | Non
 
 def _innermost(error: jsonschema.ValidationError) -> jsonschema.ValidationError:
     """Of an anyOf, the mistake inside the alternative whose type the user chose."""
-    if error.validator == "anyOf" and isinstance(error.instance, dict):
-        inner = [e for e in error.context if e.validator not in ("const", "type")]
+    kind: object = error.validator  # jsonschema says that it is a class
+    if kind == "anyOf" and isinstance(error.instance, dict):
+        inner = [e for e in error.context or () if str(e.validator) not in ("const", "type")]
         return inner[0] if inner else error
     return error
 
 
 def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
-    kind, value, limit = error.validator, error.instance, error.validator_value
+    kind: object = error.validator
+    value, limit = error.instance, error.validator_value
     wanted = error.schema.get("description", "something else")
     if kind == "required":
         missing = _quoted(error.message)
@@ -163,10 +166,8 @@ def _mark_unsound(sound: Any, path: list[str | int]) -> None:
     """Put None in place of the list entry, or the top level key, that the path goes into."""
     if not path or not isinstance(sound, dict) or path[0] not in sound:
         return
-    section = sound[path[0]]
-    if len(path) > 1 and isinstance(section, list):
-        section[path[1]] = None
-    elif len(path) > 1 and isinstance(section, dict):
+    section: Any = sound[path[0]]
+    if len(path) > 1 and type(section) in (list, dict):
         section[path[1]] = None
     else:
         sound[path[0]] = None

@@ -7,16 +7,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Ints
+
 
 @dataclass(frozen=True, eq=False)
 class CadEdge:
     """faces: rows of Labels.faces, one where the sheet ends; segments: (k, 2) vertices."""
 
     faces: tuple[int, ...]
-    segments: np.ndarray
+    segments: Ints
 
 
-def cad_edges(triangles: np.ndarray, face: np.ndarray) -> list[CadEdge]:
+def cad_edges(triangles: Ints, face: Ints) -> list[CadEdge]:
     """The edges between faces; triangles (m, 3), face: of each (m,)."""
     sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     owners = np.repeat(face, 3)
@@ -33,7 +35,7 @@ def cad_edges(triangles: np.ndarray, face: np.ndarray) -> list[CadEdge]:
     ]
 
 
-def _connected(segments: np.ndarray) -> list[np.ndarray]:
+def _connected(segments: Ints) -> list[Ints]:
     """The segments (k, 2) in pieces that hang together."""
     piece = {int(v): int(v) for v in np.unique(segments)}
 

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
+
 
 class SelectorError(ValueError):
     """A selector that cannot be resolved; ``what`` is wrong, ``todo``, at ``path`` in it."""
@@ -26,13 +28,13 @@ class Chosen:
     matches: one entry a selector that looks for something; remarks: sentences for the user.
     """
 
-    inside: np.ndarray
-    share: np.ndarray
+    inside: Bools
+    share: Floats
     matches: list[dict[str, Any]] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
     @property
-    def vertices(self) -> np.ndarray:
+    def vertices(self) -> Ints:
         """Their indices (k,), ascending."""
         return np.flatnonzero(self.inside)
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Bools, Floats, Ints
 from .chosen import Chosen
 from .part_shape import PartShape
 
@@ -40,7 +41,7 @@ def shrunk(shape: PartShape, inner: Chosen, amount: Any) -> Chosen:
     return Chosen(inside, share, inner.matches, inner.remarks)
 
 
-def _rim(shape: PartShape, inner: Chosen) -> np.ndarray:
+def _rim(shape: PartShape, inner: Chosen) -> Bools:
     """(n,) the vertices of a region beside its outside."""
     is_mixed = inner.inside[shape.triangles].any(axis=1) & ~inner.inside[shape.triangles].all(
         axis=1
@@ -50,7 +51,7 @@ def _rim(shape: PartShape, inner: Chosen) -> np.ndarray:
     return beside & inner.inside
 
 
-def _distances(shape: PartShape, start: np.ndarray, length: float) -> np.ndarray:
+def _distances(shape: PartShape, start: Bools, length: float) -> Floats:
     """(n,) how far the vertices are from some, on a way over the sheet; infinite beyond a length.
 
     Every vertex measures straight to the place of the start that its neighbour was reached from.
@@ -72,7 +73,7 @@ def _distances(shape: PartShape, start: np.ndarray, length: float) -> np.ndarray
     return best
 
 
-def _neighbours(shape: PartShape) -> list[np.ndarray]:
+def _neighbours(shape: PartShape) -> list[Ints]:
     """Of every vertex those it shares an edge with."""
     pairs = shape.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     both = np.unique(np.concatenate([pairs, pairs[:, ::-1]]), axis=0)

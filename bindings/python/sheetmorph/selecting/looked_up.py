@@ -6,14 +6,18 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..finding.options import HOLES
 from ..labels import CadFace
 from .chosen import Chosen, SelectorError
 from .part_shape import CREASE, PartShape
+
+if TYPE_CHECKING:
+    from .. import _core
 
 CREASE_ANGLE = 20.0
 # Of the size of the part: what is farther from its point is told.
@@ -117,7 +121,7 @@ def cad_edge_at(shape: PartShape, told: Told) -> Chosen:
     return replace(found, matches=[{**found.matches[0], "distance": gaps[best], "faces": numbers}])
 
 
-def segments_distance(segments: np.ndarray, place: np.ndarray) -> float:
+def segments_distance(segments: Floats, place: Floats) -> float:
     """From a place to the nearest of some segments (k, 2, 3), mm."""
     start, along = segments[:, 0], segments[:, 1] - segments[:, 0]
     length = np.maximum((along**2).sum(axis=1), 1e-300)
@@ -136,14 +140,14 @@ LOOKED_UP: dict[str, Callable[[PartShape, Told], Chosen]] = {
 }
 
 
-def _nearest(shape: PartShape, point: Sequence[float]) -> Any:
+def _nearest(shape: PartShape, point: Sequence[float]) -> _core.Hit:
     hit = shape.tree.nearest_point(np.array(point, dtype=float))
     if hit is None:
         raise SelectorError(f'"{shape.name}" has no triangle', "give it a mesh")
     return hit
 
 
-def _touching(shape: PartShape, hit: Any) -> list[int]:
+def _touching(shape: PartShape, hit: _core.Hit) -> list[int]:
     """The triangles at the place of a hit: several on an edge or a corner."""
     corners = shape.triangles[hit.triangle][np.asarray(hit.barycentric) > _ON_EDGE]
     if len(corners) == 3:
@@ -151,17 +155,20 @@ def _touching(shape: PartShape, hit: Any) -> list[int]:
     has_all = np.ones(len(shape.triangles), dtype=bool)
     for corner in corners:
         has_all &= (shape.triangles == corner).any(axis=1)
-    return np.flatnonzero(has_all).tolist()
+    found: list[int] = np.flatnonzero(has_all).tolist()
+    return found
 
 
-def _largest(shape: PartShape, patches: Iterator[Any]) -> np.ndarray:
+def _largest(shape: PartShape, patches: Iterator[Ints]) -> Ints:
     """The patch with the largest area: between two faces what is nearest is no question of ids."""
-    return max(map(np.asarray, patches), key=lambda rows: (shape.areas[rows].sum(), -rows[0]))
+    return max(
+        map(np.asarray, patches), key=lambda rows: (float(shape.areas[rows].sum()), -int(rows[0]))
+    )
 
 
 def nearest_loop(
-    shape: PartShape, loops: Sequence[np.ndarray], point: Sequence[float], holes: int = 0
-) -> tuple[np.ndarray, float]:
+    shape: PartShape, loops: Sequence[Ints], point: Sequence[float], holes: int = 0
+) -> tuple[Ints, float]:
     """The loop nearest to a point, the shortest of several, and its distance, mm.
 
     holes: how many loops, the first ones, are as near as their centre is, if that is nearer.
@@ -177,21 +184,21 @@ def nearest_loop(
     return loops[best], gaps[best]
 
 
-def loop_length(shape: PartShape, loop: np.ndarray) -> float:
+def loop_length(shape: PartShape, loop: Ints) -> float:
     """The length of a closed loop, mm."""
     points = shape.points[loop]
     return float(np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).sum())
 
 
-def _line_distance(points: np.ndarray, place: np.ndarray) -> float:
+def _line_distance(points: Floats, place: Floats) -> float:
     """From a place to the closed line through points (k, 3)."""
     return segments_distance(np.stack([points, np.roll(points, -1, axis=0)], axis=1), place)
 
 
-def _rims(shape: PartShape) -> tuple[list[np.ndarray], list[np.ndarray]]:
+def _rims(shape: PartShape) -> tuple[list[Ints], list[Ints]]:
     """Loops, first those of features; of these the vertices with walls and other rims."""
-    loops: list[np.ndarray] = []
-    whole: list[np.ndarray] = []
+    loops: list[Ints] = []
+    whole: list[Ints] = []
     for entry in shape.features:
         for rim in entry.get("rims", ()) if entry["kind"] in _RIMMED else ():
             loops.append(np.array(rim))
@@ -205,25 +212,26 @@ def _rims(shape: PartShape) -> tuple[list[np.ndarray], list[np.ndarray]]:
     return [*loops, *others], whole
 
 
-def _loops(shape: PartShape, told: Told) -> tuple[list[np.ndarray], list[np.ndarray]]:
+def _loops(shape: PartShape, told: Told) -> tuple[list[Ints], list[Ints]]:
     """The borders, and the loops at which the part bends by the crease angle."""
     return [*shape.border_loops, *shape.loops_at(told.get("crease_angle", CREASE))], []
 
 
-def _with_wall(shape: PartShape, loop: np.ndarray) -> np.ndarray:
+def _with_wall(shape: PartShape, loop: Ints) -> Ints:
     """A sharp rim with the wall it belongs to; one at a border alone."""
     inside = np.zeros(len(shape.points), dtype=bool)
     inside[loop] = True
     beside = np.flatnonzero(inside[shape.triangles].sum(axis=1) == 2)
-    patches: list[np.ndarray] = []
+    patches: list[Ints] = []
     for triangle in beside.tolist():
         if not any(triangle in patch for patch in patches) and len(patches) < 2:
             patches.append(np.asarray(shape.near.face(triangle, math.radians(35.0))))
     if len(patches) < 2:
         return loop
-    narrow, wide = sorted(patches, key=lambda rows: shape.areas[rows].sum())
+    narrow, wide = sorted(patches, key=lambda rows: float(shape.areas[rows].sum()))
     is_wall = shape.areas[narrow].sum() < _WALL * shape.areas[wide].sum()
-    return np.unique(shape.triangles[narrow]) if is_wall else loop
+    found: Ints = np.unique(shape.triangles[narrow]) if is_wall else loop
+    return found
 
 
 def _narrowed(shape: PartShape, told: Told, present: list[int]) -> tuple[list[int], list[str]]:
@@ -244,8 +252,11 @@ def _narrowed(shape: PartShape, told: Told, present: list[int]) -> tuple[list[in
     return allowed, remarks
 
 
-def _nearest_face(shape: PartShape, point: Any, allowed: list[int]) -> tuple[int, float]:
+def _nearest_face(
+    shape: PartShape, point: Sequence[float], allowed: list[int]
+) -> tuple[int, float]:
     face = shape.labels.face
+    assert face is not None  # where there are CAD faces
     rows = np.flatnonzero(np.isin(face, allowed))
     place = np.array(point, dtype=float)
     hit = shape.core.PickingTree(shape.points, shape.triangles[rows]).nearest_point(place)
@@ -253,7 +264,7 @@ def _nearest_face(shape: PartShape, point: Any, allowed: list[int]) -> tuple[int
     corners = shape.triangles[rows[hit.triangle]][np.asarray(hit.barycentric) > _ON_EDGE]
     touching = rows[np.isin(shape.triangles[rows], corners).sum(axis=1) >= len(corners)]
     numbers = np.unique(face[touching]).tolist()
-    best = max(numbers, key=lambda k: (shape.areas[face == k].sum(), -k))
+    best = max(numbers, key=lambda k: (float(shape.areas[face == k].sum()), -k))
     return best, float(np.linalg.norm(here - place))
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import list_ids
 from ..finding.options import HOLES, KINDS
 from .chosen import Chosen, SelectorError
@@ -124,7 +125,7 @@ def _nearest(
     return [entries[order[0]]], float(first), remarks
 
 
-def _distance(shape: PartShape, entry: dict[str, Any], place: np.ndarray) -> float:
+def _distance(shape: PartShape, entry: dict[str, Any], place: Floats) -> float:
     """From a point to a feature: to its vertices, or to its centre, whichever is nearer."""
     to_centre = float(np.linalg.norm(np.array(entry["center"]) - place))
     chosen = shape.of_vertices(np.array(entry["vertices"]))

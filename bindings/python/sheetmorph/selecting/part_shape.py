@@ -6,10 +6,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..finding.findings import FindPart
 from ..finding.search import find
 from ..kernel import load_kernel
@@ -18,6 +20,9 @@ from ..part_mesh import PartMesh
 from ..recipe.placement import Placement
 from .cad_edges import CadEdge, cad_edges
 from .chosen import Chosen
+
+if TYPE_CHECKING:
+    from .. import _core
 
 # Of its size: how far rounding may put a vertex beside the plane it lies on.
 _ROUNDING = 1e-9
@@ -33,9 +38,9 @@ class PartShape:
 
     def __init__(self, mesh: PartMesh, placement: Placement = Placement(), name: str = ""):
         self.mesh = mesh
-        self.drawn: Callable[[Any], np.ndarray] | None = None  # what a figure in a view takes
+        self.drawn: Callable[[Any], Ints] | None = None  # what a figure in a view takes
         self.name = name or mesh.name
-        self._loops: dict[float, list[np.ndarray]] = {}  # of the last angle
+        self._loops: dict[float, list[Ints]] = {}  # of the last angle
         self.points = np.ascontiguousarray(placement.taken_back(mesh.points))
         self.triangles = mesh.triangles
         self.used = np.zeros(len(self.points), dtype=bool)
@@ -47,27 +52,30 @@ class PartShape:
         return self.mesh.labels or Labels()
 
     @cached_property
-    def core(self) -> Any:
+    def core(self) -> ModuleType:
         """The kernel."""
         return load_kernel()
 
     @cached_property
-    def kernel_mesh(self) -> Any:
+    def kernel_mesh(self) -> _core.TriangleMesh:
         """The kernel's TriangleMesh."""
-        return self.core.TriangleMesh(self.points, self.triangles)
+        found: _core.TriangleMesh = self.core.TriangleMesh(self.points, self.triangles)
+        return found
 
     @cached_property
-    def near(self) -> Any:
+    def near(self) -> _core.Neighbourhood:
         """The kernel's Neighbourhood."""
-        return self.core.Neighbourhood(self.kernel_mesh)
+        found: _core.Neighbourhood = self.core.Neighbourhood(self.kernel_mesh)
+        return found
 
     @cached_property
-    def tree(self) -> Any:
+    def tree(self) -> _core.PickingTree:
         """The kernel's PickingTree."""
-        return self.core.PickingTree(self.points, self.triangles)
+        found: _core.PickingTree = self.core.PickingTree(self.points, self.triangles)
+        return found
 
     @cached_property
-    def box(self) -> tuple[np.ndarray, np.ndarray]:
+    def box(self) -> tuple[Floats, Floats]:
         """The smallest and largest coordinates (3,) of its vertices."""
         points = self.points[self.used] if self.used.any() else np.zeros((1, 3))
         return points.min(axis=0), points.max(axis=0)
@@ -83,13 +91,14 @@ class PartShape:
         return _ROUNDING * (self.size + float(np.abs(self.box).max()))
 
     @cached_property
-    def areas(self) -> np.ndarray:
+    def areas(self) -> Floats:
         """(m,) mm^2."""
         a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
-        return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        found: Floats = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        return found
 
     @cached_property
-    def border_loops(self) -> list[np.ndarray]:
+    def border_loops(self) -> list[Ints]:
         """The closed loops where the sheet ends, vertices in order."""
         return [np.asarray(loop) for loop in self.core.boundary_loops(self.kernel_mesh)]
 
@@ -99,7 +108,7 @@ class PartShape:
         face = self.labels.face
         return [] if face is None else cad_edges(self.triangles, face)
 
-    def loops_at(self, crease: float) -> list[np.ndarray]:
+    def loops_at(self, crease: float) -> list[Ints]:
         """The closed loops where the sheet ends or bends by an angle, degrees, or more."""
         if crease not in self._loops:
             found = self.near.rims(math.radians(crease))
@@ -112,7 +121,7 @@ class PartShape:
         plain = PartMesh(self.points, self.triangles, name=self.name)
         return find([FindPart(self.name, plain)], with_contacts=False).features
 
-    def of_triangles(self, rows: np.ndarray) -> Chosen:
+    def of_triangles(self, rows: Ints) -> Chosen:
         """Some triangles with their corners."""
         share = np.zeros(len(self.triangles))
         share[rows] = 1.0
@@ -120,7 +129,7 @@ class PartShape:
         inside[self.triangles[rows]] = True
         return Chosen(inside, share)
 
-    def of_vertices(self, vertices: np.ndarray) -> Chosen:
+    def of_vertices(self, vertices: Ints) -> Chosen:
         """Some vertices with the triangles between them."""
         inside = np.zeros(len(self.points), dtype=bool)
         inside[vertices] = True

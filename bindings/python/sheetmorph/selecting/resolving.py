@@ -124,7 +124,8 @@ def _regions(recipe: Mapping[str, Any]) -> Iterator[tuple[list[str | int], Any]]
             if section != "contacts":
                 yield [section, k], entry
             elif isinstance(entry, dict):
-                yield from (([section, k, side], entry.get(side)) for side in "ab")
+                for side in "ab":
+                    yield [section, k, side], entry.get(side)
 
 
 def resolved(

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from .chosen import Chosen, SelectorError
 from .part_shape import PartShape
 
@@ -15,7 +16,7 @@ from .part_shape import PartShape
 _CUTS = 12
 
 
-def _middles() -> np.ndarray:
+def _middles() -> Floats:
     """Barycentric coordinates (k, 3) of the middles of equal small triangles within one."""
     upward = [(i, j, 1 / 3) for i in range(_CUTS) for j in range(_CUTS - i)]
     downward = [(i, j, 2 / 3) for i in range(_CUTS - 1) for j in range(_CUTS - 1 - i)]
@@ -26,39 +27,46 @@ def _middles() -> np.ndarray:
 _SAMPLES = _middles()
 
 
-def _box(points: np.ndarray, corners: Any) -> np.ndarray:
+def _box(points: Floats, corners: Any) -> Floats:
     ends = np.sort(np.array(corners, dtype=float), axis=0)
-    return np.maximum(ends[0] - points, points - ends[1]).max(axis=1)
+    found: Floats = np.maximum(ends[0] - points, points - ends[1]).max(axis=1)
+    return found
 
 
-def _half_space(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
+def _half_space(points: Floats, told: Mapping[str, Any]) -> Floats:
     return -_height(points, told, "normal")
 
 
-def _slab(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
-    return np.abs(_height(points, told, "normal")) - 0.5 * told["thickness"]
+def _slab(points: Floats, told: Mapping[str, Any]) -> Floats:
+    found: Floats = np.abs(_height(points, told, "normal")) - 0.5 * told["thickness"]
+    return found
 
 
-def _cylinder(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
+def _cylinder(points: Floats, told: Mapping[str, Any]) -> Floats:
     away = points - np.array(told["point"], dtype=float)
     along = _height(points, told, "direction")
     across = away - np.outer(along, unit(told["direction"], "direction"))
     beyond = np.linalg.norm(across, axis=1) - told["radius"]
     if "length" in told:
         beyond = np.maximum(beyond, np.maximum(-along, along - told["length"]))
-    return beyond
+    found: Floats = beyond
+    return found
 
 
-def _sphere(points: np.ndarray, told: Mapping[str, Any]) -> np.ndarray:
-    return np.linalg.norm(points - np.array(told["center"], dtype=float), axis=1) - told["radius"]
+def _sphere(points: Floats, told: Mapping[str, Any]) -> Floats:
+    found: Floats = (
+        np.linalg.norm(points - np.array(told["center"], dtype=float), axis=1) - told["radius"]
+    )
+    return found
 
 
-def _height(points: np.ndarray, told: Mapping[str, Any], key: str) -> np.ndarray:
+def _height(points: Floats, told: Mapping[str, Any], key: str) -> Floats:
     """(n,) how far points are from one along a direction, mm."""
-    return (points - np.array(told["point"], dtype=float)) @ unit(told[key], key)
+    found: Floats = (points - np.array(told["point"], dtype=float)) @ unit(told[key], key)
+    return found
 
 
-def unit(direction: Any, key: str) -> np.ndarray:
+def unit(direction: Any, key: str) -> Floats:
     """A direction (3,) of length 1. Raises SelectorError if it has none."""
     length = float(np.linalg.norm(np.array(direction, dtype=float)))
     if not length > 1e-100:
@@ -68,7 +76,7 @@ def unit(direction: Any, key: str) -> np.ndarray:
 
 
 # By key: how far points (n, 3) are outside, mm, not more than 0 inside.
-_OUTSIDE: dict[str, Callable[[np.ndarray, Any], np.ndarray]] = {
+_OUTSIDE: dict[str, Callable[[Floats, Any], Floats]] = {
     "box": _box,
     "half_space": _half_space,
     "slab": _slab,

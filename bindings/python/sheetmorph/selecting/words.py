@@ -6,19 +6,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-Vector = Sequence[float]
+from ..arrays import Floats, Ids
+
+Vector = Sequence[float] | Floats
+Where = dict[str, Any] | Sequence[dict[str, Any]]
+"""A selector; or several, whose union it is."""
+Region = Where | Ids
 
 
 class Selector(dict[str, Any]):
     """A selector as a recipe has it; `a | b`, `a & b` and `a - b` join two."""
 
-    def __or__(self, other: Any) -> Selector:
+    # As JSON it is a dict, and that is all it shares with one: | joins regions, not keys.
+    def __or__(self, other: Where) -> Selector:  # type: ignore[override]
         return union(self, other)
 
-    def __and__(self, other: Any) -> Selector:
+    def __and__(self, other: Where) -> Selector:
         return intersection(self, other)
 
-    def __sub__(self, other: Any) -> Selector:
+    def __sub__(self, other: Where) -> Selector:
         return minus(self, other)
 
     def __repr__(self) -> str:
@@ -37,7 +43,7 @@ def _made(**keys: Any) -> Selector:
     return Selector({key: _numbers(value) for key, value in keys.items() if value is not None})
 
 
-def vertices(ids: Sequence[int]) -> Selector:
+def vertices(ids: Ids) -> Selector:
     """Vertices by their ids."""
     return _made(vertices=ids)
 
@@ -127,40 +133,42 @@ def everything() -> Selector:
     return Selector(all=True)
 
 
-def union(*selectors: Any) -> Selector:
+def union(*selectors: Where) -> Selector:
     """What is in one of them."""
     return Selector(union=list(selectors))
 
 
-def intersection(*selectors: Any) -> Selector:
+def intersection(*selectors: Where) -> Selector:
     """What is in all of them."""
     return Selector(intersection=list(selectors))
 
 
-def minus(first: Any, *others: Any) -> Selector:
+def minus(first: Where, *others: Where) -> Selector:
     """What is in the first, and in none of the others."""
     return Selector(minus=[first, *others])
 
 
-def grow(selector: Any, rings: int | None = None, length: float | None = None) -> Selector:
+def grow(selector: Where, rings: int | None = None, length: float | None = None) -> Selector:
     """A region and the rings of triangles, or the length, mm, around it."""
     return Selector(grow=_amount(rings, length), of=selector)
 
 
-def shrink(selector: Any, rings: int | None = None, length: float | None = None) -> Selector:
+def shrink(selector: Where, rings: int | None = None, length: float | None = None) -> Selector:
     """A region without the rings of triangles, or the length, mm, at its edge."""
     return Selector(shrink=_amount(rings, length), of=selector)
 
 
-def _amount(rings: int | None, length: float | None) -> Any:
-    if (rings is None) == (length is None):
-        raise ValueError("give either rings or a length")
-    return int(rings) if length is None else {"length": float(length)}
+def _amount(rings: int | None, length: float | None) -> int | dict[str, float]:
+    if rings is not None and length is None:
+        return int(rings)
+    if length is not None and rings is None:
+        return {"length": float(length)}
+    raise ValueError("give either rings or a length")
 
 
-def sentence(selector: Any) -> str:
+def sentence(selector: Where) -> str:
     """A selector in a few words: face_at [1, 2, 3], (a minus b)."""
-    if isinstance(selector, (list, tuple)):
+    if not isinstance(selector, dict):
         return _joined(selector, "or")
     for key, word in (("union", "or"), ("intersection", "and"), ("minus", "minus")):
         if key in selector:
@@ -173,7 +181,7 @@ def sentence(selector: Any) -> str:
     return ", ".join(f"{key} {_short(value)}" for key, value in selector.items())
 
 
-def _joined(selectors: Sequence[Any], word: str) -> str:
+def _joined(selectors: Sequence[Where], word: str) -> str:
     return "(" + f" {word} ".join(sentence(inner) for inner in selectors) + ")"
 
 

@@ -8,12 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import Fault, RecipeError
 
 _BLENDED = {"translation", "rotation", "pivot"}
 
 
-def with_pose(pose: dict[str, Any], other: dict[str, Any], share: float, where: str) -> Any:
+def with_pose(
+    pose: dict[str, Any], other: dict[str, Any], share: float, where: str
+) -> dict[str, Any]:
     """A pose with a share of another one added; both of sound form.
 
     Translations go straight; rotations go along their axis, between two axes along the line between
@@ -29,7 +32,9 @@ def with_pose(pose: dict[str, Any], other: dict[str, Any], share: float, where: 
     return added
 
 
-def _with_motion(motion: dict[str, Any], other: dict[str, Any], share: float, where: str) -> Any:
+def _with_motion(
+    motion: dict[str, Any], other: dict[str, Any], share: float, where: str
+) -> dict[str, Any]:
     found = dict(motion)
     if "translation" in other:
         begun = np.asarray(motion.get("translation", (0.0, 0.0, 0.0)), float)
@@ -53,11 +58,12 @@ def _with_turn(turn: dict[str, Any] | None, other: dict[str, Any], share: float)
     return {"axis": (total / length).tolist(), "degrees": length}
 
 
-def _log(turn: dict[str, Any]) -> np.ndarray:
+def _log(turn: dict[str, Any]) -> Floats:
     """Axis of length 1 times the angle, degrees."""
     axis = np.asarray(turn["axis"], float)
     length = math.sqrt(float(axis @ axis))
-    return axis / length * turn["degrees"] if length else axis
+    found: Floats = axis / length * turn["degrees"] if length else axis
+    return found
 
 
 def _error(where: str, what: str, todo: str) -> RecipeError:

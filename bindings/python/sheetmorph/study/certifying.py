@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 # Holds for every study that does not say otherwise: no triangle may turn over.
-STANDARD: dict[str, dict[str, float]] = {"flipped": {"max": 0.0}}
+STANDARD: Mapping[str, Mapping[str, float]] = {"flipped": {"max": 0.0}}
 # Of a report: what a certificate does not tell itself.
 _TOLD = ("pose", "tolerance", "warnings")
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import Fault, RecipeError
 from ..report import make_report
 from ..session import Result
@@ -59,11 +60,11 @@ class Evaluator:
         """The measures, by column. Raises RecipeError for values that cannot be computed."""
         return self._measured(self._values(values))
 
-    def array(self, values: Given) -> np.ndarray:
+    def array(self, values: Given) -> Floats:
         """The measures (m,) in the order of `columns`; NaN where there is nothing to measure."""
         return _array(self(values))
 
-    def gradient(self, values: Given) -> np.ndarray:
+    def gradient(self, values: Given) -> Floats:
         """Slopes (m, k) of the measures over the parameters."""
         told = self._values(values)
         if self._needs_answers:
@@ -73,11 +74,11 @@ class Evaluator:
             rates = self._rates(told)
         return np.stack([self._measure_slope(told, name, rates) for name in self.names], axis=-1)
 
-    def positions(self, values: Given) -> dict[str, np.ndarray]:
+    def positions(self, values: Given) -> dict[str, Floats]:
         """Positions (n, 3) by part, mm."""
         return dict(self._result(self._values(values)).positions)
 
-    def position_gradients(self, values: Given) -> dict[str, np.ndarray]:
+    def position_gradients(self, values: Given) -> dict[str, Floats]:
         """Slopes (n, 3, k) of the positions over the parameters, by part."""
         told = self._values(values)
         rates = self._rates(told)
@@ -88,7 +89,7 @@ class Evaluator:
         """Why a variant would not pass; empty if it would."""
         return self._shop.verdict(self._values(values), True)
 
-    def _rates(self, values: Values) -> dict[str, dict[str, np.ndarray]]:
+    def _rates(self, values: Values) -> dict[str, dict[str, Floats]]:
         """Slopes (n, 3) of the positions by parameter and part, by differentiating the solves; of
         the parameters for which they can be. `differenced` tells why of the others."""
         self.differenced = {}
@@ -116,7 +117,7 @@ class Evaluator:
     def _direction(self, values: Values, name: str, key: str) -> Numbers:
         """How the numbers of the pose, closed forms of a parameter, change with it."""
 
-        def numbers(at: Values) -> dict[Any, np.ndarray]:
+        def numbers(at: Values) -> dict[Any, Floats]:
             variant = self._plan.variant(at)
             if variant.key != key:
                 raise _NewPreprocessing
@@ -125,19 +126,19 @@ class Evaluator:
         found = self._stencil(name, lambda step: numbers({**values, name: values[name] + step}))
         return {entry: np.asarray(rate) for entry, rate in found.items()}
 
-    def _position_slope(self, values: Values, name: str) -> dict[str, np.ndarray]:
+    def _position_slope(self, values: Values, name: str) -> dict[str, Floats]:
         """Differences of exact answers on both sides."""
         return self._stencil(
             name, lambda step: self.positions({**values, name: values[name] + step})
         )
 
     def _measure_slope(
-        self, values: Values, name: str, rates: Mapping[str, dict[str, np.ndarray]]
-    ) -> np.ndarray:
+        self, values: Values, name: str, rates: Mapping[str, dict[str, Floats]]
+    ) -> Floats:
         """Along the positions' own slopes where they are known, else of exact answers."""
         here = self._result(values)
 
-        def measured(step: float) -> dict[str, np.ndarray]:
+        def measured(step: float) -> dict[str, Floats]:
             at = {**values, name: values[name] + step}
             if name not in rates:
                 return {"": _array(self._measured(at))}
@@ -149,8 +150,8 @@ class Evaluator:
         return self._stencil(name, measured)[""]
 
     def _stencil(
-        self, name: str, function: Callable[[float], Mapping[Any, np.ndarray]]
-    ) -> dict[Any, np.ndarray]:
+        self, name: str, function: Callable[[float], Mapping[Any, Floats]]
+    ) -> dict[Any, Floats]:
         """The slope of what depends on a step of a parameter."""
         low, high = self.bounds[self.names.index(name)]
         step = _STEP * ((high - low) or max(1.0, abs(low)))
@@ -197,7 +198,7 @@ def _figures(moved: Result) -> Figures:
     return Figures(moved, live_report(moved))
 
 
-def _array(measures: Mapping[str, float | None]) -> np.ndarray:
+def _array(measures: Mapping[str, float | None]) -> Floats:
     return np.array([np.nan if value is None else value for value in measures.values()], float)
 
 

@@ -126,7 +126,8 @@ def _value(node: ast.AST, values: Mapping[str, float]) -> Any:
     if isinstance(node, ast.BoolOp):
         every = all if isinstance(node.op, ast.And) else any
         return every(bool(_value(part, values)) for part in node.values)
-    if isinstance(node, ast.Call):
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         return _FUNCTIONS[node.func.id](*(_value(part, values) for part in node.args))
+    assert isinstance(node, ast.Compare)  # what else is allowed
     sides = [_value(part, values) for part in (node.left, *node.comparators)]
     return all(_COMPARED[type(op)](a, b) for op, a, b in zip(node.ops, sides, sides[1:]))

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..answer import Answer
+from ..arrays import Floats
 from ..report import part_report
 from ..thin import crossings
 from .gaps import touching
@@ -92,7 +93,7 @@ class Figures:
         return found
 
 
-def _near(positions: Mapping[str, np.ndarray]) -> Iterator[tuple[str, str]]:
+def _near(positions: Mapping[str, Floats]) -> Iterator[tuple[str, str]]:
     """The pairs of parts whose boxes meet."""
     boxes = {name: (at.min(axis=0), at.max(axis=0)) for name, at in positions.items()}
     for one, other in itertools.combinations(boxes, 2):

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..kernel import load_kernel
 from ..part_mesh import PartMesh
 
@@ -17,7 +18,7 @@ class Gap:
     def __init__(self, a: PartMesh, b: PartMesh):
         self._triangles = a.triangles, b.triangles
 
-    def smallest(self, a: np.ndarray, b: np.ndarray) -> float:
+    def smallest(self, a: Floats, b: Floats) -> float:
         """The smallest distance of a vertex of one part from the other, mm; 0 where they touch.
 
         a, b: positions (n, 3), mm.
@@ -26,7 +27,7 @@ class Gap:
             return 0.0
         return min(self._from(0, a, b), self._from(1, b, a))
 
-    def _from(self, which: int, points: np.ndarray, others: np.ndarray) -> float:
+    def _from(self, which: int, points: Floats, others: Floats) -> float:
         """The smallest distance of points (k, 3) from the other part's triangles."""
         tree = load_kernel().PickingTree(np.array(others), self._triangles[1 - which])
         used = points[np.unique(self._triangles[which])]
@@ -42,7 +43,7 @@ class Gap:
         return best
 
 
-def touching(a: np.ndarray, of_a: np.ndarray, b: np.ndarray, of_b: np.ndarray) -> int:
+def touching(a: Floats, of_a: Ints, b: Floats, of_b: Ints) -> int:
     """How many pairs of triangles of two parts meet; positions (n, 3), triangles (m, 3) of each."""
     margin = np.minimum(a.max(axis=0), b.max(axis=0)) - np.maximum(a.min(axis=0), b.min(axis=0))
     if (margin < 0.0).any():
@@ -58,8 +59,9 @@ def touching(a: np.ndarray, of_a: np.ndarray, b: np.ndarray, of_b: np.ndarray) -
     return int(((pairs < len(near[0])).sum(axis=1) == 1).sum())
 
 
-def _inside(points: np.ndarray, rows: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+def _inside(points: Floats, rows: Ints, low: Floats, high: Floats) -> Floats:
     """The triangles whose box meets a box."""
     corners = points[rows]
     meets = (corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)
-    return rows[meets.all(axis=1)].astype(np.int64)
+    found: Floats = rows[meets.all(axis=1)].astype(np.int64)
+    return found

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..errors import Fault, RecipeError
 from ..kernel import load_kernel
 from ..part_mesh import PartMesh
@@ -38,7 +39,7 @@ class Scene:
 
     def __init__(
         self,
-        positions: Mapping[str, np.ndarray],
+        positions: Mapping[str, Floats],
         values: Mapping[str, float],
         figure: Callable[[str, str], float | None],
     ):
@@ -92,7 +93,8 @@ class _Makers:
         way = getattr(self, f"_{kinds[0]}")(name, entry, where)
         is_place = kinds[0] == "position" and "axis" not in entry
         self.columns += [f"{name}.{axis}" for axis in "xyz"] if is_place else [name]
-        return way
+        found: Measured = way
+        return found
 
     def _spot(self, told: Any, where: str) -> Any:
         return spot_of(told, self._model, self._meshes, where)
@@ -120,7 +122,7 @@ class _Makers:
             )
         region = features[entry["diameter"]]
         mesh = self._meshes[region.part]
-        rim = _rim(mesh, mesh.find(region.vertices)[0])
+        rim = _rim(mesh, mesh.find(region.vertices or [])[0])
         core = load_kernel()
         return lambda scene: {name: 2.0 * core.fit_circle(scene.positions[region.part][rim]).radius}
 
@@ -130,7 +132,7 @@ class _Makers:
 
     def _mass(self, name: str, entry: dict[str, Any], where: str) -> Measured:
         parts = self._known_parts(entry["mass"], where)
-        thickness = entry.get("thickness")
+        thickness: float | str | None = entry.get("thickness")
         if thickness is None:
             raise _error(where, "the thickness is missing", 'give "thickness", mm, or a parameter')
         if isinstance(thickness, str) and thickness not in self._study.names:
@@ -141,7 +143,7 @@ class _Makers:
         def taken(scene: Scene) -> Numbers:
             thick = scene.values[thickness] if isinstance(thickness, str) else thickness
             area = sum(self._area_of(part, scene) for part in parts)
-            return {name: area * thick * density}
+            return {name: None if thick is None else area * thick * density}
 
         return taken
 
@@ -181,12 +183,11 @@ def _figure(name: str, figure: str, part: str, scene: Scene) -> Numbers:
 
 
 def _formula(name: str, formula: Expression, scene: Scene) -> Numbers:
-    if any(scene.values[of] is None for of in formula.names):
-        return {name: None}
-    return {name: float(formula.value(scene.values))}
+    known = {of: value for of, value in scene.values.items() if value is not None}
+    return {name: float(formula.value(known)) if formula.names <= known.keys() else None}
 
 
-def _rim(mesh: PartMesh, vertices: np.ndarray) -> np.ndarray:
+def _rim(mesh: PartMesh, vertices: Ints) -> Ints:
     """The rim of a hole among the vertices of a form feature; all of them where there is none."""
     core = load_kernel()
     inside = set(vertices.tolist())

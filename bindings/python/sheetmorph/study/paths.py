@@ -47,12 +47,15 @@ def value_at(recipe: Any, steps: Sequence[Step]) -> Any:
     return recipe
 
 
-def with_value(recipe: dict[str, Any], steps: Sequence[Step], value: Any, where: str) -> Any:
+def with_value(
+    recipe: dict[str, Any], steps: Sequence[Step], value: Any, where: str
+) -> dict[str, Any]:
     """The recipe with another value at a path; only what lies on the path is copied.
 
     Motions of a pose that the recipe leaves out are begun. Raises RecipeError.
     """
-    return _with(recipe, list(steps), value, _Trail(where, list(steps)))
+    found: dict[str, Any] = _with(recipe, list(steps), value, _Trail(where, list(steps)))
+    return found
 
 
 class _Trail:

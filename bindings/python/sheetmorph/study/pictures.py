@@ -9,6 +9,7 @@ import zlib
 import numpy as np
 
 from ..answer import Answer
+from ..arrays import Codes, Floats, Ints
 
 _WIDTH, _HEIGHT = 192, 144
 _MARGIN = 8
@@ -35,7 +36,7 @@ def picture_of(result: Answer) -> bytes:
 class _View:
     """A parallel projection that shows some points (n, 3)."""
 
-    def __init__(self, points: np.ndarray):
+    def __init__(self, points: Floats):
         ca, sa, ce, se = *_turn(_AZIMUTH), *_turn(_ELEVATION)
         right = np.array([-sa, ca, 0.0])
         self._towards = np.array([ca * ce, sa * ce, se])
@@ -48,7 +49,7 @@ class _View:
         self.pixels = np.full((_HEIGHT, _WIDTH, 3), 255, np.uint8)
         self._depth = np.full(_HEIGHT * _WIDTH, -np.inf)
 
-    def draw(self, corners: np.ndarray, colour: np.ndarray) -> None:
+    def draw(self, corners: Floats, colour: Floats) -> None:
         """Draw triangles (m, 3, 3)."""
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         length = np.linalg.norm(normals, axis=1)
@@ -60,7 +61,7 @@ class _View:
         y = (0.5 * _HEIGHT - flat[:, 1]).astype(int).clip(0, _HEIGHT - 1)
         self._put(y * _WIDTH + x, places @ self._towards, np.repeat(shade, len(_places()), axis=0))
 
-    def _put(self, at: np.ndarray, depth: np.ndarray, colours: np.ndarray) -> None:
+    def _put(self, at: Ints, depth: Floats, colours: Codes) -> None:
         order = np.lexsort((depth, at))
         at, depth, colours = at[order], depth[order], colours[order]
         nearest = np.append(at[1:] != at[:-1], True)
@@ -70,7 +71,7 @@ class _View:
         self.pixels.reshape(-1, 3)[at[seen]] = colours[seen]
 
 
-def _places() -> np.ndarray:
+def _places() -> Floats:
     """Barycentric coordinates (s, 3) of places spread over a triangle."""
     steps = [(i, j) for i in range(_FINE + 1) for j in range(_FINE + 1 - i)]
     inner = np.array([(i, j, _FINE - i - j) for i, j in steps], float)
@@ -81,7 +82,7 @@ def _turn(angle: float) -> tuple[float, float]:
     return float(np.cos(angle)), float(np.sin(angle))
 
 
-def png(pixels: np.ndarray) -> bytes:
+def png(pixels: Codes) -> bytes:
     """A PNG of pixels (height, width, 3) uint8."""
     height, width, _ = pixels.shape
     rows = np.concatenate([np.zeros((height, 1), np.uint8), pixels.reshape(height, -1)], axis=1)

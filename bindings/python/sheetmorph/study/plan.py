@@ -9,8 +9,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 
+from ..arrays import Floats
 from ..errors import Fault, RecipeError
 from ..progress import Progress
 from ..recipe import (
@@ -88,7 +88,7 @@ class Plan:
         asked = [study.measure, study.criteria, asdict(study.certify)]
         return _digest([*self._inputs(), limits, constraints, asked])
 
-    def _place_of(self, told: Any, where: str) -> np.ndarray:
+    def _place_of(self, told: Any, where: str) -> Floats:
         rest = {name: mesh.points for name, mesh in self.parts.meshes.items()}
         return spot_of(told, self.model, self.parts.meshes, where).at(rest)
 

@@ -121,7 +121,8 @@ def _start(entry: Parameter, plan: Plan) -> float:
     if own is None and entry.steps[:1] == ("pose",) and entry.distance_from is None:
         own = 0.0
     if entry.values:
-        return own if own in entry.values else entry.values[len(entry.values) // 2]
+        found: float = own if own in entry.values else entry.values[len(entry.values) // 2]
+        return found
     if own is not None and entry.low <= own <= entry.high:
         return float(own)
     return 0.5 * (entry.low + entry.high)

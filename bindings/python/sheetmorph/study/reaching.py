@@ -35,9 +35,12 @@ class Reach:
         try:
             if self._why(0.0):
                 return []
-            return [searched(lambda share, end=end: self._why(share * end)) for end in ends]
+            return [self._limit(end) for end in ends]
         except _Stopped:
             return None
+
+    def _limit(self, end: float) -> Limit:
+        return searched(lambda share: self._why(share * end))
 
     def _why(self, value: float) -> str:
         """What breaks at a value; empty if nothing does. What only exact answers measure is not

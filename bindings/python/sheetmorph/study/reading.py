@@ -90,7 +90,8 @@ class Study:
 def study_schema() -> dict[str, Any]:
     """The published JSON Schema of the study."""
     text = resources.files("sheetmorph").joinpath("study.schema.json").read_text("utf-8")
-    return json.loads(text)
+    found: dict[str, Any] = json.loads(text)
+    return found
 
 
 def read_study(path: str | Path) -> Study:

@@ -9,8 +9,8 @@ import math
 import warnings
 from pathlib import Path
 
-import numpy as np
 
+from ..arrays import Floats
 from ..errors import Fault, FileError, RecipeError
 from .reading import Parameter, Sampling, Study
 
@@ -53,7 +53,7 @@ def _at(entry: Parameter, share: float) -> float:
     return min(max(entry.low + share * (entry.high - entry.low), entry.low), entry.high)
 
 
-def _unit_samples(sampling: Sampling, parameters: int) -> np.ndarray:
+def _unit_samples(sampling: Sampling, parameters: int) -> Floats:
     """(count, parameters) numbers from 0 to 1."""
     # Imported here: what reads a study without sampling it needs no scipy.
     try:
@@ -67,7 +67,8 @@ def _unit_samples(sampling: Sampling, parameters: int) -> np.ndarray:
     with warnings.catch_warnings():
         # Sobol warns of counts that are no power of two; they are what the user asked for.
         warnings.simplefilter("ignore", UserWarning)
-        return sampler.random(sampling.count)
+        found: Floats = sampler.random(sampling.count)
+        return found
 
 
 def _full_grid(study: Study) -> list[Values]:
@@ -103,6 +104,7 @@ def _axis(entry: Parameter, each: int) -> list[float]:
 
 def _from_csv(study: Study) -> list[Values]:
     path = study.sampling.file
+    assert path is not None  # the method "csv" has one
     rows = _csv_rows(path)
     header = [name.strip() for name in rows[0][1]] if rows else []
     missing = [name for name in study.names if name not in header]

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats, Ints
 from ..errors import Fault, RecipeError
 from ..kernel import load_kernel
 from ..part_mesh import PartMesh
@@ -20,11 +21,11 @@ class Spot:
     """The mean of some vertices (k,) of a part with weights (k,); or a point that never moves."""
 
     part: str = ""
-    vertices: np.ndarray | None = None
-    weights: np.ndarray | None = None
-    point: np.ndarray | None = None
+    vertices: Ints = field(default_factory=lambda: np.zeros(0, np.int64))
+    weights: Floats = field(default_factory=lambda: np.zeros(0))
+    point: Floats | None = None
 
-    def at(self, positions: Mapping[str, np.ndarray]) -> np.ndarray:
+    def at(self, positions: Mapping[str, Floats]) -> Floats:
         """Where it is (3,), positions (n, 3) by part, mm."""
         if self.point is not None:
             return self.point
@@ -63,13 +64,13 @@ def _of_region(name: str, model: Model, meshes: Mapping[str, PartMesh], where: s
 def _spot_of_region(region: RegionEntry, meshes: Mapping[str, PartMesh]) -> Spot:
     mesh = meshes[region.part]
     if region.is_point:
-        triangle, weights = mesh.place_on(load_kernel(), region.triangle, region.barycentric)
+        triangle, weights = mesh.place_on(load_kernel(), *region.on_triangle)
         return Spot(region.part, mesh.triangles[triangle].astype(np.int64), np.asarray(weights))
-    vertices, _ = mesh.find(region.vertices)
+    vertices, _ = mesh.find(region.vertices or [])
     return _mean(region.part, vertices)
 
 
-def _mean(part: str, vertices: np.ndarray) -> Spot:
+def _mean(part: str, vertices: Ints) -> Spot:
     count = len(vertices)
     return Spot(part, np.asarray(vertices, np.int64), np.full(count, 1.0 / count))
 

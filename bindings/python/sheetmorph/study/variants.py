@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Floats
 from ..errors import Fault, RecipeError
 from .blends import with_pose
 from .paths import value_at, with_value
@@ -21,7 +22,7 @@ _POSABLE = {
     "points": ("target", "rotation"),
     "handles": ("pivot",),
 }
-Place = Callable[[Any, str], np.ndarray]
+Place = Callable[[Any, str], Floats]
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,7 @@ class Changes:
             raise _error(entry, what, "lead the path on to one of its numbers")
 
 
-def _line(entry: Parameter, place_of: Place) -> tuple[np.ndarray, float]:
+def _line(entry: Parameter, place_of: Place) -> tuple[Floats, float]:
     """The direction (3,) of length 1 in which a handle is moved, and the value without a motion."""
     if entry.direction is not None:
         direction, start = np.asarray(entry.direction, float), 0.0
@@ -128,7 +129,8 @@ def _as_pose(
 
 
 def _kind(found: Any) -> str:
-    return {dict: "JSON object", list: "list", str: "text"}.get(type(found), "truth value")
+    names: dict[type, str] = {dict: "JSON object", list: "list", str: "text"}
+    return names.get(type(found), "truth value")
 
 
 def _error(entry: Parameter, what: str, todo: str) -> RecipeError:

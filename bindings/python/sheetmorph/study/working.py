@@ -196,7 +196,7 @@ class Workshop:
         figures = Figures(result, report)
         scene = Scene(result.positions, row.parameters, figures.figure)
         measures = base.measures.taken(scene)
-        known = {**row.parameters, **measures}
+        known: dict[str, float | None] = {**row.parameters, **measures}
         criteria = judged(self.plan.study.criteria, known, figures.figure)
         proof = certificate(proof, report, criteria, measures)
         failures = proof["failures"]

@@ -38,6 +38,9 @@ class Pool:
     knows: Callable[[], int] | None = None
 
 
+_Outcome = tuple[Cost, str]
+
+
 class Forgotten(RuntimeError):
     """An executor that knows no more of what it was given."""
 
@@ -52,14 +55,14 @@ class Driver:
         hopes: Hopes,
     ):
         self._opened, self._hopes = opened, hopes
-        self._broken = (*broken, CancelledError, Forgotten)
+        self._broken: tuple[type[BaseException], ...] = (*broken, CancelledError, Forgotten)
         self._tries: Counter[int] = Counter()
 
     def drive(self, tasks: Iterable[Task]) -> None:
         """Returns when every task is finished or lost. Raises RecipeError for what stops all."""
         waiting, vain = deque(tasks), 0
         while waiting:
-            given: dict[Future, Task] = {}
+            given: dict[Future[_Outcome], Task] = {}
             left = len(waiting)
             try:
                 with self._opened() as pool:
@@ -71,7 +74,7 @@ class Driver:
                     raise RecipeError([Fault("--engine", what, "try --engine local")]) from error
                 self._again(given.values(), waiting, error)
 
-    def _feed(self, pool: Pool, waiting: deque[Task], given: dict[Future, Task]) -> None:
+    def _feed(self, pool: Pool, waiting: deque[Task], given: dict[Future[_Outcome], Task]) -> None:
         idle = 0
         while waiting or given:
             while waiting and self._may_give(waiting[0], pool, given):
@@ -87,7 +90,7 @@ class Driver:
             if idle >= _PATIENCE:
                 raise Forgotten("it was started anew")
 
-    def _may_give(self, task: Task, pool: Pool, given: dict[Future, Task]) -> bool:
+    def _may_give(self, task: Task, pool: Pool, given: dict[Future[_Outcome], Task]) -> bool:
         """What was lost again and again is tried alone: then it is known who is to blame."""
         if self._tries[task.run] >= _SUSPECT:
             return not given
@@ -108,7 +111,7 @@ class Driver:
                 waiting.append(task)
 
 
-def _outcome(future: Future) -> tuple[Cost, str]:
+def _outcome(future: Future[_Outcome]) -> _Outcome:
     try:
         return future.result()
     except ImportError as error:
