@@ -79,6 +79,38 @@ def test_every_entry_that_is_wrong_has_its_line(folder: Path, capsys):
     assert "recipe.json, line 7, column 38, handles[0] (end).vertices" in told
 
 
+def test_every_entry_of_a_recipe_in_toml_that_is_wrong_has_its_line(folder: Path, capsys):
+    Path("recipe.toml").write_text(
+        'sheetmorph = 1 # "parts" = [\nparts = [\n  {name = "plate", file = "plate.obj"},\n]\n'
+        '[[fixed]]\npart = "plate"\nvertices = [0, 1]\n'
+        "[[fixed]]\npart = 'plane'\nvertices = [2]\n"
+        '[[handles]]\nname = "the [end]"\npart = "plate"\n'
+        'where = {"union" = [{sphere = {center = [0, 0, 0], radius = -1.5}}]}\n'
+        '[pose."the [end]"]\ntranslation = [0, 0, """1"""]\n'
+    )
+    assert main(["check", "recipe.toml"]) == 2
+    told = capsys.readouterr().err
+    assert "recipe.toml, line 9, column 1, fixed[1].part" in told
+    assert "recipe.toml, line 14, column 52, handles[0] (the [end]).where.union[0].sphere" in told
+    assert "recipe.toml, line 16, column 22, pose.the [end].translation[2]" in told
+
+
+def test_a_key_that_stands_twice_is_told_where_it_is(tmp_path: Path):
+    path = tmp_path / "recipe.json"
+    path.write_text('{"a": {"b": 1},\n "c": [{"b": 1}, // b\n {"b": 1, "b": 2}]}')
+    with pytest.raises(RecipeError, match='line 3, column 11: the key "b" stands twice'):
+        read_json(path)
+
+
+def test_nothing_that_was_edited_is_written_over(folder: Path, capsys):
+    before = Path("recipe.json").read_text()
+    assert main(["init", "plate.obj", "-o", "recipe.json"]) == 2
+    assert "recipe.json is there already" in capsys.readouterr().err
+    assert main(["show", "recipe.json", "-o", "recipe.json"]) == 2
+    assert "end it in .png" in capsys.readouterr().err
+    assert Path("recipe.json").read_text() == before
+
+
 def test_a_recipe_in_toml_runs(folder: Path):
     recipe = json.loads(Path("recipe.json").read_text())
     lines = ["sheetmorph = 1"]

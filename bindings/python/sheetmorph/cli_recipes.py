@@ -12,9 +12,10 @@ from typing import Any
 
 from .cli_find import write_text
 from .cli_progress import progress_on
+from .errors import Fault, RecipeError
 from .files.atomic import FileSet
 
-_SCHEMAS = ("recipe", "report", "find", "doctor")
+_SCHEMAS = ("recipe", "report", "find", "doctor", "certificate", "study")
 
 
 def add_recipe_commands(commands: Any) -> None:
@@ -50,6 +51,9 @@ def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     # Imported here, so that --help answers at once; so below.
     from .starting import starting_recipe
 
+    if wanted.output and Path(wanted.output).exists():
+        what = f"{wanted.output} is there already, and may have been edited"
+        raise RecipeError([Fault("-o", what, "name another file, or remove it first")])
     folder = Path(wanted.output).parent if wanted.output else Path()
     with progress_on(sys.stderr, wanted.quiet) as progress:
         text = starting_recipe(wanted.files, folder, progress)

@@ -31,6 +31,10 @@ def show(
     FileError, KernelError, PictureError.
     """
     path = Path(recipe_path)
+    if Path(picture).suffix.lower() != ".png":
+        raise RecipeError(
+            [Fault("-o", f"pictures are PNG files, {picture} is none", "end it in .png")]
+        )
     recipe = read_json(path)
     with named_in(path):
         parts = prepare(recipe, path.parent, progress)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where in the text of a JSON file the entries of a recipe stand."""
+"""Where in the text of a JSON or TOML file the entries of a recipe stand."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from bisect import bisect_right
+from collections.abc import Generator, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -13,21 +14,24 @@ from ..errors import Fault
 from .places import place_of
 
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
+_QUOTED = r'"""(?:\\.|[^\\])*?"""|\'{3}.*?\'{3}|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\''
+_TOML = re.compile(_QUOTED + r"""|\#[^\n]*|\n|[\[\]{}=,.]|[^\s\[\]{}=,.#"']+""", re.DOTALL)
 _STEPS = re.compile(r"(?:\.[^.\[]*|\[\d+\](?: \([^()]*\))?)$")
+
+Entry = tuple[list[str | int], int]
+_Token = re.Match[str]
 
 
 class Lines:
-    """Line and column, from 1, of every entry of a sound JSON text."""
+    """Line and column, from 1, of every entry of a sound text."""
 
-    def __init__(self, text: str, recipe: Any):
+    def __init__(self, text: str, recipe: Any, is_toml: bool = False):
         self._places: dict[str, tuple[int, int]] = {}
         starts = [0, *(found.end() for found in re.finditer("\n", text))]
-        line = 0
-        for path, place in _entries(text):
-            while line + 1 < len(starts) and starts[line + 1] <= place:
-                line += 1
-            name = place_of(recipe, path)
-            self._places.setdefault(name, (line + 1, place - starts[line] + 1))
+        for path, place in _toml_entries(text) if is_toml else _entries(text):
+            line = bisect_right(starts, place)
+            found = line, place - starts[line - 1] + 1
+            self._places.setdefault(place_of(recipe, path), found)
 
     def of(self, fault: Fault) -> Fault:
         """The fault with line and column of its place, or of the nearest entry around it."""
@@ -41,7 +45,17 @@ class Lines:
         return replace(fault, where=f"line {line}, column {column}, {fault.where}")
 
 
-def _entries(text: str) -> Iterator[tuple[list[str | int], int]]:
+def repeated_key(text: str) -> tuple[int, int] | None:
+    """Line and column of the first key of a JSON text that stands twice in one object."""
+    seen: set[tuple[str | int, ...]] = set()
+    for path, place in _entries(text):
+        if tuple(path) in seen:
+            return text.count("\n", 0, place) + 1, place - text.rfind("\n", 0, place)
+        seen.add(tuple(path))
+    return None
+
+
+def _entries(text: str) -> Iterator[Entry]:
     """Path and place of every value but single numbers in lists, in the order of the text."""
     path: list[str | int] = []
     kinds: list[str] = []
@@ -68,3 +82,65 @@ def _entries(text: str) -> Iterator[tuple[list[str | int], int]]:
                 kinds.append(token)
                 path.append(0 if token == "[" else "")
                 is_key = token == "{"
+
+
+def _toml_entries(text: str) -> Iterator[Entry]:
+    """The same of TOML: headers of tables, keys, and what is no number in lists."""
+    last: dict[tuple[str | int, ...], int] = {}  # number of the last table of every list of tables
+    base: list[str | int] = []
+    tokens = [token for token in _TOML.finditer(text) if token[0][0] != "#"]
+    at = 0
+    while at < len(tokens):
+        begin = tokens[at]
+        if begin[0] == "\n":
+            at += 1
+        elif begin[0] == "[":
+            is_list = text[begin.end()] == "["
+            names, at = _names(tokens, at + 1 + is_list, "]")
+            base = []
+            for name in names:
+                place = tuple(base)
+                base += [last[place], name] if place in last else [name]
+            if is_list:
+                last[tuple(base)] = last.get(tuple(base), -1) + 1
+                base.append(last[tuple(base)])
+            at += is_list
+            yield list(base), begin.start()
+        else:
+            names, at = _names(tokens, at, "=")
+            yield [*base, *names], begin.start()
+            at = yield from _value(tokens, at, [*base, *names])
+
+
+def _names(tokens: list[_Token], at: int, end: str) -> tuple[list[str], int]:
+    """The parts of a dotted key, and what comes behind its end."""
+    names = []
+    while tokens[at][0] != end:
+        token = tokens[at][0]
+        names += [json.loads(token) if token[0] == '"' else token.strip("'")] * (token != ".")
+        at += 1
+    return names, at + 1
+
+
+def _value(tokens: list[_Token], at: int, path: list[str | int]) -> Generator[Entry, None, int]:
+    """The entries in a value; returns what comes behind it."""
+    kind, number = tokens[at][0], 0
+    if kind not in ("[", "{"):
+        while at < len(tokens) and tokens[at][0] not in (",", "]", "}", "\n"):
+            at += 1
+        return at
+    at += 1
+    while tokens[at][0] not in ("]", "}"):
+        begin = tokens[at]
+        if begin[0] in (",", "\n"):
+            number += begin[0] == ","
+            at += 1
+        elif kind == "{":
+            names, at = _names(tokens, at, "=")
+            yield [*path, *names], begin.start()
+            at = yield from _value(tokens, at, [*path, *names])
+        else:
+            if begin[0][0] not in "-+.0123456789":
+                yield [*path, number], begin.start()
+            at = yield from _value(tokens, at, [*path, number])
+    return at + 1

@@ -15,7 +15,7 @@ from typing import Any
 
 from ..errors import Fault, RecipeError
 from ..files.comments import plain_json
-from .lines import Lines
+from .lines import Lines, repeated_key
 
 _TOML_PLACE = re.compile(r" \((?:at line (\d+), column (\d+)|at end of document)\)$")
 
@@ -35,8 +35,9 @@ def read_json(path: str | Path) -> Any:
         where = f"{path}, line {error.lineno}, column {error.colno}"
         raise _error(where, f"not JSON: {error.msg}", "correct it there or just before") from None
     except _Repeated as error:
+        line, column = repeated_key(plain_json(text)) or (1, 1)
         what = f'the key "{error}" stands twice in one object'
-        raise _error(path, what, "keep one of them") from None
+        raise _error(f"{path}, line {line}, column {column}", what, "keep one of them") from None
     except (RecursionError, ValueError) as error:
         raise _error(path, f"not JSON that can be used: {error}", "simplify it") from None
 
@@ -53,14 +54,14 @@ def named_in(path: Path) -> Iterator[None]:
 
 
 def _with_lines(path: str | Path, faults: Sequence[Fault]) -> list[Fault]:
-    """The faults of a recipe that was read from a JSON file, each with the line it is in.
+    """The faults of a recipe that was read from a file, each with the line it is in.
 
-    Those of a TOML file, or whose place is not in the file, stay as they are.
+    Those whose place is not in the file stay as they are.
     """
-    if Path(path).suffix.lower() == ".toml":
-        return list(faults)
+    is_toml = Path(path).suffix.lower() == ".toml"
     try:
-        lines = Lines(plain_json(_text_of(path)), read_json(path))
+        text = _text_of(path)
+        lines = Lines(text if is_toml else plain_json(text), read_json(path), is_toml)
     except RecipeError:  # the file has changed since
         return list(faults)
     return [lines.of(fault) for fault in faults]
