@@ -10,18 +10,24 @@ from pathlib import Path
 
 import pytest
 
-# A plate of 60 x 40 x 2 mm with holes of radius 3 mm at (15, 20) and 5 mm at (40, 20), and two
-# pins of radius 3 mm, 8 mm long, the first in the smaller hole; and a turned plate of 120 x 60 x
-# 3 mm with a slot of 32 x 8 mm and rectangles of 30 x 20 mm, corners of 4 mm, and of 16 x 10 mm;
-# and a sheet of 2 mm, 50 mm wide, bent by 90 degrees with an inner radius of 3 mm, turned.
-_SCRIPT = """
+_HEAD = """
 import os
 import FreeCAD
 import Import
 import Part
 from FreeCAD import Vector
 
-folder = os.environ["CAD_SAMPLES"]
+folder = os.environ["CAD_FOLDER"]
+"""
+_TAIL = """
+open(os.path.join(folder, "done"), "w").close()
+os._exit(0)
+"""
+# A plate of 60 x 40 x 2 mm with holes of radius 3 mm at (15, 20) and 5 mm at (40, 20), and two
+# pins of radius 3 mm, 8 mm long, the first in the smaller hole; and a turned plate of 120 x 60 x
+# 3 mm with a slot of 32 x 8 mm and rectangles of 30 x 20 mm, corners of 4 mm, and of 16 x 10 mm;
+# and a sheet of 2 mm, 50 mm wide, bent by 90 degrees with an inner radius of 3 mm, turned.
+_SCRIPT = """
 plate = Part.makeBox(60, 40, 2)
 for x, radius in ((15, 3), (40, 5)):
     plate = plate.cut(Part.makeCylinder(radius, 4, Vector(x, 20, -1)))
@@ -68,23 +74,25 @@ edges = Part.__sortEdges__([side.toShape() for side in sides])
 bent = Part.Face(Part.Wire(edges)).extrude(Vector(0, 50, 0))
 bent.rotate(Vector(0, 0, 0), Vector(1, 2, 3), 25)
 bent.exportStep(os.path.join(folder, "bend.step"))
-open(os.path.join(folder, "done"), "w").close()
-os._exit(0)
 """
 
 
 def make_cad_samples(folder: Path) -> Path:
     """fixture.step (plate, the same pin twice), plate.igs, plate.brep,
     openings.step, bend.step; skips without FreeCAD."""
+    return made_by_freecad(_SCRIPT, folder)
+
+
+def made_by_freecad(script: str, folder: Path) -> Path:
+    """A folder with the files that a script writes into `folder`; skips without FreeCAD."""
     program = shutil.which("freecadcmd")
     if program is None:
         pytest.skip("freecadcmd, which makes the CAD files, is not installed")
-    script = folder / "make_samples.py"
-    script.write_text(_SCRIPT, "utf-8")
-    settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "CAD_SAMPLES": str(folder)}
+    file = folder / "make_files.py"
+    file.write_text(_HEAD + script + _TAIL, "utf-8")
+    settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "CAD_FOLDER": str(folder)}
     settings.pop("PYTHONPATH", None)
-    subprocess.run(
-        [program, str(script)], env=settings, stdin=subprocess.DEVNULL, capture_output=True
-    )
+    command = [program, str(file)]
+    subprocess.run(command, env=settings, stdin=subprocess.DEVNULL, capture_output=True)
     assert (folder / "done").is_file(), "FreeCAD did not make the CAD files"
     return folder

@@ -3,22 +3,15 @@
 
 from __future__ import annotations
 
-import os
-import shutil
-import subprocess
+import sys
 from pathlib import Path
 
-import pytest
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "package"))
+from cad_samples import made_by_freecad  # noqa: E402
 
 # A tube with a seam; a ball cut flat with a pole; a plate with a countersunk hole; a block with
 # fillets; a plate with two holes.
 _SCRIPT = """
-import os
-import FreeCAD
-import Part
-from FreeCAD import Vector
-
-folder = os.environ["OWN_PARTS"]
 plate = Part.makeBox(120, 60, 3)
 for x in (35, 85):
     plate = plate.cut(Part.makeCylinder(5, 5, Vector(x, 30, -1)))
@@ -33,21 +26,9 @@ shapes = {
 }
 for name, shape in shapes.items():
     shape.exportStep(os.path.join(folder, name + ".step"))
-open(os.path.join(folder, "done"), "w").close()
-os._exit(0)
 """
 
 
 def make_own_parts(folder: Path) -> Path:
     """The parts as files in a folder; skips without FreeCAD."""
-    program = shutil.which("freecadcmd")
-    if program is None:
-        pytest.skip("freecadcmd, which makes the CAD files, is not installed")
-    script = folder / "make_parts.py"
-    script.write_text(_SCRIPT, "utf-8")
-    settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "OWN_PARTS": str(folder)}
-    settings.pop("PYTHONPATH", None)
-    command = [program, str(script)]
-    subprocess.run(command, env=settings, stdin=subprocess.DEVNULL, capture_output=True)
-    assert (folder / "done").is_file(), "FreeCAD did not make the CAD files"
-    return folder
+    return made_by_freecad(_SCRIPT, folder)
