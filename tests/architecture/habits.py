@@ -26,7 +26,8 @@ def text_faults(text: str) -> list[str]:
 
 
 def python_faults(text: str) -> list[str]:
-    """Mutable module state, swallowed errors, assertions that cannot fail."""
+    """Mutable module state, swallowed errors, assertions that cannot fail; and protocols that are
+    asked at run time, which fails inside FreeCAD since Python 3.13 if they have data."""
     faults = []
     for node in ast.walk(ast.parse(text)):
         line = getattr(node, "lineno", 0)
@@ -36,6 +37,8 @@ def python_faults(text: str) -> list[str]:
             faults.append(f"line {line}: an except without a name")
         if isinstance(node, ast.Assert) and isinstance(node.test, ast.Constant):
             faults.append(f"line {line}: an assertion that cannot fail")
+        if isinstance(node, ast.ImportFrom) and "runtime_checkable" in (n.name for n in node.names):
+            faults.append(f"line {line}: a protocol that is asked at run time")
     return faults
 
 

@@ -49,6 +49,7 @@ def test_work_left_open_is_noticed():
         "def f():\n    global a\n    a = 1\n",
         "try:\n    f()\nexcept:\n    pass\n",
         "assert " + "True\n",
+        "from typing import " + "runtime_checkable\n",
     ],
 )
 def test_a_bad_python_habit_is_noticed(text):

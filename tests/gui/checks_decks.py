@@ -129,10 +129,12 @@ def test_elements_have_colours_and_a_histogram_while_dragging():
 def certify(folder: str, criteria: str):
     """Certificate… with its dialogs answered."""
     asked, chosen = (QtWidgets.QFileDialog.getExistingDirectory, QtWidgets.QInputDialog.getItem)
-    QtWidgets.QFileDialog.getExistingDirectory = lambda *_: folder
+    answered = []
+    QtWidgets.QFileDialog.getExistingDirectory = lambda *_: answered.append(folder) or folder
     QtWidgets.QInputDialog.getItem = lambda *_: (criteria, True)
     try:
         yield from press_tool("Certificate…")
+        yield from until(lambda: answered, "both questions")
     finally:
         QtWidgets.QFileDialog.getExistingDirectory = asked
         QtWidgets.QInputDialog.getItem = chosen

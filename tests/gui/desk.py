@@ -44,10 +44,12 @@ def replace_file(file: str, edge: float):
     from freecad.sheetmorph.qt import QtWidgets
 
     asked, length = QtWidgets.QFileDialog.getOpenFileName, QtWidgets.QInputDialog.getDouble
-    QtWidgets.QFileDialog.getOpenFileName = lambda *_: (file, "")
+    answered = []
+    QtWidgets.QFileDialog.getOpenFileName = lambda *_: answered.append(file) or (file, "")
     QtWidgets.QInputDialog.getDouble = lambda *_: (edge, True)
     try:
         yield from press_tool("Replace File…")
+        yield from until(lambda: answered, "the question for a file")
         yield 300
     finally:
         QtWidgets.QFileDialog.getOpenFileName = asked

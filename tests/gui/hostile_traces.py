@@ -85,12 +85,13 @@ def child_processes() -> list[str]:
         try:
             with open(f"{folder}/cmdline", encoding="utf-8") as file:
                 words = file.read().split("\0")
+            with open(f"{folder}/environ", "rb") as file:
+                environment = file.read().split(b"\0")
         except OSError:
-            continue  # it has just ended
-        if "study" in words and any("sheetmorph" in word for word in words):
-            environment = open(f"{folder}/environ", "rb").read().split(b"\0")
-            if f"SHEETMORPH_GUI_WORK={WORK}".encode() in environment:
-                found.append(" ".join(words))
+            continue  # it has just ended, or is another user's
+        is_ours = f"SHEETMORPH_GUI_WORK={WORK}".encode() in environment
+        if is_ours and "study" in words and any("sheetmorph" in word for word in words):
+            found.append(" ".join(words))
     return found
 
 
