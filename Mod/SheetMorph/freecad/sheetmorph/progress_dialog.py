@@ -11,12 +11,16 @@ from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 PATIENCE = 0.4  # seconds until the dialog appears
 LOOK = 0.03  # seconds between two looks at what is done in a thread
-SHARE = 0.25  # of the time at most, to handle events: each look may draw a view of a million facets
+SHARE = 0.25  # of the time at most, to handle events
 LONGEST = 0.3  # seconds without a look
 
 
 class Progress:
-    """Called with how far work is; the dialog appears only if it takes long."""
+    """Called with how far work is, until ``close``; the dialog appears only if it takes long.
+
+    Meanwhile the views keep their picture: FreeCAD would draw each of them, a million facets
+    perhaps, whenever events are handled.
+    """
 
     def __init__(self, title: str):
         self._title = title
@@ -25,6 +29,8 @@ class Progress:
         self._next = 0.0
         self._told = 0.0, ""
         self.is_cancelled = False
+        self._views = Gui.getMainWindow().centralWidget()
+        self._views.setUpdatesEnabled(False)
 
     def __call__(self, fraction: float, task: str) -> bool:
         """``fraction`` 0..1 is done, ``task`` is next; False if the user has cancelled.
@@ -78,7 +84,8 @@ class Progress:
         self._next = now + min(LONGEST, (now - begin) / SHARE)
 
     def close(self) -> None:
-        """Takes the dialog away."""
+        """Takes the dialog away, and lets the views be drawn."""
+        self._views.setUpdatesEnabled(True)
         if self._dialog is not None:
             self._dialog.reset()
             self._dialog.deleteLater()

@@ -6,7 +6,7 @@ A macro line has no room for a function, so what it calls asks here. Without a w
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TypeVar
@@ -32,6 +32,21 @@ def waited_for(work: Callable[[Progress | None], Found]) -> Found:
     listener = _WAITING.get()
     wait_for = getattr(listener, "wait_for", None)
     return work(listener) if wait_for is None else wait_for(work)
+
+
+class Stopped(RuntimeError):
+    """Nobody wants to wait for the rest."""
+
+
+def one_by_one(things: Sequence[Found], task: str) -> Iterator[Found]:
+    """Yield things that are dealt with in the thread of the window; between two of them events
+    are handled. Raises Stopped.
+    """
+    told = progress()
+    for number, thing in enumerate(things):
+        if told is not None and not told(number / len(things), task):
+            raise Stopped(f"Stopped after {number} of {len(things)}.")
+        yield thing
 
 
 @contextmanager

@@ -67,7 +67,8 @@ def add_model(assembly, model) -> list:
     """Add all parts of a CadModel of the kernel that have triangles; return them."""
     cad_file = kernel.load().files.cad_file
     parts = []
-    for number, (part, mesh) in enumerate(zip(model.parts, cad_file.part_meshes(model))):
+    found = list(enumerate(zip(model.parts, cad_file.part_meshes(model))))
+    for number, (part, mesh) in reporting.one_by_one(found, "adding the parts"):
         if len(mesh.triangles):
             parts.append(add_mesh(assembly, mesh, mesh.name, cad_file.exact_features(part)))
             keep_shape(parts[-1], model, number)

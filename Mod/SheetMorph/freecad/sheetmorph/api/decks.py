@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from freecad.sheetmorph import reporting
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.meshes import add_mesh
 from freecad.sheetmorph.bridge import decks, kernel
@@ -28,14 +29,16 @@ def import_deck(
     a recipe's part. Raises ValueError or OSError if it cannot be read.
     """
     require_assembly(assembly)
-    file = kernel.load().read_part(Path(path))
+    package = kernel.load()
+    file = reporting.waited_for(lambda told: package.read_part(Path(path), None, told))
     if file.properties is None:
         raise ValueError(f"{Path(path).name} is no deck; use import_part.")
     splitting = kernel.splitting()
     way = splitting.usual_split(file) if split is None else split
     rows = splitting.split_triangles(file, way) if way else {"": np.arange(len(file.properties))}
     deck = _add_deck(assembly, file, way, settings)
-    return [_add_part(deck, file, name, rows[name]) for name in rows]
+    names = reporting.one_by_one(list(rows), "adding the parts")
+    return [_add_part(deck, file, name, rows[name]) for name in names]
 
 
 def _add_deck(assembly, file, split: str, settings: dict | None):

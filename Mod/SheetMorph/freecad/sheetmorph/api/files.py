@@ -7,6 +7,7 @@ import os
 from pathlib import Path
 
 
+from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import kernel, solving, written
 from freecad.sheetmorph.api.assemblies import create_assembly, set_energy, set_operator, set_primary
 from freecad.sheetmorph.api.checks import require_assembly
@@ -47,7 +48,7 @@ def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, 
         (part,) = import_deck(assembly, path, "")
         part.Label = label or path.stem
         return part
-    read = package.read_part(path, mesh).mesh
+    read = reporting.waited_for(lambda told: package.read_part(path, mesh, told)).mesh
     if len(read.triangles) == 0:
         raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
     part = add_mesh(assembly, read, label or path.stem)

@@ -19,6 +19,7 @@ from freecad.sheetmorph.api.files import add_mesh
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.assembly import follow_group
 from freecad.sheetmorph.tools import sentences
+from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.bridge.rest import Kept, read_kept, read_original, write_rest_data
 
 MOST_PIECES = 500
@@ -138,8 +139,14 @@ def preparation_of(part) -> dict:
 
 def diagnose_original(part, scale: float = 1.0) -> dict:
     """Return the diagnosis of the mesh that `prepare` begins with, times a scale."""
-    original = read_original(checked(part))
-    return kernel.load().diagnose(package_mesh(scale * original.points, original.triangles))
+    original, package = read_original(checked(part)), kernel.load()
+
+    def found() -> dict:
+        mesh = package_mesh(scale * original.points, original.triangles)
+        return reporting.waited_for(lambda _told: package.diagnose(mesh))
+
+    kept = snapshot_of(part.Original or part.Source)
+    return kept.derived("diagnosis", (scale, original.frame.key, original.is_exact), found)
 
 
 def places_of(part, made) -> np.ndarray:

@@ -13,7 +13,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.editing.pending import Pending
 from freecad.sheetmorph.editing.view_of import is_alive, mdi_area, shown_view
 from freecad.sheetmorph.editing.watch import Watch
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 
 BUSY = 20  # ms between two looks whether FreeCAD is still at it
@@ -79,9 +79,14 @@ class Session(QtCore.QObject):
 
         QtCore.QTimer.singleShot(0, act)
 
+    def when_free(self, action) -> None:
+        """Calls a function so later, unless the session ends before: what timers of panels do."""
+        self.later(lambda: None if self.is_ending else action())
+
     def is_busy(self) -> bool:
-        """Whether something is under way that handles events in between."""
-        return False
+        """Whether something is under way that handles events in between: FreeCAD asks a question
+        in the midst of a command, whose undo step must not be taken for one of ours."""
+        return QtWidgets.QApplication.activeModalWidget() is not None
 
     def _announce(self) -> None:
         if not self.is_ending:
@@ -133,9 +138,11 @@ class EditingSession(Session):
             yield
 
     def is_busy(self) -> bool:
-        """A recompute handles events, and so does the opening of a document."""
-        mine = self.document
-        return self.is_document_open() and (mine.Recomputing or mine.Restoring or mine.Transacting)
+        """A recompute handles events too, and so does the opening of a document."""
+        mine, is_open = self.document, self.is_document_open()
+        return super().is_busy() or (
+            is_open and (mine.Recomputing or mine.Restoring or mine.Transacting)
+        )
 
     def is_document_open(self) -> bool:
         """Whether the document is still there, and the same."""

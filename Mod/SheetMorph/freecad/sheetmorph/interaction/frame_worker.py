@@ -34,8 +34,8 @@ class FrameWorker(QtCore.QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing is under way."""
-        return not self._latest.is_busy
+        """Whether nothing is under way that anybody is told of."""
+        return self._listener is None or not self._latest.is_busy
 
     @property
     def is_free(self) -> bool:

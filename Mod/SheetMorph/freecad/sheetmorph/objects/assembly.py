@@ -7,12 +7,14 @@ import FreeCAD
 
 from freecad.sheetmorph.objects.model import (
     ASSEMBLY,
+    CONTACT,
+    DEFORMATION,
+    PART,
+    REGION,
+    RELATION,
     assembly_of,
-    contacts,
     deformation_of,
-    parts,
-    regions,
-    relations,
+    kind,
 )
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy, is_settled, make_due
@@ -129,15 +131,16 @@ def follow_group(assembly) -> None:
 
     The group itself cannot be a dependency, because it contains what depends on it.
     """
-    deformation = deformation_of(assembly)
-    if deformation is None:
-        return
-    update_links(deformation, "Regions", regions(assembly))
-    update_links(deformation, "Contacts", contacts(assembly))
-    update_links(deformation, "Relations", relations(assembly))
-    sources = [part.Source for part in parts(assembly) if part.Source is not None]
-    update_links(deformation, "Sources", sources)
-    deformation.touch()
+    members: dict[str, list] = {}
+    for obj in assembly.Group:  # once: it is long, and this is called for each that is added
+        members.setdefault(kind(obj), []).append(obj)
+    for deformation in members.get(DEFORMATION, [])[:1]:
+        update_links(deformation, "Regions", members.get(REGION, []))
+        update_links(deformation, "Contacts", members.get(CONTACT, []))
+        update_links(deformation, "Relations", members.get(RELATION, []))
+        sources = [part.Source for part in members.get(PART, []) if part.Source is not None]
+        update_links(deformation, "Sources", sources)
+        deformation.touch()
 
 
 def update_links(obj, name: str, wanted: list) -> None:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Morphs follow their source meshes where FreeCAD's dependencies do not tell of a change."""
+"""Morphs follow what FreeCAD does not tell them of: changed source meshes, deletions in no step."""
 
 from functools import lru_cache
 
 import FreeCAD
 
-from freecad.sheetmorph.kinds import DEFORMATION, kind
+from freecad.sheetmorph.kinds import ASSEMBLY, DEFORMATION, kind
 
 
 class SourceWatcher:
@@ -25,6 +25,17 @@ class SourceWatcher:
             for inner in obj.OutListRecursive:
                 if inner.isDerivedFrom("Mesh::Feature"):
                     touch_deformations_of(inner)
+
+    def slotDeletedObject(self, obj) -> None:
+        """FreeCAD calls this before an object goes.
+
+        What goes in no undo step, as by a line of a macro, is gone for good, but the groups of
+        earlier steps still hold it: FreeCAD would die of the next undo. So those steps go too.
+        """
+        document = obj.Document
+        is_in_step = document.HasPendingTransaction or document.Transacting
+        if not is_in_step and any(kind(group) == ASSEMBLY for group in obj.InList):
+            document.clearUndos()
 
 
 @lru_cache(maxsize=1)

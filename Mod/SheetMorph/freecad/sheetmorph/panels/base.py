@@ -17,7 +17,6 @@ LEGEND = {
 }
 WIDTH = 340  # px at which a panel is readable
 FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"  # any theme
-WIDENING = (0, 300, 1000)  # ms: a dock over the 3D view is laid out again after it has appeared
 MARGINS = 110  # px of the task view around a panel, with its scroll bar
 
 
@@ -80,8 +79,7 @@ class Panel:
         self.session.ending.connect(self._fade)
         self.session.over.connect(self._close)
         Gui.Control.showDialog(self)
-        for delay in WIDENING:
-            QtCore.QTimer.singleShot(delay, self._widen)
+        QtCore.QTimer.singleShot(0, self._widen)
 
     def getStandardButtons(self) -> int:
         """OK and Cancel."""
@@ -129,7 +127,40 @@ class Panel:
         """Makes the dock around the panel wide enough; a wider one stays as it is."""
         for dock in Gui.getMainWindow().findChildren(QtWidgets.QDockWidget):
             if self.form and dock.isAncestorOf(self.form):
-                widen(dock, max(self.width, self.form.minimumSizeHint().width() + MARGINS))
+                wanted = max(self.width, self.form.minimumSizeHint().width() + MARGINS)
+                self.session.at_end(WideDock(dock, wanted).stop)
+
+
+class WideDock(QtCore.QObject):
+    """Keeps a dock wide enough until ``stop``, or until the user draws it narrower.
+
+    FreeCAD lays a dock out again after it has appeared, where it lies over the 3D view.
+    """
+
+    def __init__(self, dock, width: int):
+        super().__init__()
+        self._dock, self._width = dock, width
+        dock.installEventFilter(self)
+        self._widen()
+
+    def stop(self) -> None:
+        """Leaves the dock as it is."""
+        if self._dock is not None:
+            self._dock.removeEventFilter(self)
+            self._dock = None
+
+    def eventFilter(self, _dock, event) -> bool:
+        """Nothing is taken from the dock."""
+        if event.type() == QtCore.QEvent.Resize:
+            if QtWidgets.QApplication.mouseButtons() == QtCore.Qt.NoButton:
+                QtCore.QTimer.singleShot(0, self._widen)
+            else:
+                QtCore.QTimer.singleShot(0, self.stop)
+        return False
+
+    def _widen(self) -> None:
+        if self._dock is not None:
+            widen(self._dock, self._width)
 
 
 def number_in(field) -> float:

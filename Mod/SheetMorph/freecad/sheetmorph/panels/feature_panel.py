@@ -59,7 +59,7 @@ class FeaturePanel(Panel):
         ]
         self._shown = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=PAUSE)
-        self._pause.timeout.connect(self._show_changes)
+        self._pause.timeout.connect(lambda: session.when_free(self._show_changes))
         session.at_end(self._end_drawing)
         session.at_end(self._pause.stop)
         self._prepare_widgets()

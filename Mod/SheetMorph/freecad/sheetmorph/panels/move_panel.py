@@ -353,5 +353,5 @@ class MovePanel(Panel):
         timer = QtCore.QTimer(self.form)
         timer.setSingleShot(True)
         timer.setInterval(milliseconds)
-        timer.timeout.connect(action)
+        timer.timeout.connect(lambda: self.session.when_free(action))
         return timer

@@ -21,6 +21,9 @@ ONLY_FOR = {
     "rings": (picking.RIM,),
     "radius": (figures.BRUSH,),
 }
+CHOSEN = (
+    "QToolButton:checked { border: 2px solid #4a90d9; border-radius: 3px; }"  # in dark styles too
+)
 KEYS = QT_TRANSLATE_NOOP("SheetMorph_picking", "Click picks, Shift adds, Ctrl removes.")
 HINTS = {
     figures.BRUSH: QT_TRANSLATE_NOOP(
@@ -46,6 +49,7 @@ class PickTools:
         self._tool = picking.FACE
         self._form = widgets = Gui.PySideUic.loadUi(paths.panel("picking"))
         form.pick_column.addWidget(widgets)
+        widgets.setStyleSheet(CHOSEN)
         widgets.angle.setProperty("unit", "deg")
         widgets.angle.setProperty("minimum", 1.0)
         widgets.angle.setProperty("maximum", 180.0)

@@ -42,7 +42,7 @@ class PosePanel(Panel):
         self._shares = []  # (snapshot, fields) of every blend that was shown for a while
         self._live = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=round(1000 * PAUSE))
-        self._pause.timeout.connect(self._settle)
+        self._pause.timeout.connect(lambda: session.when_free(self._settle))
         self._faults = FaultBar(self.form, session, assembly)
         self._faults.mended.connect(self._follow_later)
         self._prepare_widgets(pose)

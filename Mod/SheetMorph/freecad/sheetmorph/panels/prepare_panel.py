@@ -5,7 +5,7 @@ import html
 
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, api
+from freecad.sheetmorph import actions, api, reporting
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.bridge import seen, units
 from freecad.sheetmorph.editing.session import EditingSession
@@ -39,9 +39,12 @@ def offer(parts: list) -> None:
     """
     if Gui.Control.activeDialog():
         return
-    with actions.waiting():
-        looked = (part for part in parts if cures.is_needed(api.diagnose_original(part)))
-        needy = next(looked, None)
+    try:
+        with actions.followed(translate("SheetMorph_prepare", "Prepare Mesh")):
+            looked = reporting.one_by_one(parts, "looking at the meshes")
+            needy = next((p for p in looked if cures.is_needed(api.diagnose_original(p))), None)
+    except actions.Cancelled:
+        return
     if needy is not None:
         open_panel(needy)
 

@@ -259,8 +259,9 @@ class StudyPanel(Panel):
         """What may be pressed now."""
         is_running = self._run is not None
         form = self.form
-        for widget in (form.parameters_box, form.variants_box, form.results, form.run):
+        for widget in (form.variable, form.add, form.remove, form.variants_box, form.run):
             widget.setEnabled(not is_running)
+        study_table.lock(form.parameters, is_running)
         form.stop.setEnabled(is_running)
         form.progress.setVisible(is_running)
 

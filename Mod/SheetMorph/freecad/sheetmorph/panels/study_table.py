@@ -52,6 +52,13 @@ def fill_parameters(table, rows) -> None:
             table.setItem(row, column, item)
 
 
+def lock(table, is_locked: bool) -> None:
+    """Lets nothing be typed for a while; a table that is disabled cannot be read in dark styles."""
+    by_hand = QtWidgets.QAbstractItemView.DoubleClicked | QtWidgets.QAbstractItemView.AnyKeyPressed
+    never = QtWidgets.QAbstractItemView.NoEditTriggers
+    table.setEditTriggers(never if is_locked else by_hand)
+
+
 def parameters_in(table, variables) -> list:
     """What the user has made of it, (name, variable, low, high) each; raises ValueError."""
     found = []
@@ -92,7 +99,7 @@ def fill_results(table, results: dict) -> None:
     for number, row in enumerate(rows):
         put(table, (number, 0), str(row["run"]), row["run"])
         mark, colour, word = MARKS[row["status"]]
-        state = f"{mark} {translate('panels', word)}"
+        state = f"{mark} {translate('SheetMorph_panels', word)}"
         cell = put(table, (number, 1), state, row["status"])
         cell.setForeground(QtGui.QBrush(QtGui.QColor(colour)))
         cell.setToolTip(row["why"])
@@ -122,7 +129,7 @@ def run_in(table, row: int) -> int:
 def counted(results: dict) -> str:
     """How many variants came out how, in words."""
     texts = [
-        f"{count} {translate('panels', MARKS[status][2])}"
+        f"{count} {translate('SheetMorph_panels', MARKS[status][2])}"
         for status, count in results.get("counts", {}).items()
         if count
     ]

@@ -47,6 +47,15 @@ class TestUndo(UndoTest):
         self.assert_up_to_date(self.document)
         self.assertEqual(self.handle.TranslationZ.Value, 30.0)
 
+    def test_a_deletion_in_no_step_leaves_no_step_that_still_holds_what_is_gone(self):
+        self.document.clearUndos()
+        (fixed,) = [r for r in objects.regions(self.assembly) if r.Role == "fixed"]
+        self.act("Pose", lambda: api.save_pose(self.assembly, "High"))
+        self.assertEqual(self.document.UndoCount, 1)
+        self.document.removeObject(fixed.Name)
+        self.assertEqual((self.document.UndoCount, self.document.RedoCount), (0, 0))
+        self.assertNotIn(None, self.assembly.Group)
+
     def test_abort_is_exact(self):
         self.lift(10)
         before = self.mesh()
