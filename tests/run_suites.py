@@ -130,6 +130,11 @@ class Suites:
         """What FreeCAD takes with many parts and large ones; the lines `NOTE` tell it."""
         return self._gui("large", SHEETMORPH_GUI_LANES="1")
 
+    def vandal(self) -> Count:
+        """Anything in any order to panels and documents, by chance: 1,000 acts if not told."""
+        acts = os.environ.get("SHEETMORPH_VANDAL_ACTS", "1000")
+        return self._gui("vandal", SHEETMORPH_GUI_LANES="1", SHEETMORPH_VANDAL_ACTS=acts)
+
     def stop(self) -> None:
         """Ends what is running."""
         for process in self._running:
@@ -394,7 +399,7 @@ def run_one(suites: Suites, name: str) -> Count:
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "workbench", "gui", "style"]
-    names = [*default, "tidy", "scale", "pictures", "real", "sanitize", "slurm"]
+    names = [*default, "tidy", "scale", "pictures", "real", "sanitize", "slurm", "vandal"]
     names += ["decks", "fuzz", "million", "shapes"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)

@@ -42,6 +42,15 @@ def python_faults(text: str) -> list[str]:
     return faults
 
 
+def timed_waits(text: str) -> list[str]:
+    """Waits of a GUI test for a time in place of a condition."""
+    return [
+        f"line {node.lineno}: a wait for {node.value.value} ms"
+        for node in ast.walk(ast.parse(text))
+        if isinstance(node, ast.Yield) and isinstance(node.value, ast.Constant)
+    ]
+
+
 def called_names(node: ast.AST) -> set[str]:
     """The names of everything called inside a node, without what they are called on."""
     functions = [part.func for part in ast.walk(node) if isinstance(part, ast.Call)]

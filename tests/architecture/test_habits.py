@@ -30,6 +30,11 @@ def test_python_tests_make_a_claim():
     assert faults_in(TESTS, in_text(habits.python_tests_without_claim)) == {}
 
 
+def test_gui_tests_wait_for_conditions():
+    below = files(".py", below=ROOT / "tests" / "gui")
+    assert below and faults_in(below, in_text(habits.timed_waits)) == {}
+
+
 def test_cpp_tests_make_a_claim():
     assert faults_in(CPP_TESTS, in_text(habits.cpp_tests_without_claim)) == {}
 
@@ -54,6 +59,10 @@ def test_work_left_open_is_noticed():
 )
 def test_a_bad_python_habit_is_noticed(text):
     assert len(habits.python_faults(text)) == 1
+
+
+def test_a_wait_for_a_time_is_noticed():
+    assert len(habits.timed_waits("def test_a():\n    yield 300\n    yield POLL\n")) == 1
 
 
 def test_a_test_without_claim_is_noticed():

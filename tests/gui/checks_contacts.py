@@ -6,8 +6,8 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from desk import WORK, child, choose_below, click_point, click_widget, enter, picture
-from desk import press, press_tool, tick
+from desk import WORK, child, choose_below, click_point, click_widget, enter, picture, press
+from desk import press_tool, settled, tick
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from scenes import assembly, contacts, labelled, largest, new_assembly, part, regions, stored
@@ -97,7 +97,7 @@ def test_a_double_click_edits_type_sides_and_use_of_a_contact():
     (contact,) = contacts()
     before = model.contact_vertices(contact, "a").tolist()
     assert contact.ViewObject.Proxy.doubleClicked(contact.ViewObject)
-    yield 400
+    yield from settled()
     assert child("count_a").text() == f"{len(before)} vertices"
     yield from choose_below(child("type"), 1)
     yield from click_widget(child("grow"))
@@ -149,13 +149,13 @@ def test_an_assembly_with_a_contact_is_saved_and_moved_again():
     path = os.path.join(WORK, "joined.FCStd")
     App.ActiveDocument.saveAs(path)
     App.closeDocument(App.ActiveDocument.Name)
-    yield 200
+    yield from settled()
     App.openDocument(path)
-    yield 700
+    yield from settled()
     assert np.array_equal(stored(labelled("bracket")), moved)
     assert not contacts()[0].ViewObject.Visibility
     yield from press_tool("Move Handle…")
     yield from enter(child("translation_z"), "20")
-    yield 400
+    yield from settled()
     yield from press("OK")
     assert largest(stored(labelled("bracket")) - rest) > 1.5 * largest(moved - rest)

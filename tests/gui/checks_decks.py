@@ -11,7 +11,7 @@ from checks_dragging import drag_up
 from checks_moving import open_panel
 from checks_showing import found, legend_in_the_view
 from desk import WORK, activate, buttons_called, child, choose_below, click_widget, import_files
-from desk import on_screen, picture, press, press_tool, until, xdotool
+from desk import on_screen, picture, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtWidgets
@@ -49,7 +49,7 @@ def import_plates():
 
     yield from import_files([os.path.join(WORK, "plates.bdf")], 0.0, arrived)
     look()
-    yield 500
+    yield from settled()
 
 
 def hold_and_join() -> None:
@@ -88,13 +88,13 @@ def test_a_deck_comes_in_as_a_tree_of_parts_with_quads():
     for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
         if dock.objectName() in ("Combo View", "Tree view", "Model"):
             dock.show()
-    yield 200
+    yield from settled()
     for tree in Gui.getMainWindow().findChildren(QtGui.QTreeWidget):
         tree.expandAll()
     doubler.Shells[0].ViewObject.Visibility = True
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(skin.Shells[0])
-    yield 600
+    yield from settled()
     picture("deck-tree")
     (drawn,) = doubler.Shells[0].ViewObject.Proxy._drawn
     assert drawn.node.whichChild.getValue() == coin.SO_SWITCH_ALL
@@ -116,7 +116,7 @@ def test_elements_have_colours_and_a_histogram_while_dragging():
     bars = child("histogram")
     yield from until(lambda: bars.isVisible() and bars.pixmap() is not None, "the histogram")
     assert f"of {2 * QUADS} elements beyond 0.3" in child("scale_text").text()
-    yield 200
+    yield from settled()
     picture("deck-quality")
     yield from xdotool("mouseup", 1)
     yield from choose_below(colours, titles.index("Displacement") - steps)
@@ -153,10 +153,10 @@ def test_the_certificate_comes_from_the_toolbar():
     App.ActiveDocument.recompute()
     folder = os.path.join(WORK, "certified")
     yield from certify(folder, "static")
-    yield from until(dialogs, "the verdict", 30.0)
+    yield from until(dialogs, "the verdict")
     text = dialogs()[0].findChild(QtGui.QLabel, "certificate").text()
     assert "Certified" in text and "joints: 11" in text, text
-    yield 300
+    yield from settled()
     picture("deck-certificate")
     with open(os.path.join(folder, "certificate.json"), encoding="utf-8") as file:
         assert json.load(file)["passed"]
@@ -168,21 +168,21 @@ def test_the_certificate_comes_from_the_toolbar():
 def test_a_deck_survives_undo_and_deletions_under_a_panel():
     yield from activate()
     App.newDocument("Undo")
-    yield 100
+    yield from settled()
     yield from import_plates()
     document = App.ActiveDocument
     document.undo()
-    yield 200
+    yield from settled()
     assert not model_objects(document), "the import is one step"
     document.redo()
-    yield 300
+    yield from settled()
     assert element_edges() == [EDGES, EDGES]
     hold_and_join()
     yield from open_panel()
     yield from choose_below(child("colours"), 9)
     yield from until(lambda: child("histogram").isVisible(), "the histogram")
     document.removeObject(parts()[0].Shells[0].Name)
-    yield 300
+    yield from settled()
     assert child("histogram").isVisible()
     yield from choose_below(child("colours"), -9)
     document.removeObject(model.decks(assembly())[0].Name)
@@ -202,10 +202,10 @@ def test_parts_of_a_deck_outlive_it_and_one_another():
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(skin)
     Gui.runCommand("Std_Delete")
-    yield 300
+    yield from settled()
     assert len(parts()) == 1 and element_edges() == [EDGES]
     document.undo()
-    yield 300
+    yield from settled()
     assert len(parts()) == 2 and element_edges() == [EDGES, EDGES]
     App.closeDocument(document.Name)
     yield from until(lambda: App.ActiveDocument is not document, "the document to close")

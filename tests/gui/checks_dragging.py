@@ -8,8 +8,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_moving import lifted, open_panel
-from desk import child, click_widget, enter, on_screen, picture, press, tick, until, view
-from desk import xdotool
+from desk import POLL, child, click_widget, enter, on_screen, picture, press, settled, tick, until
+from desk import view, xdotool
 from freecad.sheetmorph import generations, preferences
 from freecad.sheetmorph.bridge import live_session
 from freecad.sheetmorph.objects import model
@@ -92,7 +92,7 @@ def test_escape_takes_a_drag_back_and_the_panel_stays():
     yield from xdotool("key", "Escape")
     yield from drag_up((start[0], start[1] - 40), 2)
     yield from xdotool("mouseup", 1)
-    yield 500
+    yield from settled()
     assert Gui.Control.activeDialog()
     assert child("translation_z").property("rawValue") == 0.0
     assert np.allclose(lifted(rest, drawn()), (3, 0, 0), atol=1e-4)
@@ -108,13 +108,13 @@ def test_the_pivot_is_moved_and_the_shape_stays():
     yield from new_morph()
     yield from open_panel()
     yield from enter(child("angle"), "20")
-    yield 500
+    yield from settled()
     before = drawn()
     yield from click_widget(child("move_pivot"))
     start = yield from grab_up_arrow()
     yield from drag_up(start)
     yield from xdotool("mouseup", 1)
-    yield 500
+    yield from settled()
     yield from click_widget(child("move_pivot"))
     assert child("pivot_z").property("rawValue") > handle_place()[2] + 3.0
     assert largest(drawn() - before) < 1e-3
@@ -163,7 +163,7 @@ def test_a_point_of_a_handle_drags_the_handle():
     yield from xdotool("mousedown", 1)
     yield from drag_up((x, y))
     yield from xdotool("mouseup", 1)
-    yield 300
+    yield from settled()
     moved = lifted(rest, drawn())
     assert moved[0, 2] > 2 and np.allclose(moved, moved[0], atol=1e-4)
     yield from tick(child("arrows"))
@@ -179,7 +179,7 @@ def test_apply_is_an_undo_step_and_cancel_goes_back_to_it():
     assert App.ActiveDocument.UndoNames == ["Move Handle"]
     applied = stored()
     yield from enter(child("translation_z"), "12")
-    yield 500
+    yield from settled()
     yield from press("Cancel")
     assert np.array_equal(stored(), applied)
     assert regions("handle")[0].TranslationZ.Value == 7.0
@@ -202,7 +202,7 @@ def test_a_slow_frame_blocks_nothing_and_the_last_event_wins():
         yield from open_panel()
         for height in range(1, 21):
             child("translation_z").setProperty("rawValue", float(height))
-            yield 10
+            yield POLL
         assert len(answered) == 1 and largest(drawn() - rest) == 0.0
         may_go_on.set()
         yield from until(lambda: lifted(rest, drawn())[0, 2] > 19.9, "the last value")
@@ -288,7 +288,7 @@ def test_arrows_are_as_large_on_the_screen_in_every_view():
     yield from until(lambda: abs(arrows_px() - before) < 0.01 * before, "the same at this zoom")
     picture("arrows-small-view")
     frame.showMaximized()
-    yield 200
+    yield from settled()
     yield from press("Cancel")
 
 

@@ -6,8 +6,8 @@ import time
 
 import FreeCADGui as Gui
 import numpy as np
-from desk import child, click_point, click_widget, colour_at, draw_along, enter, on_screen
-from desk import picture, press, press_tool, tick, until, view, xdotool
+from desk import child, click_point, click_widget, colour_at, draw_along, enter, on_screen, picture
+from desk import press, press_tool, settled, tick, until, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
@@ -51,7 +51,7 @@ def picked_in(role: str, which=None) -> np.ndarray:
 def start(command: str, tool: str):
     """Opens a picking panel, seen from above, with a tool chosen."""
     top()
-    yield 300
+    yield from settled()
     yield from press_tool(command)
     yield from click_widget(child(tool))
 
@@ -71,7 +71,7 @@ def test_the_camera_maps_points_to_where_the_view_shows_them():
             frame.resize(*size)
             view().viewIsometric()
             Gui.SendMsgToActiveView("ViewFit")
-            yield 400
+            yield from settled()
             viewport = Viewport(view(), Listener())
             camera, widget = viewport.camera(), viewport.widget
             screen = QtGui.QImage(picture("camera"))
@@ -88,7 +88,7 @@ def test_the_camera_maps_points_to_where_the_view_shows_them():
             viewport.remove()
     view().setCameraType("Orthographic")
     frame.showMaximized()
-    yield 200
+    yield from settled()
 
 
 def test_a_lasso_takes_what_it_runs_round():
@@ -236,7 +236,7 @@ def test_hover_shows_what_a_click_takes_and_vertices_are_picked_singly():
     before = colour_at(place)
     x, y = on_screen(place)
     yield from xdotool("mousemove", x - 2, y - 2, "mousemove", x, y)
-    yield 200
+    yield from settled()
     red, green, blue = colour_at((30.5, 50.0, 0))
     assert blue < before[2] - 20 and red > blue + 60, "the face under the mouse is yellow"
     yield from click_widget(child("vertex"))

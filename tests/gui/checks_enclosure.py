@@ -12,19 +12,8 @@ from checks_flow import count_of_parts, draw_region, drag_arrow_up, look, loop_r
 from checks_finding import rows_shown
 from checks_moving import open_panel
 from checks_propagation import dialog
-from desk import (
-    HERE,
-    WORK,
-    activate,
-    child,
-    import_files,
-    note,
-    picture,
-    press,
-    press_tool,
-    until,
-    view,
-)
+from desk import HERE, POLL, WORK, activate, child, import_files, note, picture, press, press_tool
+from desk import settled, until, view
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
@@ -65,7 +54,7 @@ class Steps:
                 picture(f"{self._name()}-progress-{len(self.told)}")
                 self._last = time.monotonic()  # FreeCAD stood still for the picture
                 is_pictured = True
-            yield 20
+            yield POLL
         self._beat()
         taken, own = time.monotonic() - begin, time.process_time() - own
         progress = ", progress shown" if is_pictured else ""
@@ -124,12 +113,12 @@ def found(command: str, steps: Steps):
 def reopened(path: str, steps: Steps):
     def close_and_open():
         App.closeDocument(App.ActiveDocument.Name)
-        yield 100
         App.openDocument(path)
+        yield POLL
 
     def save():
         App.ActiveDocument.saveAs(path)
-        yield 0
+        yield POLL
 
     yield from steps.step("save", save(), is_quiet)
     yield from steps.step("close and open", close_and_open(), is_quiet)
@@ -143,8 +132,8 @@ def test_the_enclosure_from_step_to_a_saved_drag_is_measured():
     steps = Steps("the enclosure")
     has_parts = lambda: is_quiet() and count_of_parts() == 38  # noqa: E731
     yield from steps.step("STEP in", import_files([STEP], 0.0, lambda: True), has_parts)
-    yield from until(is_shown, "Prepare Mesh to be offered", LONGEST)
-    yield 1000  # the view fits, and is drawn
+    yield from until(is_shown, "Prepare Mesh to be offered")
+    yield from settled()  # the view fits, and is drawn
     yield from press("Cancel")
     yield from until(lambda: not Gui.Control.activeDialog(), "Prepare Mesh to close")
     yield from found("Find Features…", steps)

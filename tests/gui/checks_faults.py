@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 import numpy as np
 from checks_moving import lifted, open_panel
 from desk import child, clear_report_view, click_point, click_widget, enter, panel, picture, press
-from desk import press_tool, report_view, until
+from desk import press_tool, report_view, settled, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
@@ -32,7 +32,7 @@ def add_overlapping_handle():
     second = api.add_handle(assembly(), part(), corner + other, "Second")
     App.ActiveDocument.recompute()
     App.ActiveDocument.clearUndos()
-    yield 200
+    yield from settled()
     clear_report_view()  # what FreeCAD says about a recompute that failed
     return first, second
 
@@ -79,7 +79,7 @@ def test_ok_waits_until_what_is_wrong_is_mended():
     yield from open_panel()
     yield from enter(child("translation_z"), "15")
     yield from press("OK")
-    yield 300
+    yield from settled()
     assert is_shown() and "both move" in sentence()
     yield from click_widget(child("mend_fault"))
     yield from until(lambda: not sentence(), "nothing to be wrong")
@@ -103,7 +103,7 @@ def test_a_piece_that_nothing_holds_is_shown_and_left_at_rest():
     assert model.failure_of(assembly()) == "", "it stays at rest"
     api.set_unheld(assembly(), "refuse")
     App.ActiveDocument.recompute()
-    yield 300  # until FreeCAD has said it
+    yield from settled()  # until FreeCAD has said it
     clear_report_view()  # what FreeCAD says about a recompute that failed
     look()
     yield from open_panel()

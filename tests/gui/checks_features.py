@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore
-from desk import child, choose_below, enter, picture, press, press_tool, tick, until
+from desk import child, choose_below, enter, picture, press, press_tool, settled, tick, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from scenes import assembly, drawn, largest, new_morph, part, regions
@@ -23,7 +23,7 @@ def select(*objects):
     Gui.Selection.clearSelection()
     for obj in objects:
         Gui.Selection.addSelection(obj)
-    yield 800
+    yield from settled()
 
 
 def diameter(feature) -> float:
@@ -46,7 +46,7 @@ def test_motion_and_size_are_set_in_the_panel_as_one_undo_step():
     yield from tick(child("has_size"))
     seen = drawn().copy()
     yield from enter(child("feature_size"), "24 mm")
-    yield from until(lambda: largest(drawn() - seen) > 1.0, "the view to show the size", 10.0)
+    yield from until(lambda: largest(drawn() - seen) > 1.0, "the view to show the size")
     assert hole.Size.Value == 0.0
     picture("feature")
     yield from press("OK")

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is found is proposed in a list, lights up under the mouse, and comes in as one undo step."""
 
-import time
+import threading
 
 import FreeCAD as App
 import FreeCADGui as Gui
-import numpy as np
-from desk import activate, child, choose_below, enter, picture, press, press_tool, tick
+from desk import activate, child, choose_below, enter, picture, press, press_tool, settled, tick
 from desk import until, view, within_reach, xdotool
 from checks_propagation import Canceller, dialog
 from freecad.sheetmorph import api
@@ -62,7 +61,7 @@ def cell_place(row: int, offset: int = 60) -> tuple[int, int]:
 def press_ok():
     """OK, and the recompute after it, which lets events through."""
     yield from press("OK")
-    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close", 60.0)
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close")
 
 
 def lit(which) -> int:
@@ -81,13 +80,13 @@ def test_holes_found_become_form_features_in_one_step():
     nodes = lit(part())
     x, y = cell_place(0)
     yield from xdotool("mousemove", x, y)
-    yield 200
+    yield from settled()
     assert lit(part()) == nodes + 1
     picture("find-features")
     over = view().graphicsView().viewport()  # the panel may lie left or right of its middle
     away = over.mapToGlobal(over.rect().center())
     yield from xdotool("mousemove", away.x(), away.y())
-    yield 200
+    yield from settled()
     assert lit(part()) == nodes
     yield from press_ok()
     assert len(regions("form feature")) == 2
@@ -116,25 +115,29 @@ def test_what_takes_long_is_cancelled_and_nothing_has_changed():
 
 def test_the_window_goes_on_while_a_search_takes_long():
     yield from new_assembly()
-    found, beats = finding.find, []
+    found, beats, may_go_on = finding.find, [], threading.Event()
 
     def slow(*arguments, **keywords):
-        time.sleep(3.0)
+        assert may_go_on.wait(60.0), "the window was blocked"
         return found(*arguments, **keywords)
+
+    def beat() -> None:
+        if dialog() and dialog().isVisible():
+            beats.append(dialog().value())
+        if len(beats) > 10:
+            may_go_on.set()
 
     finding.find = slow
     timer = QtCore.QTimer()
-    timer.timeout.connect(lambda: beats.append((time.monotonic(), bool(dialog()))))
+    timer.timeout.connect(beat)
     timer.start(20)
     try:
         yield from press_tool("Find Features…")
-        yield from until(is_shown, "the proposals", 60.0)
+        yield from until(is_shown, "the proposals")
     finally:
         timer.stop()
         finding.find = found
-    shown = [moment for moment, is_shown in beats if is_shown]
-    assert len(shown) > 10, f"{len(shown)} beats while the progress was shown"
-    assert max(np.diff(shown)) < 1.5, max(np.diff(shown))
+    assert len(beats) > 10, "no beat while the progress was shown"
     assert rows_shown() == 2 and dialog() is None
     yield from press("Cancel")
 
@@ -190,7 +193,7 @@ def test_bends_are_offered_and_not_checked():
     assert table.item(row, 1).text().startswith("R ")
     table.scrollToItem(table.item(row, 0))
     yield from xdotool("mousemove", *cell_place(row))
-    yield 300
+    yield from settled()
     picture("find-bend")
     yield from press("Cancel")
 
@@ -207,7 +210,7 @@ def test_contacts_found_light_up_and_become_contacts():
     mine = [p for p in model.parts(assembly()) if p.Label.startswith(("sheet", "bracket"))]
     nodes = [lit(each) for each in mine]
     yield from xdotool("mousemove", *cell_place(0))
-    yield 200
+    yield from settled()
     assert [lit(each) for each in mine] == [count + 1 for count in nodes]
     picture("find-contacts")
     yield from press_ok()
@@ -224,7 +227,7 @@ def test_a_bare_frame_is_dragged_after_two_clicks_and_a_handle():
     parts = model.parts(assembly())
     for title, least in (("Find Features…", 50), ("Find Contacts…", 24)):
         yield from press_tool(title)
-        yield from until(is_shown, "the panel", 60.0)
+        yield from until(is_shown, "the panel")
         assert rows_shown() >= least
         picture("find-frame-" + title.split()[1][:8].lower())
         yield from press_ok()

@@ -12,8 +12,8 @@ import numpy as np
 from checks_finding import press_ok
 from checks_macro import Replay, calls_in, start_recording, stop_recording
 from checks_moving import open_panel
-from desk import WORK, activate, child, click_point, click_widget, draw_along, enter, on_screen
-from desk import import_files, picture, press, press_tool, tick, view, xdotool
+from desk import WORK, activate, child, click_point, click_widget, draw_along, enter, import_files
+from desk import on_screen, picture, press, press_tool, settled, tick, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.actions import DOCUMENT, call, name, record
 from freecad.sheetmorph.commands import exchange
@@ -49,7 +49,7 @@ def look(direction: str):
     """Front, Top or Isometric, everything in the view."""
     getattr(view(), f"view{direction}")()
     Gui.SendMsgToActiveView("ViewFit")
-    yield 300
+    yield from settled()
 
 
 def loop_round(points: np.ndarray, axes, margin: float) -> list[tuple]:
@@ -78,11 +78,11 @@ def draw_region(part, command: str, tool: str, figure: list):
     yield from click_widget(child(tool))
     yield from tick(child("through"))
     yield from draw_along(figure)
-    yield 150
+    yield from settled()
     assert "Picked" in child("count").text(), (command, child("count").text())
     picture(f"flow-{tool}")
     yield from press("OK")
-    yield 200
+    yield from settled()
 
 
 def click_rims(part, rims: list, image: str):
@@ -111,7 +111,7 @@ def drag_arrow_up(pixels: int = 48):
     for step in range(12, pixels + 1, 12):
         yield from xdotool("mousemove", x, y - 30 - step)
     yield from xdotool("mouseup", 1)
-    yield 300
+    yield from settled()
     assert child("translation_z").property("rawValue") > before + 1.0, "the arrow was not dragged"
 
 
@@ -121,7 +121,7 @@ def move(words: dict, image: str):
     yield from drag_arrow_up()
     for field, text in words.items():
         yield from enter(child(field), text)
-    yield 300
+    yield from settled()
     picture(image)
     yield from press_ok()
 
@@ -131,9 +131,9 @@ def close_and_open(file: str):
     path = os.path.join(WORK, file)
     App.ActiveDocument.saveAs(path)
     App.closeDocument(App.ActiveDocument.Name)
-    yield 200
+    yield from settled()
     App.openDocument(path)
-    yield 700
+    yield from settled()
 
 
 def move_replay_and_reopen(words: dict, flow: str):

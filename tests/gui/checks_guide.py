@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from checks_picking import view_from
 from desk import child, clear_report_view, click_point, click_widget, enter, panel, picture, press
-from desk import press_tool, until
+from desk import press_tool, settled, until
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels.guide import Guide
 from scenes import assembly, look, new_document, new_morph, part, regions
@@ -30,13 +30,13 @@ def marks() -> str:
 def back():
     """Waits until the guide is there again."""
     yield from until(Guide.is_shown, "the guide to come back")
-    yield 200
+    yield from settled()
 
 
 def choose(command: str):
     """Presses the button of a command that the guide offers."""
     yield from click_widget(child(command))
-    yield 400
+    yield from settled()
 
 
 def test_the_guide_leads_from_a_mesh_to_a_moved_handle():
@@ -45,7 +45,7 @@ def test_the_guide_leads_from_a_mesh_to_a_moved_handle():
     assert marks() == "➜○○○○○", marks()
     assert not child("MarkFixed_small").isEnabled()
     Gui.Selection.addSelection(App.ActiveDocument.getObject("sheet"))
-    yield 300
+    yield from settled()
     yield from choose("CreateMorph")
     yield from back()
     assert marks() == "✓➜○✓○○", marks()
@@ -89,13 +89,13 @@ def test_the_guide_follows_undo_and_leaves_nothing():
     yield from back()
     assert "2 fixed" in child("fixed_text").text()
     Gui.runCommand("Std_Undo")
-    yield 300
+    yield from settled()
     assert "1 fixed" in child("fixed_text").text()
     Gui.runCommand("Std_Redo")
-    yield 300
+    yield from settled()
     assert "2 fixed" in child("fixed_text").text()
     yield from press("Close")
-    yield 500
+    yield from settled()
     assert not Gui.Control.activeDialog() and Guide._open is None
     assert App.ActiveDocument.UndoNames == ["Mark Fixed Region"]
 
@@ -110,7 +110,7 @@ def test_the_guide_shows_the_region_that_is_wrong():
     App.ActiveDocument.recompute()
     App.ActiveDocument.commitTransaction()
     yield from press_tool("Guide")
-    yield 300
+    yield from settled()
     assert "!" in marks(), marks()
     said = " ".join(child(f"{k}_text").text() for k in ("fixed", "handle"))
     assert fixed.Label in said or handle.Label in said, said
@@ -119,7 +119,7 @@ def test_the_guide_shows_the_region_that_is_wrong():
     picture("guide-wrong")
     Gui.runCommand("Std_Undo")
     App.ActiveDocument.recompute()
-    yield 300
+    yield from settled()
     assert marks() == "✓✓✓✓✓➜", marks()
     yield from press("Close")
     assert part().ViewObject.RootNode.getNumChildren() == before

@@ -7,17 +7,23 @@ other workbenches, a spreadsheet on top, other views: under every panel there is
 
 import pathlib
 import re
+import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import clear_report_view, panel, press, until
+import settling
+from desk import POLL, answered, clear_report_view, panel, press, say_yes, settled, until
 from freecad.sheetmorph import panels
 from hostile_acts import DELETIONS, DESTRUCTIVE, GENTLE, STEPS, undo_and_redo
 from hostile_panels import PANELS, is_shown, prepared
 from hostile_traces import Traces, left, motions
 from PySide import QtGui
+from scenes import labelled
 
-__all__ = ["test_every_panel_is_among_those_that_suffer"]
+__all__ = [
+    "test_every_panel_is_among_those_that_suffer",
+    "test_a_panel_begins_nothing_while_another_command_asks",
+]
 OWN_WIDGETS = r"super\(\)\.__init__\(\w+(?:\(\))?, \"(\w+)\","
 
 
@@ -34,17 +40,16 @@ def survive(name: str, acts):
         opened()
         yield from until(is_shown, f"the panel {name}")
         used()
-        yield 30
+        yield POLL  # in the midst of what that has begun
         yield from act(subject_of())
         if App.ActiveDocument is not None and is_shown():
             used_again(used)
-            yield 30
+            yield POLL
         if Gui.Control.activeDialog() and act in DELETIONS:
             yield from press_if_there("OK")
         if Gui.Control.activeDialog():
             yield from press_if_there("Cancel", "Close")
-            yield from time_to_close()
-        yield 60
+        yield from settled()
         # A redo after the end brings back what was moved in the panel, as it should.
         motions_before = {} if act is undo_and_redo else before
         faults += [f"{act.__name__}: {fault}" for fault in left(traces, motions_before)]
@@ -63,8 +68,34 @@ def test_every_panel_is_among_those_that_suffer():
         yield from until(is_shown, "a panel")
         opened.add(panel().objectName())
         Gui.Control.closeDialog()
-        yield 60
+        yield from settled()
     assert opened == kinds and len(kinds) > 8, opened ^ kinds
+
+
+def test_a_panel_begins_nothing_while_another_command_asks():
+    """What a panel has put off comes due while FreeCAD asks whether to delete something else."""
+    yield from prepared()
+    opened, used, _ = PANELS["feature"]
+    opened()
+    yield from until(is_shown, "the panel")
+    used()
+    due, loose = settling.due(), labelled("loose").Source
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(loose)
+    asked = []
+
+    def answer(box) -> None:
+        asked.append(box.text())
+        if time.monotonic() > due + 0.1:
+            say_yes(box)
+
+    with answered(answer):
+        Gui.runCommand("Std_Delete")
+    yield from settled()
+    assert asked and App.getActiveTransaction() is None, App.getActiveTransaction()
+    assert is_shown()
+    clear_report_view()  # FreeCAD says there that a part has lost its mesh
+    yield from press("Cancel")
 
 
 def needs_new() -> bool:
@@ -77,14 +108,6 @@ def used_again(used) -> None:
         used()
     except (AssertionError, AttributeError):
         return
-
-
-def time_to_close():
-    """A busy machine takes its time for a click; a panel that stays is told by what is left."""
-    for _ in range(100):
-        if not Gui.Control.activeDialog():
-            return
-        yield 50
 
 
 def press_if_there(*texts: str):

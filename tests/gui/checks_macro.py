@@ -10,19 +10,8 @@ import FreeCADGui as Gui
 import numpy as np
 from checks_drawing import ring, start
 from checks_picking import start_morph, view_from
-from desk import (
-    Recorder,
-    WORK,
-    child,
-    choose_below,
-    click_point,
-    draw_along,
-    enter,
-    press,
-    press_tool,
-    until,
-    xdotool,
-)
+from desk import Recorder, WORK, child, choose_below, click_point, draw_along, enter, press
+from desk import press_tool, settled, until, xdotool
 from PySide import QtGui
 from scenes import add_bracket, assembly, labelled, largest, look, new_document, stored
 from scenes import stored_of_all
@@ -46,14 +35,14 @@ def start_recording(name: str):
     App.ParamGet("User parameter:BaseApp/Preferences/Macro").SetString("MacroPath", WORK)
     Recorder.start()
     yield from until(QtGui.QApplication.activeModalWidget, "the dialog")
-    yield 300
+    yield from settled()
     dialog = QtGui.QApplication.activeModalWidget()
     field = dialog.findChild(QtGui.QLineEdit, "lineEditPath")
     field.setFocus()
     yield from xdotool("key", "ctrl+a")
     yield from xdotool("type", "--delay", 15, name)
     dialog.findChild(QtGui.QPushButton, "buttonStart").click()
-    yield 300
+    yield from settled()
 
 
 def stop_recording(name: str):
@@ -94,7 +83,7 @@ class Replay:
 
     def finish(self):
         """Waits for the end; the positions of all parts are the same to the bit."""
-        yield from until(lambda: self._process.poll() is not None, "the replay", 30)
+        yield from until(lambda: self._process.poll() is not None, "the replay")
         assert self._process.returncode == 0
         assert np.array_equal(np.load(self._replayed), self._expected)
 
@@ -114,10 +103,10 @@ def do_a_morph():
         yield from click_point((x, y + radius + 1.5, 0), key)
     yield from press("OK")
     yield from press_tool("Move Handle…")
-    yield 300
+    yield from settled()
     yield from enter(child("translation_z"), "17.3")
     yield from enter(child("angle"), "-12")
-    yield 400
+    yield from settled()
     yield from press("OK")
 
 
@@ -144,9 +133,9 @@ def test_figures_drawn_on_the_screen_replay_headless_to_the_bit():
     yield from draw_along([(112, 8, 0), (112, 52, 0)])
     yield from press("OK")
     yield from press_tool("Move Handle…")
-    yield 300
+    yield from settled()
     yield from enter(child("translation_z"), "11.9")
-    yield 400
+    yield from settled()
     yield from press("OK")
     yield from stop_recording("drawn")
     wanted = ["add_fixed", "add_feature", "add_handle", "set_motion"]
@@ -176,7 +165,7 @@ def test_a_recorded_contact_replays_headless_to_the_bit():
     yield from press_tool("Move Handle…")
     yield from enter(child("translation_z"), "13.7")
     yield from enter(child("angle"), "7")
-    yield 400
+    yield from settled()
     yield from press("OK")
     yield from stop_recording("joined")
     assert calls_in("joined").count("add_contact") == 1

@@ -6,7 +6,7 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from desk import WORK, child, enter, on_screen, picture, press, press_tool, until, xdotool
+from desk import WORK, child, enter, on_screen, picture, press, press_tool, settled, until, xdotool
 from scenes import drawn, handle_vertices, largest, new_morph, part, regions, stored
 from shapes import sheet
 
@@ -30,7 +30,7 @@ def lifted(before: np.ndarray, after: np.ndarray) -> np.ndarray:
 def open_panel():
     yield from press_tool("Move Handle…")
     yield from until(Gui.Control.activeDialog, "the panel")
-    yield 200
+    yield from settled()
 
 
 def test_a_typed_length_with_unit_moves_mesh_and_view():
@@ -69,16 +69,16 @@ def test_undo_and_redo_are_exact():
     rest = stored()
     yield from open_panel()
     yield from enter(child("translation_x"), "-12.5")
-    yield 500
+    yield from settled()
     yield from press("OK")
     moved = stored()
     assert largest(moved - rest) > 12
     App.ActiveDocument.undo()
-    yield 100
+    yield from settled()
     assert np.array_equal(stored(), rest) and np.array_equal(drawn(), rest)
     assert regions("handle")[0].TranslationX.Value == 0.0
     App.ActiveDocument.redo()
-    yield 100
+    yield from settled()
     assert np.array_equal(stored(), moved) and np.array_equal(drawn(), moved)
     App.ActiveDocument.recompute()
     assert np.array_equal(stored(), moved)
@@ -93,15 +93,15 @@ def test_a_saved_document_is_opened_and_moved_again():
     path = os.path.join(WORK, "saved.FCStd")
     App.ActiveDocument.saveAs(path)
     App.closeDocument(App.ActiveDocument.Name)
-    yield 200
+    yield from settled()
     App.openDocument(path)
-    yield 700
+    yield from settled()
     assert np.array_equal(stored(), moved)
     picture("reopened")
     yield from open_panel()
     assert child("translation_z").property("rawValue") == 10.0
     yield from enter(child("translation_z"), "30")
-    yield 500
+    yield from settled()
     yield from press("OK")
     assert np.allclose(lifted(rest, stored()), (0, 0, 30), atol=1e-4)
     assert "Up-to-date" in part().State
@@ -149,9 +149,9 @@ def test_another_command_in_between_does_not_end_the_transaction():
     yield from open_panel()
     yield from enter(child("translation_z"), "9")
     Gui.runCommand("Std_ViewFitAll")
-    yield 500
+    yield from settled()
     yield from enter(child("translation_x"), "4")
-    yield 500
+    yield from settled()
     yield from press("Cancel")
     assert np.array_equal(stored(), rest)
     assert App.ActiveDocument.UndoNames == []
@@ -170,7 +170,7 @@ def test_a_field_that_an_expression_drives_is_locked_and_followed():
     assert not child("translation_y").isEnabled()
     assert child("translation_z").isEnabled()
     yield from enter(child("translation_z"), "5")
-    yield 500
+    yield from settled()
     assert np.allclose(lifted(rest, drawn()), (0, 6, 5), atol=1e-4)
     yield from press("OK")
     assert np.allclose(lifted(rest, stored()), (0, 6, 5), atol=1e-4)

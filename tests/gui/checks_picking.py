@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from desk import child, click_point, picture, press, press_tool, until, xdotool
+from desk import child, click_point, picture, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.objects import model
@@ -31,10 +31,10 @@ def start_morph(names=("sheet",)):
     before = len(App.ActiveDocument.Objects)
     for name in names:
         Gui.Selection.addSelection(App.ActiveDocument.getObject(name))
-    yield 200
+    yield from settled()
     yield from press_tool("Create Morph")
     yield from until(lambda: len(App.ActiveDocument.Objects) > before, "the morph")
-    yield 200
+    yield from settled()
 
 
 def test_faces_and_hole_rims_are_picked_by_mouse():
@@ -42,7 +42,7 @@ def test_faces_and_hole_rims_are_picked_by_mouse():
     yield from start_morph()
     yield from press_tool("Mark Fixed Region…")
     view_from(0.0)
-    yield 300
+    yield from settled()
     yield from click_point((0, 30, 10))
     picture("picking-fixed")
     assert "nothing" not in child("count").text()
@@ -111,7 +111,7 @@ def test_a_part_in_a_moved_container_is_picked_where_it_is_seen():
     normal = seen.Rotation.multVec(App.Vector(0, 0, 1))
     Gui.activeDocument().activeView().setViewDirection(tuple(-normal))
     Gui.SendMsgToActiveView("ViewFit")
-    yield 400
+    yield from settled()
     yield from press_tool("Mark Form Features…")
     x, y, radius = HOLES[1]
     yield from click_point(seen.multVec(App.Vector(x, y + radius + 1.5, 0)))

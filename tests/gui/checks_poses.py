@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_moving import lifted
-from desk import child, click_widget, enter, picture, press, press_tool, until, xdotool
+from desk import child, click_widget, enter, picture, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import api
 from PySide import QtCore, QtGui
 from scenes import assembly, drawn, new_morph, regions, stored
@@ -17,11 +17,11 @@ def save_pose(text: str):
     """Save Pose…, a name, Return."""
     QtCore.QTimer.singleShot(0, lambda: Gui.runCommand("SheetMorph_SavePose"))
     yield from until(QtGui.QApplication.activeModalWidget, "the dialog")
-    yield 300
+    yield from settled()
     yield from xdotool("key", "ctrl+a")
     yield from xdotool("type", "--delay", 15, text)
     yield from xdotool("key", "Return")
-    yield 300
+    yield from settled()
 
 
 def test_two_poses_are_saved_blended_and_copied():

@@ -7,7 +7,7 @@ import unittest
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import activate, child, picture, press, press_tool, until
+from desk import activate, child, picture, press, press_tool, settled, until
 from freecad.sheetmorph import preferences
 from freecad.sheetmorph.scene import colours
 from PySide import QtCore, QtGui
@@ -31,7 +31,7 @@ def test_the_preferences_page_changes_what_panels_begin_with():
     yield from new_morph()
     QtCore.QTimer.singleShot(0, lambda: Gui.showPreferences("SheetMorph", 0))
     yield from until(QtGui.QApplication.activeModalWidget, "the preferences")
-    yield 500
+    yield from settled()
     dialog, page = preferences_dialog()
     picture("preferences")
     page.findChild(QtGui.QDoubleSpinBox, "CreaseAngle").setValue(17.0)
@@ -41,7 +41,7 @@ def test_the_preferences_page_changes_what_panels_begin_with():
     handle_colour.setProperty("color", QtGui.QColor(255, 0, 128))
     boxes = dialog.findChildren(QtGui.QDialogButtonBox)
     boxes[-1].button(QtGui.QDialogButtonBox.Ok).click()
-    yield 400
+    yield from settled()
     try:
         assert preferences.get("UpdateResults") == 2
         assert colours.css(colours.ROLES["handle"]) == "#ff0080"
@@ -83,7 +83,7 @@ def test_panels_are_readable_in_a_dark_theme_and_in_german():
     before = QtGui.QApplication.instance().styleSheet()
     Gui.setLocale("German")
     QtGui.QApplication.instance().setStyleSheet(sheet)
-    yield 500
+    yield from settled()
     try:
         for tool, title, close in (
             ("Wegweiser", "guide", "Schließen"),
@@ -93,7 +93,7 @@ def test_panels_are_readable_in_a_dark_theme_and_in_german():
             ("Studie…", "study", "Abbrechen"),
         ):
             yield from press_tool(tool)
-            yield 300
+            yield from settled()
             picture(f"dark-{title}")
             assert Gui.Control.activeDialog()
             yield from press(close)
@@ -101,5 +101,5 @@ def test_panels_are_readable_in_a_dark_theme_and_in_german():
     finally:
         Gui.setLocale("English")
         QtGui.QApplication.instance().setStyleSheet(before)
-    yield 300
+    yield from settled()
     assert not Gui.Control.activeDialog()

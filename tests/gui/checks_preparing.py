@@ -9,8 +9,8 @@ import Mesh
 import numpy as np
 from checks_propagation import Canceller
 from checks_tutorial import answer, menu
-from desk import WORK, activate, child, choose_below, enter, picture, press, press_tool, tick, until
-from desk import import_files, view
+from desk import WORK, activate, child, choose_below, enter, import_files, picture, press
+from desk import press_tool, settled, tick, until, view
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import mesh_preview
@@ -54,10 +54,10 @@ def coarse_plate():
     document.recompute()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(source)
-    yield 200
+    yield from settled()
     look()
     yield from press_tool("Create Morph")
-    yield 300
+    yield from settled()
 
 
 def test_of_several_parts_the_one_is_named_and_shown():
@@ -144,12 +144,12 @@ def test_what_cad_exports_is_diagnosed_when_it_is_added_and_cured_with_a_yes():
     yield from enter(child("edge"), "4 mm")
     yield from choose_below(child("rims"), 1)
     yield from press("Preview")
-    yield from until(is_previewed, "the preview", 60.0)
+    yield from until(is_previewed, "the preview")
     assert "rims put on their circles" in child("message").text()
     assert part().Source.Mesh.CountFacets == facets
     picture("prepare")
     yield from press("OK")
-    yield from until(lambda: not Gui.Control.activeDialog(), "the panel closed", 60.0)
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel closed")
     assert not is_previewed()
     assert part().Original == source and source.Mesh.CountFacets == facets
     assert part().Source.Mesh.CountFacets > 2 * facets
@@ -166,7 +166,7 @@ def test_cancel_leaves_a_mesh_as_it_came():
     before = [obj.Name for obj in App.ActiveDocument.Objects]
     undos = App.ActiveDocument.UndoCount
     yield from press("Preview")
-    yield from until(is_previewed, "the preview", 60.0)
+    yield from until(is_previewed, "the preview")
     yield from tick(child("thin"))
     yield from press("Cancel")
     assert not is_previewed()
@@ -193,7 +193,7 @@ def test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled():
     write_in_metres(part().Source.Mesh, path)
     yield from menu("SheetMorph", "Import Part…")
     yield from answer(path)
-    yield 300
+    yield from settled()
     assert child("scale").isChecked() and child("weld").isChecked()
     found = child("findings").text()
     assert "unit seems to be m" in found and "nearly the place" in found, found
@@ -205,7 +205,7 @@ def test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled():
     assert "2 mm thick" in found and child("edge").text().endswith("mm"), found
     picture("prepare-metres")
     yield from press("OK")
-    yield from until(lambda: not Gui.Control.activeDialog(), "the panel closed", 60.0)
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel closed")
     points, triangles = api.rest_mesh(model.parts(assembly())[1])
     assert abs(np.ptp(points, axis=0) - (160, 80, 2)).max() < 1e-3
     edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)

@@ -4,8 +4,8 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from desk import activate, child, choose_below, enter, picture, press, press_tool, tick, until
-from desk import xdotool
+from desk import activate, child, choose_below, enter, picture, press, press_tool, settled, tick
+from desk import until, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
@@ -48,7 +48,7 @@ def click_row(text: str):
     place = tree.visualItemRect(rows()[text]).center()
     middle = tree.viewport().mapToGlobal(place)
     yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
-    yield 150
+    yield from settled()
 
 
 def painted(which) -> int:
@@ -159,7 +159,7 @@ def test_control_meshes_move_with_the_handle():
     rest = wires()
     assert len(rest) > 50
     yield from enter(child("translation_z"), "15")
-    yield 200
+    yield from settled()
     moved = wires()
     (contact,) = contacts()
     assert largest(moved - rest) > 2
@@ -180,7 +180,7 @@ def test_every_part_of_the_welded_frame_follows_live():
     rest = [drawn(each) for each in parts]
     yield from press_tool("Move Handle…")
     yield from enter(child("translation_z"), "60")
-    yield 300
+    yield from settled()
     live = [largest(drawn(each) - before) for each, before in zip(parts, rest)]
     assert min(live) > 0.5, live
     yield from press("OK")
@@ -195,7 +195,7 @@ def test_another_part_becomes_the_primary():
     assert first.ViewObject.Proxy.getIcon().endswith("PartPrimary.svg")
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(second)
-    yield 200
+    yield from settled()
     yield from press_tool("Set as Primary")
     assert assembly().Primary == second
     assert first.ViewObject.Proxy.getIcon().endswith("Part.svg")

@@ -11,21 +11,8 @@ import Part
 from checks_drawing import ring, start, top
 from checks_macro import calls_in, macro_path, replay, start_recording, stop_recording
 from checks_picking import start_morph, view_from
-from desk import (
-    WORK,
-    child,
-    click_point,
-    draw_along,
-    enter,
-    import_files,
-    picture,
-    press,
-    press_tool,
-    replace_file,
-    until,
-    view,
-    xdotool,
-)
+from desk import WORK, child, click_point, draw_along, enter, import_files, picture, press
+from desk import press_tool, replace_file, settled, until, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import selecting
 from freecad.sheetmorph.objects import model
@@ -102,7 +89,7 @@ def prepare_with(edge: float):
     yield from enter(child("edge"), str(edge))
     yield from press("OK")
     yield from until(lambda: part().Source.Name != before, "the new mesh")
-    yield 300
+    yield from settled()
 
 
 def test_a_part_prepared_anew_by_mouse_keeps_every_region():
@@ -207,7 +194,7 @@ def test_a_selector_is_typed_in_the_panel():
     field.setFocus()
     yield from xdotool("type", "--delay", 15, json.dumps({**where, "holes": 9}))
     yield from xdotool("key", "Return")
-    yield 300
+    yield from settled()
     assert "9 holes expected" in child("message").text() or Gui.Control.activeDialog()
     assert not regions("fixed")
     field.clear()

@@ -9,7 +9,8 @@ import FreeCADGui as Gui
 import numpy as np
 from checks_dragging import drag_up, grab_up_arrow
 from checks_moving import lifted, open_panel
-from desk import child, choose_below, colour_at, enter, picture, press, tick, until, view, xdotool
+from desk import child, choose_below, colour_at, enter, picture, press, settled, tick, until, view
+from desk import xdotool
 from freecad.sheetmorph.interaction import live_scene
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import drawing
@@ -156,7 +157,7 @@ def test_features_say_how_far_they_move():
     yield from open_panel()
     yield from tick(child("feature_motions"))
     yield from enter(child("translation_z"), "20")
-    yield 300
+    yield from settled()
     picture("features")
     texts = found(coin.SoText2, view().getSceneGraph())
     words = [text.string.getValues()[0] for text in texts]
@@ -218,7 +219,7 @@ def test_steel_is_a_preview_first_and_its_stretch_has_colours():
     yield from open_panel()
     yield from enter(child("translation_z"), "18")
     yield from until(lambda: "Linear preview" in child("status").text(), "the preview")
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel", 30.0)
+    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
     assert ", near " in child("scale_text").text(), child("scale_text").text()
@@ -238,14 +239,14 @@ def test_a_part_at_rest_is_laid_flat_as_a_sketch_and_undone():
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(part())
     Gui.runCommand("SheetMorph_Flatten")
-    yield 500
+    yield from settled()
     made = [entry for entry in App.ActiveDocument.Objects if entry.Name not in before]
     sketches = [entry for entry in made if entry.isDerivedFrom("Sketcher::SketchObject")]
     assert len(sketches) == 2, [entry.Label for entry in made]  # and its bend lines
     assert sketches[0].Shape.BoundBox.XMin > part().Mesh.BoundBox.XMax, "the part hides the blank"
     Gui.Selection.clearSelection()
     Gui.SendMsgToActiveView("ViewFit")
-    yield 300
+    yield from settled()
     picture("flattened")
     App.ActiveDocument.undo()
     assert {entry.Name for entry in App.ActiveDocument.Objects} == before

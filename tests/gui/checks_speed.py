@@ -7,7 +7,7 @@ import FreeCAD as App
 import numpy as np
 from checks_finding import press_ok
 from checks_moving import open_panel
-from desk import activate, child, note, on_screen, view, xdotool
+from desk import POLL, activate, child, note, on_screen, settled, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.interaction.live_update import LiveUpdate
@@ -53,7 +53,7 @@ def big_sheet():
     api.add_handle(morph, part, np.flatnonzero(points[:, 0] > 580.0))
     document.recompute()
     look()
-    yield 500
+    yield from settled()
 
 
 def render_ms(count: int = 5) -> float:
@@ -64,7 +64,7 @@ def render_ms(count: int = 5) -> float:
         begin = time.monotonic()
         view().graphicsView().viewport().repaint()
         taken.append(1000.0 * (time.monotonic() - begin))
-        yield 20
+        yield POLL
     return float(np.median(taken))
 
 
@@ -78,7 +78,7 @@ def test_a_drag_of_100000_vertices_is_measured():
         x, y = on_screen(tuple(api.pivot(handle)))
         yield from xdotool("mousemove", x, y - 30, "mousedown", 1)
         yield from xdotool("mousemove", x, y - 36)
-        yield 3000  # the responses are worked out in the background meanwhile
+        yield from settled()  # the responses are worked out in the background meanwhile
         watch.update.clear()
         moves = [word for k in range(120) for word in ("mousemove", x, y - 40 - k, "sleep", 0.016)]
         yield from xdotool(*moves)

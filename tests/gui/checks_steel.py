@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from checks_flow import select
 from checks_moving import open_panel
 from checks_tutorial import menu
-from desk import child, choose_below, enter, picture, press, until, xdotool
+from desk import child, choose_below, enter, picture, press, settled, until, xdotool
 from freecad.sheetmorph import api
 from PySide import QtCore, QtGui
 from scenes import assembly, drawn, largest, new_morph, part, regions, stored
@@ -47,14 +47,14 @@ def choose_property(obj, name: str, steps: int):
     index = row_called(editor.model(), name, QtCore.QModelIndex())
     value = editor.model().index(index.row(), 1, index.parent())
     editor.scrollTo(value)
-    yield 200
+    yield from settled()
     place = editor.viewport().mapToGlobal(editor.visualRect(value).center())
     yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
     yield from until(lambda: editor.findChildren(QtGui.QComboBox), "its list")
     (combo,) = editor.findChildren(QtGui.QComboBox)
     yield from choose_below(combo, steps)
     yield from xdotool("key", "Return")
-    yield 200
+    yield from settled()
 
 
 def test_a_sheet_as_steel_is_dragged_and_laid_flat_as_the_guide_says():
@@ -64,7 +64,7 @@ def test_a_sheet_as_steel_is_dragged_and_laid_flat_as_the_guide_says():
     select(regions("handle")[0])
     yield from open_panel()
     yield from enter(child("translation_z"), "18")
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel", 30.0)
+    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
     picture("steel-stretch")
@@ -85,7 +85,7 @@ def test_a_sheet_as_steel_is_dragged_and_laid_flat_as_the_guide_says():
     assert part().Mesh.BoundBox.XMax < boxes[0].XMin and boxes[0].XMax < boxes[1].XMin
     Gui.Selection.clearSelection()
     Gui.SendMsgToActiveView("ViewFit")
-    yield 300
+    yield from settled()
     picture("steel-blanks")
     yield from menu("Edit", "Undo")
     yield from until(lambda: not made(), "the undo")

@@ -9,8 +9,8 @@ import numpy as np
 from checks_moving import lifted
 from checks_preferences import dark_sheet
 from checks_tutorial import menu
-from desk import WORK, activate, child, click_widget, enter, picture, press, press_tool, until
-from desk import within_reach, xdotool
+from desk import WORK, activate, child, click_widget, enter, picture, press, press_tool, settled
+from desk import until, within_reach, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
@@ -54,7 +54,7 @@ def choose_variable(label: str):
     yield from click_widget(combo)
     steps = combo.findText(label) - combo.currentIndex()
     yield from xdotool("key", *(["Down" if steps > 0 else "Up"] * abs(steps)), "Return")
-    yield 150
+    yield from settled()
     assert combo.currentText() == label
     yield from press("Add")
 
@@ -83,7 +83,7 @@ def test_a_study_is_made_run_and_a_row_becomes_the_pose():
     yield from enter(child("criteria"), "displacement <= 26")
     picture("study")
     yield from press("Run")
-    yield from until(is_over, "the end of the study", 60.0)
+    yield from until(is_over, "the end of the study")
     assert child_processes() == []
     (study,) = model.studies(assembly())
     rows = api.results(study)
@@ -114,7 +114,7 @@ def is_saved_with_the_document(rows):
     App.ActiveDocument.saveAs(path)
     App.closeDocument(App.ActiveDocument.Name)
     App.openDocument(path)
-    yield 300
+    yield from settled()
     (study,) = model.studies(assembly())
     assert api.results(study) == rows
     assert study.ViewObject.Proxy.doubleClicked(study.ViewObject)
@@ -128,7 +128,7 @@ def mirror_study():
     """The guide's five minutes: the door mirror, its handle's angle from -20 to 20 degrees."""
     yield from activate()
     assert exchange.open_recipe(exchange.example_recipes()["Door Mirror"], "DoorMirror")
-    yield 400
+    yield from settled()
     yield from menu("SheetMorph", "Study…")
     yield from until(is_shown, "the panel")
     variable = next(one.label for one in api.variables(assembly()) if one.number == "Angle")
@@ -137,7 +137,7 @@ def mirror_study():
     yield from enter_cell("parameters", (0, 3), "20")
     yield from enter(child("criteria"), "stretch <= 0.3")
     yield from press("Run")
-    yield from until(is_over, "the variants", 90.0)
+    yield from until(is_over, "the variants")
     yield from click_cell("results", 3, 0, times=2)
     run = int(child("results").item(3, 0).text())
     (study,) = model.studies(assembly())
@@ -159,10 +159,10 @@ def test_the_tutorial_of_studies_as_a_new_user_does_it():
 def test_a_study_that_is_stopped_keeps_what_is_done():
     yield from new_study("400")
     yield from press("Run")
-    yield from until(lambda: child("progress").value() > 3, "some variants", 60.0)
+    yield from until(lambda: child("progress").value() > 3, "some variants")
     picture("study-running")
     yield from press("Stop")
-    yield from until(is_over, "its end", 30.0)
+    yield from until(is_over, "its end")
     rows = api.results(model.studies(assembly())[0])
     assert 3 < len(rows) < 400 and child("results").rowCount() == len(rows)
     assert child_processes() == []
@@ -206,7 +206,7 @@ def test_a_study_in_a_dark_theme():
         yield from new_study("5")
         yield from enter(child("criteria"), "displacement <= 26")
         yield from press("Run")
-        yield from until(is_over, "the end of the study", 60.0)
+        yield from until(is_over, "the end of the study")
         picture("study-dark")
         assert child("results").rowCount() == 5
         yield from press("Cancel")

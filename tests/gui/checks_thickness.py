@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import MeshPart
 import Part
-from desk import activate, child, picture, press, press_tool, report_view, tick
+from desk import activate, child, picture, press, press_tool, report_view, settled, tick
 from freecad.sheetmorph import api
 from freecad.sheetmorph.scene import value_map
 from pivy import coin
@@ -27,10 +27,10 @@ def thin_plate():
     document.recompute()
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(source)
-    yield 200
+    yield from settled()
     yield from press_tool("Create Morph")
     Gui.SendMsgToActiveView("ViewFit")
-    yield 200
+    yield from settled()
 
 
 def is_drawn() -> bool:

@@ -3,9 +3,9 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import child, click_point, click_widget, picture, press, until
+from desk import answered, child, click_point, click_widget, picture, press, say_yes, settled, until
 from freecad.sheetmorph.objects import model
-from PySide import QtCore, QtGui
+from PySide import QtGui
 from scenes import assembly, contacts, labelled, new_assembly, new_morph, part, regions
 
 __all__ = [
@@ -28,17 +28,9 @@ def select(*objects) -> None:
 def delete(*objects):
     """Deletes objects as the Del key does; FreeCAD asks first where others link to them."""
     select(*objects)
-    QtCore.QTimer.singleShot(800, say_yes)
-    Gui.runCommand("Std_Delete")
-    yield 900
-
-
-def say_yes() -> None:
-    """Answers the question that is asked, if any."""
-    box = QtGui.QApplication.activeModalWidget()
-    for button in box.findChildren(QtGui.QPushButton) if box else ():
-        if button.text().replace("&", "") in ("Yes", "OK"):
-            button.click()
+    with answered(say_yes):
+        Gui.runCommand("Std_Delete")
+    yield from settled()
 
 
 def menu_of(obj) -> dict:
@@ -55,7 +47,7 @@ def test_a_region_copied_and_pasted_belongs_to_the_morph():
     (original,) = regions("fixed")
     select(original)
     Gui.runCommand("Std_Copy")
-    yield 300
+    yield from settled()
     Gui.runCommand("Std_Paste")
     yield from until(lambda: len(regions("fixed")) == 2, "the copy in the morph")
     copied = regions("fixed")[1]
@@ -101,22 +93,19 @@ def test_nothing_hidden_is_said_to_break_when_a_region_or_part_is_deleted():
     for gone in (regions("fixed")[0], labelled("bracket"), labelled("sheet").Source):
         name, asked = gone.Name, []
         select(gone)
-        QtCore.QTimer.singleShot(500, lambda told=asked: told.append(refuse()))
-        Gui.runCommand("Std_Delete")
-        yield 700
+        with answered(lambda box, told=asked: told.append(refuse(box))):
+            Gui.runCommand("Std_Delete")
+        yield from settled()
         if name == "sheet":
             assert "sheet morphed" in asked[0] and "Deformation" not in asked[0], asked
         else:
-            assert asked == [""] and App.ActiveDocument.getObject(name) is None, asked
+            assert asked == [] and App.ActiveDocument.getObject(name) is None, asked
 
 
-def refuse() -> str:
-    """Closes the question that is asked; returns its words, none if there is none."""
-    box = QtGui.QApplication.activeModalWidget()
-    words = f"{box.text()} {box.informativeText()} {box.detailedText()}" if box else ""
-    if box:
-        box.reject()
-    return words
+def refuse(box) -> str:
+    """Closes the question that is asked; returns its words."""
+    box.reject()
+    return f"{box.text()} {box.informativeText()} {box.detailedText()}"
 
 
 def test_a_renamed_region_is_edited_by_a_double_click():
@@ -125,7 +114,7 @@ def test_a_renamed_region_is_edited_by_a_double_click():
     region.Label = "clamp, left"
     before = model.vertices(region).tolist()
     assert region.ViewObject.Proxy.doubleClicked(region.ViewObject)
-    yield 400
+    yield from settled()
     assert f"{len(before)} vertices" in child("count").text()
     yield from click_widget(child("facet"))
     yield from click_point((20.5, 12.0, 0), "shift")
@@ -142,7 +131,7 @@ def test_the_context_menu_of_a_part_marks_a_region_on_it():
     entries = menu_of(bracket)
     assert entries["Set as Primary"].isEnabled()
     entries["Mark Follower…"].trigger()
-    yield 400
+    yield from settled()
     assert bracket.Label in child("part").text()
     yield from press("Cancel")
     assert "Edit Region…" in menu_of(regions("fixed")[0])

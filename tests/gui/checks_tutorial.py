@@ -6,8 +6,8 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from desk import WORK, activate, child, click_point, click_widget, enter, picture, press, until
-from desk import view, xdotool
+from desk import WORK, activate, child, click_point, click_widget, enter, picture, press, settled
+from desk import until, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.objects import model
 from PySide import QtCore, QtGui
@@ -24,7 +24,7 @@ def menu(*texts: str):
         (action,) = [a for a in bar.actions() if a.text().replace("&", "") == text]
         middle = bar.mapToGlobal(bar.actionGeometry(action).center())
         yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
-        yield 250
+        yield from settled()
         bar = action.menu()
         kept += [action, bar]
 
@@ -46,7 +46,7 @@ def is_listed(dialog, name: str) -> bool:
 def answer(text: str):
     """Types into the dialog that waits, and confirms."""
     yield from until(QtGui.QApplication.activeModalWidget, "a dialog")
-    yield 500
+    yield from settled()
     dialog = QtGui.QApplication.activeModalWidget()
     if isinstance(dialog, QtGui.QFileDialog) and os.path.isfile(text):
         # First the folder: what is in it is read while one types, and Return goes by what is read.
@@ -57,7 +57,7 @@ def answer(text: str):
         yield from until(lambda: is_listed(dialog, text), "the file in its list")
     yield from type_and_confirm(text)
     yield from until(lambda: QtGui.QApplication.activeModalWidget() is None, "its end")
-    yield 500
+    yield from settled()
 
 
 def mark(command: str, vertex: int):
@@ -70,7 +70,7 @@ def mark(command: str, vertex: int):
     yield from click_point(points[facet].mean(axis=0))
     for _ in range(4):
         yield from click_widget(child("grow"))
-    yield 200
+    yield from settled()
     assert not child("message").isVisible(), child("message").text()
 
 
@@ -94,7 +94,7 @@ def test_the_tutorial_as_a_new_user_does_it():
     view().graphicsView().setFocus()
     yield from xdotool("key", "1")
     Gui.SendMsgToActiveView("ViewFit")
-    yield 300
+    yield from settled()
     yield from mark("Mark Fixed Region…", near_edge(-1.0))
     yield from press("OK")
     yield from mark("Mark Handle…", near_edge(1.0))
@@ -108,16 +108,16 @@ def test_the_tutorial_as_a_new_user_does_it():
     assert [len(regions(role)) for role in ("fixed", "handle", "form feature")] == [1, 1, 4]
     before = stored()
     yield from menu("SheetMorph", "Move Handle…")
-    yield 400
+    yield from settled()
     yield from enter(child("translation_z"), "30 mm")
     yield from enter(child("angle"), "-15")
     yield from click_widget(child("along_y"))
-    yield 600
+    yield from settled()
     picture("tutorial-moved")
     (handle,) = regions("handle")
     assert (handle.TranslationZ.Value, handle.Angle.Value) == (30.0, -15.0), handle.Angle
     yield from press("OK")
-    yield 400
+    yield from settled()
     moved = stored()
     assert largest(moved - before) > 20.0
     yield from undo_and_redo(before, moved)
@@ -137,9 +137,9 @@ def undo_and_redo(before, moved):
     """Ctrl+Z and Ctrl+Shift+Z bring back both to the bit."""
     view().graphicsView().setFocus()
     yield from xdotool("key", "ctrl+z")
-    yield 400
+    yield from settled()
     assert np.array_equal(stored(), before)
     yield from xdotool("key", "ctrl+shift+z")
-    yield 400
+    yield from settled()
     assert np.array_equal(stored(), moved)
     assert model.kind(assembly()) == model.ASSEMBLY and App.ActiveDocument is not None

@@ -5,7 +5,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_moving import lifted, open_panel
-from desk import child, enter, on_screen, panel, picture, press, press_tool, until, view, xdotool
+from desk import child, enter, on_screen, panel, picture, press, press_tool, settled, until, view
+from desk import xdotool
 from freecad.sheetmorph import api
 from hostile_panels import is_shown, with_step
 from scenes import assembly, drawn, handle_vertices, largest, new_morph, part, regions, stored
@@ -28,14 +29,9 @@ def fields() -> tuple:
     return tuple(child(f"translation_{c}").property("rawValue") for c in "xyz")
 
 
-def settled():
-    """Longer than what the panel takes for a pause."""
-    yield 700
-
-
 def undo_with_the_tool():
     yield from press_tool("Undo")
-    yield 200
+    yield from settled()
 
 
 def undo_with_the_key():
@@ -44,7 +40,7 @@ def undo_with_the_key():
     yield from xdotool("mousemove", x, y)
     view().graphicsView().setFocus()
     yield from xdotool("key", "ctrl+z")
-    yield 200
+    yield from settled()
 
 
 def test_undo_goes_back_step_by_step_inside_the_move_panel():
@@ -208,7 +204,7 @@ def test_a_panel_opened_from_a_spreadsheet_shows_the_3d_view():
     cells = App.ActiveDocument.addObject("Spreadsheet::Sheet", "Cells")
     for command, name in (("MoveHandle", "move"), ("MarkFixed", "region")):
         cells.ViewObject.doubleClicked()
-        yield 300
+        yield from settled()
         assert not hasattr(view(), "getSceneGraph")
         Gui.runCommand(f"SheetMorph_{command}")
         yield from until(is_shown, "the panel")
@@ -222,13 +218,13 @@ def test_a_panel_opened_without_a_view_makes_one():
     cells = App.ActiveDocument.addObject("Spreadsheet::Sheet", "Cells")
     three = view()
     cells.ViewObject.doubleClicked()
-    yield 300
+    yield from settled()
     from freecad.sheetmorph.editing.view_of import is_in, mdi_area
 
     for window in mdi_area().subWindowList():
         if is_in(three, window):
             window.close()
-    yield 300
+    yield from settled()
     assert Gui.activeDocument().mdiViewsOfType("Gui::View3DInventor") == []
     Gui.runCommand("SheetMorph_MarkFixed")
     yield from until(is_shown, "the panel")

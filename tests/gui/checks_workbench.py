@@ -3,7 +3,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import activate, child, click_point, on_screen, press, press_tool, until, xdotool
+from desk import activate, child, click_point, on_screen, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
@@ -39,7 +39,7 @@ def test_every_example_opens_and_is_up_to_date():
     assert "Door Mirror" in recipes
     for title, recipe in recipes.items():
         assert exchange.open_recipe(recipe, title.replace(" ", ""))
-        yield 500
+        yield from settled()
         for shown in model.parts(assembly()):
             assert shown.State == ["Up-to-date"], (title, shown.Label, shown.State)
         assert regions("handle"), title
@@ -50,7 +50,7 @@ def test_a_double_click_picks_a_region_anew():
     fixed = regions("fixed")[0]
     before = model.vertices(fixed).tolist()
     assert fixed.ViewObject.Proxy.doubleClicked(fixed.ViewObject)
-    yield 400
+    yield from settled()
     assert f"{len(before)} vertices" in child("count").text()
     child("facet").click()
     yield from click_point((60.5, 12.0, 0), "shift")
@@ -90,7 +90,7 @@ def test_a_removed_part_gives_its_source_back_to_the_view():
     assert not source.ViewObject.Visibility
     assert shown.ViewObject.Proxy.claimChildren() == [source]
     api.remove(shown)
-    yield 200
+    yield from settled()
     assert source.ViewObject.Visibility
     assert regions("fixed") == []
 

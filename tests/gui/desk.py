@@ -6,22 +6,68 @@ Everything that takes time is a generator to ``yield from``, so that FreeCAD's e
 
 import os
 import subprocess
+from contextlib import contextmanager
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import settling
 from PySide import QtCore, QtGui
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 WORK = os.environ["SHEETMORPH_GUI_WORK"]
 
 
+POLL = 10  # ms between two looks at what is waited for
+WAITED = {"for": ""}  # the last thing
+
+
 def xdotool(*words):
     """Real events; waits until they have been sent and handled."""
-    process = subprocess.Popen(["xdotool", *[str(w) for w in words]])
-    while process.poll() is None:
-        yield 10
-    assert process.returncode == 0, words
-    yield 80
+    for some, is_done in parts_of([str(word) for word in words]):
+        process = subprocess.Popen(["xdotool", *some])
+        yield from until(lambda: process.poll() is not None, "xdotool to end")
+        assert process.returncode == 0, some
+        yield from until(is_done, f"{some} to arrive")
+    for _ in range(settling.LOOKS):
+        settling.receive()
+        yield POLL
+
+
+def parts_of(words: list[str]):
+    """Words for xdotool up to every press and release of a button, and what tells of its arrival.
+
+    A window manager may hold a press back for a moment; keys come straight from the screen.
+    """
+    while words:
+        place = next((k for k, word in enumerate(words) if word in BUTTONS), None)
+        is_plain = place is not None and words[place + 1] in ("1", "2", "3")
+        if not is_plain:
+            yield words, lambda: True
+            return
+        before, (word, number), words = words[:place], words[place : place + 2], words[place + 2 :]
+        for one in BUTTONS[word]:
+            yield [*before, one, number], is_pressed if one == "mousedown" else is_released
+            before = []
+
+
+BUTTONS = {
+    "click": ("mousedown", "mouseup"),
+    "mousedown": ("mousedown",),
+    "mouseup": ("mouseup",),
+}
+
+
+def is_pressed() -> bool:
+    return bool(QtGui.QApplication.mouseButtons())
+
+
+def is_released() -> bool:
+    return not is_pressed()
+
+
+def settled():
+    """Waits until the program has done what it was asked, however long that takes."""
+    yield from until(settling.Looks(settling.is_under_way), "the program to be calm")
 
 
 def import_files(files: list[str], edge: float, arrived):
@@ -33,7 +79,7 @@ def import_files(files: list[str], edge: float, arrived):
     QtWidgets.QInputDialog.getDouble = lambda *_: (edge, True)
     try:
         yield from press_tool("Import Part…")
-        yield from until(arrived, "the parts", 30.0)
+        yield from until(arrived, "the parts")
     finally:
         QtWidgets.QFileDialog.getOpenFileNames = asked
         QtWidgets.QInputDialog.getDouble = length
@@ -50,10 +96,33 @@ def replace_file(file: str, edge: float):
     try:
         yield from press_tool("Replace File…")
         yield from until(lambda: answered, "the question for a file")
-        yield 300
+        yield from settled()
     finally:
         QtWidgets.QFileDialog.getOpenFileName = asked
         QtWidgets.QInputDialog.getDouble = length
+
+
+@contextmanager
+def answered(answer):
+    """In this context a question is answered by a function of its box, however late it comes."""
+
+    def look() -> None:
+        box = QtGui.QApplication.activeModalWidget()
+        if isinstance(box, QtGui.QMessageBox):
+            answer(box)
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(POLL)
+    try:
+        yield
+    finally:
+        timer.stop()
+
+
+def say_yes(box) -> None:
+    """The answer Yes."""
+    box.button(QtGui.QMessageBox.Yes).click()
 
 
 class Recorder:
@@ -92,13 +161,11 @@ def picture(name: str) -> str:
     return path
 
 
-def until(condition, what: str, seconds: float = 10.0):
-    """Waits until a condition holds."""
-    for _ in range(int(seconds * 20)):
-        if condition():
-            return
-        yield 50
-    raise AssertionError(f"waited {seconds} s in vain for: {what}")
+def until(condition, what: str):
+    """Waits until a condition holds, however slow the machine is: a test has a limit as a whole."""
+    while not condition():
+        WAITED["for"] = what
+        yield POLL
 
 
 def view():
@@ -143,15 +210,12 @@ def within_reach(widget):
             before = bar.value()
             area.ensureWidgetVisible(widget)
             if bar.value() != before:
-                yield 150
+                yield from laid_out()
 
 
-def until_it_stays(widget):
-    """Waits until a widget is where it was a moment ago: a new panel makes room for itself."""
-    before = None
-    while before != (now := widget.mapToGlobal(widget.rect().center()).toTuple()):
-        before = now
-        yield 50
+def laid_out():
+    """Waits until nothing moves on the screen: a new panel makes room for itself."""
+    yield from until(settling.Looks(settling.is_anything_due), "everything to be in its place")
 
 
 def click_widget(widget):
@@ -159,7 +223,7 @@ def click_widget(widget):
     name = widget.objectName() or type(widget).__name__
     yield from within_reach(widget)
     yield from until(lambda: widget.isVisible() and widget.isEnabled(), f"{name} to be enabled")
-    yield from until_it_stays(widget)
+    yield from laid_out()
     middle = widget.mapToGlobal(widget.rect().center())
     yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
 
@@ -184,7 +248,7 @@ def choose_below(combo, steps: int):
     """Opens a combo box with the mouse and goes so many entries down, or up if negative."""
     yield from click_widget(combo)
     yield from xdotool("key", *["Down" if steps > 0 else "Up"] * abs(steps), "Return")
-    yield 200
+    yield from laid_out()
 
 
 def press(text: str):
@@ -193,7 +257,7 @@ def press(text: str):
     (button,) = buttons_called(text)
     yield from within_reach(button)
     yield from click_widget(button)
-    yield 150
+    yield from laid_out()
 
 
 def buttons_called(text: str) -> list:
@@ -209,7 +273,7 @@ def press_tool(text: str):
     """Presses the toolbar button of a command, as soon as there is one."""
     yield from until(lambda: tools_called(text), f"a button {text}")
     yield from click_widget(tools_called(text)[0])
-    yield 300
+    yield from laid_out()
 
 
 def tools_called(text: str) -> list:
@@ -263,7 +327,7 @@ def clear_report_view() -> None:
 def activate():
     """Activates the workbench and lets it settle."""
     Gui.activateWorkbench("SheetMorphWorkbench")
-    yield 700
+    yield from settled()
 
 
 def draw_along(points, key: str = ""):

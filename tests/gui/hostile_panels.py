@@ -5,7 +5,7 @@ import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import WORK, activate, panel
+from desk import WORK, activate, panel, settled
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_traces import child_processes
@@ -20,14 +20,14 @@ def prepared():
         if Gui.activeWorkbench().name() != "SheetMorphWorkbench":
             yield from activate()  # a fresh FreeCAD has no commands of ours yet
         App.openDocument(path)
-        yield 60
+        yield from settled()
     else:
         yield from new_assembly(is_joined=True)
         App.ActiveDocument.saveAs(path)
     document = App.ActiveDocument
     with_step("Second Handle", lambda: add_second_handle(document))
     with_step("Pose", lambda: api.save_pose(assembly(), "High"))
-    yield 50
+    yield from settled()
 
 
 def with_step(title: str, action) -> None:

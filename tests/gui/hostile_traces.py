@@ -41,9 +41,7 @@ class Traces:
                     faults.append("an annotation stays in the view")
             if overlays(one) != self.widgets.get(str(one), overlays(one)):
                 faults.append(f"over the view: {overlays(one)}")
-            fields = map(one.getSceneGraph().getField, generations.SELECTION_SWITCHES)
-            switch = next(field for field in fields if field is not None)
-            if switch.get().getString() != "TRUE":
+            if not is_selecting(one):
                 faults.append("the view selects nothing any more")
         for name, nodes in self.nodes.items():
             obj = App.ActiveDocument.getObject(name)
@@ -52,6 +50,13 @@ class Traces:
             if obj is not None and obj.ViewObject.SwitchNode.whichChild.getValue() < 0:
                 faults.append(f"{name} is not drawn any more")
         return faults
+
+
+def is_selecting(one) -> bool:
+    """Whether a view selects what is clicked on."""
+    fields = map(one.getSceneGraph().getField, generations.SELECTION_SWITCHES)
+    switch = next(field for field in fields if field is not None)
+    return switch.get().getString() == "TRUE"
 
 
 def node_of(node) -> int:

@@ -39,6 +39,7 @@ start_screen() {
 
 # A home in folder $1 with add-on $2 in it; the default start page dies when run as root.
 make_home() {
+    rm -rf "$1/home" # places and settings of a FreeCAD before
     mkdir -p "$1/home/Mod"
     ln -s "$2" "$1/home/Mod/SheetMorph"
     FREECAD_USER_HOME="$1/home" freecadcmd "$here/settings.py" </dev/null >"$1/home.log" 2>&1
@@ -69,6 +70,7 @@ run_tests() {
     while read -r name; do
         rm -rf "$lane/claims"
         mkdir "$lane/claims"
+        make_home "$lane" "$(readlink "$lane/home/Mod/SheetMorph")"
         start_freecad "$lane" "$2" "$name" "$lane/claims"
         if grep -q '^FAIL' "$lane/results"; then
             sed -n '/^FAIL/,$p' "$lane/results" | grep -v '^END$' >>"$lane/told"

@@ -6,7 +6,7 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from desk import WORK, activate, view
+from desk import WORK, activate, settled, view
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.objects import model
@@ -22,7 +22,7 @@ def new_document():
     Gui.doCommand("import FreeCAD as App, Mesh")
     Gui.doCommand("App.newDocument('Sheet')")
     Gui.doCommand(f"Mesh.insert({path!r}, 'Sheet')")
-    yield 100
+    yield from settled()
     look()
 
 
@@ -48,7 +48,7 @@ def new_morph(moved=None):
     document.recompute()
     document.clearUndos()
     look()
-    yield 300
+    yield from settled()
 
 
 def new_assembly(is_joined: bool = False):
@@ -69,13 +69,13 @@ def new_assembly(is_joined: bool = False):
     document.recompute()
     document.clearUndos()
     look()
-    yield 300
+    yield from settled()
 
 
 def add_bracket():
     """The bracket as a mesh in the active document."""
     insert("bracket", strip(45.0, 65.0))
-    yield 100
+    yield from settled()
 
 
 def insert(name: str, shape) -> None:

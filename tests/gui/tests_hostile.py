@@ -2,3 +2,4 @@
 """What is done to open panels, in a FreeCAD of its own."""
 
 from checks_hostile import *  # noqa: F401,F403
+from checks_vandal import *  # noqa: F401,F403

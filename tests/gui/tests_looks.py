@@ -7,7 +7,7 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 from checks_hostile import press_if_there
-from desk import panel, picture, until
+from desk import panel, picture, settled, until
 from hostile_panels import PANELS, is_shown, prepared
 from PySide import QtGui
 
@@ -34,11 +34,11 @@ def taken_in(name: str):
             opener()
             yield from until(is_shown, f"the panel {title}")
             used()
-            yield 1200
+            yield from settled()
             assert panel().isVisible()
             picture(f"{name}-{title}")
             yield from press_if_there("Cancel", "Close")
-            yield from until(lambda: not Gui.Control.activeDialog(), f"{title} to close", 30.0)
+            yield from until(lambda: not Gui.Control.activeDialog(), f"{title} to close")
     finally:
         put_on("")
 

@@ -20,18 +20,8 @@ from checks_reach import is_marked
 from checks_study import mirror_study
 from checks_thickness import is_drawn, thin_plate
 from checks_tutorial import mark, menu, near_edge
-from desk import (
-    WORK,
-    activate,
-    child,
-    choose_below,
-    click_widget,
-    draw_along,
-    enter,
-    panel,
-    picture,
-)
-from desk import press, press_tool, tick, until, view, xdotool
+from desk import WORK, activate, child, choose_below, click_widget, draw_along, enter, panel
+from desk import picture, press, press_tool, settled, tick, until, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.commands import exchange
@@ -46,7 +36,7 @@ COLOURS = 128
 
 def taken(name: str, with_panel: bool = True):
     """The task view, if wanted, and the 3D view as they are now, as a picture of the guide."""
-    yield 300  # what the last click has asked for is drawn
+    yield from settled()  # what the last click has asked for is drawn
     window = Gui.getMainWindow()
     docks = window.findChildren(QtGui.QDockWidget) if with_panel else []
     docks = [dock for dock in docks if dock.isAncestorOf(panel())]
@@ -74,7 +64,7 @@ def large_view():
     for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
         if dock.objectName() in ("Report view", "Python console"):
             dock.hide()
-    yield 300
+    yield from settled()
 
 
 def cover():
@@ -86,7 +76,7 @@ def cover():
     document.recompute()
     view().viewFront()
     Gui.SendMsgToActiveView("ViewFit")
-    yield 300
+    yield from settled()
 
 
 def test_the_first_five_minutes():
@@ -109,7 +99,7 @@ def test_the_first_five_minutes():
     yield from enter(child("translation_z"), "30 mm")
     yield from enter(child("angle"), "-15")
     yield from click_widget(child("along_y"))
-    yield 600
+    yield from settled()
     yield from taken("panel")
     yield from choose_below(child("colours"), 1)
     yield from until(child("scale").isVisible, "the scale")
@@ -122,12 +112,12 @@ def feature_settings():
     """The largest hole slides in a plane and gets another size."""
     hole = max(regions("form feature"), key=lambda one: shape_of(one).size)
     select(hole)
-    yield 800
+    yield from settled()
     yield from press_tool("Form Feature Settings…")
     yield from choose_below(child("motion"), 3)
     yield from tick(child("has_size"))
     yield from enter(child("feature_size"), "30 mm")
-    yield 900
+    yield from settled()
     yield from taken("feature")
     yield from press("Cancel")
 
@@ -151,7 +141,7 @@ def test_other_parts_follow():
     yield from large_view()
     assert exchange.open_recipe(exchange.example_recipes()["Welded Frame"], "Frame")
     look()
-    yield 300
+    yield from settled()
     (old,) = [c for c in contacts() if c.Label == "stringer right - seat plate"]
     sides = (old.PartA, old.PartB)
     App.ActiveDocument.removeObject(old.Name)
@@ -163,7 +153,7 @@ def test_other_parts_follow():
     yield from until(is_shown, "the panel")
     yield from taken("contact")
     yield from press("OK")
-    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close", 30.0)
+    yield from until(lambda: not Gui.Control.activeDialog(), "the panel to close")
     yield from press_tool("Propagation…")
     yield from until(is_shown, "the panel")
     yield from tick(child("meshes"))
@@ -172,7 +162,7 @@ def test_other_parts_follow():
     yield from press("Close")
     yield from open_panel()
     yield from click_widget(child("reset"))  # the example comes moved
-    yield 500
+    yield from settled()
     yield from drag_arrow_up(40)
     yield from taken("frame-dragged")
     yield from press("Cancel")
@@ -183,7 +173,7 @@ def test_proposals():
     bare_frame()
     Gui.Selection.clearSelection()
     yield from press_tool("Find Contacts…")
-    yield from until(is_shown, "the panel", 60.0)
+    yield from until(is_shown, "the panel")
     yield from xdotool("mousemove", *cell_place(2))
     yield from taken("find-contacts")
     yield from press("Cancel")
@@ -207,7 +197,7 @@ def test_the_sheet_as_steel():
     select(regions("handle")[0])
     yield from open_panel()
     yield from enter(child("translation_z"), "18")
-    yield from until(lambda: "Steel, final" in child("status").text(), "the steel", 30.0)
+    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
     yield from choose_below(child("colours"), 4)
     yield from until(lambda: "stretch" in child("scale_text").text(), "the stretch")
     yield from taken("stretch")
@@ -226,7 +216,7 @@ def test_preparing():
     yield from until(is_shown, "the panel")
     yield from enter(child("edge"), "4 mm")
     yield from press("Preview")
-    yield from until(is_previewed, "the preview", 60.0)
+    yield from until(is_previewed, "the preview")
     yield from taken("prepare")
     yield from press("Cancel")
 

@@ -5,7 +5,7 @@ import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import WORK, activate, picture, report_view, until
+from desk import WORK, activate, picture, report_view, settled, until
 from PySide import QtGui
 
 
@@ -30,7 +30,7 @@ def test_check_installation_shows_a_report_to_copy():
 def test_a_document_with_a_morph_still_opens_and_says_what_is_missing():
     yield from activate()
     App.openDocument(os.path.join(WORK, "saved.FCStd"))  # saved by a test with the kernel
-    yield 500
+    yield from settled()
     from freecad.sheetmorph.objects import model
 
     (part,) = [o for o in App.ActiveDocument.Objects if model.kind(o) == model.PART]
