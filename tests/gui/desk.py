@@ -28,7 +28,7 @@ def xdotool(*words):
         yield from until(lambda: process.poll() is not None, "xdotool to end")
         assert process.returncode == 0, some
         yield from until(is_done, f"{some} to arrive")
-    for _ in range(settling.LOOKS):
+    for _ in range(settling.LOOKS * (3 if "click" in words else 1)):
         settling.receive()
         yield POLL
 
@@ -36,25 +36,16 @@ def xdotool(*words):
 def parts_of(words: list[str]):
     """Words for xdotool up to every press and release of a button, and what tells of its arrival.
 
-    A window manager may hold a press back for a moment; keys come straight from the screen.
+    A window manager may hold a press back for a moment; keys come straight from the screen. A click
+    goes as one: a list that opens under a press that lasts takes what is under the release.
     """
     while words:
         place = next((k for k, word in enumerate(words) if word in BUTTONS), None)
-        is_plain = place is not None and words[place + 1] in ("1", "2", "3")
-        if not is_plain:
+        if place is None:
             yield words, lambda: True
             return
-        before, (word, number), words = words[:place], words[place : place + 2], words[place + 2 :]
-        for one in BUTTONS[word]:
-            yield [*before, one, number], is_pressed if one == "mousedown" else is_released
-            before = []
-
-
-BUTTONS = {
-    "click": ("mousedown", "mouseup"),
-    "mousedown": ("mousedown",),
-    "mouseup": ("mouseup",),
-}
+        some, words = words[: place + 2], words[place + 2 :]
+        yield some, BUTTONS[some[-2]]
 
 
 def is_pressed() -> bool:
@@ -63,6 +54,9 @@ def is_pressed() -> bool:
 
 def is_released() -> bool:
     return not is_pressed()
+
+
+BUTTONS = {"mousedown": is_pressed, "mouseup": is_released}
 
 
 def settled():
@@ -90,12 +84,12 @@ def replace_file(file: str, edge: float):
     from freecad.sheetmorph.qt import QtWidgets
 
     asked, length = QtWidgets.QFileDialog.getOpenFileName, QtWidgets.QInputDialog.getDouble
-    answered = []
-    QtWidgets.QFileDialog.getOpenFileName = lambda *_: answered.append(file) or (file, "")
+    named = []
+    QtWidgets.QFileDialog.getOpenFileName = lambda *_: named.append(file) or (file, "")
     QtWidgets.QInputDialog.getDouble = lambda *_: (edge, True)
     try:
         yield from press_tool("Replace File…")
-        yield from until(lambda: answered, "the question for a file")
+        yield from until(lambda: named, "the question for a file")
         yield from settled()
     finally:
         QtWidgets.QFileDialog.getOpenFileName = asked
