@@ -27,16 +27,6 @@ Vector3 arm(const Points& points, int from, int to)
     return (points.row(to) - points.row(from)).transpose();
 }
 
-// Calls visit(index, count, is_first) along the chains of a ring: `count` triangles have that edge.
-template <class Visit>
-void along(const std::vector<int>& ends, const Visit& visit)
-{
-    int k = 0;
-    for (const int end : ends)
-        for (const int first = k; k < end; ++k)
-            visit(static_cast<std::size_t>(k), k == first || k + 1 == end ? 1.0 : 2.0, k == first);
-}
-
 // Triangles of one ring that are oriented against the first ones, turned round: without this the
 // normals of a badly oriented mesh would cancel.
 std::vector<int> same_sided(const Points& points, int vertex, std::vector<int> others)
@@ -117,6 +107,27 @@ Eigen::VectorXd shares(const Eigen::VectorXd& weights, Eigen::Index count)
     return share / share.sum();
 }
 
+// Of the last ring of a batch.
+void set_moments(RingBatch& batch, Matrix3 moments, const Vector3& area)
+{
+    const auto lane = at(batch.rings - 1);
+    const double squares = moments.trace();
+    if (area.norm() > no_area * squares)
+    {
+        const Vector3 normal = area.normalized();
+        batch.normal_weight[lane] = 0.5 * squares;
+        moments += batch.normal_weight[lane] * normal * normal.transpose();
+        for (int axis = 0; axis < 3; ++axis)
+            batch.normal[axis][lane] = normal(axis);
+    }
+    if (!(moments.determinant() > no_area * no_area * squares * squares * squares))
+        return;
+    const Matrix3 inverse = moments.inverse();
+    constexpr int rows[6] = {0, 1, 2, 0, 0, 1}, columns[6] = {0, 1, 2, 1, 2, 2};
+    for (int entry = 0; entry < 6; ++entry)
+        batch.inverse[entry][lane] = inverse(rows[entry], columns[entry]);
+}
+
 }  // namespace
 
 LocalRotationMeter::LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices)
@@ -132,184 +143,212 @@ LocalRotationMeter::LocalRotationMeter(const PartGeometry& rest, const VertexIds
                  [&](int v) { return v < 0 || v >= vertex_count_; });
     if (!missing.empty())
         throw InvalidInput("vertices that the mesh does not have: " + list_ids(missing));
-    const Points& points = rest.mesh().points();
-    rings_.reserve(vertices.size());
     for (const int vertex : vertices)
-        rings_.push_back(rest_ring(points, vertex, ring_of(rest, vertex)));
-    keep_rest(points);
+        add_ring(rest.mesh().points(), vertex, ring_of(rest, vertex));
+    make_compact(rest.mesh().points());
+    needs_references_ = !without_ring().empty();
 }
 
-// Contacts measure few vertices of a large part: they keep no copy of its points.
-void LocalRotationMeter::keep_rest(const Points& rest)
+// A place for one more: beside the earlier rings of the last batch, or in a new one.
+RingBatch& LocalRotationMeter::open_batch(int vertex, std::size_t spokes)
 {
-    const VertexIds used = reads();
-    if (2 * static_cast<Eigen::Index>(used.size()) > rest.rows())
+    if (count_++ % RingBatch::lanes == 0)
     {
-        rest_ = rest;
-        return;
+        batches_.emplace_back();
+        batches_.back().first = spokes_.size();
+        std::fill_n(batches_.back().vertex, RingBatch::lanes, vertex);
     }
-    rest_ = rest(used, Eigen::indexing::all);
-    const auto row_of = [&](int vertex)
-    { return static_cast<int>(std::lower_bound(used.begin(), used.end(), vertex) - used.begin()); };
-    for (Ring& ring : rings_)
+    RingBatch& batch = batches_.back();
+    const int lane = batch.rings++;
+    batch.vertex[lane] = vertex;
+    for (; at(batch.count) < spokes; ++batch.count)
     {
-        ring.rows.push_back(row_of(ring.vertex));
-        std::transform(ring.others.begin(), ring.others.end(), std::back_inserter(ring.rows),
-                       row_of);
+        spokes_.emplace_back();
+        std::copy_n(batch.vertex, RingBatch::lanes, spokes_.back().other);
     }
+    for (std::size_t k = batch.first; k < spokes_.size(); ++k)
+        spokes_[k].other[lane] = vertex;
+    return batch;
 }
 
-LocalRotationMeter::Ring LocalRotationMeter::rest_ring(const Points& rest, int vertex,
-                                                       std::vector<int> sides)
+// The ends of a chain have one triangle, the spokes between two.
+void LocalRotationMeter::add_ring(const Points& rest, int vertex, std::vector<int> sides)
 {
-    Ring ring{vertex, {}, {}, {}, Vector3::Zero(), 0.0, Matrix3::Zero()};
-    ring.others = chained(same_sided(rest, vertex, std::move(sides)), ring.ends);
+    std::vector<int> ends;
+    const std::vector<int> others = chained(same_sided(rest, vertex, std::move(sides)), ends);
+    RingBatch& batch = open_batch(vertex, others.size());
+    const auto lane = at(batch.rings - 1);
     Matrix3 moments = Matrix3::Zero();
     Vector3 area = Vector3::Zero(), before = Vector3::Zero();
-    along(ring.ends,
-          [&](std::size_t k, double count, bool is_first)
-          {
-              const Vector3 edge = arm(rest, vertex, ring.others[k]);
-              moments += count * edge * edge.transpose();
-              if (!is_first)
-                  area += before.cross(edge);
-              before = edge;
-          });
-    const double squares = moments.trace();
-    if (area.norm() > no_area * squares)
-    {
-        ring.normal = area.normalized();
-        ring.normal_weight = 0.5 * squares;
-        moments += ring.normal_weight * ring.normal * ring.normal.transpose();
-    }
-    if (moments.determinant() > no_area * no_area * squares * squares * squares)
-        ring.inverse_moments = moments.inverse();
-    return ring;
+    std::size_t k = 0;
+    for (const int end : ends)
+        for (const std::size_t first = k; k < at(end); ++k)
+        {
+            RingSpokes& spoke = spokes_[batch.first + k];
+            spoke.other[lane] = others[k];
+            spoke.triangles[lane] = k == first || k + 1 == at(end) ? 1 : 2;
+            spoke.is_next[lane] = k == first ? 0 : 1;
+            const Vector3 edge = arm(rest, vertex, others[k]);
+            moments += spoke.triangles[lane] * edge * edge.transpose();
+            area += spoke.is_next[lane] * before.cross(edge);
+            before = edge;
+        }
+    set_moments(batch, moments, area);
+}
+
+// Contacts measure few vertices of a large part: rings count by those that they read.
+void LocalRotationMeter::make_compact(const Points& rest)
+{
+    for (const RingBatch& batch : batches_)
+        reads_.insert(reads_.end(), batch.vertex, batch.vertex + RingBatch::lanes);
+    for (const RingSpokes& spoke : spokes_)
+        reads_.insert(reads_.end(), spoke.other, spoke.other + RingBatch::lanes);
+    make_set(reads_);
+    rest_ = rest(reads_, Eigen::indexing::all);
+    std::vector<int> row(at(vertex_count_), 0);
+    for (std::size_t k = 0; k < reads_.size(); ++k)
+        row[at(reads_[k])] = static_cast<int>(k);
+    for (RingBatch& batch : batches_)
+        for (int& vertex : batch.vertex)
+            vertex = row[at(vertex)];
+    for (RingSpokes& spoke : spokes_)
+        for (int& other : spoke.other)
+            other = row[at(other)];
+}
+
+bool LocalRotationMeter::tells(std::size_t ring) const
+{
+    const RingBatch& batch = batches_[ring / RingBatch::lanes];
+    return batch.inverse[0][ring % RingBatch::lanes] > 0.0;
+}
+
+Points LocalRotationMeter::of_reads(const Points& points) const
+{
+    return points(reads_, Eigen::indexing::all);
+}
+
+void LocalRotationMeter::require_rows(const Points& deformed, const Points& references,
+                                      std::size_t wanted) const
+{
+    if (deformed.rows() != vertex_count_ || at(references.rows()) < wanted)
+        throw InvalidInput(
+            "measuring rotations needs a position for every vertex of the mesh and a "
+            "reference for every measured vertex");
 }
 
 LocalRotations LocalRotationMeter::measure(const Points& deformed, const Points& references) const
 {
-    LocalRotations result{matrices(deformed, references), references};
-    const auto count = static_cast<Eigen::Index>(rings_.size());
-    parallel_ranges(count, microsecond_items,
+    require_rows(deformed, references, count_);
+    LocalRotations result{std::vector<Matrix3>(count_), references};
+    std::vector<Matrix3> before(count_);
+    parallel_ranges(references.rows(), microsecond_items,
                     [&](Eigen::Index begin, Eigen::Index end)
                     {
                         for (Eigen::Index k = begin; k < end; ++k)
-                        {
-                            const Vector3 log = references.row(k).transpose();
-                            if (result.matrices[k] != rotation_from_log(log))
-                                result.logs.row(k) = log_near(result.matrices[k], log).transpose();
-                        }
+                            before[at(k)] =
+                                rotation_from_log(Vector3(references.row(k).transpose()));
                     });
+    result.matrices = before;
+    turn(deformed, result.matrices);
+    parallel_ranges(
+        references.rows(), microsecond_items,
+        [&](Eigen::Index begin, Eigen::Index end)
+        {
+            for (Eigen::Index k = begin; k < end; ++k)
+                if (result.matrices[at(k)] != before[at(k)])
+                    result.logs.row(k) =
+                        log_near(result.matrices[at(k)], references.row(k).transpose()).transpose();
+        });
     return result;
 }
 
 std::vector<Matrix3> LocalRotationMeter::matrices(const Points& deformed,
                                                   const Points& references) const
 {
-    const auto count = static_cast<Eigen::Index>(rings_.size());
-    if (deformed.rows() != vertex_count_ || references.rows() != count)
-        throw InvalidInput(
-            "measuring rotations needs a position for every vertex of the mesh and a "
-            "reference for every measured vertex");
-    std::vector<Matrix3> found(rings_.size());
-    parallel_ranges(count, microsecond_items,
-                    [&](Eigen::Index begin, Eigen::Index end)
-                    {
-                        for (Eigen::Index k = begin; k < end; ++k)
-                            found[k] = ring_rotation(
-                                rings_[k], deformed,
-                                rotation_from_log(Vector3(references.row(k).transpose())));
-                    });
+    require_rows(deformed, references, needs_references_ ? count_ : 0);
+    std::vector<Matrix3> found(count_, Matrix3::Identity());
+    for (std::size_t k = 0; k < count_ && needs_references_; ++k)
+        if (!tells(k))
+            found[k] = rotation_from_log(
+                Vector3(references.row(static_cast<Eigen::Index>(k)).transpose()));
+    turn(deformed, found);
     return found;
 }
 
-VertexIds LocalRotationMeter::reads() const
+VertexIds LocalRotationMeter::without_ring() const
 {
     VertexIds vertices;
-    for (const Ring& ring : rings_)
-    {
-        vertices.push_back(ring.vertex);
-        vertices.insert(vertices.end(), ring.others.begin(), ring.others.end());
-    }
-    make_set(vertices);
+    for (std::size_t k = 0; k < count_; ++k)
+        if (!tells(k))
+            vertices.push_back(
+                reads_[at(batches_[k / RingBatch::lanes].vertex[k % RingBatch::lanes])]);
     return vertices;
 }
 
-// The map is reference + (what the reference leaves unexplained), so that nothing left gives the
-// reference itself, bit for bit.
-Matrix3 LocalRotationMeter::ring_rotation(const Ring& ring, const Points& deformed,
-                                          const Matrix3& reference) const
+// Every reference that its ring does not explain becomes what the ring tells.
+void LocalRotationMeter::turn(const Points& deformed, std::vector<Matrix3>& references) const
 {
-    Matrix3 unexplained = Matrix3::Zero();
-    Vector3 area = Vector3::Zero(), before = Vector3::Zero();
-    along(ring.ends,
-          [&](std::size_t k, double count, bool is_first)
-          {
-              const Vector3 edge = rest_arm(ring, k);
-              const Vector3 now = arm(deformed, ring.vertex, ring.others[k]);
-              const Vector3 left = count * (now - reference * edge);
-              unexplained += left * edge.transpose();
-              if (!is_first)
-                  area += before.cross(now);
-              before = now;
-          });
-    if (unexplained.isZero(0.0) || ring.inverse_moments.isZero(0.0))
-        return reference;
-    if (ring.normal_weight > 0.0 && area.norm() > 0.0)
-        unexplained += ring.normal_weight * (area.normalized() - reference * ring.normal)
-                       * ring.normal.transpose();
-    return polar_rotation(reference + unexplained * ring.inverse_moments);
-}
-
-Vector3 LocalRotationMeter::rest_arm(const Ring& ring, std::size_t k) const
-{
-    return ring.rows.empty() ? arm(rest_, ring.vertex, ring.others[k])
-                             : arm(rest_, ring.rows.front(), ring.rows[k + 1]);
+    const bool is_whole = static_cast<Eigen::Index>(reads_.size()) == deformed.rows();
+    const Points some = is_whole ? Points() : of_reads(deformed);
+    const Points& now = is_whole ? deformed : some;
+    const auto turn_some = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (std::size_t k = at(begin); k < at(end); ++k)
+            turn_rings(batches_[k], spokes_, {rest_, now},
+                       references.data() + k * RingBatch::lanes);
+    };
+    parallel_ranges(static_cast<Eigen::Index>(batches_.size()), microsecond_items, turn_some);
 }
 
 Points LocalRotationMeter::spins(const Points& deformed, const LocalRotations& measured,
                                  const Points& rates, const Points& reference_spins) const
 {
+    const Points now = of_reads(deformed), changing = of_reads(rates);
     Points found = reference_spins;
-    for (std::size_t k = 0; k < rings_.size(); ++k)
-        if (!rings_[k].inverse_moments.isZero(0.0))
+    for (std::size_t k = 0; k < count_; ++k)
+        if (tells(k))
             found.row(static_cast<Eigen::Index>(k)) =
-                ring_spin(rings_[k], deformed, measured.matrices[k], rates).transpose();
+                ring_spin(k, now, measured.matrices[k], changing).transpose();
     return found;
 }
 
 // The map of a ring is (sum of its edges' images + that of its normal) times what its moments are
 // at rest; the reference it is told about drops out.
-Vector3 LocalRotationMeter::ring_spin(const Ring& ring, const Points& deformed,
-                                      const Matrix3& rotation, const Points& rates) const
+Vector3 LocalRotationMeter::ring_spin(std::size_t ring, const Points& now, const Matrix3& rotation,
+                                      const Points& rates) const
 {
-    Matrix3 images = Matrix3::Zero(), change = Matrix3::Zero();
+    const RingBatch& batch = batches_[ring / RingBatch::lanes];
+    const std::size_t lane = ring % RingBatch::lanes;
+    const int vertex = batch.vertex[lane];
+    Matrix3 images = Matrix3::Zero(), change = Matrix3::Zero(), inverse;
     Vector3 area = Vector3::Zero(), before = area, area_rate = area, rate_before = area;
-    along(ring.ends,
-          [&](std::size_t k, double count, bool is_first)
-          {
-              const Vector3 edge = rest_arm(ring, k);
-              const Vector3 now = arm(deformed, ring.vertex, ring.others[k]);
-              const Vector3 rate = arm(rates, ring.vertex, ring.others[k]);
-              images += count * now * edge.transpose();
-              change += count * rate * edge.transpose();
-              if (!is_first)
-              {
-                  area += before.cross(now);
-                  area_rate += rate_before.cross(now) + before.cross(rate);
-              }
-              before = now;
-              rate_before = rate;
-          });
-    if (ring.normal_weight > 0.0 && area.norm() > 0.0)
+    for (std::size_t k = batch.first; k < batch.first + at(batch.count); ++k)
     {
+        const RingSpokes& spoke = spokes_[k];
+        const Vector3 edge = arm(rest_, vertex, spoke.other[lane]);
+        const Vector3 moved = arm(now, vertex, spoke.other[lane]);
+        const Vector3 rate = arm(rates, vertex, spoke.other[lane]);
+        images += spoke.triangles[lane] * moved * edge.transpose();
+        change += spoke.triangles[lane] * rate * edge.transpose();
+        area += spoke.is_next[lane] * before.cross(moved);
+        area_rate += spoke.is_next[lane] * (rate_before.cross(moved) + before.cross(rate));
+        before = moved;
+        rate_before = rate;
+    }
+    const double weight = batch.normal_weight[lane];
+    if (weight > 0.0 && area.norm() > 0.0)
+    {
+        const Vector3 rest_normal(batch.normal[0][lane], batch.normal[1][lane],
+                                  batch.normal[2][lane]);
         const Vector3 normal = area.normalized();
         const Vector3 tilting = (area_rate - normal * normal.dot(area_rate)) / area.norm();
-        images += ring.normal_weight * normal * ring.normal.transpose();
-        change += ring.normal_weight * tilting * ring.normal.transpose();
+        images += weight * normal * rest_normal.transpose();
+        change += weight * tilting * rest_normal.transpose();
     }
-    return spin_of_polar(rotation, images * ring.inverse_moments, change * ring.inverse_moments);
+    const auto& entries = batch.inverse;
+    inverse << entries[0][lane], entries[3][lane], entries[4][lane], entries[3][lane],
+        entries[1][lane], entries[5][lane], entries[4][lane], entries[5][lane], entries[2][lane];
+    return spin_of_polar(rotation, images * inverse, change * inverse);
 }
 
 RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalRotations& turned,

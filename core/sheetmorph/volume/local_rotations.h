@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/rates.h"
 #include "sheetmorph/mesh/search/part_geometry.h"
+#include "sheetmorph/volume/rotations/rotation_kernel.h"
 
 #include <vector>
 
@@ -33,8 +34,13 @@ public:
     //! \param references  (k, 3) logs, such as the interpolated rotation field at the vertices
     LocalRotations measure(const Points& deformed, const Points& references) const;
 
-    //! The same without logs, which cost a third of it.
+    //! The same without logs, for live frames: what a ring tells does not depend on its reference
+    //! but by rounding, so that references are read only for the vertices of without_ring();
+    //! without any of them they may be empty.
     std::vector<Matrix3> matrices(const Points& deformed, const Points& references) const;
+
+    //! The vertices, of those given, that turn as their reference says.
+    VertexIds without_ring() const;
 
     //! (k, 3) spins of the measured rotations where the mesh moves.
     //! \param rates            (n, 3) how the positions change
@@ -43,30 +49,26 @@ public:
                  const Points& reference_spins) const;
 
     //! The vertices whose positions are measured.
-    VertexIds reads() const;
+    const VertexIds& reads() const { return reads_; }
 
 private:
-    struct Ring
-    {
-        int vertex;
-        std::vector<int> others;  // around it: every two that follow each other are a triangle
-        std::vector<int> ends;    // but across these, one past the last of every chain
-        std::vector<int> rows;    // of rest_: the vertex, then the others; empty: their own
-        Vector3 normal;           // unit; zero if the ring has none
-        double normal_weight;
-        Matrix3 inverse_moments;  // of the rest ring; zero if the ring determines no rotation
-    };
-
-    static Ring rest_ring(const Points& rest, int vertex, std::vector<int> sides);
-    void keep_rest(const Points& rest);
-    Matrix3 ring_rotation(const Ring& ring, const Points& deformed, const Matrix3& reference) const;
-    Vector3 rest_arm(const Ring& ring, std::size_t k) const;
-    Vector3 ring_spin(const Ring& ring, const Points& deformed, const Matrix3& rotation,
+    RingBatch& open_batch(int vertex, std::size_t spokes);
+    void add_ring(const Points& rest, int vertex, std::vector<int> sides);
+    void make_compact(const Points& rest);
+    bool tells(std::size_t ring) const;
+    Points of_reads(const Points& points) const;
+    void require_rows(const Points& deformed, const Points& references, std::size_t wanted) const;
+    void turn(const Points& deformed, std::vector<Matrix3>& references) const;
+    Vector3 ring_spin(std::size_t ring, const Points& now, const Matrix3& rotation,
                       const Points& rates) const;
 
     int vertex_count_;
-    std::vector<Ring> rings_;
-    Points rest_;  // of all vertices, or of those that few rings have
+    std::size_t count_ = 0;  // of rings
+    std::vector<RingBatch> batches_;
+    std::vector<RingSpokes> spokes_;
+    VertexIds reads_;  // rows of rest_; rings count by them
+    Points rest_;
+    bool needs_references_ = false;
 };
 
 //! The motion of a whole region: its rotation is that of the mean of the local logs, so that it

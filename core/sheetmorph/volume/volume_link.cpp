@@ -4,6 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"
+#include "sheetmorph/volume/rotations/rotation_kernel.h"
 
 #include <algorithm>
 
@@ -241,20 +242,29 @@ LinkedTargets VolumeLink::transfer(const SourceState& state) const
     const Matrix3 rotation = state.mean.rotation();
     result.rotations.assign(static_cast<std::size_t>(targets_.rows()), rotation);
     const Matrix3 axes = steps_.colwise().normalized();
+    std::vector<Eigen::Index> turned;
+    std::vector<Matrix3> maps;
     for (Eigen::Index i = 0; i < targets_.rows(); ++i)
     {
         result.positions.row(i) += moved.row(4 * i);
         const Matrix3 derivative = moved.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
-        const Vector3 reference =
-            has_references ? Vector3(state.logs.row(nearest_[i])) : state.mean.rotation_log;
         if (derivative.isZero(0.0))
-        {
-            result.logs.row(i) =
-                (has_references ? log_near(rotation, reference) : reference).transpose();
             continue;
-        }
-        result.rotations[i] = polar_rotation(rotation + derivative);
-        result.logs.row(i) = log_near(result.rotations[i], reference).transpose();
+        turned.push_back(i);
+        maps.push_back(rotation + derivative);
+    }
+    make_rotations(maps);
+    for (std::size_t k = 0; k < turned.size(); ++k)
+        result.rotations[static_cast<std::size_t>(turned[k])] = maps[k];
+    for (std::size_t i = 0; i < result.rotations.size(); ++i)
+    {
+        const auto row = static_cast<Eigen::Index>(i);
+        if (has_references)
+            result.logs.row(row) =
+                log_near(result.rotations[i], state.logs.row(nearest_[i]).transpose()).transpose();
+        else if (result.rotations[i] != rotation)
+            result.logs.row(row) =
+                log_near(result.rotations[i], state.mean.rotation_log).transpose();
     }
     return result;
 }

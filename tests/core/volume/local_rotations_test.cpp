@@ -124,6 +124,40 @@ TEST(LogNearTest, ThePolarRotationIsTheNearestOne)
     }
 }
 
+// Some of them flat or turned inside out, and no multiple of what is found at once.
+TEST(LogNearTest, ManyPolarRotationsAtOnceAreThoseOfOneAfterTheOther)
+{
+    std::vector<Matrix3> matrices;
+    for (int k = 0; k < 101; ++k)
+        matrices.push_back(k % 10 == 3
+                               ? Matrix3(Vector3::Random() * Vector3::Random().transpose())
+                               : Matrix3(Matrix3::Random() + 2.0 * (k % 2) * Matrix3::Identity()));
+    std::vector<Matrix3> found = matrices;
+    make_rotations(found);
+    for (std::size_t k = 0; k < matrices.size(); ++k)
+    {
+        EXPECT_LT((found[k] - polar_rotation(matrices[k])).norm(), 1e-9) << k;
+        std::vector<Matrix3> alone = {matrices[k]};
+        make_rotations(alone);
+        EXPECT_EQ(alone.front(), found[k]) << k;
+    }
+}
+
+TEST(LocalRotationsTest, WithoutLogsTheRotationsAreThoseWithAnyReference)
+{
+    const TriangleMesh mesh = shapes::grid(9, 7, 8.0, 6.0);
+    Points bent = mesh.points();
+    for (Eigen::Index k = 0; k < bent.rows(); ++k)
+        bent.row(k) << 3.0 * std::sin(bent(k, 0) / 3.0), bent(k, 1) + 0.1 * bent(k, 0),
+            3.0 - 3.0 * std::cos(bent(k, 0) / 3.0);
+    const LocalRotationMeter meter(mesh, scene::all_vertices(mesh));
+    const Points references = repeated(Vector3(0.1, -0.4, 0.2), mesh.vertex_count());
+    const std::vector<Matrix3> logged = meter.measure(bent, references).matrices;
+    const std::vector<Matrix3> found = meter.matrices(bent, Points(0, 3));
+    for (std::size_t k = 0; k < found.size(); ++k)
+        EXPECT_LT((found[k] - logged[k]).norm(), 1e-12) << k;
+}
+
 TEST(MeanMotionTest, ExistsForAStraightSourceAndTakesCentroidToCentroid)
 {
     Points rest(3, 3), logs(3, 3);

@@ -121,6 +121,8 @@ VertexIds DragSamples::reads_of(int part) const
     for (std::size_t k = 0; k < prepared_.planned.size(); ++k)
         if (prepared_.planned[k].source_part == part)
             merge_into(reads, prepared_.links[k].link->reads());
+    if (const auto& thin = prepared_.parts[at(part)].thin)
+        merge_into(reads, thin->read_logs());
     return reads;
 }
 
@@ -138,8 +140,8 @@ std::shared_ptr<const Response> DragSamples::learn(int part, const Progress& pro
         add_own(part, samples);
     if (samples.empty())
         return nullptr;
-    std::shared_ptr<const Response> response = ready.deformer->response(
-        samples, {reads_of(part), ready.thin != nullptr || prepared_.carries_thin}, progress);
+    std::shared_ptr<const Response> response =
+        ready.deformer->response(samples, {reads_of(part), prepared_.carries_thin}, progress);
     if (!response->is_learnt())
         return nullptr;
     if (passes)

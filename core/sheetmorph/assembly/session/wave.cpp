@@ -102,7 +102,7 @@ Deformation& Wave::solved(int part) const
 void Wave::expand(int part, const SurfaceTargets& targets) const
 {
     if (const auto& thin = prepared_.parts[at(part)].thin)
-        result_->parts[at(part)] = thin->expand(result_->middles[at(part)], targets, exactness_);
+        thin->expand(result_->middles[at(part)], targets, exactness_, result_->parts[at(part)]);
 }
 
 // Left alone if an earlier frame has put it there.

@@ -9,6 +9,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace sheetmorph
@@ -65,10 +66,14 @@ public:
     {
     }
 
-    // All that are equally near; which of them rounding puts first must not matter.
-    std::vector<Anchor> nearest(const Vector3& point) const
+    // All that are equally near; which of them rounding puts first must not matter. None where all
+    // are farther than `reach`.
+    std::vector<Anchor> nearest(const Vector3& point, double reach) const
     {
-        const double distance = tree_.nearest_point(point)->distance;
+        const std::optional<Hit> first = tree_.nearest_point(point, reach);
+        if (!first)
+            return {};
+        const double distance = first->distance;
         const double rounding = equally_near * (distance + size_ * 1e-3);
         std::vector<Anchor> anchors;
         std::vector<Vector3> seen;
@@ -153,7 +158,10 @@ void ThinPart::hang_on_skin()
         }
         const auto own = skins.find(component[at(v)]);
         const Places& places = own == skins.end() ? whole : own->second;
-        anchors_[at(v)] = places.nearest(mesh_.points().row(v).transpose());
+        // A look at what is near first is faster than one at everything.
+        for (double reach = farthest_foot * solid_.thickness; anchors_[at(v)].empty();
+             reach = std::numeric_limits<double>::infinity())
+            anchors_[at(v)] = places.nearest(mesh_.points().row(v).transpose(), reach);
         for (Anchor& anchor : anchors_[at(v)])
             for (int& corner : anchor.corners)
                 corner = skin_.index_of[at(corner)];
@@ -175,10 +183,7 @@ void ThinPart::find_feet()
         const auto own = opposite.find(component[at(v)]);
         if (own == opposite.end())
             return;
-        const Vector3 point = mesh_.points().row(v).transpose();
-        Anchors feet = own->second.nearest(point);
-        if (feet.empty() || (feet.front().on(mesh_.points()) - point).norm() <= reach)
-            feet_[at(s)] = std::move(feet);
+        feet_[at(s)] = own->second.nearest(mesh_.points().row(v).transpose(), reach);
     };
     each_in_parallel(feet_.size(), find);
 }

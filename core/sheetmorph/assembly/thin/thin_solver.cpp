@@ -6,6 +6,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/volume/rotations/rotation_kernel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -141,6 +142,7 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
                               Exactness level, const Progress& progress) const
 {
     Deformation middle = deformer.deform(targets, level, progress);
+    Deformation whole;
     SurfaceTargets asked = targets;
     const double size = part_->mesh().size();
     const double allowed =
@@ -149,7 +151,8 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
         const double last = found.miss;
-        found.miss = ask_for_missing(expand(middle, targets, Exactness::live), targets, asked);
+        expand(middle, targets, Exactness::live, whole);
+        found.miss = ask_for_missing(whole, targets, asked);
         // As near as asked for; or nearer than counts, and rounding brings it no nearer.
         found.is_converged =
             found.miss <= allowed
@@ -213,21 +216,35 @@ LocalRotations ThinSolver::rotations(const Deformation& middle,
     return turned;
 }
 
-ThinSolver::Hung ThinSolver::hung(int vertex, const Anchor& anchor, const Sheet& sheet) const
+// How the sheet turns at every anchor of some vertices that hang on it, one after the other.
+std::vector<Matrix3> ThinSolver::means(int begin, int end, const Sheet& sheet) const
+{
+    const std::vector<Matrix3>& turned = sheet.turned.matrices;
+    std::vector<Matrix3> found;
+    for (int vertex = begin; vertex < end; ++vertex)
+        for (const Anchor& anchor : part_->anchors(vertex))
+            if (movers_[at(vertex)].kind == Mover::Kind::sheet)
+                found.push_back(
+                    anchor.mean([&](int corner) -> const Matrix3& { return turned[at(corner)]; }));
+    make_rotations(found);
+    return found;
+}
+
+ThinSolver::Hung ThinSolver::hung(int vertex, const Anchor& anchor, const Matrix3& mean,
+                                  const Sheet& sheet) const
 {
     const Points& rest = part_->middle().points();
-    const auto turn = [&](int corner) -> const Matrix3&
-    { return sheet.turned.matrices[at(corner)]; };
+    const std::vector<Matrix3>& turned = sheet.turned.matrices;
     const Vector3 foot = anchor.on(rest);
-    const Matrix3& first = turn(anchor.corners[0]);
+    const Matrix3& first = turned[at(anchor.corners[0])];
     const Vector3 shift = anchor.sum(
         [&](int corner) { return Vector3(sheet.middle.positions.row(corner) - rest.row(corner)); });
-    const Vector3 bulge =
-        0.5
-        * anchor.sum(
-            [&](int corner)
-            { return Vector3((turn(corner) - first) * (foot - rest.row(corner).transpose())); });
-    const Matrix3 mean = anchor.rotation(turn);
+    const Vector3 bulge = 0.5
+                          * anchor.sum(
+                              [&](int corner) {
+                                  return Vector3((turned[at(corner)] - first)
+                                                 * (foot - rest.row(corner).transpose()));
+                              });
     const Vector3 arm = part_->mesh().points().row(vertex).transpose() - foot;
     const bool is_logged = sheet.turned.logs.rows() > 0;
     const Vector3 log =
@@ -235,13 +252,14 @@ ThinSolver::Hung ThinSolver::hung(int vertex, const Anchor& anchor, const Sheet&
     return {shift + (mean * arm - arm) + bulge, log};
 }
 
-void ThinSolver::hang(int vertex, const Sheet& sheet, Deformation& whole) const
+void ThinSolver::hang(int vertex, const Matrix3* means, const Sheet& sheet,
+                      Deformation& whole) const
 {
     const ThinPart::Anchors& anchors = part_->anchors(vertex);
     Vector3 shift = Vector3::Zero(), log = Vector3::Zero();
-    for (const Anchor& anchor : anchors)
+    for (std::size_t k = 0; k < anchors.size(); ++k)
     {
-        const Hung one = hung(vertex, anchor, sheet);
+        const Hung one = hung(vertex, anchors[k], means[k], sheet);
         shift += one.shift / static_cast<double>(anchors.size());
         log += one.log / static_cast<double>(anchors.size());
     }
@@ -250,19 +268,35 @@ void ThinSolver::hang(int vertex, const Sheet& sheet, Deformation& whole) const
         whole.rotation_logs.row(vertex) = log.transpose();
 }
 
-void ThinSolver::place(int vertex, const Sheet& sheet, Deformation& whole) const
+void ThinSolver::carry(int vertex, const RigidMotion& motion, const Sheet& sheet,
+                       Deformation& whole) const
 {
-    const Mover& mover = movers_[at(vertex)];
-    if (mover.kind == Mover::Kind::sheet)
-        hang(vertex, sheet, whole);
-    if (mover.kind != Mover::Kind::handle && mover.kind != Mover::Kind::feature)
-        return;
-    const RigidMotion& motion = mover.kind == Mover::Kind::handle ? sheet.handles[at(mover.index)]
-                                                                  : whole.features[at(mover.index)];
     whole.positions.row(vertex) =
         motion.apply(Vector3(sheet.rest.row(vertex).transpose())).transpose();
     if (whole.rotation_logs.rows() > 0)
         whole.rotation_logs.row(vertex) = motion.rotation_log.transpose();
+}
+
+void ThinSolver::place(int begin, int end, const Sheet& sheet, Deformation& whole) const
+{
+    const std::vector<Matrix3> turned = means(begin, end, sheet);
+    const Matrix3* next = turned.data();
+    for (int vertex = begin; vertex < end; ++vertex)
+    {
+        const Mover& mover = movers_[at(vertex)];
+        if (mover.kind == Mover::Kind::sheet)
+        {
+            hang(vertex, next, sheet, whole);
+            next += part_->anchors(vertex).size();
+        }
+        else if (mover.kind == Mover::Kind::ground)
+            whole.positions.row(vertex) = part_->mesh().points().row(vertex);
+        else
+            carry(vertex,
+                  mover.kind == Mover::Kind::handle ? sheet.handles[at(mover.index)]
+                                                    : whole.features[at(mover.index)],
+                  sheet, whole);
+    }
 }
 
 // Handles that the energy turns move as the middle shows.
@@ -280,26 +314,34 @@ std::vector<RigidMotion> ThinSolver::known_handles(const Deformation& middle,
     return handles;
 }
 
-Deformation ThinSolver::expand(const Deformation& middle, const SurfaceTargets& targets,
-                               Exactness level) const
+void ThinSolver::expand(const Deformation& middle, const SurfaceTargets& targets, Exactness level,
+                        Deformation& whole) const
 {
     const TriangleMesh& mesh = part_->mesh();
     const std::vector<RigidMotion> handles = known_handles(middle, targets.handles);
-    const Points rest = sizes_.laid(mesh.points(), targets.sizes);
+    const bool is_sized = std::any_of(targets.sizes.begin(), targets.sizes.end(),
+                                      [](const auto& size) { return size.has_value(); });
+    const Points sized = is_sized ? sizes_.laid(mesh.points(), targets.sizes) : Points();
     const LocalRotations turned = rotations(middle, handles, level);
-    Deformation whole{mesh.points(), {}, {}, middle.convergence};
-    if (level == Exactness::exact)
-        whole.rotation_logs = Points::Zero(mesh.vertex_count(), 3);
+    whole.positions.resize(mesh.vertex_count(), 3);
+    whole.rotation_logs = Points::Zero(level == Exactness::exact ? mesh.vertex_count() : 0, 3);
+    whole.features.clear();
     for (std::size_t k = 0; k < middle.features.size(); ++k)
         whole.features.push_back(about(middle.features[k], centres_[k]));
-    const Sheet sheet{middle, turned, handles, rest};
+    whole.convergence = middle.convergence;
+    const Sheet sheet{middle, turned, handles, is_sized ? sized : mesh.points()};
     parallel_ranges(mesh.vertex_count(), microsecond_items,
                     [&](Eigen::Index begin, Eigen::Index end)
-                    {
-                        for (Eigen::Index vertex = begin; vertex < end; ++vertex)
-                            place(static_cast<int>(vertex), sheet, whole);
-                    });
-    return whole;
+                    { place(static_cast<int>(begin), static_cast<int>(end), sheet, whole); });
+}
+
+VertexIds ThinSolver::read_logs() const
+{
+    VertexIds vertices = meter_.without_ring();
+    for (const VertexIds& handle : free_handles_)
+        vertices.insert(vertices.end(), handle.begin(), handle.end());
+    make_set(vertices);
+    return vertices;
 }
 
 }  // namespace sheetmorph

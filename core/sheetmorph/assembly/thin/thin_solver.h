@@ -39,9 +39,14 @@ public:
     //! Whether points hold or move the part, so that one solve is not enough.
     bool has_points() const { return !points_.empty(); }
 
-    //! All vertices for a middle, with rotation logs if exact. \param targets  handles and sizes
-    Deformation expand(const Deformation& middle, const SurfaceTargets& targets,
-                       Exactness level) const;
+    //! All vertices for a middle, with rotation logs if exact.
+    //! \param targets  handles and sizes
+    //! \param whole    filled; its memory is used again
+    void expand(const Deformation& middle, const SurfaceTargets& targets, Exactness level,
+                Deformation& whole) const;
+
+    //! The vertices of the middle whose rotation logs expand() reads in live frames.
+    VertexIds read_logs() const;
 
 private:
     //! What moves a vertex: the sheet it hangs on, the ground, a handle or a feature.
@@ -84,9 +89,11 @@ private:
         Vector3 shift;
         Vector3 log;
     };
-    Hung hung(int vertex, const Anchor& anchor, const Sheet& sheet) const;
-    void hang(int vertex, const Sheet& sheet, Deformation& whole) const;
-    void place(int vertex, const Sheet& sheet, Deformation& whole) const;
+    std::vector<Matrix3> means(int begin, int end, const Sheet& sheet) const;
+    Hung hung(int vertex, const Anchor& anchor, const Matrix3& mean, const Sheet& sheet) const;
+    void hang(int vertex, const Matrix3* means, const Sheet& sheet, Deformation& whole) const;
+    void place(int begin, int end, const Sheet& sheet, Deformation& whole) const;
+    void carry(int vertex, const RigidMotion& motion, const Sheet& sheet, Deformation& whole) const;
     double ask_for_missing(const Deformation& whole, const SurfaceTargets& targets,
                            SurfaceTargets& asked) const;
 

@@ -41,15 +41,23 @@ struct Anchor
         return sum([&](int corner) { return Vector3(values.row(corner)); });
     }
 
-    //! The rotation of its frame; exactly that of its corners where they agree.
+    //! The mean of the matrices of its corners; exactly theirs where they agree.
     template <typename OfCorner>
-    Matrix3 rotation(OfCorner of_corner) const
+    Matrix3 mean(OfCorner of_corner) const
     {
         const Matrix3& first = of_corner(corners[0]);
         Matrix3 change = Matrix3::Zero();
         for (std::size_t k = 1; k < 3; ++k)
             change += weights(static_cast<Eigen::Index>(k)) * (of_corner(corners[k]) - first);
-        return change.isZero(0.0) ? first : polar_rotation(first + change);
+        return first + change;
+    }
+
+    //! The rotation of its frame; exactly that of its corners where they agree.
+    template <typename OfCorner>
+    Matrix3 rotation(OfCorner of_corner) const
+    {
+        const Matrix3 found = mean(of_corner);
+        return found == of_corner(corners[0]) ? found : polar_rotation(found);
     }
 };
 

@@ -113,6 +113,8 @@ void FrontSolver::forward(const Nodes& nodes, Groups& groups, Groups* above) con
                 const int* rows = own.rows.data();
                 for (int k = 0; k < own.columns; ++k)
                     w.row(k) = x.row(rows[k]);
+                if (w.topRows(own.columns).isZero(0.0))
+                    continue;  // local right sides reach few fronts
                 w.middleRows(own.columns, own.below()).setZero();
                 run_forward(own, static_cast<int>(w.cols()), w.data());
                 for (int k = 0; k < own.columns; ++k)

@@ -33,6 +33,16 @@ float narrow_step(const ResponseFields::Patch& patch, Eigen::Index field,
     return 0.5 * step * needed <= narrow_miss ? static_cast<float>(step) : 0.0F;
 }
 
+std::vector<Eigen::Index> wide_first(const std::vector<float>& steps)
+{
+    std::vector<Eigen::Index> order;
+    for (const bool is_narrow : {false, true})
+        for (std::size_t field = 0; field < steps.size(); ++field)
+            if ((steps[field] != 0.0F) == is_narrow)
+                order.push_back(static_cast<Eigen::Index>(field));
+    return order;
+}
+
 }  // namespace
 
 ResponseBasis::ResponseBasis(const ResponseFields& fields)
@@ -59,17 +69,13 @@ void ResponseBasis::find_runs(const VertexIds& rows)
 void ResponseBasis::pack(const ResponseFields::Patch& patch, const Eigen::VectorXd& tolerances)
 {
     const Eigen::Index count = patch.fields.cols();
-    std::vector<Eigen::Index> order;  // wide ones first
     std::vector<float> steps;
     for (Eigen::Index field = 0; field < count; ++field)
         steps.push_back(narrow_step(patch, field, tolerances));
-    for (const bool is_narrow : {false, true})
-        for (Eigen::Index field = 0; field < count; ++field)
-            if ((steps[at(field)] != 0.0F) == is_narrow)
-                order.push_back(field);
+    const std::vector<Eigen::Index> order = wide_first(steps);
     const auto wide = std::count(steps.begin(), steps.end(), 0.0F);
-    places_.push_back({wide_.size(), narrow_.size(), shares_.size(), 0, static_cast<int>(wide),
-                       static_cast<int>(count - wide), 0});
+    places_.push_back({wide_.size(), narrow_.size(), shares_.size(), felt_.size(), 0,
+                       static_cast<int>(wide), static_cast<int>(count - wide), 0, 0});
     const Eigen::Index blocks = rows_a_patch_ / block_rows;
     const std::size_t first_wide = wide_.size(), first_narrow = narrow_.size();
     wide_.resize(first_wide + at(blocks * wide), ResponseRows{});
@@ -91,8 +97,14 @@ void ResponseBasis::pack(const ResponseFields::Patch& patch, const Eigen::Vector
     constexpr int lanes = ResponseProduct::lanes;
     const Eigen::Index filled = (count + lanes - 1) / lanes * lanes;
     for (Eigen::Index column = 0; column < columns_; ++column)
+    {
+        if (patch.shares.col(column).isZero(0.0))
+            continue;
+        felt_.push_back(static_cast<int>(column));
         for (Eigen::Index k = 0; k < filled; ++k)
             shares_.push_back(k < count ? static_cast<float>(shares(k, column)) : 0.0F);
+    }
+    places_.back().felt_count = static_cast<int>(felt_.size() - places_.back().felt);
 }
 
 // Through a buffer that stays in the nearest cache: rows of a patch are anywhere in the mesh.
@@ -101,6 +113,11 @@ void ResponseBasis::add_patch(std::size_t patch, const Points& start,
 {
     alignas(64) double moved[3 * ResponseProduct::most_blocks * block_rows];
     const Place& place = places_[patch];
+    thread_local std::vector<double> felt;
+    felt.clear();
+    for (int k = 0; k < place.felt_count; ++k)
+        for (int axis = 0; axis < 3; ++axis)
+            felt.push_back(coefficients(felt_[place.felt + at(k)], axis));
     ResponseProduct work{};
     work.wide = wide_.data() + place.wide;
     work.wide_count = place.wide_count;
@@ -108,8 +125,8 @@ void ResponseBasis::add_patch(std::size_t patch, const Points& start,
     work.narrow_count = place.narrow_count;
     work.blocks = static_cast<int>(rows_a_patch_ / block_rows);
     work.shares = shares_.data() + place.shares;
-    work.columns = static_cast<int>(columns_);
-    work.coefficients = coefficients.data();
+    work.columns = place.felt_count;
+    work.coefficients = felt.data();
     work.result = moved;
     run_response_kernel(work);
     const double* from = moved;
@@ -140,7 +157,7 @@ double ResponseBasis::bytes() const
     return static_cast<double>(runs_.size() * sizeof(Run) + places_.size() * sizeof(Place)
                                + wide_.size() * sizeof(ResponseRows)
                                + narrow_.size() * sizeof(NarrowRows)
-                               + shares_.size() * sizeof(float));
+                               + shares_.size() * sizeof(float) + felt_.size() * sizeof(int));
 }
 
 }  // namespace sheetmorph

@@ -33,8 +33,8 @@ private:
     };
     struct Place
     {
-        std::size_t wide, narrow, shares, runs;
-        int wide_count, narrow_count, run_count;
+        std::size_t wide, narrow, shares, felt, runs;
+        int wide_count, narrow_count, felt_count, run_count;
     };
     void find_runs(const VertexIds& rows);
     void pack(const ResponseFields::Patch& patch, const Eigen::VectorXd& tolerances);
@@ -47,7 +47,8 @@ private:
     std::vector<Place> places_;       // of the patches
     std::vector<ResponseRows> wide_;  // block by block, a field each
     std::vector<NarrowRows> narrow_;  // likewise
-    std::vector<float> shares_;
+    std::vector<float> shares_;       // of the columns felt
+    std::vector<int> felt_;           // columns that move a patch
     std::vector<Run> runs_;
 };
 

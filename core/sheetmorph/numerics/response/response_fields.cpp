@@ -27,6 +27,9 @@ constexpr double near_steps = 4.0;
 // Of a column's largest entry: less than float32 can tell.
 constexpr double rounding = 1e-7;
 
+// In units of the tolerances: a column that moves a patch by less is not felt there.
+constexpr double unfelt = 0.1;
+
 // Rows whose patches are worth a range of their own.
 constexpr Eigen::Index least_rows = 2000;
 
@@ -55,8 +58,19 @@ void take_off(const Eigen::MatrixXd& fields, Eigen::MatrixXd& wanted, Eigen::Mat
 // The column that misses most becomes a field, until none misses by more than one (columns are in
 // units of their tolerances) or than their rounding in float32. As many fields as rows miss
 // nothing.
-void extend(ResponseFields::Patch& patch, Eigen::MatrixXd wanted, const Eigen::VectorXd& units)
+void extend(ResponseFields::Patch& patch, const Eigen::MatrixXd& columns,
+            const Eigen::VectorXd& units)
 {
+    std::vector<Eigen::Index> felt;
+    for (Eigen::Index k = 0; k < columns.cols(); ++k)
+        if (columns.col(k).cwiseAbs().maxCoeff() > unfelt)
+            felt.push_back(k);
+    const Eigen::Index before = patch.shares.cols();
+    patch.shares.conservativeResizeLike(
+        Eigen::MatrixXd::Zero(patch.fields.cols(), before + columns.cols()));
+    if (felt.empty())
+        return;
+    Eigen::MatrixXd wanted = columns(Eigen::indexing::all, felt);
     const Eigen::Index rows = wanted.rows();
     const Eigen::RowVectorXd allowed =
         (rounding * wanted.cwiseAbs().colwise().maxCoeff()).cwiseMax(1.0);
@@ -77,10 +91,10 @@ void extend(ResponseFields::Patch& patch, Eigen::MatrixXd wanted, const Eigen::V
         fields.rightCols(1) = field;
     }
     patch.fields = fields.cast<float>();
-    const Eigen::Index columns = patch.shares.cols();
-    patch.shares.conservativeResizeLike(
-        Eigen::MatrixXd::Zero(fields.cols(), columns + wanted.cols()));
-    patch.shares.rightCols(wanted.cols()) = shares.topRows(fields.cols()) * units.asDiagonal();
+    patch.shares.conservativeResizeLike(Eigen::MatrixXd::Zero(fields.cols(), patch.shares.cols()));
+    for (std::size_t k = 0; k < felt.size(); ++k)
+        patch.shares.col(before + felt[k]) =
+            shares.col(static_cast<Eigen::Index>(k)).head(fields.cols()) * units(felt[k]);
 }
 
 }  // namespace

@@ -355,7 +355,7 @@ void Response::place_reads(const Frame& frame, Deformation& result) const
 
 void Response::fill_logs(const Frame& frame, Deformation& result) const
 {
-    const bool is_read = wants_all_logs() || !part_.followers.is_empty();
+    const bool is_read = wants_all_logs() || !readers_.vertices.empty();
     result.rotation_logs.resize(is_read ? part_.rest.vertex_count() : 0, 3);
     if (wants_all_logs())
     {

@@ -62,7 +62,7 @@ public:
     //! Fills the rows of positions and logs that later parts read, and the features; without sizes.
     void place_reads(const Frame& frame, Deformation& result) const;
 
-    //! Fills positions, features, and the logs if all are read.
+    //! Fills positions, features, and the logs that are read.
     void place(const Frame& frame, Deformation& result) const;
 
     Eigen::Index fields() const { return basis_.columns(); }

@@ -81,7 +81,8 @@ void PoseRates::solve_turners()
     if (turned_->is_held)
         throw NoDerivative("features are held where the sheet turns by more than a right angle");
     const Joints& joints = turned_->joints;
-    expansion_ = expand(joints, {placement_, responses, turned_->energy});
+    const Measure measure{placement_, responses, turned_->energy};
+    expansion_ = expand(joints, measure, forces_at(joints, measure));
     for (std::size_t k = 0; k < joints.states().size(); ++k)
         if (const int body = responses.turners()[k].body; body >= 0)
             bodies_.motions[at(body)] = motion_of(part_.roles.bodies[at(body)], joints.states()[k],

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr int none = -1;
+constexpr std::size_t together = 48;  // turners whose weights are solved at once
 
 // Which turner a vertex turns wholly with.
 std::vector<int> owners(int vertex_count, const std::vector<Turner>& turners)
@@ -60,31 +61,64 @@ double smoothed(double weight)
     return w * w * (3.0 - 2.0 * w);
 }
 
-// What the field is left with takes part in the partition of unity. Column by column, as they lie.
-void smooth_and_renormalise(Eigen::MatrixXd& weights)
-{
-    Eigen::VectorXd sums = (1.0 - weights.rowwise().sum().array()).unaryExpr(&smoothed);
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
-    {
-        weights.col(k) = weights.col(k).unaryExpr(&smoothed);
-        sums += weights.col(k);
-    }
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
-        weights.col(k).array() /= sums.array();
-}
-
-// What the turners' own vertices pull on the open ones (unknowns, turners).
+// What the own vertices of some turners pull on the open ones (unknowns, count).
 Eigen::MatrixXd pull_of_turners(const SparseMatrix& harmonic, const Unknowns& unknowns,
-                                const std::vector<int>& owner, Eigen::Index turners)
+                                const VertexIds* owned, Eigen::Index count)
 {
-    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns.count, turners);
-    for (Eigen::Index i = 0; i < harmonic.cols(); ++i)
-        if (owner[at(i)] != none)
-            for (SparseMatrix::InnerIterator entry(harmonic, i); entry; ++entry)
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns.count, count);
+    for (Eigen::Index k = 0; k < count; ++k)
+        for (const int vertex : owned[k])
+            for (SparseMatrix::InnerIterator entry(harmonic, vertex); entry; ++entry)
                 if (const int unknown = unknowns.of_vertex[at(entry.row())];
                     unknown != Unknowns::known)
-                    pull(unknown, owner[at(i)]) += entry.value();
+                    pull(unknown, k) += entry.value();
     return pull;
+}
+
+//! The weights that are some, before they are a partition of unity.
+struct Shares
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd given;  // by vertex: all of them, not yet smoothed
+
+    void add(int vertex, std::size_t turner, double weight)
+    {
+        given(vertex) += weight;
+        if (const double share = smoothed(weight); share > 0.0)
+            entries.emplace_back(vertex, static_cast<int>(turner), share);
+    }
+
+    // What the field is left with takes part.
+    SparseMatrix normalised(Eigen::Index turners) const
+    {
+        Eigen::VectorXd sums = given.unaryExpr([](double all) { return smoothed(1.0 - all); });
+        for (const Eigen::Triplet<double>& entry : entries)
+            sums(entry.row()) += entry.value();
+        SparseMatrix weights(given.size(), turners);
+        weights.setFromTriplets(entries.begin(), entries.end());
+        for (Eigen::Index k = 0; k < turners; ++k)
+            for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
+                entry.valueRef() /= sums(entry.row());
+        return weights;
+    }
+};
+
+// A few turners at a time: most weights are none.
+void add_open(const RotationFieldInput& input, const Unknowns& unknowns,
+              const std::vector<VertexIds>& owned, Shares& shares)
+{
+    const SurfaceOperators& operators = input.operators;
+    const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.harmonic_tree);
+    for (std::size_t first = 0; first < owned.size(); first += together)
+    {
+        const std::size_t count = std::min(together, owned.size() - first);
+        const Eigen::MatrixXd pulled = factor.solve(pull_of_turners(
+            *operators.harmonic, unknowns, owned.data() + first, static_cast<Eigen::Index>(count)));
+        for (int i = 0; i < input.mesh.vertex_count(); ++i)
+            if (const int unknown = unknowns.of_vertex[at(i)]; unknown != Unknowns::known)
+                for (std::size_t k = 0; k < count; ++k)
+                    shares.add(i, first + k, -pulled(unknown, static_cast<Eigen::Index>(k)));
+    }
 }
 
 }  // namespace
@@ -92,21 +126,18 @@ Eigen::MatrixXd pull_of_turners(const SparseMatrix& harmonic, const Unknowns& un
 SparseMatrix turner_weights(const RotationFieldInput& input, const std::vector<Turner>& turners)
 {
     const std::vector<int> owner = owners(input.mesh.vertex_count(), turners);
-    Eigen::MatrixXd weights =
-        Eigen::MatrixXd::Zero(input.mesh.vertex_count(), static_cast<Eigen::Index>(turners.size()));
+    std::vector<VertexIds> owned(turners.size());
+    Shares shares{{}, Eigen::VectorXd::Zero(input.mesh.vertex_count())};
     for (std::size_t i = 0; i < owner.size(); ++i)
         if (owner[i] != none)
-            weights(static_cast<Eigen::Index>(i), owner[i]) = 1.0;
+        {
+            owned[at(owner[i])].push_back(static_cast<int>(i));
+            shares.add(static_cast<int>(i), at(owner[i]), 1.0);
+        }
     const Unknowns unknowns = open_vertices(input, owner);
-    if (turners.empty() || unknowns.count == 0)
-        return weights.sparseView();
-    const SurfaceOperators& operators = input.operators;
-    const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.harmonic_tree);
-    weights -=
-        unknowns.basis()
-        * factor.solve(pull_of_turners(*operators.harmonic, unknowns, owner, weights.cols()));
-    smooth_and_renormalise(weights);
-    return weights.sparseView();
+    if (!turners.empty() && unknowns.count > 0)
+        add_open(input, unknowns, owned, shares);
+    return shares.normalised(static_cast<Eigen::Index>(turners.size()));
 }
 
 }  // namespace sheetmorph

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/solve/feature_responses.h"
 
+#include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -20,8 +22,8 @@ constexpr Eigen::Index block = 24;  // columns solved together
 constexpr Eigen::Index blocks_at_once = 4;
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
 constexpr int refinements = 1;
-constexpr Eigen::Index least_turned = 50000;  // rows of columns that are worth a thread
-constexpr double miss_a_size = 5e-9;          // of the responses of live frames
+constexpr double miss_a_size = 5e-9;  // of the responses of live frames
+constexpr double least_pivot = 1e-5;  // of the stiffest: the energy feels every turn
 
 }  // namespace
 
@@ -38,7 +40,9 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input, const Stitch
 {
     number_columns();
     offsets_ = direct_moves(arms);
+    turned_rows_ = turned_rows();
     respond();
+    factor_at_rest();
 }
 
 void FeatureResponses::number_columns()
@@ -88,26 +92,33 @@ SparseMatrix FeatureResponses::direct_moves(const StitchArms& arms) const
     return moves;
 }
 
-// What columns first, first + 1, ... ask of the sheet: turners turn the rest rows around them.
+// How the columns turn the rest rows around the turners.
+SparseMatrix FeatureResponses::turned_rows() const
+{
+    std::vector<std::vector<int>> rows(at(mesh_.vertex_count()));
+    for (std::size_t row = 0; row < operators_.row_vertices.size(); ++row)
+        rows[at(operators_.row_vertices[row])].push_back(static_cast<int>(row));
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index k = 0; k < weights_.cols(); ++k)
+        for (SparseMatrix::InnerIterator entry(weights_, k); entry; ++entry)
+            for (const int row : rows[at(entry.row())])
+                for (int b = 0; b < 3 && columns_[at(k)].turn != none; ++b)
+                    entries.emplace_back(row, columns_[at(k)].turn + b,
+                                         entry.value() * operators_.rest_rows(row, b));
+    SparseMatrix turned(operators_.rest_rows.rows(), count_);
+    turned.setFromTriplets(entries.begin(), entries.end());
+    return turned;
+}
+
+// What columns first, first + 1, ... ask of the sheet.
 ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
                                                          Eigen::Index count) const
 {
     ConstrainedMinimiser::Targets asked;
-    asked.rows = Eigen::MatrixXd::Zero(operators_.rest_rows.rows(), count);
+    asked.rows = Eigen::MatrixXd(turned_rows_.middleCols(first, count));
     asked.offset = Eigen::MatrixXd(offsets_.middleCols(first, count));
     asked.constraints =
         Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(constraints_.points.size()), count);
-    for (std::size_t k = 0; k < turners_.size(); ++k)
-        for (int b = 0; b < 3 && columns_[k].turn != none; ++b)
-        {
-            const Eigen::Index column = columns_[k].turn + b - first;
-            if (column < 0 || column >= count)
-                continue;
-            const Eigen::VectorXd weight = weights_.col(static_cast<Eigen::Index>(k));
-            for (Eigen::Index row = 0; row < asked.rows.rows(); ++row)
-                asked.rows(row, column) =
-                    weight(operators_.row_vertices[at(row)]) * operators_.rest_rows(row, b);
-        }
     return asked;
 }
 
@@ -131,6 +142,32 @@ void FeatureResponses::respond()
     stiffness_ = 0.5 * (stiffness_ + stiffness_.transpose()).eval();
 }
 
+// Of two turners 2 (tr G_kl - G_kl^T) (TurnExpansion).
+void FeatureResponses::factor_at_rest()
+{
+    Weights matrix(count_, count_);
+    for (const TurnerColumns& one : columns_)
+        for (const TurnerColumns& other : columns_)
+        {
+            if (one.turn == none || one.shift != none || other.turn == none || other.shift != none)
+                return;
+            const Matrix3 both = stiffness_.block<3, 3>(one.turn, other.turn);
+            matrix.block<3, 3>(one.turn, other.turn) =
+                2.0 * (both.trace() * Matrix3::Identity() - both.transpose());
+        }
+    const double stiffest = std::sqrt(matrix.diagonal().cwiseAbs().maxCoeff());
+    try
+    {
+        at_rest_.emplace(std::move(matrix));
+        if (at_rest_->smallest_pivot() < least_pivot * stiffest)
+            at_rest_.reset();
+    }
+    catch (const SolverError&)
+    {
+        // Not positive definite.
+    }
+}
+
 // Of the next columns, and their part of the stiffness.
 Eigen::MatrixXd FeatureResponses::answer(Eigen::Index first)
 {
@@ -145,27 +182,8 @@ Eigen::MatrixXd FeatureResponses::answer(Eigen::Index first)
 // all that the sheet can move and phi moves no constrained point.
 Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& left) const
 {
-    Eigen::MatrixXd slopes = offsets_.transpose() * left.forces;
-    const auto turn_columns = [&](Eigen::Index begin, Eigen::Index end)
-    {
-        Points moments(mesh_.vertex_count(), 3);
-        for (Eigen::Index column = begin; column < end; ++column)
-        {
-            moments.setZero();
-            for (Eigen::Index row = 0; row < left.residual.rows(); ++row)
-                moments.row(operators_.row_vertices[at(row)]) += operators_.weights(row)
-                                                                 * left.residual(row, column)
-                                                                 * operators_.rest_rows.row(row);
-            const Eigen::MatrixXd turned = weights_.transpose() * moments;
-            for (std::size_t k = 0; k < turners_.size(); ++k)
-                if (columns_[k].turn != none)
-                    slopes.block<3, 1>(columns_[k].turn, column) -=
-                        turned.row(static_cast<Eigen::Index>(k)).transpose();
-        }
-    };
-    parallel_ranges(slopes.cols(), 1 + least_turned / std::max(1, mesh_.vertex_count()),
-                    turn_columns);
-    return slopes;
+    const Weights weighted = operators_.weights.asDiagonal() * left.residual;  // rows contiguous
+    return offsets_.transpose() * left.forces - turned_rows_.transpose() * weighted;
 }
 
 ReducedEnergy FeatureResponses::energy(const ConstrainedMinimiser::Targets& asked,

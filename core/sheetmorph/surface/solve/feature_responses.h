@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 #include "sheetmorph/numerics/constrained_minimiser.h"
-#include "sheetmorph/numerics/dense_products.h"
 #include "sheetmorph/numerics/response/response_fields.h"
 #include "sheetmorph/surface/bodies/joints.h"
 #include "sheetmorph/surface/operators/stitches.h"
@@ -50,6 +50,10 @@ public:
     Eigen::MatrixXd slopes(const ConstrainedMinimiser::Targets& asked,
                            const ConstrainedMinimiser::Solution& base) const;
 
+    //! Of the second derivative of the energy at rest, (c, c), where every turner turns and does
+    //! nothing else; else, or where it is as good as singular, nothing.
+    const DenseCholesky* at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
+
     //! (n, c) to live accuracy; nothing where the responses
     //! would take more memory than they are worth: solve again instead.
     const ResponseFields* fields() const { return responses_ ? &*responses_ : nullptr; }
@@ -60,8 +64,10 @@ public:
 private:
     void number_columns();
     SparseMatrix direct_moves(const StitchArms& arms) const;
+    SparseMatrix turned_rows() const;
     ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
     void respond();
+    void factor_at_rest();
     Eigen::MatrixXd answer(Eigen::Index first);
     Eigen::MatrixXd slopes(const ConstrainedMinimiser::Balance& left) const;
 
@@ -75,8 +81,10 @@ private:
     int count_ = 0;  // c
     SparseMatrix weights_;
     SparseMatrix offsets_;                     // (n, c) what the columns move directly
+    SparseMatrix turned_rows_;                 // (r, c)
     std::optional<ResponseFields> responses_;  // (n, c) Phi
     Weights stiffness_;                        // (c, c)
+    std::optional<DenseCholesky> at_rest_;
 };
 
 }  // namespace sheetmorph

@@ -68,7 +68,7 @@ Change second_change(const Mover& outer, const Mover& inner, const BodyState& st
 }
 
 // Rows of F that a change of turner k meets: sum of F[turn + b, x] dR[x, b] + F[shift, x] dt[x].
-double dot(const TurnerColumns& columns, const Eigen::MatrixXd& forces, const Change& change)
+double dot(const TurnerColumns& columns, const Points& forces, const Change& change)
 {
     double sum = 0.0;
     if (columns.turn != none)
@@ -113,7 +113,7 @@ Jacobians jacobians(const Joints& joints, const FeatureResponses& responses)
 }
 
 void add_curvature(Eigen::MatrixXd& hessian, const Joints& joints,
-                   const FeatureResponses& responses, const Eigen::MatrixXd& forces)
+                   const FeatureResponses& responses, const Points& forces)
 {
     for (std::size_t k = 0; k < joints.states().size(); ++k)
     {
@@ -132,67 +132,55 @@ void add_curvature(Eigen::MatrixXd& hessian, const Joints& joints,
     }
 }
 
-// Whether every turner turns about three axes and does nothing else.
-bool only_turns(const Joints& joints, const FeatureResponses& responses)
+// 2 a for an antisymmetric part that is [a] / 2.
+Vector3 axial(const Matrix3& n)
+{
+    return 2.0 * Vector3(n(1, 2) - n(2, 1), n(2, 0) - n(0, 2), n(0, 1) - n(1, 0));
+}
+
+// What the forces on one turner add to its own block.
+Matrix3 curvature(const Matrix3& n)
+{
+    return n + n.transpose() - 2.0 * n.trace() * Matrix3::Identity();
+}
+
+// The same for turners that only turn, block by block (TurnExpansion).
+void expand_turns(const Joints& joints, const Measure& measure, const Forces& forces, Expansion& at)
 {
     for (std::size_t k = 0; k < joints.states().size(); ++k)
     {
-        const std::vector<JointLevel>& levels = joints.levels(k);
-        const TurnerColumns& columns = responses.columns()[k];
-        if (levels.size() != 1 || !levels[0].is_turn || levels[0].axes.size() != 3
-            || columns.turn == none || columns.shift != none)
-            return false;
-    }
-    return true;
-}
-
-// The same for turners that only turn, block by block. With dR = [e_i] R, and M = R_k G_kl R_l^T of
-// two turners, the second derivative is 2 (tr M - M^T); N = R F of one turner and the forces on it
-// gives the first, 2 (N_yz - N_zy) ..., and the curvature, N + N^T - 2 tr N.
-void expand_turns(const Joints& joints, const Measure& measure, const Eigen::MatrixXd& forces,
-                  Expansion& at)
-{
-    const std::size_t count = joints.states().size();
-    for (std::size_t k = 0; k < count; ++k)
-    {
-        const int row = measure.responses.columns()[k].turn, own = joints.levels(k)[0].first;
+        const auto own = 3 * static_cast<Eigen::Index>(k);
         const Matrix3& rotation = joints.states()[k].rotation;
-        const Matrix3 n = rotation * forces.block<3, 3>(row, 0);
-        at.gradient.segment<3>(own) =
-            2.0 * Vector3(n(1, 2) - n(2, 1), n(2, 0) - n(0, 2), n(0, 1) - n(1, 0));
+        const Matrix3 n = rotation * forces.pull.middleRows<3>(own);
+        at.gradient.segment<3>(own) = axial(n);
         for (std::size_t l = 0; l <= k; ++l)
         {
-            const int column = measure.responses.columns()[l].turn;
-            const int other = joints.levels(l)[0].first;
-            const Matrix3 m = rotation * measure.energy.stiffness.block<3, 3>(row, column)
+            const auto other = 3 * static_cast<Eigen::Index>(l);
+            const Matrix3 m = rotation * measure.energy.stiffness.block<3, 3>(own, other)
                               * joints.states()[l].rotation.transpose();
             const Matrix3 block = 2.0 * (m.trace() * Matrix3::Identity() - m.transpose());
             at.hessian.block<3, 3>(own, other) = block;
             at.hessian.block<3, 3>(other, own) = block.transpose();
         }
-        at.hessian.block<3, 3>(own, own) +=
-            n + n.transpose() - 2.0 * n.trace() * Matrix3::Identity();
+        at.hessian.block<3, 3>(own, own) += curvature(n);
     }
 }
 
 }  // namespace
 
-double Measure::value(const Joints& joints) const
+Forces forces_at(const Joints& joints, const Measure& measure)
 {
-    const Eigen::MatrixXd rho = entries_of(joints, part, responses);
-    return (rho.cwiseProduct(narrow_product(energy.stiffness, rho) + 2.0 * energy.slope)).sum();
+    Forces found{entries_of(joints, measure.part, measure.responses), {}, 0.0};
+    found.pull = narrow_product(measure.energy.stiffness, found.entries) + measure.energy.slope;
+    found.value = found.entries.cwiseProduct(found.pull + measure.energy.slope).sum();
+    return found;
 }
 
-Expansion expand(const Joints& joints, const Measure& measure)
+Expansion expand(const Joints& joints, const Measure& measure, const Forces& forces)
 {
-    const Eigen::MatrixXd rho = entries_of(joints, measure.part, measure.responses);
-    const Eigen::MatrixXd forces =
-        narrow_product(measure.energy.stiffness, rho) + measure.energy.slope;
-    Expansion at;
-    at.value = (rho.cwiseProduct(forces + measure.energy.slope)).sum();
-    at.gradient = Eigen::VectorXd::Zero(joints.freedoms());
-    at.hessian = Eigen::MatrixXd::Zero(joints.freedoms(), joints.freedoms());
-    if (only_turns(joints, measure.responses))
+    Expansion at{Eigen::VectorXd::Zero(joints.freedoms()),
+                 Eigen::MatrixXd::Zero(joints.freedoms(), joints.freedoms())};
+    if (TurnExpansion::is_possible(joints, measure.responses))
     {
         expand_turns(joints, measure, forces, at);
         return at;
@@ -200,12 +188,76 @@ Expansion expand(const Joints& joints, const Measure& measure)
     const Jacobians change = jacobians(joints, measure.responses);
     for (std::size_t x = 0; x < 3; ++x)
     {
-        at.gradient += 2.0 * (change[x].transpose() * forces.col(static_cast<Eigen::Index>(x)));
+        at.gradient +=
+            2.0 * (change[x].transpose() * forces.pull.col(static_cast<Eigen::Index>(x)));
         const Eigen::MatrixXd half = measure.energy.stiffness * change[x];
         at.hessian += 2.0 * (change[x].transpose() * half);
     }
-    add_curvature(at.hessian, joints, measure.responses, forces);
+    add_curvature(at.hessian, joints, measure.responses, forces.pull);
     return at;
+}
+
+bool TurnExpansion::is_possible(const Joints& joints, const FeatureResponses& responses)
+{
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+    {
+        const std::vector<JointLevel>& levels = joints.levels(k);
+        if (levels.size() != 1 || !levels[0].is_turn || levels[0].axes.size() != 3)
+            return false;
+    }
+    return responses.at_rest() != nullptr;
+}
+
+TurnExpansion::TurnExpansion(const Joints& joints, const Measure& measure, const Forces& forces)
+    : gradient_(joints.freedoms()),
+      stiffness_(measure.energy.stiffness),
+      at_rest_(*measure.responses.at_rest())
+{
+    for (std::size_t k = 0; k < joints.states().size(); ++k)
+    {
+        const auto row = 3 * static_cast<Eigen::Index>(k);
+        const Matrix3& rotation = joints.states()[k].rotation;
+        const Matrix3 n = rotation * forces.pull.middleRows<3>(row);
+        rotations_.push_back(rotation);
+        curvatures_.push_back(curvature(n));
+        gradient_.segment<3>(row) = axial(n);
+    }
+}
+
+Eigen::VectorXd TurnExpansion::times(const Eigen::VectorXd& q) const
+{
+    Points turned(q.size(), 3);
+    for (std::size_t k = 0; k < rotations_.size(); ++k)
+    {
+        const auto row = 3 * static_cast<Eigen::Index>(k);
+        turned.middleRows<3>(row) = (cross_matrix(q.segment<3>(row)) * rotations_[k]).transpose();
+    }
+    const Points pull = narrow_product(stiffness_, turned);
+    Eigen::VectorXd product(q.size());
+    for (std::size_t k = 0; k < rotations_.size(); ++k)
+    {
+        const auto row = 3 * static_cast<Eigen::Index>(k);
+        product.segment<3>(row) =
+            axial(rotations_[k] * pull.middleRows<3>(row)) + curvatures_[k] * q.segment<3>(row);
+    }
+    return product;
+}
+
+Eigen::VectorXd TurnExpansion::nearly_solved(const Eigen::VectorXd& q) const
+{
+    Eigen::VectorXd turned(q.size());
+    for (std::size_t k = 0; k < rotations_.size(); ++k)
+    {
+        const auto row = 3 * static_cast<Eigen::Index>(k);
+        turned.segment<3>(row) = rotations_[k].transpose() * q.segment<3>(row);
+    }
+    Eigen::VectorXd solved = at_rest_.solve(turned);
+    for (std::size_t k = 0; k < rotations_.size(); ++k)
+    {
+        const auto row = 3 * static_cast<Eigen::Index>(k);
+        solved.segment<3>(row) = (rotations_[k] * solved.segment<3>(row)).eval();
+    }
+    return solved;
 }
 
 std::vector<StateRate> state_rates(const Joints& joints, const Eigen::VectorXd& steps)

@@ -25,6 +25,9 @@ constexpr double unseen_gain = 1e-10;    // of the energy: what rounding hides
 constexpr double unfelt = 1e-11;         // of the stiffest freedom: the energy does not feel it
 constexpr double barely_convex = 1e-6;   // likewise: what this makes convex some do not feel
 constexpr double first_shift = 0.02;     // likewise, where the energy is not convex
+constexpr double left_by_rounds = 0.03;  // of its square: rounds leave less than the step itself
+constexpr double lowest_share = 1e-9;    // of the step: what rounding leaves of it
+constexpr int most_rounds = 60;          // of conjugate gradients
 
 // Numbers that make every freedom about as stiff as any other; what nothing feels gets none.
 Eigen::VectorXd scales(const Expansion& at)
@@ -90,6 +93,55 @@ double shortened(const Eigen::VectorXd& step, const Joints& joints)
     return turn > 0.8 ? 0.8 / turn : 1.0;
 }
 
+// Newton's step by conjugate gradients, so near that what is left of it is less than what it
+// leaves; nothing where the energy is not convex, or so far from how it is at rest that this takes
+// long.
+std::optional<Eigen::VectorXd> near_step(const TurnExpansion& at, double precision)
+{
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(at.gradient().size());
+    Eigen::VectorXd left = -at.gradient(), near = at.nearly_solved(left), direction = near;
+    double share = left.dot(near);
+    const double first = near.cwiseAbs().maxCoeff();
+    const double enough = std::max({left_by_rounds * first * first, lowest_share * first,
+                                    left_by_rounds * precision * precision});
+    for (int round = 0; round < most_rounds; ++round)
+    {
+        if (near.cwiseAbs().maxCoeff() <= enough)
+            return step;
+        const Eigen::VectorXd product = at.times(direction);
+        const double curvature = direction.dot(product);
+        if (!(curvature > 0.0))
+            return std::nullopt;
+        step += share / curvature * direction;
+        left -= share / curvature * product;
+        near = at.nearly_solved(left);
+        const double before = share;
+        share = left.dot(near);
+        direction = near + share / before * direction;
+    }
+    return std::nullopt;
+}
+
+//! A step, and what the energy changes by along it, per unit.
+struct Step
+{
+    Eigen::VectorXd amount;
+    double slope;
+};
+
+Step next_step(const Joints& joints, const Measure& measure, const Forces& here, double precision)
+{
+    if (TurnExpansion::is_possible(joints, measure.responses))
+    {
+        const TurnExpansion at(joints, measure, here);
+        if (const std::optional<Eigen::VectorXd> step = near_step(at, precision))
+            return {*step, at.gradient().dot(*step)};
+    }
+    const Expansion at = expand(joints, measure, here);
+    const Eigen::VectorXd step = newton_step(at);
+    return {step, at.gradient.dot(step)};
+}
+
 }  // namespace
 
 Eigen::VectorXd newton_step(const Expansion& at)
@@ -134,29 +186,32 @@ Convergence minimise(Joints& joints, const Measure& measure, double precision)
 {
     Convergence found{"the turns of form features", joints.freedoms() == 0, 0, 0.0, "radians"};
     double last = std::numeric_limits<double>::infinity();
+    Forces here = forces_at(joints, measure);
     for (; found.rounds < most_steps && !found.is_converged; ++found.rounds)
     {
-        const Expansion here = expand(joints, measure);
-        Eigen::VectorXd step = newton_step(here);
-        step *= shortened(step, joints);
+        auto [step, slope] = next_step(joints, measure, here, precision);
+        const double shorter = shortened(step, joints), gain = std::abs(shorter * slope);
+        step *= shorter;
         const double noise = 1e-14 * std::abs(here.value);
-        const double gain = std::abs(here.gradient.dot(step));
         const std::vector<BodyState> start = joints.states();
-        bool is_lower = false;
-        for (int halving = 0; halving < 40 && !is_lower; ++halving, step *= 0.5)
+        std::optional<Forces> lower;
+        for (int halving = 0; halving < 40 && !lower; ++halving, step *= 0.5)
         {
             joints.restore(start);
             joints.step(step);
-            is_lower = measure.value(joints) <= here.value + noise;
+            Forces there = forces_at(joints, measure);
+            if (there.value <= here.value + noise)
+                lower = std::move(there);
         }
         found.miss = step.cwiseAbs().maxCoeff();
-        if (!is_lower)
+        if (!lower)
         {
             // No step is lower: at the minimum, but for the rounding of what there is to gain.
             joints.restore(start);
             found.is_converged = gain <= unseen_gain * std::abs(here.value);
             return found;
         }
+        here = std::move(*lower);
         found.is_converged =
             is_last(found.miss, last, precision) || (last < rounding && found.miss > 0.5 * last);
         last = found.miss;

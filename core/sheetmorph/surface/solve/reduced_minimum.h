@@ -13,8 +13,6 @@ struct Measure
     const PlacementInput& part;
     const FeatureResponses& responses;
     const ReducedEnergy& energy;
-
-    double value(const Joints& joints) const;
 };
 
 //! Entries (c, 3) of the turners' motions, as a ReducedEnergy counts them.
