@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from copy import deepcopy
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 
 from .arrays import Floats
@@ -14,6 +16,9 @@ from .results import ContactResult, FeatureResult
 
 if TYPE_CHECKING:
     from . import _core
+
+
+Measured = TypeVar("Measured")
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +44,12 @@ class Answer:
     previews: tuple[str, ...] = ()
     unsettled: dict[str, str] = field(default_factory=dict)
     repairs: list[dict[str, Any]] = field(default_factory=list)
-    # Counted and measured when asked for, by part; an answer with other positions begins anew.
-    crossings: dict[str, tuple[int, int]] = field(default_factory=dict, init=False)
-    quality: dict[str, dict[str, Any]] = field(default_factory=dict, init=False)
-    stretch: dict[str, dict[str, Any] | None] = field(default_factory=dict, init=False)
+    # An answer with other positions begins anew.
+    _measured: dict[object, Any] = field(default_factory=dict, init=False)
+
+    def once(self, what: object, measure: Callable[[], Measured]) -> Measured:
+        """What is measured when it is first asked for, under a key; each gets a copy."""
+        if what not in self._measured:
+            self._measured[what] = measure()
+        found: Measured = deepcopy(self._measured[what])
+        return found

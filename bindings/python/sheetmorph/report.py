@@ -91,7 +91,7 @@ def make_report(
         **{"decks": beside.decks, "joint_files": beside.joint_files},
         "contacts": [asdict(contact) for contact in result.contacts],
         "spread": result.spread,
-        "regions": [] if is_brief else region_entries(session),
+        "regions": [] if is_brief else result.once("regions", partial(region_entries, session)),
         **{"parts": parts, "repairs": result.repairs},
         **{"order": session.order, "levels": session.levels, "unreached": session.unreached},
         "notes": [*notes_of(session), *shape_notes(result, parts), *told, *warnings],
@@ -165,12 +165,14 @@ def _feature(
     def error_of(positions: Floats) -> float:
         return edge_error(rests[feature.part], positions, edges, feature.rotation)
 
+    in_mesh = partial(error_of, result.positions[feature.part])
+
     written = files.get(feature.part)
     return {
         "name": feature.name,
         "part": feature.part,
         "vertices": len(vertices),
-        "edge_error": error_of(result.positions[feature.part]),
+        "edge_error": result.once(("edge error", feature.name), in_mesh),
         "file_edge_error": None if written is None else error_of(written.positions),
         "rotation_type": feature.rotation_type,
         "motion": feature.motion,
@@ -189,20 +191,13 @@ def part_report(
     """The entry of a part in the report; is_brief: without where it is stretched."""
     mesh = result.session.meshes[name]
     positions = result.positions[name]
-    if name not in result.quality:
-        result.quality[name] = _quality(result, name)
-    if not is_brief and name not in result.stretch:
-        result.stretch[name] = stretch_report(result, name)
     report = {
         "name": name,
         "vertices": len(mesh.points),
         "triangles": len(mesh.triangles),
         "is_reached": name not in result.session.unreached,
         "largest_displacement": _largest_distance(mesh.points, positions),
-        "quality": result.quality[name],
-        "stretch": None if is_brief else result.stretch[name],
-        "steel": steel_report(result.session, name),
-        "thin": thin_report(result, name),
+        **result.once((name, is_brief), lambda: _measured(result, name, is_brief)),
         "preparation": mesh.preparation,
         "unsettled": result.unsettled.get(name),
         "file": None,
@@ -222,6 +217,16 @@ def part_report(
             "notes": written.notes,
         }
     return report
+
+
+def _measured(result: Answer, part: str, is_brief: bool) -> dict[str, Any]:
+    """What of the entry of a part does not ask for its file."""
+    return {
+        "quality": _quality(result, part),
+        "stretch": None if is_brief else stretch_report(result, part),
+        "steel": steel_report(result.session, part),
+        "thin": thin_report(result, part),
+    }
 
 
 def _largest_distance(a: Floats, b: Floats) -> float:

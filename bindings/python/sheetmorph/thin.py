@@ -68,11 +68,10 @@ def thickness_in_file(result: Answer, part: str, points: Floats) -> dict[str, An
 def crossings(result: Answer, part: str) -> tuple[int, int]:
     """Pairs of triangles of a part that meet though no corner joins them: at rest, and in the pose
     (CGAL)."""
-    if part not in result.crossings:
-        mesh = result.session.meshes[part]
-        core = result.session.core
-        result.crossings[part] = crossing_counts(core, mesh, result.positions[part])
-    return result.crossings[part]
+    session, positions = result.session, result.positions[part]
+    return result.once(
+        ("crossings", part), lambda: crossing_counts(session.core, session.meshes[part], positions)
+    )
 
 
 def crossing_counts(core: Any, mesh: PartMesh, positions: Floats) -> tuple[int, int]:

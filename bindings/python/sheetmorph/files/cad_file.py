@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import cached_property
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,7 @@ from ..part_mesh import PartMesh
 from ..progress import Progress
 from .obj import ObjFile
 from .part_file import PartFile
+from .text import LARGEST, read_bytes
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 
@@ -51,19 +54,33 @@ class CadFile(PartFile):
         return f"{self.path.stem}.obj"
 
     def save(self, path: Path, positions: Floats) -> None:
-        lines = []
-        first = 0
-        for part in self.model.parts:
-            last = first + len(part.points)
-            lines.append(f"o {' '.join(part.name.split())}")
-            lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in positions[first:last].tolist()]
-            corners = (part.triangles + (first + 1)).tolist()
-            lines += [f"f {a} {b} {c}" for a, b, c in corners]
-            first = last
+        vertices = [f"v {x!r} {y!r} {z!r}" for x, y, z in positions.tolist()]
+        lines: list[str] = []
+        for part, others in zip(self.model.parts, self._other_lines):
+            lines += [others[0], *vertices[: len(part.points)], *others[1:]]
+            del vertices[: len(part.points)]
         path.write_text("\n".join(lines) + "\n", "utf-8")
 
     def stored_positions(self, path: Path) -> Floats:
+        # The file is what was written, so nothing but its numbers has to be understood again.
+        lines = read_bytes(path).decode("utf-8").splitlines()
+        numbers = " ".join(line[2:] for line in lines if line.startswith("v ")).split()
+        others = [line for line in lines if not line.startswith("v ")]
+        if others == list(chain(*self._other_lines)) and len(numbers) == self.mesh.points.size:
+            values = np.array(list(map(float, numbers))).reshape(-1, 3)
+            if (np.abs(values) <= LARGEST).all():
+                return values
         return ObjFile.read(path).mesh.points
+
+    @cached_property
+    def _other_lines(self) -> list[list[str]]:
+        """The lines of every body in its OBJ that are no vertices: its name, and its faces."""
+        found, first = [], 1
+        for part in self.model.parts:
+            faces = [f"f {a} {b} {c}" for a, b, c in (part.triangles + first).tolist()]
+            found.append([f"o {' '.join(part.name.split())}", *faces])
+            first += len(part.points)
+        return found
 
 
 def read_cad(

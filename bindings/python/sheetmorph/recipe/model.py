@@ -241,7 +241,7 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
     file, mode = entry.get("file", ""), int(entry.get("mode", 0))
     return PartEntry(
         where, name, file, mode, split, entry.get("mesh"), *_thin(entry), wanted=_wanted(entry),
-        placement=_placement(entry.get("placement") or {}),
+        placement=Placement.of_entry(entry.get("placement") or {}),
         sheet=Sheet(float(entry.get("thickness") or 0.0), float(entry.get("poisson", 0.3))),
         write=_write(entry),
         deck={key: entry[key] for key in ("passengers", "joints") if key in entry},
@@ -274,12 +274,6 @@ def _write(entry: dict[str, Any]) -> CadWriting | None:
         float(entry.get("write_tolerance", CadWriting.tolerance)),
         float(entry.get("write_edge_tolerance", CadWriting.edge_tolerance)),
     )
-
-
-def _placement(entry: dict[str, Any]) -> Placement:
-    turn = entry.get("rotation")
-    axis, degrees = ((0.0, 0.0, 1.0), 0.0) if turn is None else (turn["axis"], turn["degrees"])
-    return Placement.of(entry.get("translation", (0.0, 0.0, 0.0)), axis, degrees)
 
 
 def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:

@@ -42,6 +42,13 @@ class Placement:
         rotation = np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross)
         return cls(tuple(map(tuple, rotation.tolist())), tuple(map(float, translation)))
 
+    @classmethod
+    def of_entry(cls, entry: dict[str, Any]) -> Placement:
+        """What a recipe says under `placement`."""
+        turn = entry.get("rotation")
+        axis, degrees = ((0.0, 0.0, 1.0), 0.0) if turn is None else (turn["axis"], turn["degrees"])
+        return cls.of(entry.get("translation", (0.0, 0.0, 0.0)), axis, degrees)
+
     def __bool__(self) -> bool:
         return self != Placement()
 

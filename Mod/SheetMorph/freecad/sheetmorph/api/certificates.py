@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from freecad.sheetmorph.api.files import export_recipe, write_parts
+from freecad.sheetmorph.api.files import write_parts, write_recipe
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.bridge.conversion import temporary_folder
 
@@ -21,7 +21,7 @@ def certify(assembly, folder: str | os.PathLike, criteria: str = "standard") -> 
     certifying, folder = kernel.certifying(), Path(folder)
     limits = certifying.read_criteria(criteria)
     with temporary_folder() as rest:
-        recipe = export_recipe(assembly, os.path.join(rest, "recipe.json"))
+        recipe = write_recipe(assembly, Path(rest) / "recipe.json", is_placed=False)
         write_parts(assembly, folder)
         targets = certifying.Targets(folder / "certificate.json", folder / "certificate.html")
         try:

@@ -4,11 +4,14 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 
 from freecad.sheetmorph import reporting
-from freecad.sheetmorph.bridge import kernel, solving, written
+from freecad.sheetmorph.bridge import conversion, kernel, solving, written
+from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.api.assemblies import create_assembly, set_energy, set_operator, set_primary
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.decks import import_deck
@@ -85,14 +88,21 @@ def export_recipe(assembly, path: str | os.PathLike) -> Path:
     """Write an assembly as a recipe, its parts at rest beside it, and return the path.
 
     `python3 -m sheetmorph run` and `import_recipe` give the same morph again, to the last digit.
+    Imported parts whose source was moved have the coordinates of their file and a `placement`.
     Raises MorphError, ValueError, OSError; then nothing is written.
     """
     require_assembly(assembly)
-    path = Path(path)
+    return write_recipe(assembly, Path(path))
+
+
+def write_recipe(assembly, path: Path, *, is_placed: bool = True) -> Path:
+    """Do what `export_recipe` does; if not `is_placed`, parts are written where they stand, as
+    `write_parts` writes them."""
     morph = solving.read_morph(assembly)
     if not morph.rests:
         raise ValueError(f"The morph '{assembly.Label}' has no part yet; add one first.")
-    return written.write_recipe(assembly, morph, path, named_poses(assembly, morph.names))
+    poses = named_poses(assembly, morph.names)
+    return written.write_recipe(assembly, morph, path, poses, is_placed=is_placed)
 
 
 def import_recipe(document, path: str | os.PathLike):
@@ -132,32 +142,44 @@ def import_recipe(document, path: str | os.PathLike):
 def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
     """Add what one entry of a recipe's parts stands for; return parts by name in the recipe.
 
-    The parts of a split file other than a deck, and those that are welded, remeshed or placed,
-    become parts of their own, that know nothing of the file: only so can each be exchanged,
-    removed and written.
+    The parts of a split file other than a deck, and those that are welded or remeshed, and placed
+    decks, become parts of their own, that know nothing of the file: only so can each be exchanged,
+    removed and written. A placed part has the placement of its source, and can be moved by that.
     """
-    is_as_read = not entry.get("placement") and all(
-        mesh.preparation is None for mesh in meshes.values()
-    )
-    if is_deck(file) and is_as_read:
+    placed = kernel.load().recipe.placement.Placement.of_entry(entry.get("placement") or {})
+    is_as_read = all(mesh.preparation is None for mesh in meshes.values())
+
+    def own(name: str):
+        """The mesh in the coordinates of its file."""
+        mesh = meshes[name].with_indices()
+        return replace(mesh, points=placed.taken_back(mesh.points))
+
+    if is_deck(file) and is_as_read and not placed:
         added = add_deck_entry(assembly, entry, file)
     elif entry.get("split"):
         stem = kernel.load().files.unpacked_name(file).stem
         names = [name for name in meshes if name.startswith(f"{stem}/")]
-        added = {name: add_mesh(assembly, meshes[name].with_indices(), name) for name in names}
-    elif meshes[entry["name"]].preparation is not None or entry.get("placement"):
-        mesh = meshes[entry["name"]].with_indices()
-        added = {entry["name"]: add_mesh(assembly, mesh, entry["name"])}
+        added = {name: add_mesh(assembly, own(name), name) for name in names}
+    elif meshes[entry["name"]].preparation is not None or is_deck(file):
+        added = {entry["name"]: add_mesh(assembly, own(entry["name"]), entry["name"])}
     else:
         meshing = entry.get("mesh")
         added = {entry["name"]: import_part(assembly, file, entry["name"], mesh=meshing)}
     for part in added.values():
+        if placed:
+            place_source(part, placed)
         set_mode(part, entry.get("mode", 0))
         thin = entry.get("thin", False)
         set_thin(part, thin["thickness"] if isinstance(thin, dict) else thin)
         thickness = entry.get("thickness") or part.SheetThickness.Value
         set_sheet(part, thickness, entry.get("poisson", 0.3))
     return added
+
+
+def place_source(part, placed) -> None:
+    """Let a part stand where a recipe's placement of its file, a Placement, puts it."""
+    turn, shift = np.array(placed.rotation), np.array(placed.translation)
+    part.Source.Placement = conversion.standing(turn, shift, read_kept(part).frame.origin)
 
 
 def add_deck_entry(assembly, entry: dict, file: Path) -> dict:

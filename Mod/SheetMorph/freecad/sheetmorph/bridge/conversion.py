@@ -79,6 +79,25 @@ def scaled_placement(frame: Frame, scale: float, origin: np.ndarray) -> FreeCAD.
     return FreeCAD.Placement(FreeCAD.Matrix(*matrix.ravel().tolist()))
 
 
+def standing(rotation: np.ndarray, translation: np.ndarray, origin: np.ndarray):
+    """Return where a mesh with the local origin `origin` is, of which the file is turned, then
+    shifted."""
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = rotation, rotation @ origin + translation
+    return FreeCAD.Placement(FreeCAD.Matrix(*matrix.ravel().tolist()))
+
+
+def placement_entry(frame: Frame) -> dict:
+    """Return what a recipe says of a part that stands elsewhere than its file says."""
+    matrix = np.eye(4)
+    matrix[:3, :3] = frame.rotation
+    turn = FreeCAD.Placement(FreeCAD.Matrix(*matrix.ravel().tolist())).Rotation
+    entry: dict = {"translation": (frame.base - frame.rotation @ frame.origin).tolist()}
+    if turn.Angle != 0.0:
+        entry["rotation"] = {"axis": list(turn.Axis), "degrees": float(np.degrees(turn.Angle))}
+    return entry
+
+
 def container_placement(obj) -> FreeCAD.Placement:
     """Return the global placement of the container that `obj` lives in."""
     return obj.getGlobalPlacement().multiply(obj.Placement.inverse())

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import Any
 
 import numpy as np
@@ -14,12 +15,9 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.tools import sentences
 
 
-def worded(assembly, morph: Morph, recipe: dict, meshes: dict) -> dict:
-    """Return a recipe with `where` in place of `vertices` for every region that has a sentence.
-
-    `meshes`: the parts as they were written, `written.Meshes`.
-    """
-    written = Written(morph, meshes)
+def worded(assembly, recipe: dict, written: Written) -> dict:
+    """Return a recipe with `where` in place of `vertices` for every region that has a sentence."""
+    morph = written.morph
     lists = {key: list(recipe.get(key, [])) for key in (*KEYS.values(), "contacts")}
     places = {entry["name"]: (key, k) for key in KEYS.values() for k, entry in named(lists[key])}
     for region in model.regions(assembly):
@@ -43,8 +41,10 @@ def named(entries: list) -> list[tuple[int, dict]]:
 class Written:
     """The parts of a recipe as selectors see them once they are written."""
 
-    def __init__(self, morph: Morph, meshes: dict):
-        self._morph, self._meshes = morph, meshes
+    def __init__(self, morph: Morph, meshes: dict, own: Container[str]):
+        """`meshes`: the parts as they were written, `written.Meshes`; `own`: names of those that
+        are in the coordinates of their files."""
+        self.morph, self._meshes, self._own = morph, meshes, own
         self._shapes: dict[str, Any] = {}
 
     def entry(self, entry: dict, picked: tuple) -> dict:
@@ -56,10 +56,10 @@ class Written:
         said = selecting.sentence_of(owner, side)
         if said is None:
             return entry
-        rest = self._morph.rests[part.Name]
+        rest = self.morph.rests[part.Name]
         vertices = model.contact_vertices(owner, side) if side else model.vertices(owner)
         try:
-            where = sentences.placed(said, rest.frame)
+            where = said if part.Name in self._own else sentences.placed(said, rest.frame)
             found = selecting.chosen_on(self._shape(part), where).vertices
         except ValueError:
             return entry

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from freecad.sheetmorph.bridge import decks, kernel, recipes, worded
+from freecad.sheetmorph.bridge import conversion, decks, kernel, recipes, worded
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.bridge.rest import RestPart, read_kept
@@ -86,19 +86,23 @@ def writers(assembly, morph) -> dict[str, tuple]:
     return found
 
 
-def write_recipe(assembly, morph, path: Path, poses: dict) -> Path:
+def write_recipe(assembly, morph, path: Path, poses: dict, *, is_placed: bool = True) -> Path:
     """Write the recipe with its poses to `path`, the parts at rest beside it; return the path.
 
-    Regions say what they are, where that stands for their vertices in the files too.
+    Regions say what they are, where that stands for their vertices in the files too. A part whose
+    source stands elsewhere than its file says keeps the coordinates of that, and has a placement,
+    if `is_placed`.
     """
     names = file_names(assembly, morph)
+    owners = writers(assembly, morph).values()
+    placed = placements(owners, morph) if is_placed else {}
     recipe = {key: value for key, value in morph.recipe.items() if value not in ([], "")}
     entries = {part.Name: entry for part, entry in zip(model.parts(assembly), recipe["parts"])}
     recipe["parts"] = [
-        {**entries[owner.Name], "file": names[owner.Name]}
+        {**entries[owner.Name], "file": names[owner.Name], **placed.get(owner.Name, {})}
         if owner is parts[0]
         else decks.entry_of(owner, parts, [entries[part.Name] for part in parts])
-        for owner, parts in writers(assembly, morph).values()
+        for owner, parts in owners
     ]
     recipe = decks.renamed(recipe, decks.names_in_recipe(assembly, morph.rests, morph.names))
     recipe["pose"] = recipes.entries_of(recipes.pose_of(assembly, morph.names))
@@ -107,14 +111,28 @@ def write_recipe(assembly, morph, path: Path, poses: dict) -> Path:
     said, texts = recipes.beside_of(assembly)
     recipe |= said
     rests = {name: rest.points for name, rest in morph.rests.items()}
+    rests |= {p.Name: read_kept(p).points for p in model.parts(assembly) if p.Name in placed}
     with kernel.load().files.atomic.FileSet() as files:
         _, _, meshes = write_files(files, assembly, morph, (path.parent, rests))
         for name, text in texts.items():
             files.temporary_for(path.parent / name).write_bytes(text.encode("latin-1"))
-        text = json.dumps(worded.worded(assembly, morph, recipe, meshes), indent=1)
+        text = json.dumps(
+            worded.worded(assembly, recipe, worded.Written(morph, meshes, placed)), indent=1
+        )
         files.temporary_for(path).write_text(text + "\n", encoding="utf-8")
         files.commit()
     return path
+
+
+def placements(owners, morph) -> dict[str, dict]:
+    """Return the key `placement` of every part, by object name, that has the doubles of its file
+    and stands elsewhere; `owners`: from `writers`."""
+    rests = {owner.Name: morph.rests[owner.Name] for owner, parts in owners if owner is parts[0]}
+    return {
+        name: {"placement": conversion.placement_entry(rest.frame)}
+        for name, rest in rests.items()
+        if rest.is_from_file and not rest.frame.is_unmoved()
+    }
 
 
 def write_one(files, part, rest: RestPart, place: tuple) -> Callable[[], Any]:

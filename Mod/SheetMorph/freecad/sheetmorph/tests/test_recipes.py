@@ -83,6 +83,73 @@ class TestRoundTrip(RecipeTest):
         self.assertEqual(result.returncode, 0, result.stderr)
 
 
+class TestPlacement(RecipeTest):
+    """`placement` of a part: the placement of its source, there and back."""
+
+    PLACE = {
+        "translation": [100.0, -20.0, 7.0],
+        "rotation": {"axis": [1.0, 2.0, 2.0], "degrees": 40.0},
+    }
+
+    def placed_morph(self):
+        """Import a strip that is placed, its left end held, its right end lifted."""
+        points, triangles = support.strip()
+        support.write_obj(self.path("strip.obj"), points, triangles)
+        low = float(points[:, 0].min())
+        recipe = {
+            "sheetmorph": 1,
+            "parts": [{"name": "strip", "file": "strip.obj", "placement": self.PLACE}],
+            "fixed": [
+                {
+                    "name": "clamp",
+                    "part": "strip",
+                    "where": {"box": [[low - 1, -1e3, -1e3], [low + 1, 1e3, 1e3]]},
+                }
+            ],
+            "handles": [{"name": "tip", "part": "strip", "vertices": support.right_edge(points)}],
+            "pose": {"tip": {"translation": [0, 0, 30]}},
+        }
+        with open(self.path("placed.json"), "w", encoding="utf-8") as file:
+            json.dump(recipe, file)
+        return api.import_recipe(self.document, self.path("placed.json")), points
+
+    def test_it_stands_where_the_recipe_says_and_goes_back_as_it_came(self):
+        assembly, points = self.placed_morph()
+        (part,) = objects.parts(assembly)
+        package = kernel.load()
+        place = package.recipe.placement.Placement.of_entry(self.PLACE)
+        there = place.placed(points)
+        self.assertLess(support.largest(api.rest_mesh(part)[0] - there), 1e-9)
+        with open(self.exported(assembly), encoding="utf-8") as file:
+            recipe = json.load(file)
+        again = package.recipe.placement.Placement.of_entry(recipe["parts"][0]["placement"])
+        self.assertLess(support.largest(again.placed(points) - there), 1e-9)
+        self.assertIn("box", json.dumps(recipe["fixed"][0]["where"]))
+        with open(self.path("strip.obj"), "rb") as one:
+            with open(self.path("recipe", "strip.obj"), "rb") as other:
+                self.assertEqual(other.read(), one.read())
+        package.run(self.path("recipe", "morph.json"), self.path("out"))
+        found = package.read_part(self.path("out", "strip.obj")).mesh.points
+        expected = api.deform(assembly)[part.Name]
+        self.assertLess(support.largest(place.placed(found) - expected), 1e-9)
+
+    def test_a_source_that_is_moved_is_exported_where_it_stands(self):
+        assembly, points = self.placed_morph()
+        (part,) = objects.parts(assembly)
+        part.Source.Placement = support.placement((3, 4, 5), (0, 0, 1), 90)
+        self.document.recompute()
+        again = api.import_recipe(self.new_document(), self.exported(assembly))
+        (other,) = objects.parts(again)
+        rest = api.rest_mesh(part)[0]
+        self.assertLess(support.largest(api.rest_mesh(other)[0] - rest), 1e-9)
+        self.assertLess(
+            support.largest(api.deform(again)[other.Name] - api.deform(assembly)[part.Name]), 1e-9
+        )
+        self.assertGreater(support.largest(rest - points), 1.0)
+        certificate = api.certify(assembly, self.path("certified"))
+        self.assertEqual(certificate["failures"], [])
+
+
 class TestOneFolder(RecipeTest):
     """Recipe and deformed parts into one folder: nobody's meshes at rest are lost."""
 
