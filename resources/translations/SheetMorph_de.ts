@@ -214,6 +214,10 @@
    <translation>{count} Teil(e); „{primary}“ wird zuerst verformt.</translation>
   </message>
   <message>
+   <source>“{source}” was edited: Follow Shape lets “{part}” follow.</source>
+   <translation>„{source}“ wurde bearbeitet: „Form folgen“ lässt „{part}“ folgen.</translation>
+  </message>
+  <message>
    <source>Nothing is held yet: mark what stays where it is.</source>
    <translation>Noch hält nichts: markiere, was bleibt, wo es ist.</translation>
   </message>
@@ -431,6 +435,17 @@
   <message>
    <source>Shows how the motion goes from the primary part through the contacts to the others</source>
    <translation>Zeigt, wie die Bewegung vom Hauptteil über die Kontakte zu den anderen gelangt</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FollowShape</name>
+  <message>
+   <source>Follow Shape</source>
+   <translation>Form folgen</translation>
+  </message>
+  <message>
+   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
+   <translation>Vernetzt den Körper oder die Form, aus der das gewählte Teil gemacht ist, so wie sie jetzt ist; was gewählt war, wird wiedergefunden, und was anders geworden ist, wird gesagt und ausgewählt</translation>
   </message>
  </context>
  <context>
@@ -920,6 +935,10 @@
  </context>
  <context>
   <name>SheetMorph_menus</name>
+  <message>
+   <source>Follow Shape</source>
+   <translation>Form folgen</translation>
+  </message>
   <message>
    <source>Do Not Use Contact</source>
    <translation>Kontakt nicht verwenden</translation>

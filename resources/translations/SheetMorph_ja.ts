@@ -214,6 +214,10 @@
    <translation>部品 {count} 個。「{primary}」が最初に変形します。</translation>
   </message>
   <message>
+   <source>“{source}” was edited: Follow Shape lets “{part}” follow.</source>
+   <translation>「{source}」が編集されました。「形状に追従」で「{part}」が追従します。</translation>
+  </message>
+  <message>
    <source>Nothing is held yet: mark what stays where it is.</source>
    <translation>まだ何も固定されていません。動かない所を指定してください。</translation>
   </message>
@@ -431,6 +435,17 @@
   <message>
    <source>Shows how the motion goes from the primary part through the contacts to the others</source>
    <translation>動きが主部品から接触を通って他の部品へ伝わる様子を示します</translation>
+  </message>
+ </context>
+ <context>
+  <name>SheetMorph_FollowShape</name>
+  <message>
+   <source>Follow Shape</source>
+   <translation>形状に追従</translation>
+  </message>
+  <message>
+   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
+   <translation>選択した部品の元になったボディまたは形状を現在の状態でメッシュ化します。選択していた箇所は再び見つけられ、変わったものは通知され選択されます</translation>
   </message>
  </context>
  <context>
@@ -920,6 +935,10 @@
  </context>
  <context>
   <name>SheetMorph_menus</name>
+  <message>
+   <source>Follow Shape</source>
+   <translation>形状に追従</translation>
+  </message>
   <message>
    <source>Do Not Use Contact</source>
    <translation>接触を使わない</translation>

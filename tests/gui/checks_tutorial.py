@@ -43,8 +43,8 @@ def is_listed(dialog, name: str) -> bool:
     return name in [view.model().index(row, 0, view.rootIndex()).data() for row in rows]
 
 
-def answer(text: str):
-    """Types into the dialog that waits, and confirms."""
+def choose(text: str):
+    """Types into the dialog that waits, a file or a word, and confirms."""
     yield from until(QtGui.QApplication.activeModalWidget, "a dialog")
     yield from settled()
     dialog = QtGui.QApplication.activeModalWidget()
@@ -56,6 +56,11 @@ def answer(text: str):
         yield from until(lambda: dialog.directory() == same, "the folder")
         yield from until(lambda: is_listed(dialog, text), "the file in its list")
     yield from type_and_confirm(text)
+
+
+def answer(text: str):
+    """Types into the dialog that waits, and confirms; no other comes after it."""
+    yield from choose(text)
     yield from until(lambda: QtGui.QApplication.activeModalWidget() is None, "its end")
     yield from settled()
 

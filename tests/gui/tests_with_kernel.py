@@ -20,6 +20,7 @@ from checks_propagation import *  # noqa: F401,F403
 from checks_reach import *  # noqa: F401,F403
 from checks_sentences import *  # noqa: F401,F403
 from checks_showing import *  # noqa: F401,F403
+from checks_solids import *  # noqa: F401,F403
 from checks_speed import *  # noqa: F401,F403
 from checks_steel import *  # noqa: F401,F403
 from checks_study import *  # noqa: F401,F403

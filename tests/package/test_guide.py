@@ -72,3 +72,11 @@ def test_a_failure_is_told_at_the_step_it_belongs_to():
     assert guide.NEXT not in states(found).values()
     assert states(replace(READY, failure="?"))["drag"] == guide.FAULTY
     assert states(replace(READY, failure="?", faulty_role="contact"))["contacts"] == guide.FAULTY
+
+
+def test_an_edited_body_is_told_until_its_part_follows():
+    edited = replace(READY, edited=("Body", "cover"))
+    assert text(edited, "parts") == "“Body” was edited: Follow Shape lets “cover” follow."
+    assert states(edited)["parts"] == guide.OPTIONAL
+    assert [key for key, state in states(edited).items() if state == guide.NEXT] == ["drag"]
+    assert states(replace(edited, edited=("", "")))["parts"] == guide.DONE

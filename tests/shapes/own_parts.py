@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -10,8 +11,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "package"))
 from cad_samples import made_by_freecad  # noqa: E402
 
 # A tube with a seam; a ball cut flat with a pole; a plate with a countersunk hole; a block with
-# fillets; a plate with two holes.
+# fillets; a plate with two holes; the
+# countersunk plate in inches; a frame of two instances of one bracket.
 _SCRIPT = """
+from FreeCAD import Placement, Rotation
+
 plate = Part.makeBox(120, 60, 3)
 for x in (35, 85):
     plate = plate.cut(Part.makeCylinder(5, 5, Vector(x, 30, -1)))
@@ -25,10 +29,53 @@ shapes = {
     "washers": plate,
 }
 for name, shape in shapes.items():
+    assert shape.isValid(), name
     shape.exportStep(os.path.join(folder, name + ".step"))
+document = FreeCAD.newDocument("instances")
+bracket = document.addObject("Part::Feature", "bracket")
+bracket.Shape = plate
+frame = document.addObject("App::Part", "frame")
+turned = Placement(Vector(0, 80, 10), Rotation(Vector(1, 0, 0), 90))
+for label, place in (("left", Placement()), ("right", turned)):
+    link = document.addObject("App::Link", "Link")
+    link.setLink(bracket)
+    link.Label, link.LinkPlacement = label, place
+    frame.addObject(link)
+document.recompute()
+Import.export([frame], os.path.join(folder, "frame.step"))
+Part.setStaticValue("write.step.unit", "INCH")
+shapes["countersunk"].exportStep(os.path.join(folder, "inches.step"))
 """
+# What colours a face in a STEP file, and the ids that it refers to.
+_COLOUR = """\
+#{0}=COLOUR_RGB('',{red},{green},{blue});
+#{1}=FILL_AREA_STYLE_COLOUR('',#{0});
+#{2}=FILL_AREA_STYLE('',(#{1}));
+#{3}=SURFACE_STYLE_FILL_AREA(#{2});
+#{4}=SURFACE_SIDE_STYLE('',(#{3}));
+#{5}=SURFACE_STYLE_USAGE(.BOTH.,#{4});
+#{6}=PRESENTATION_STYLE_ASSIGNMENT((#{5}));
+#{7}=STYLED_ITEM('color',(#{6}),#{face});
+#{8}=MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',(#{7}),#{context});
+"""
+
+
+def with_a_named_and_coloured_face(path: Path, number: int, name: str, colour: tuple) -> None:
+    """Names and colours (r, g, b of 0..1) one face, counted from 0, of a STEP file."""
+    text = path.read_text("utf-8")
+    faces = list(re.finditer(r"#(\d+) = ADVANCED_FACE\(''", text))
+    context = re.findall(r"#(\d+) = \( GEOMETRIC_REPRESENTATION_CONTEXT\(3\)", text)[0]
+    face = faces[number]
+    first = max(int(one) for one in re.findall(r"#(\d+) =", text)) + 1
+    told = dict(zip(("red", "green", "blue"), colour), face=face[1], context=context)
+    styled = _COLOUR.format(*range(first, first + 9), **told)
+    text = text[: face.end() - 1] + f"{name}'" + text[face.end() :]
+    end = text.rindex("ENDSEC;")
+    path.write_text(text[:end] + styled + text[end:], "utf-8")
 
 
 def make_own_parts(folder: Path) -> Path:
     """The parts as files in a folder; skips without FreeCAD."""
-    return made_by_freecad(_SCRIPT, folder)
+    made_by_freecad(_SCRIPT, folder)
+    with_a_named_and_coloured_face(folder / "washers.step", 0, "left end", (1.0, 0.5, 0.0))
+    return folder

@@ -132,6 +132,16 @@ def attempt(title: str, *lines: str, document=None) -> bool:
     return True
 
 
+def wait(title: str, *lines: str) -> bool:
+    """Runs lines that write files, with progress; False if the user has pressed Cancel."""
+    try:
+        with followed(title):
+            record(*lines)
+    except Cancelled:
+        return False
+    return True
+
+
 def tell(title: str, error) -> None:
     """Tells the user what went wrong: in the report view, and as FreeCAD tells its own errors."""
     App.Console.PrintError(f"SheetMorph: {error}\n")

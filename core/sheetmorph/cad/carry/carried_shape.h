@@ -16,6 +16,7 @@ struct CarryTolerances
 {
     double surface = 0.01;  //!< inside a face
     double edge = 0.0005;   //!< between an edge and the surfaces beside it
+    double grain = 1e-6;    //!< coordinates of poles are multiples of it
 };
 
 //! A shape after its mesh was deformed: the same topology on new surfaces and curves.

@@ -293,7 +293,9 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge)
         target = [&edge](double t) -> Vector3
         { return point_of(edge.rest->Value(t)) + edge.shift->at(t) + bent_by(edge, t); };
     const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
-    edge.curve = curve_near(target, start, 0.2 * tolerances_.edge).curve();
+    SplineCurve spline = curve_near(target, start, 0.2 * tolerances_.edge);
+    spline.poles = tolerances_.grain * (spline.poles / tolerances_.grain).array().round();
+    edge.curve = spline.curve();
 }
 
 SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOnEdge& known) const
@@ -454,7 +456,10 @@ void ShapeCarrier::run(const Progress& progress)
     }
     for (CarriedFace& face : faces_)
         if (face.spline)
+        {
+            face.spline->round_to(tolerances_.grain);
             face.surface = face.spline->surface();
+        }
     measure();
 }
 

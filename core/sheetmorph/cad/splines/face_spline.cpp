@@ -132,10 +132,28 @@ void FaceSpline::fit(const SplineTargets& targets, double tolerance)
     }
 }
 
+// A curve between two places crosses the spans of both parameters.
+double FaceSpline::spans_between(const Vector2& here, const Vector2& there) const
+{
+    double spans = 0.0;
+    for (int k = 0; k < 2; ++k)
+    {
+        const CubicBasis& basis = k == 0 ? u_ : v_;
+        double shortest = basis.high() - basis.low();
+        for (const Vector2& uv : {here, there, Vector2(0.5 * (here + there))})
+        {
+            const auto span = static_cast<std::size_t>(basis.span_of(uv(k)));
+            shortest = std::min(shortest, basis.ends()[span + 1] - basis.ends()[span]);
+        }
+        spans += std::abs(there(k) - here(k)) / shortest;
+    }
+    return spans;
+}
+
 // So many places that a surface cannot swing between them, however short its spans are.
 void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>& places) const
 {
-    constexpr double along = 60.0, at_end = 1000.0, to_a_span = 3.0, spacing_share = 0.15;
+    constexpr double along = 60.0, at_end = 1000.0, to_a_span = 6.0, spacing_share = 0.15;
     constexpr double closest = 0.01;  // of the distance between places
     constexpr int least = 6, most = 80;
     const std::size_t pieces = track.parameters.size() - 1;
@@ -143,16 +161,8 @@ void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>
     {
         const double low = track.parameters[i], high = track.parameters[i + 1];
         const Vector2 here = track.uv(low), there = track.uv(high);
-        double spans = 0.0;
-        for (int k = 0; k < 2; ++k)
-            for (const Vector2& uv : {here, there, Vector2(0.5 * (here + there))})
-            {
-                const CubicBasis& basis = k == 0 ? u_ : v_;
-                const auto span = static_cast<std::size_t>(basis.span_of(uv(k)));
-                spans = std::max(spans, std::abs(there(k) - here(k))
-                                            / (basis.ends()[span + 1] - basis.ends()[span]));
-            }
-        const int cuts = std::clamp(static_cast<int>(to_a_span * spans) + 1, least, most);
+        const int cuts =
+            std::clamp(static_cast<int>(to_a_span * spans_between(here, there)) + 1, least, most);
         const double length = (track.target(low) - track.target(high)).norm();
         const auto add = [&](double cut, bool is_end)
         {
@@ -254,6 +264,11 @@ void FaceSpline::close()
             for (int i = 0; i < along; ++i)
                 poles_.row(pole(side, i)) = middle;
         }
+}
+
+void FaceSpline::round_to(double grain)
+{
+    poles_ = grain * (poles_ / grain).array().round();
 }
 
 Vector3 FaceSpline::sum(const CubicBasis::Row& u, const CubicBasis::Row& v) const

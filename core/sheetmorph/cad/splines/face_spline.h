@@ -72,6 +72,9 @@ public:
     //! \param tolerance  of what is interpolated of the surface itself, mm
     void fit(const SplineTargets& targets, double tolerance);
 
+    //! Makes all coordinates multiples of a length: they are shorter in a file.
+    void round_to(double grain);
+
     Vector3 point(const Vector2& uv) const;
     Eigen::Matrix<double, 3, 2> tangents(const Vector2& uv) const;
 
@@ -83,6 +86,7 @@ private:
     void tie_seams(PlateSystem& system) const;
     void close();
     void add_places(const SurfaceTrack& track, std::vector<SurfacePlace>& places) const;
+    double spans_between(const Vector2& here, const Vector2& there) const;
     void interpolate();
     Vector3 sum(const CubicBasis::Row& u, const CubicBasis::Row& v) const;
 

@@ -10,6 +10,7 @@
 #include <BRepTools.hxx>
 #include <TopExp.hxx>
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <sstream>
 
@@ -173,6 +174,13 @@ private:
     std::deque<Form> forms_;            // whose addresses stay
 };
 
+// A decimal fraction of the unit that is nothing beside a tolerance, mm.
+double decimal_grain(double tolerance, double unit)
+{
+    constexpr double share = 0.004;
+    return unit * std::pow(10.0, std::floor(std::log10(share * tolerance / unit)));
+}
+
 void check(const CadModel& model, const std::vector<Points>& positions, const CadWriting& writing)
 {
     if (!model.source)
@@ -201,7 +209,9 @@ std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Poin
                                    const CadWriting& writing, const Progress& progress)
 {
     check(model, positions, writing);
-    const CarryTolerances tolerances{writing.tolerance, writing.edge_tolerance};
+    const CarryTolerances tolerances{
+        writing.tolerance, writing.edge_tolerance,
+        decimal_grain(writing.edge_tolerance, millimetres_in(model.source->unit))};
     return guarded("OpenCASCADE cannot write it", "repair the part in the CAD system",
                    [&]
                    {

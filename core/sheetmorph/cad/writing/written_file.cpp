@@ -44,16 +44,6 @@ private:
     std::string before_;
 };
 
-// How long a unit is that OpenCASCADE names so.
-double millimetres_in(const std::string& unit)
-{
-    static const std::map<std::string, double> known = {
-        {"INCH", 25.4}, {"MM", 1.0},   {"M", 1000.0},     {"CM", 10.0},    {"KM", 1e6},
-        {"FT", 304.8},  {"UM", 0.001}, {"MI", 1609344.0}, {"MIL", 0.0254},
-    };
-    return known.at(unit);
-}
-
 bool write_step(const CadDocument& document, const CadSource& source, const std::string& path,
                 double exactness)
 {
@@ -103,6 +93,15 @@ bool write_brep(const CadDocument& document, const std::string& path)
 }
 
 }  // namespace
+
+double millimetres_in(const std::string& unit)
+{
+    static const std::map<std::string, double> known = {
+        {"INCH", 25.4}, {"MM", 1.0},   {"M", 1000.0},     {"CM", 10.0},    {"KM", 1e6},
+        {"FT", 304.8},  {"UM", 0.001}, {"MI", 1609344.0}, {"MIL", 0.0254},
+    };
+    return known.at(unit);
+}
 
 void write_document(const CadDocument& document, const CadSource& source, const CadWriting& writing)
 {

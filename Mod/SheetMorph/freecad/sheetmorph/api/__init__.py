@@ -111,7 +111,7 @@ from freecad.sheetmorph.api.regions import (
     vertices,
     where,
 )
-from freecad.sheetmorph.api.replacing import replace_file
+from freecad.sheetmorph.api.replacing import follow_shape, replace_file
 from freecad.sheetmorph.api.shapes import deformed_shape, update_shapes
 from freecad.sheetmorph.api.flat import flatten
 from freecad.sheetmorph.api.studies import (
@@ -195,6 +195,7 @@ __all__ = [
     "propose_thin",
     "remove",
     "remove_dependents",
+    "follow_shape",
     "replace_file",
     "reset_motion",
     "rest_mesh",

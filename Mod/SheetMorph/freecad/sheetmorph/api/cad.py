@@ -15,6 +15,7 @@ from freecad.sheetmorph.api.checks import refuse_link, require_assembly
 from freecad.sheetmorph.api.meshes import add_mesh
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.bridge.shapes import keep_shape
+from freecad.sheetmorph.objects import shape_source
 
 
 def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> list:
@@ -36,19 +37,28 @@ def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> l
 def add_shape(assembly, source, label: str | None = None, mesh: dict | None = None) -> list:
     """Add the shape of an object of the document to an assembly and return its parts.
 
-    `source`: a Part::Feature, anywhere in the document; it is hidden and never changed, and the
-    parts do not follow it afterwards. One part a solid or free shell, called `label`, default the
-    source's; `mesh` as for `import_cad`. Raises ValueError: no shape, empty, broken.
+    `source`: a Part::Feature, anywhere in the document; it is hidden and never changed. When it is
+    edited, `follow_shape` lets the parts follow. One part a solid or free shell, called `label`,
+    default the source's; `mesh` as for `import_cad`. Raises ValueError: no shape, empty, broken.
     """
     require_assembly(assembly)
     check_shape(assembly, source)
-    shape = source.Shape.copy()
-    shape.Placement = source.getGlobalPlacement()
-    package = kernel.load()
-    read_shape = package.files.cad_file.read_shape
-    parts = add_model(assembly, read_shape(shape.exportBrepToString(), label or source.Label, mesh))
+    placement = source.getGlobalPlacement()
+    read = read_shape(source, placement, label or source.Label, mesh)
+    parts = add_model(assembly, read)
+    numbers = [number for number, one in enumerate(read.parts) if len(one.triangles)]
+    how = {"mesh": mesh or {}, "placement": list(placement.toMatrix().A), "of": len(read.parts)}
+    for part, number in zip(parts, numbers):
+        shape_source.remember(part, source, {**how, "number": number})
     source.Visibility = False
     return parts
+
+
+def read_shape(source, placement, label: str, mesh: dict | None):
+    """Return the CadModel of the kernel of the shape of an object that stands at `placement`."""
+    shape = source.Shape.copy()
+    shape.Placement = placement
+    return kernel.load().files.cad_file.read_shape(shape.exportBrepToString(), label, mesh)
 
 
 def check_shape(assembly, source) -> None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A part in place of which its file, changed since, is read again; what was picked stays picked."""
+"""A part in place of which its file or shape, changed since, is read again; what was picked stays
+picked."""
 
 from __future__ import annotations
 
@@ -7,12 +8,15 @@ import json
 import os
 from pathlib import Path
 
+import FreeCAD
+
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.api import preparing
+from freecad.sheetmorph.api.cad import check_shape, read_shape
 from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.bridge.rest import read_kept, read_original, write_rest_data
 from freecad.sheetmorph.bridge.shapes import keep_shape
-from freecad.sheetmorph.objects import assembly_of, model
+from freecad.sheetmorph.objects import assembly_of, model, shape_source
 from freecad.sheetmorph.objects.assembly import follow_group
 
 
@@ -29,7 +33,42 @@ def replace_file(part, path: str | os.PathLike, mesh: dict | None = None) -> dic
     preparing.checked(part)
     if getattr(part, "Deck", None) is not None:
         raise ValueError(f"'{part.Label}' is a part of a deck; import the changed deck anew.")
-    read = Read(part, Path(path), mesh)
+    found = replaced(part, Read(part, Path(path), mesh))
+    part.ShapeSource, part.ShapeRead, part.SourceChanged = None, "", False
+    return found
+
+
+def follow_shape(part) -> dict:
+    """Let a part that `add_shape` made rest on the shape of its source as that is now.
+
+    It is meshed as it was then, and stays where it stands. Regions and sides of contacts follow,
+    and what became different is returned, as by `replace_file`. Raises ValueError; then nothing has
+    changed.
+    """
+    source = preparing.checked(part).ShapeSource
+    if source is None:
+        raise ValueError(
+            f"'{part.Label}' follows no shape: it was not made from one of this document, or that "
+            "was deleted."
+        )
+    check_shape(assembly_of(part), source)
+    how = shape_source.how_read(part)
+    placement = FreeCAD.Placement(FreeCAD.Matrix(*how["placement"]))
+    model_now = read_shape(source, placement, part.Label, how["mesh"])
+    if len(model_now.parts) != how["of"]:
+        raise ValueError(
+            f"'{source.Label}' has {len(model_now.parts)} solids now and had {how['of']}: which of "
+            f"them is '{part.Label}' is not known; add the shape again."
+        )
+    found = replaced(part, ReadShape(model_now, how["number"]))
+    shape_source.remember(part, source, {k: v for k, v in how.items() if k != "look"})
+    return found
+
+
+def replaced(part, read) -> dict:
+    """Let a part rest on what was read; what was picked on it is found again, or told."""
+    if len(read.mesh.triangles) == 0:
+        raise ValueError(f"{read.name}: there are no triangles; choose another one.")
     original, before = read_original(part), read_kept(part)
     made, scale = prepared_again(part, read.mesh)
     old = preparing.package_mesh(before.points, before.triangles)
@@ -37,6 +76,7 @@ def replace_file(part, path: str | os.PathLike, mesh: dict | None = None) -> dic
     told: dict[str, str] = {}
     moved = preparing.moved_vertices(part, (placed, made, 1.0), told)
     tell_guessed(part, moved, told)
+    tell_of_shape(part, told)
     extras = preparing.moved_extras(part, placed)
     exchange(part, original, read, (made, scale))
     preparing.keep_moved(moved)
@@ -47,12 +87,23 @@ def replace_file(part, path: str | os.PathLike, mesh: dict | None = None) -> dic
     return found
 
 
+class ReadShape:
+    """One solid of a CadModel of the kernel, with its mesh and exact features."""
+
+    def __init__(self, cad_model, number: int):
+        cad_file = kernel.load().files.cad_file
+        self.model, self.number = cad_model, number
+        self.mesh = cad_file.part_meshes(cad_model)[number]
+        self.features = cad_file.exact_features(cad_model.parts[number])
+        self.name = self.mesh.name
+
+
 class Read:
     """The mesh, the exact features and the shape of a part in a file. Raises ValueError."""
 
     def __init__(self, part, path: Path, mesh: dict | None):
         package = kernel.load()
-        self.path, self.model, self.number = path, None, 0
+        self.path, self.name, self.model = path, path.name, None
         self.features: list[dict] = []
         is_cad = package.files.is_cad(path)
         if is_cad and part.FileData or part.ShapeData and not is_cad:
@@ -60,15 +111,12 @@ class Read:
             raise ValueError(f"'{part.Label}' is of a {wanted} file; choose another state of that.")
         if not is_cad:
             self.mesh = package.read_part(path).mesh.with_indices()
-        else:
-            file = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
-            cad_file = package.files.cad_file
-            meshes = cad_file.part_meshes(file.model)
-            self.model, self.number = file.model, solid_like(part, meshes, path)
-            self.mesh = meshes[self.number]
-            self.features = cad_file.exact_features(file.model.parts[self.number])
-        if len(self.mesh.triangles) == 0:
-            raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
+            return
+        file = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
+        meshes = package.files.cad_file.part_meshes(file.model)
+        read = ReadShape(file.model, solid_like(part, meshes, path))
+        self.model, self.number = read.model, read.number
+        self.mesh, self.features = read.mesh, read.features
 
 
 def solid_like(part, meshes: list, path: Path) -> int:
@@ -108,7 +156,16 @@ def tell_guessed(part, moved: list, told: dict[str, str]) -> None:
             )
 
 
-def exchange(part, original, read: Read, prepared: tuple) -> None:
+def tell_of_shape(part, told: dict[str, str]) -> None:
+    """Tell of a deformed shape, which is of the mesh before."""
+    if part.DeformedShape is not None:
+        told[part.DeformedShape.Name] = (
+            f"'{part.DeformedShape.Label}' is of the shape before: Deformed Shape or Export Parts "
+            "brings it up to date."
+        )
+
+
+def exchange(part, original, read, prepared: tuple) -> None:
     """Let a part rest on what was read from a file, and on what was prepared of that."""
     made, scale = prepared
     is_prepared = bool(part.Preparation)
@@ -159,7 +216,7 @@ def added_source(part, frame, mesh, scale: float):
     return source
 
 
-def keep_file(part, read: Read) -> None:
+def keep_file(part, read) -> None:
     """Keep the file, or the shape, that a part is of now."""
     if read.model is not None:
         keep_shape(part, read.model, read.number)

@@ -64,8 +64,9 @@ def carried_shape(part, positions: np.ndarray) -> tuple[Part.Shape, dict]:
     with conversion.temporary_folder() as folder:
         path = Path(folder) / "shape.brep"
         writing = files.cad_writing.CadWriting("brep")
-        (body,) = files.cad_writing.write_model(
-            model, path, [local], writing, progress=reporting.progress()
+        write = files.cad_writing.write_model
+        (body,) = reporting.waited_for(
+            lambda told: write(model, path, [local], writing, progress=told)
         )
         shape = Part.Shape()
         shape.importBrep(str(path))

@@ -15,6 +15,7 @@ _TOOLBARS = {
         create.AddPart,
         create.ImportPart,
         create.ReplaceFile,
+        create.FollowShape,
         sheets.PrepareMesh,
         sheets.ThicknessMap,
         sheets.Flatten,

@@ -166,9 +166,38 @@ class ReplaceFile(Command):
             return
         line = call("replace_file", name(part), repr(file), **meshed(edge))
         if actions.attempt("Replace File", line, document=part.Document):
-            from freecad.sheetmorph.panels import differences
+            tell_differences(part)
 
-            differences.tell(part.Document, json.loads(part.Differences))
+
+class FollowShape(Command):
+    """Lets a part follow the shape that it was made from."""
+
+    name = "SheetMorph_FollowShape"
+    text = QT_TRANSLATE_NOOP("SheetMorph_FollowShape", "Follow Shape")
+    tooltip = QT_TRANSLATE_NOOP(
+        "SheetMorph_FollowShape",
+        "Meshes the body or shape that the selected part was made from as it is now; what was "
+        "picked is found again, and what came out different is told and selected",
+    )
+
+    def possible(self) -> bool:
+        """With a part that was made from a shape of the document."""
+        part = subject.part()
+        return part is not None and part.ShapeSource is not None
+
+    def execute(self) -> None:
+        """One undo step."""
+        part = subject.part()
+        line = call("follow_shape", name(part))
+        if actions.attempt("Follow Shape", line, document=part.Document):
+            tell_differences(part)
+
+
+def tell_differences(part) -> None:
+    """Tells what came out different on the new mesh of a part."""
+    from freecad.sheetmorph.panels import differences
+
+    differences.tell(part.Document, json.loads(part.Differences))
 
 
 class ImportPart(Command):

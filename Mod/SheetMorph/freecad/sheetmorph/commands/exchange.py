@@ -59,9 +59,7 @@ class ExportParts(Command):
         window = Gui.getMainWindow()
         title = translate("SheetMorph_ExportParts", "Export Parts")
         folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
-        if folder:
-            with actions.waiting():
-                actions.record(call("write_parts", name(owner), repr(folder)))
+        if folder and actions.wait(title, call("write_parts", name(owner), repr(folder))):
             App.Console.PrintMessage(f"SheetMorph: parts written to {folder}\n")
 
 
@@ -93,10 +91,8 @@ class Certify(Command):
         if not is_chosen:
             return
         folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
-        if folder:
-            with actions.waiting():
-                line = call("certify", name(owner), repr(folder), repr(criteria))
-                actions.record(f"certificate = {line}")
+        line = call("certify", name(owner), repr(folder), repr(criteria))
+        if folder and actions.wait(title, f"certificate = {line}"):
             certificate_dialog.show(folder)
 
 

@@ -6,10 +6,12 @@ from functools import lru_cache
 import FreeCAD
 
 from freecad.sheetmorph.kinds import ASSEMBLY, DEFORMATION, kind
+from freecad.sheetmorph.objects import shape_source
 
 
 class SourceWatcher:
-    """Document observer that makes morphs due whose sources look different.
+    """Document observer that makes morphs due whose sources look different, and tells when the
+    shape that a part was made from was edited.
 
     Two changes go unnoticed otherwise: FreeCAD counts a mesh as an output, so an edited mesh
     asks for no recompute; and a container, such as App::Part, moves what is in it without a
@@ -21,6 +23,8 @@ class SourceWatcher:
         """FreeCAD calls this after every change of a property."""
         if name == "Mesh":
             touch_deformations_of(obj)
+        elif name == "Shape":
+            shape_source.note_change(obj)
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
             for inner in obj.OutListRecursive:
                 if inner.isDerivedFrom("Mesh::Feature"):

@@ -22,6 +22,7 @@ def read():
         morphs=1,
         parts=tuple(part.Label for part in model.parts(owner)),
         primary=primary.Label if primary else "",
+        edited=edited_in(owner),
         joined=tuple((c.PartA.Label, c.PartB.Label) for c in recipes.used_contacts(owner)),
         is_single=owner.Propagation == "single",
         fixed=roles.count("fixed"),
@@ -32,6 +33,13 @@ def read():
         faulty_role=role_of(faulty[0]) if faulty else "",
     )
     return facts, faulty
+
+
+def edited_in(owner) -> tuple[str, str]:
+    """The labels of the first shape that was edited since it became a part, and of that part."""
+    parts = model.parts(owner)
+    changed = (part for part in parts if part.SourceChanged and part.ShapeSource)
+    return next(((part.ShapeSource.Label, part.Label) for part in changed), ("", ""))
 
 
 def role_of(obj) -> str:

@@ -23,6 +23,7 @@ MODULES = tuple(
         "steel",
         "preparing",
         "replacing",
+        "following",
         "files",
         "decks",
         "cad",

@@ -32,6 +32,9 @@ NO_PARTS = QT_TRANSLATE_NOOP(
 SOME_PARTS = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "{count} part(s); “{primary}” is deformed first."
 )
+EDITED = QT_TRANSLATE_NOOP(
+    "SheetMorph_Guide", "“{source}” was edited: Follow Shape lets “{part}” follow."
+)
 NO_FIXED = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "Nothing is held yet: mark what stays where it is."
 )
@@ -72,6 +75,7 @@ class Facts:
     morphs: int = 0
     parts: tuple[str, ...] = ()  # labels
     primary: str = ""
+    edited: tuple[str, str] = ("", "")  # labels of a shape and of the part that was made from it
     joined: tuple[tuple[str, str], ...] = ()  # labels of parts with a contact in use
     is_single: bool = False  # one control mesh for all
     fixed: int = 0
@@ -109,7 +113,9 @@ def steps(facts: Facts) -> list[Step]:
 
 
 def parts_step(facts: Facts) -> Step:
-    """Is there something to deform?"""
+    """Is there something to deform, and is it what it was made from?"""
+    if all(facts.edited):
+        return Step(PARTS, OPTIONAL, EDITED, dict(zip(("source", "part"), facts.edited)))
     if facts.parts:
         values = {"count": len(facts.parts), "primary": facts.primary}
         return Step(PARTS, DONE, SOME_PARTS, values)

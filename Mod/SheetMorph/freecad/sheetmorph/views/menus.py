@@ -115,6 +115,9 @@ def add_part_actions(menu, assembly, part) -> None:
         lambda: actions.attempt("Set as Primary", line),
     )
     entry.setEnabled(assembly.Primary != part)
+    if part.ShapeSource is not None:
+        title = QT_TRANSLATE_NOOP("SheetMorph_menus", "Follow Shape")
+        _add(menu, "FollowShape", title, lambda: Gui.runCommand("SheetMorph_FollowShape"))
 
 
 def apply_pose(pose) -> None:
