@@ -85,3 +85,21 @@ def test_holes_keep_kind_place_and_size(shape):
     for coarse, fine in zip(holes(0), holes(2), strict=True):
         assert coarse[0] == fine[0]
         assert np.asarray(fine[1:]) == pytest.approx(np.asarray(coarse[1:]), rel=0.05, abs=0.05)
+
+
+# What *Find Features* offers unless surfaces are asked for, and the edges of tubes.
+OFFERED = (*HOLES, "bend", "round edge")
+
+
+@pytest.mark.parametrize("times", [1, 3])
+@pytest.mark.parametrize("name", ["angle", "cone", "dome", "tube"])
+def test_faceted_bends_cones_and_domes_offer_the_same_at_any_fineness(name: str, times: int):
+    (shape,) = (shape for shape in catalogue() if shape.name == name)
+
+    def offered(times: int) -> Counter:
+        found = found_in({name: halved((shape.points, shape.triangles), times)})
+        return Counter(e["kind"] for e in found.features if e["kind"] in OFFERED)
+
+    coarse = offered(0)
+    assert coarse.total() > 0
+    assert offered(times) == coarse

@@ -22,9 +22,11 @@ namespace
 constexpr double weld = 1e-7;
 
 // Over the size of the assembly: the largest gap ever proposed, and the
-// smallest.
+// smallest. Sheets that are joined lie no farther apart than so many mm, however
+// large the assembly is.
 constexpr double widest_gap = 0.012;
 constexpr double closest_gap = 1e-3;
+constexpr double farthest_joined = 10.0;
 
 // Over the size of the assembly: elements longer than this carry masses or
 // loads, not joints.
@@ -119,8 +121,9 @@ double gap_before_quiet(const std::vector<Gap>& gaps, double closest)
 double proposed_gap_of(const std::vector<PartShape>& shapes, const ContactTolerances& tolerances)
 {
     const double size = size_of(shapes);
-    const double closest = closest_gap * size;
-    const auto gaps = gaps_between(shapes, widest_gap * size, closest, tolerances.facing_angle);
+    const double widest = std::min(widest_gap * size, farthest_joined);
+    const double closest = std::min(closest_gap * size, widest);
+    const auto gaps = gaps_between(shapes, widest, closest, tolerances.facing_angle);
     return above * gap_before_quiet(gaps, closest);
 }
 

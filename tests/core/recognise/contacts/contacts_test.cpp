@@ -130,6 +130,18 @@ TEST(Contacts, TheGapIsProposedFromTheAssembly)
     }
 }
 
+TEST(Contacts, LargePartsThatDoNotTouchAreNotProposed)
+{
+    const auto sheet = shapes::grid(60, 6, 3000.0, 300.0);
+    std::vector<ContactPart> parts = {part_of(sheet), part_of(shifted(sheet, {0.0, 0.0, 30.0}))};
+    EXPECT_LT(proposed_gap(parts), 12.5);
+    EXPECT_TRUE(find_contacts(parts).empty());
+    // What touches beside them is found by its own gap.
+    parts.push_back(part_of(shifted(sheet, {1500.0, 0.0, -1.5})));
+    EXPECT_LT(proposed_gap(parts), 6.0);  // a thousandth of 4.5 m, and a fifth more
+    EXPECT_EQ(find_contacts(parts).size(), 1u);
+}
+
 TEST(Contacts, AThousandPartsAreNoTrouble)
 {
     const auto sheet = shapes::grid(4, 2, 20.0, 10.0);
