@@ -10,8 +10,19 @@ from checks_enclosure import is_quiet
 from checks_finding import rows_shown
 from checks_flow import draw_region, drag_arrow_up, look, loop_round, select
 from checks_propagation import dialog
-from checks_tutorial import answer, choose, menu, type_and_confirm
-from desk import WORK, activate, child, click_widget, enter, picture, press, report_view, until
+from checks_tutorial import answer, choose, menu
+from desk import (
+    WORK,
+    activate,
+    child,
+    click_widget,
+    enter,
+    picture,
+    press,
+    report_view,
+    settled,
+    until,
+)
 from freecad.sheetmorph import api
 from hostile_panels import is_shown
 from PySide import QtGui
@@ -50,10 +61,7 @@ def import_step(path: str, edge: str):
         QtGui.QApplication.activeModalWidget(), QtGui.QInputDialog
     )
     yield from until(asked, "the question for the edges")
-    yield 300
-    yield from type_and_confirm(edge)
-    yield from until(lambda: QtGui.QApplication.activeModalWidget() is None, "its end")
-    yield 800
+    yield from answer(edge)
 
 
 def mark_the_ends():
@@ -82,7 +90,7 @@ def drag_and_type():
     yield from drag_arrow_up()
     yield from enter(child("translation_z"), "10 mm")
     yield from enter(child("translation_x"), "6 mm")
-    yield 500
+    yield from settled()
 
 
 def radii(shape) -> list[float]:
@@ -108,7 +116,7 @@ def test_a_step_file_is_bent_and_written_as_step():
     yield from press("OK")
     select(part())
     yield from menu("SheetMorph", "Deformed Shape")
-    yield from until(lambda: part().DeformedShape and is_quiet(), "the shape", 60.0)
+    yield from until(lambda: part().DeformedShape and is_quiet(), "the shape")
     shape = part().DeformedShape.Shape
     assert shape.isValid() and shape.isClosed()
     assert np.allclose(radii(shape), RADII, rtol=0.0, atol=1e-12), radii(shape)
@@ -117,7 +125,7 @@ def test_a_step_file_is_bent_and_written_as_step():
     os.makedirs(folder, exist_ok=True)
     yield from menu("SheetMorph", "Export Parts…")
     yield from answer(folder)
-    yield from until(lambda: "parts written" in report_view(), "the files", 60.0)
+    yield from until(lambda: "parts written" in report_view(), "the files")
     (step,) = [name for name in os.listdir(folder) if name.endswith(".step")]
     read = Part.read(os.path.join(folder, step))
     assert read.isValid() and len(read.Solids) == 1 and len(read.Faces) == len(shape.Faces)
@@ -146,16 +154,19 @@ def bent_sieve():
     yield from look("Isometric")
 
 
+def progress():
+    """Waits for the progress of what was asked for."""
+    yield from until(lambda: dialog() is not None and dialog().isVisible(), "the progress")
+
+
 def cancel(name: str):
     """Waits for the progress and presses its Cancel with the mouse."""
-    shown = lambda: dialog() is not None and dialog().isVisible()  # noqa: E731
-    yield from until(shown, "the progress", 30.0)
-    yield 300
+    yield from progress()
     picture(name)
     (button,) = dialog().findChildren(QtGui.QPushButton)
     yield from click_widget(button)
-    yield from until(is_quiet, "the end", 30.0)
-    yield 300
+    yield from until(is_quiet, "the end")
+    yield from settled()
 
 
 def test_cancel_while_a_shape_is_made_leaves_nothing():
@@ -163,7 +174,7 @@ def test_cancel_while_a_shape_is_made_leaves_nothing():
     yield from bent_sieve()
     before = [obj.Name for obj in App.ActiveDocument.Objects]
     select(part())
-    yield from menu("SheetMorph", "Deformed Shape")
+    yield from menu("SheetMorph", "Deformed Shape", waits=progress)
     yield from cancel("shape-cancelled")
     assert part().DeformedShape is None
     assert [obj.Name for obj in App.ActiveDocument.Objects] == before

@@ -16,15 +16,15 @@ from scenes import assembly, largest, part, regions, stored
 __all__ = ["test_the_tutorial_as_a_new_user_does_it"]
 
 
-def menu(*texts: str):
-    """Chooses an entry of the menu bar with the mouse."""
+def menu(*texts: str, waits=settled):
+    """Chooses an entry of the menu bar with the mouse, and waits for what it does."""
     bar = Gui.getMainWindow().menuBar()
     kept = []  # PySide takes a menu for deleted whose action it forgets
     for text in texts:
         (action,) = [a for a in bar.actions() if a.text().replace("&", "") == text]
         middle = bar.mapToGlobal(bar.actionGeometry(action).center())
         yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
-        yield from settled()
+        yield from settled() if text != texts[-1] else waits()
         bar = action.menu()
         kept += [action, bar]
 

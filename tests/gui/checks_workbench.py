@@ -109,7 +109,10 @@ def test_no_command_fails_when_asked_whether_it_is_active():
     wanting = {
         f"SheetMorph_{name}" for name in ("AddPart", "FindContacts", "MarkContact", "SetPrimary")
     }
-    wanting |= {f"SheetMorph_{name}" for name in ("BlendPoses", "CopyInPose", "DeformedShape")}
+    wanting |= {
+        f"SheetMorph_{name}"
+        for name in ("BlendPoses", "CopyInPose", "DeformedShape", "FollowShape")
+    }
     of_features = ("FeatureSettings", "GroupFeatures", "MakeCoaxial", "KeepDistance")
     wanting |= {f"SheetMorph_{name}" for name in of_features}
     assert active == set(names) - wanting, (set(names) - wanting) ^ active

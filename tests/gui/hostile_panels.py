@@ -2,6 +2,7 @@
 """All panels: how each is opened and used, and a document with steps to undo for all of them."""
 
 import os
+import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -11,6 +12,8 @@ from freecad.sheetmorph.objects import model
 from hostile_traces import child_processes
 from PySide import QtGui
 from scenes import assembly, contacts, labelled, new_assembly, part, regions
+
+STARTS = 1000  # looks whether a process has started, 20 ms apart
 
 
 def prepared():
@@ -99,9 +102,14 @@ def a_study():
 
 
 def run_study() -> None:
+    """Until its process is there: for a moment it has the name of FreeCAD."""
     press_button("run")
     message = panel().findChild(QtGui.QLabel, "message").text()
-    assert child_processes(), f"no process was started: {message}"
+    for _ in range(STARTS):
+        if child_processes():
+            return
+        time.sleep(0.02)
+    raise AssertionError(f"no process was started: {message}")
 
 
 def nothing() -> None:

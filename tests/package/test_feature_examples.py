@@ -38,7 +38,7 @@ MOTIONS = {
 
 def made(name: str) -> tuple[dict, dict]:
     """The recipe of an example or a real part, and its meshes by name."""
-    if (EXAMPLES / name).is_dir():
+    if name not in recipes.MAKERS:
         recipe = json.loads((EXAMPLES / name / "recipe.json").read_text(encoding="utf-8"))
         files = {part["name"]: EXAMPLES / name / part["file"] for part in recipe["parts"]}
         return recipe, {part: read_part(file).mesh for part, file in files.items()}
