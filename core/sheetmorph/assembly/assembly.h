@@ -52,7 +52,8 @@ struct Part
     double poisson = 0.3;  //!< Poisson's ratio, read for `steel`
 
     std::vector<int> joined = {};  //!< first vertices of those that it is joined of, ascending
-    std::vector<PartRegion> stitches = {};  //!< vertices of it that stay together, seam by seam
+    std::vector<PartRegion> stitches = {};  //!< vertices of it that stay together with rigid ones
+    std::vector<Tie> ties = {};             //!< where its sheets stand on each other
 };
 
 //! Vertices of one part that a pose moves as one rigid body.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/mesh/search/anchor.h"
 #include "sheetmorph/surface/feature_motion.h"
 
 #include <string>
@@ -75,6 +76,14 @@ struct FeatureLink
     Vector3 direction = Vector3::UnitZ();  //!< of the leader's axis at rest, for `coaxial`
 };
 
+//! A vertex that stands on another sheet and turns with it: p = q + R (p_hat - q_hat), q its place
+//! there.
+struct Tie
+{
+    int vertex = 0;
+    Anchor place;
+};
+
 //! Everything known about one part before a pose is known.
 struct SurfaceConstraints
 {
@@ -86,9 +95,12 @@ struct SurfaceConstraints
     std::vector<std::vector<int>> groups;  //!< form features that move as one rigid body
     std::vector<FeatureLink> links;
 
-    //! Places of different sheets that stay together and turn with them: a seam, vertex by vertex.
-    //! What carries one of its vertices carries all.
+    //! Places of different sheets of which one is rigid: what carries it carries all.
     std::vector<KnownRegion> stitches;
+
+    //! Sheets that stand on others: a seam, vertex by vertex; those of its corners come before a
+    //! tie. Of vertices that anything else decides they are passed over.
+    std::vector<Tie> ties;
     Energy energy = Energy::neumann;
     bool is_refined = false;  //!< exact answers are of a thick shell (steel_answer.h)
     Laplacian laplacian = Laplacian::cotangent;

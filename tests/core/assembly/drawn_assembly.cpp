@@ -22,8 +22,9 @@ DrawnAssembly::DrawnAssembly(unsigned seed) : draw_(seed)
         add_point();
     if (parts > 1 && draw_.happens(0.2))
         frame_.assembly.parts.back().mode = draw_.one_of<Mode>({Mode::all, Mode::boundaries});
-    if (parts > 1 && draw_.happens(0.1))
-        frame_.assembly.propagation.type = PropagationType::single;
+    if (parts > 1 && draw_.happens(0.3))
+        frame_.assembly.propagation.type = draw_.one_of<PropagationType>(
+            {PropagationType::single, PropagationType::whole, PropagationType::whole});
 }
 
 Pose DrawnAssembly::another_pose()

@@ -27,7 +27,7 @@ double diagonal(const Points& a, const Points& b)
 }  // namespace
 
 ContactGauge::ContactGauge(const Assembly& assembly, const DirectedContact& contact,
-                           const PartGeometry& source, bool is_source_thin)
+                           const PartGeometry& source, bool is_source_wide)
     : source_(contact.source(assembly).vertices), target_(contact.target(assembly).vertices)
 {
     blank_.contact = contact.contact;
@@ -38,7 +38,7 @@ ContactGauge::ContactGauge(const Assembly& assembly, const DirectedContact& cont
     target_rest_ = rows_of(mesh_of(assembly, blank_.target_part).points(), target_);
     blank_.region_size = diagonal(source_rest_, target_rest_);
     const VertexIds below =
-        is_source_thin ? with_triangles_below(source, source_, target_rest_) : source_;
+        is_source_wide ? with_triangles_below(source, source_, target_rest_) : source_;
     anchors_ = nearest_anchors(source, below, target_rest_);
     rest_gaps_.resize(target_rest_.rows());
     for (Eigen::Index k = 0; k < rest_gaps_.size(); ++k)

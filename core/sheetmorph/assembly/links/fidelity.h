@@ -25,9 +25,9 @@ struct ContactFidelity
 class ContactGauge
 {
 public:
-    //! \param is_source_thin  what it touches may then be triangles that the side has not whole
+    //! \param is_source_wide  what it touches may be triangles that the side has not whole
     ContactGauge(const Assembly& assembly, const DirectedContact& contact,
-                 const PartGeometry& source, bool is_source_thin);
+                 const PartGeometry& source, bool is_source_wide);
 
     //! \param source  the whole source part in one pose
     //! \param target  (n, 3) positions of the whole target part, mm

@@ -67,6 +67,11 @@ std::vector<Anchor> nearest_anchors(const PartGeometry& part, const VertexIds& r
     return anchors;
 }
 
+bool has_triangles(const PartGeometry& part, const VertexIds& region)
+{
+    return !triangles_inside(part, region).empty();
+}
+
 VertexIds with_triangles_below(const PartGeometry& part, const VertexIds& region,
                                const Points& targets)
 {

@@ -12,6 +12,9 @@ namespace sheetmorph
 std::vector<Anchor> nearest_anchors(const PartGeometry& part, const VertexIds& region,
                                     const Points& targets);
 
+//! Whether a region has a triangle with all its corners.
+bool has_triangles(const PartGeometry& part, const VertexIds& region);
+
 //! The region with the triangles of the mesh that are nearest to the targets. What stands on a
 //! coarse mesh, or on the wall of a sheet, touches triangles none of which the region has whole.
 VertexIds with_triangles_below(const PartGeometry& part, const VertexIds& region,

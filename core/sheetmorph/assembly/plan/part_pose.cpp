@@ -130,6 +130,7 @@ PartConstraints constraints_of_part(const Assembly& assembly, int part)
         }
     for (const PartRegion& stitch : assembly.parts[at(part)].stitches)
         found.surface.stitches.push_back({stitch.name, stitch.vertices, "contact"});
+    found.surface.ties = assembly.parts[at(part)].ties;
     add_groups(assembly, part, found);
     return found;
 }

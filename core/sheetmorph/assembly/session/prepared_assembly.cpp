@@ -127,6 +127,20 @@ void widen_thin_sources(PreparedAssembly& prepared, const Geometries& geometries
                                                target_points(prepared.assembly, link));
 }
 
+bool is_whole(const Assembly& assembly)
+{
+    return assembly.propagation.type == PropagationType::whole;
+}
+
+// What touches a thin solid by its wall, or a row of vertices that a seam is, touches triangles
+// that the side has not whole.
+bool is_wide(const PreparedAssembly& prepared, const PartRegion& source,
+             const PartGeometry& geometry)
+{
+    return prepared.thin[at(source.part)] != nullptr
+           || (is_whole(prepared.assembly) && !has_triangles(geometry, source.vertices));
+}
+
 // What is measured of a thin solid lies on the whole of it.
 void add_gauges(PreparedAssembly& prepared, const Geometries& geometries)
 {
@@ -134,16 +148,37 @@ void add_gauges(PreparedAssembly& prepared, const Geometries& geometries)
         prepared.with_thin_parts ? geometries_of(*prepared.with_thin_parts) : Geometries();
     for (const DirectedContact& contact : prepared.plan.measured)
     {
-        const std::size_t source = at(contact.source(prepared.whole()).part);
-        const bool is_thin = prepared.thin[source] != nullptr;
-        prepared.gauges.emplace_back(prepared.whole(), contact,
-                                     is_thin ? wholes[source] : geometries[source], is_thin);
+        const PartRegion& source = contact.source(prepared.whole());
+        const PartGeometry& geometry =
+            prepared.thin[at(source.part)] ? wholes[at(source.part)] : geometries[at(source.part)];
+        prepared.gauges.emplace_back(prepared.whole(), contact, geometry,
+                                     is_wide(prepared, source, geometry));
     }
 }
 
-bool is_whole(const Assembly& assembly)
+// By measured contact that is not rigid: where its sides lie on each other.
+std::vector<SeamPlaces> seam_places(const PreparedAssembly& prepared, const Geometries& geometries)
 {
-    return assembly.propagation.type == PropagationType::whole;
+    const Assembly& given = prepared.assembly;
+    const auto on = [&](const PartRegion& below, const PartRegion& region)
+    {
+        const PartGeometry& geometry = geometries[at(below.part)];
+        const Points points = rows_of(given.parts[at(region.part)].mesh.points(), region.vertices);
+        return nearest_anchors(geometry,
+                               is_wide(prepared, below, geometry)
+                                   ? with_triangles_below(geometry, below.vertices, points)
+                                   : below.vertices,
+                               points);
+    };
+    std::vector<SeamPlaces> places;
+    for (const DirectedContact& contact : prepared.plan.measured)
+    {
+        const PartRegion &source = contact.source(given), &target = contact.target(given);
+        const bool is_rigid = given.contacts[at(contact.contact)].type == ContactType::rigid;
+        places.push_back(is_rigid ? SeamPlaces{}
+                                  : SeamPlaces{on(source, target), on(target, source)});
+    }
+    return places;
 }
 
 // A point of a thin solid lies off the middle: it is met in rounds, part by part.
@@ -158,10 +193,12 @@ void refuse_thin_points(const PreparedAssembly& prepared)
 }
 
 // All parts as one, taking over from `previous` what fits.
-void join(PreparedAssembly& prepared, const Progress& progress, const PreparedAssembly* previous)
+void join(PreparedAssembly& prepared, const Geometries& geometries, const Progress& progress,
+          const PreparedAssembly* previous)
 {
     refuse_thin_points(prepared);
-    prepared.places = joined_parts(prepared.assembly, prepared.plan, prepared.welds);
+    prepared.places = joined_parts(prepared.assembly, prepared.plan, prepared.welds,
+                                   seam_places(prepared, geometries));
     Assembly one = std::move(prepared.places.assembly);
     auto joined = std::make_shared<PreparedAssembly>(prepare_assembly(
         std::move(one), progress, previous != nullptr ? previous->joined.get() : nullptr));
@@ -268,6 +305,8 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     prepared.shapes = shapes_of_sized(prepared.whole());
     const Assembly& given = prepared.assembly;
     prepared.plan = plan_propagation(given);
+    if (is_whole(given))
+        lead_by_coarser(given, prepared.plan);
     const ControlBoxes boxes(given);
     prepared.planned = plan_links(given, prepared.plan, boxes);
     const Geometries geometries = geometries_of(given);
@@ -287,7 +326,7 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
         preparation.add_link(link);
     preparation.run(progress);
     if (is_whole(given))
-        join(prepared, progress, previous);
+        join(prepared, geometries, progress, previous);
     progress.report(1.0, "ready");
     return prepared;
 }

@@ -59,6 +59,16 @@ bool same_links(const std::vector<FeatureLink>& a, const std::vector<FeatureLink
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
+bool same_ties(const std::vector<Tie>& a, const std::vector<Tie>& b)
+{
+    const auto equal = [](const Tie& x, const Tie& y)
+    {
+        return x.vertex == y.vertex && x.place.corners == y.place.corners
+               && x.place.weights == y.place.weights;
+    };
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
+}
+
 bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
 {
     return a.energy == b.energy && a.laplacian == b.laplacian && a.is_refined == b.is_refined
@@ -66,7 +76,7 @@ bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
            && same_handles(a.handles, b.handles) && same_features(a.features, b.features)
            && same_regions(a.propagated, b.propagated) && same_points(a.points, b.points)
            && a.groups == b.groups && same_links(a.links, b.links)
-           && same_regions(a.stitches, b.stitches);
+           && same_regions(a.stitches, b.stitches) && same_ties(a.ties, b.ties);
 }
 
 bool same_box(const OrientedBox& a, const OrientedBox& b)

@@ -34,15 +34,31 @@ public:
         add_features();
     }
 
-    JoinedParts joined(const std::vector<RigidWeld>& welds)
+    JoinedParts joined(const PropagationPlan& plan, const std::vector<RigidWeld>& welds,
+                       const std::vector<SeamPlaces>& places)
     {
         add_welds(welds);
         std::vector<Seam> seams;
-        for (const Contact& contact : given_.contacts)
-            if (contact.type != ContactType::rigid && is_reached(contact.a.part)
-                && is_reached(contact.b.part))
-                seams.push_back({contact.name, moved(contact.a), moved(contact.b)});
-        joined_.assembly.parts.front().stitches = stitched(joined_.assembly, seams);
+        std::vector<TiedSeam> tied_seams;
+        const std::vector<int> ranks = ranks_by_fineness(given_);
+        for (std::size_t k = 0; k < plan.measured.size(); ++k)
+        {
+            const Contact& contact = given_.contacts[at(plan.measured[k].contact)];
+            if (contact.type == ContactType::rigid)
+                continue;
+            seams.push_back({contact.name, moved(contact.a), moved(contact.b)});
+            const PartRegion& source = plan.measured[k].source(given_);
+            const PartRegion& target = plan.measured[k].target(given_);
+            tied_seams.push_back(
+                {moved(target),
+                 moved(source),
+                 {moved(source.part, places[k].of_target), moved(target.part, places[k].of_source)},
+                 ranks[at(target.part)],
+                 ranks[at(source.part)]});
+        }
+        Part& one = joined_.assembly.parts.front();
+        one.stitches = stitched(joined_.assembly, seams);
+        one.ties = tied(joined_.assembly, tied_seams);
         return std::move(joined_);
     }
 
@@ -56,6 +72,14 @@ private:
         for (int& vertex : vertices)
             vertex += joined_.first[at(part)];
         return vertices;
+    }
+
+    std::vector<Anchor> moved(int part, std::vector<Anchor> places) const
+    {
+        for (Anchor& place : places)
+            for (int& corner : place.corners)
+                corner += joined_.first[at(part)];
+        return places;
     }
 
     // A joined part has the thickness and Poisson's ratio of none: only `steel` reads them.
@@ -176,9 +200,9 @@ private:
 }  // namespace
 
 JoinedParts joined_parts(const Assembly& assembly, const PropagationPlan& plan,
-                         const std::vector<RigidWeld>& welds)
+                         const std::vector<RigidWeld>& welds, const std::vector<SeamPlaces>& places)
 {
-    return Joining(assembly, plan).joined(welds);
+    return Joining(assembly, plan).joined(plan, welds, places);
 }
 
 }  // namespace sheetmorph

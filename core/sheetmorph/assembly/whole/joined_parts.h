@@ -2,13 +2,15 @@
 #pragma once
 
 #include "sheetmorph/assembly/links/link_plan.h"
+#include "sheetmorph/assembly/whole/seam_ties.h"
 
 namespace sheetmorph
 {
 
 //! All parts that are reached as one part of several sheets, so that one solve answers all of them:
 //! what is held anywhere holds, and motion goes both ways. Stacks of rigid contacts are form
-//! features of it, other contacts stitches (seams.h); nothing else is left of the contacts.
+//! features of it, other contacts stitches (seams.h) and ties (seam_ties.h); nothing else is left
+//! of the contacts.
 struct JoinedParts
 {
     Assembly assembly;          //!< of one part
@@ -17,8 +19,11 @@ struct JoinedParts
     int welds = 0;              //!< the feature there of the first weld; the others follow
 };
 
-//! \param welds  plan_welds()
+//! \param plan    lead_by_coarser()
+//! \param welds   plan_welds()
+//! \param places  by measured contact; empty for rigid ones
 JoinedParts joined_parts(const Assembly& assembly, const PropagationPlan& plan,
-                         const std::vector<RigidWeld>& welds);
+                         const std::vector<RigidWeld>& welds,
+                         const std::vector<SeamPlaces>& places);
 
 }  // namespace sheetmorph

@@ -122,6 +122,8 @@ public:
             drivers_[sets_.root(fixed.vertices.front())].insert(none);
     }
 
+    bool is_rigid(int vertex) const { return is_rigid_[at(vertex)] != 0; }
+
     //! Joins two vertices, unless one of them has its partner on that part, or it would join two
     //! places of one part, or what moves differently.
     bool join(int a, int b)
@@ -215,7 +217,8 @@ std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>
     DisjointSets stitches(mesh.vertex_count());
     std::map<int, std::string> name_of;  // by vertex
     for (const Pair& pair : pairs)
-        if (clusters.join(pair.a, pair.b))
+        if ((clusters.is_rigid(pair.a) || clusters.is_rigid(pair.b))
+            && clusters.join(pair.a, pair.b))
         {
             stitches.join(pair.a, pair.b);
             for (const int vertex : {pair.a, pair.b})

@@ -16,12 +16,12 @@ namespace
 
 constexpr double nearest = 1e-9;  // mm, keeps a distance from being zero
 
-// What no size moves: all that is known, borders, seams, and the triangles of points.
+// What no size moves: all that is known or tied, borders, and the triangles of points.
 std::vector<char> held_vertices(const RotationFieldInput& input)
 {
     std::vector<char> is_held(at(input.mesh.vertex_count()), 0);
     for (std::size_t i = 0; i < is_held.size(); ++i)
-        is_held[i] = input.roles.role[i] != Role::free || input.roles.stitch[i] >= 0;
+        is_held[i] = input.roles.role[i] != Role::free;
     const EdgeTable table(input.mesh);
     for (int edge = 0; edge < table.count(); ++edge)
         if (table.uses(edge).count() == 1)

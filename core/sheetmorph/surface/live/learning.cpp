@@ -107,7 +107,6 @@ void LearntFields::ask(const std::vector<Asked>& asked, std::size_t first,
             const Field sheet = field(pose);
             turned = turns(sheet);
             offsets = offset(pose, sheet);
-            part_.arms.turn(turned, offsets);
             shifts = point_displacements(part_.rest, part_.constraints.points, pose.targets.points);
         }
         targets.offset.col(k) = offsets.col(one.coordinate);

@@ -64,7 +64,7 @@ void clamp_neighbours(const TriangleMesh& mesh, const SurfaceConstraints& constr
     const std::vector<char> clamps = holding_vertices(constraints, roles);
     for (int i = 0; i < mesh.vertex_count(); ++i)
     {
-        if (roles.role[at(i)] != Role::free || roles.stitch[at(i)] >= 0)
+        if (roles.role[at(i)] != Role::free)
             continue;
         VertexIds candidates;
         for (SparseMatrix::InnerIterator entry(neighbours, i); entry; ++entry)

@@ -14,8 +14,8 @@ std::vector<char> holding_vertices(const SurfaceConstraints& constraints, const 
 
 //! Gives the free neighbours of fixed, handle and propagated vertices the role `clamped`: they move
 //! rigidly with the nearest of them, and where several regions meet as the mean of what each asks
-//! for, so that no order of regions counts. Vertices of features keep their feature, stitched ones
-//! their seam; points of triangles never clamp.
+//! for, so that no order of regions counts. Vertices of features keep their feature, tied ones
+//! their sheet; points of triangles never clamp.
 //! \param neighbours  (n, n): an entry wherever two vertices share an edge of the sheet
 void clamp_neighbours(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                       const SparseMatrix& neighbours, VertexRoles& roles);

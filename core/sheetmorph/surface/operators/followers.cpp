@@ -33,7 +33,7 @@ std::vector<int> leading_triangles(const TriangleMesh& rest, const VertexRoles& 
 
 }  // namespace
 
-Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles)
+Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles) : ties_(roles.ties)
 {
     if (std::find(roles.role.begin(), roles.role.end(), Role::follower) == roles.role.end())
         return;
@@ -49,6 +49,8 @@ Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles)
 VertexIds Followers::corners() const
 {
     VertexIds corners;
+    for (const Tie& tie : ties_)
+        corners.insert(corners.end(), tie.place.corners.begin(), tie.place.corners.end());
     for (const Follower& follower : followers_)
         corners.insert(corners.end(), follower.anchor.corners.begin(),
                        follower.anchor.corners.end());
@@ -58,6 +60,17 @@ VertexIds Followers::corners() const
 
 void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const
 {
+    for (const auto& [vertex, place] : ties_)
+    {
+        const Vector3 arm = rest.points().row(vertex).transpose() - place.on(rest.points());
+        const Vector3 log = place.on(rotation_logs);
+        // As a displacement, so that a sheet at rest stays where it is.
+        const Vector3 shift = place.sum(
+            [&](int corner) { return Vector3(positions.row(corner) - rest.points().row(corner)); });
+        positions.row(vertex) =
+            rest.points().row(vertex) + (shift + rotation_from_log(log) * arm - arm).transpose();
+        rotation_logs.row(vertex) = log.transpose();
+    }
     for (const auto& [vertex, anchor] : followers_)
     {
         const Vector3 own = rest.points().row(vertex).transpose();
@@ -75,6 +88,15 @@ void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotat
 void Followers::place_rates(const TriangleMesh& rest, const Points& rotation_logs,
                             Points& velocities, Points& log_rates) const
 {
+    for (const auto& [vertex, place] : ties_)
+    {
+        const Vector3 arm = rest.points().row(vertex).transpose() - place.on(rest.points());
+        const Vector3 log = place.on(rotation_logs), rate = place.on(log_rates);
+        const Vector3 spin = spin_of_log(log, rate);
+        velocities.row(vertex) =
+            (place.on(velocities) + spin.cross(rotation_from_log(log) * arm)).transpose();
+        log_rates.row(vertex) = rate.transpose();
+    }
     for (const auto& [vertex, anchor] : followers_)
     {
         const Vector3 own = rest.points().row(vertex).transpose();

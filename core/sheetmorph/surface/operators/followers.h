@@ -9,7 +9,8 @@ namespace sheetmorph
 
 //! Vertices of no triangle of some extent keep their place relative to the nearest triangle that
 //! has no such vertex, and its rotations:
-//! p = sum_j beta_j (p_j + R_j (p_hat - p_hat_j)).
+//! p = sum_j beta_j (p_j + R_j (p_hat - p_hat_j)). Tied vertices keep their distance from their
+//! place q on another sheet: p = q + R (p_hat - q_hat), with the rotation that the logs have there.
 class Followers
 {
 public:
@@ -22,7 +23,7 @@ public:
     void place_rates(const TriangleMesh& rest, const Points& rotation_logs, Points& velocities,
                      Points& log_rates) const;
 
-    bool is_empty() const { return followers_.empty(); }
+    bool is_empty() const { return ties_.empty() && followers_.empty(); }
 
     //! The vertices that they hang on, ascending: place() reads their rows.
     VertexIds corners() const;
@@ -33,6 +34,7 @@ private:
         int vertex;
         Anchor anchor;
     };
+    std::vector<Tie> ties_;
     std::vector<Follower> followers_;
 };
 

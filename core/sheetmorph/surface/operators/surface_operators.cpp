@@ -3,12 +3,13 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/delaunay_flips.h"
 #include "sheetmorph/mesh/geometry/fans.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "sheetmorph/surface/operators/clamping.h"
 #include "sheetmorph/surface/operators/natural_rows.h"
-#include "sheetmorph/surface/operators/stitches.h"
+#include "sheetmorph/surface/operators/ties.h"
 
 #include <Eigen/SVD>
 #include <numeric>
@@ -75,16 +76,41 @@ SurfaceOperators measured(const LaidFaces& faces, int vertex_count)
     return operators;
 }
 
+// What a sheet asks of the vertices of others that it stands on, told of these: a row for each of
+// them, none for tied ones, so that bending goes through a seam as through an inner edge.
+struct OfVertices
+{
+    SparseMatrix harmonic, sums;
+    Points rest;
+    Eigen::VectorXd areas;
+
+    void stand(const TriangleMesh& faces, const Points& half_cotangents,
+               const std::vector<Tie>& ties)
+    {
+        if (ties.empty())
+            return;
+        const SparseMatrix basis = tie_basis(areas.size(), ties);
+        const SparseMatrix across = basis.transpose();
+        Points laid = faces.points();
+        fill_tied(ties, laid);
+        harmonic = across * SparseMatrix(harmonic * basis);
+        sums = across * SparseMatrix(sums * basis);
+        rest = across * apply_stiffness(faces, half_cotangents, laid);
+        areas = across * areas;
+    }
+};
+
 // L of (2.1) and its rest rows; `faces` has the triangles that the operators were measured on.
 void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energy energy,
                    const VertexRoles& roles)
 {
-    operators.harmonic = std::make_shared<const SparseMatrix>(
-        non_negative_stiffness(faces, operators.half_cotangents));
-    SparseMatrix sums = cotangent_stiffness(faces, operators.half_cotangents);
-    Points rest = apply_stiffness(faces, operators.half_cotangents, faces.points());
-    Eigen::VectorXd areas = operators.vertex_areas;
-    join_stitched(roles, sums, rest, areas);
+    const Points& cotangents = operators.half_cotangents;
+    OfVertices found{non_negative_stiffness(faces, cotangents),
+                     cotangent_stiffness(faces, cotangents),
+                     apply_stiffness(faces, cotangents, faces.points()), operators.vertex_areas};
+    found.stand(faces, cotangents, roles.ties);
+    auto& [harmonic, sums, rest, areas] = found;
+    operators.harmonic = std::make_shared<const SparseMatrix>(std::move(harmonic));
     const Eigen::VectorXd per_area =
         areas.unaryExpr([](double area) { return area > 0.0 ? 0.5 / area : 0.0; });
     operators.rows = rows_scaled(std::move(sums), per_area);
@@ -118,16 +144,38 @@ bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& const
     return extents(1) > in_line * in_line * extents(0);
 }
 
+// Where sheets that both end there stand on each other, but for glued ones, which no face has.
+VertexIds seam_vertices(const VertexRoles& roles, const LaidFaces& faces,
+                        const std::vector<char>& is_interior)
+{
+    std::vector<char> has_face(is_interior.size(), 0);
+    for (int f = 0; f < faces.count(); ++f)
+        for (int k = 0; k < 3; ++k)
+            has_face[at(faces.triangles(f, k))] = 1;
+    VertexIds found;
+    for (const auto& [vertex, place] : roles.ties)
+    {
+        if (is_interior[at(vertex)] || !has_face[at(vertex)])
+            continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (place.weights(static_cast<Eigen::Index>(k)) > 0.0
+                && !is_interior[at(place.corners[k])]
+                && roles.role[at(place.corners[k])] != Role::tied)
+                found.push_back(place.corners[k]);
+    }
+    return found;
+}
+
 // Vertices whose rows of L `natural` needs besides: at free edges where they keep a component from
 // tilting, on seams of sheets that end there, which would be hinges.
 VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                                 const VertexRoles& roles, const LaidFaces& faces)
 {
     VertexIds vertices;
-    if (roles.held_by_points.empty() && constraints.stitches.empty())
+    if (roles.held_by_points.empty() && roles.ties.empty())
         return vertices;
     const std::vector<char> is_interior = fans_of(faces, mesh.vertex_count()).is_interior;
-    vertices = seam_vertices(roles, is_interior);
+    vertices = seam_vertices(roles, faces, is_interior);
     for (const int component : roles.held_by_points)
     {
         if (is_held_by_points(mesh, constraints, roles.components, component))
@@ -136,7 +184,39 @@ VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstrain
             if (!is_interior[static_cast<std::size_t>(vertex)])
                 vertices.push_back(vertex);
     }
+    make_set(vertices);
     return vertices;
+}
+
+// The rows with tied vertices told of what they stand on; none that only tied ones had.
+void stand(BendingRows& bending, const VertexRoles& roles)
+{
+    if (roles.ties.empty())
+        return;
+    std::vector<char> is_needed(at(bending.rows.rows()), 0);
+    for (int column = 0; column < bending.rows.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(bending.rows, column); entry; ++entry)
+            if (roles.role[at(column)] != Role::tied)
+                is_needed[at(entry.row())] = 1;
+    const SparseMatrix rows = bending.rows * tie_basis(bending.rows.cols(), roles.ties);
+    std::vector<int> row_of(is_needed.size(), -1);
+    int count = 0;
+    for (std::size_t row = 0; row < is_needed.size(); ++row)
+        if (is_needed[row])
+        {
+            bending.weights(count) = bending.weights(static_cast<Eigen::Index>(row));
+            bending.row_vertices[at(count)] = bending.row_vertices[row];
+            row_of[row] = count++;
+        }
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < rows.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(rows, column); entry; ++entry)
+            if (const int row = row_of[at(entry.row())]; row >= 0)
+                entries.emplace_back(row, column, entry.value());
+    bending.rows.resize(count, rows.cols());
+    bending.rows.setFromTriplets(entries.begin(), entries.end());
+    bending.weights.conservativeResize(count);
+    bending.row_vertices.resize(at(count));
 }
 
 // D p_hat, each row about its own vertex, so that coordinates far from the origin lose no digits.
@@ -206,8 +286,12 @@ SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstr
                   roles);
     if (constraints.energy != Energy::natural)
         return operators;
-    BendingRows bending = natural_rows(faces, holding_vertices(constraints, roles));
-    const VertexIds straightened = straightened_vertices(mesh, constraints, roles, faces);
+    const std::vector<Tie> as_one = glued_ties(mesh, roles.ties);
+    const LaidFaces laid =
+        as_one.empty() ? faces : faces_of(glued(mesh, as_one), constraints).faces;
+    BendingRows bending = natural_rows(laid, holding_vertices(constraints, roles));
+    stand(bending, roles);
+    const VertexIds straightened = straightened_vertices(mesh, constraints, roles, laid);
     if (!straightened.empty())
         append_rows(bending, operators, straightened);
     operators.rest_rows = rest_rows(bending, mesh.points());

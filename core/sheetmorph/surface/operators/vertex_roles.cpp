@@ -115,19 +115,20 @@ void mark_bodies(VertexRoles& roles, const TriangleMesh& mesh,
     decide_links(mesh, constraints, roles.bodies);
 }
 
-// Stitches that nothing carries: their vertices are free, and move as one.
-std::vector<VertexIds> number_stitches(VertexRoles& roles, const SurfaceConstraints& constraints)
+// \returns what stands together
+std::vector<VertexIds> mark_ties(VertexRoles& roles, const SurfaceConstraints& constraints)
 {
     std::vector<VertexIds> found;
-    roles.stitch.assign(roles.role.size(), -1);
-    for (const KnownRegion& stitch : constraints.stitches)
+    for (const Tie& tie : constraints.ties)
     {
-        const auto is_free = [&](int vertex) { return roles.role[at(vertex)] == Role::free; };
-        if (!std::all_of(stitch.vertices.begin(), stitch.vertices.end(), is_free))
+        if (roles.role[at(tie.vertex)] != Role::free)
             continue;
-        for (const int vertex : stitch.vertices)
-            roles.stitch[at(vertex)] = static_cast<int>(found.size());
-        found.push_back(stitch.vertices);
+        set_role(roles, tie.vertex, Role::tied, -1);
+        roles.ties.push_back(tie);
+        found.push_back({tie.vertex});
+        for (std::size_t k = 0; k < 3; ++k)
+            if (tie.place.weights(static_cast<Eigen::Index>(k)) > 0.0)
+                found.back().push_back(tie.place.corners[k]);
     }
     return found;
 }
@@ -196,7 +197,7 @@ VertexRoles roles_of(const TriangleMesh& mesh, const SurfaceConstraints& constra
         if (!constraints.handles[handle].is_rotation_free)
             mark_handle(roles, constraints, static_cast<int>(handle));
     mark_bodies(roles, mesh, constraints);
-    std::vector<VertexIds> joined = number_stitches(roles, constraints);
+    std::vector<VertexIds> joined = mark_ties(roles, constraints);
     for (const Body& body : roles.bodies)
         joined.push_back(body.vertices);
     roles.components = connected_components(mesh, joined);

@@ -14,6 +14,7 @@ enum class Role : char
     handle,
     propagated,
     body,
+    tied,     //!< stands on another sheet
     clamped,  //!< `natural`: beside known vertices, moves rigidly with them
     follower  //!< in no triangle: keeps its place relative to the nearest triangle
 };
@@ -35,8 +36,8 @@ struct Clamp
 struct VertexRoles
 {
     std::vector<Role> role;
-    std::vector<int> owner;   //!< handle, propagated region, body or clamp; -1 for the others
-    std::vector<int> stitch;  //!< which stitch of free vertices; -1 for none
+    std::vector<int> owner;  //!< handle, propagated region, body or clamp; -1 for the others
+    std::vector<Tie> ties;   //!< of tied vertices
     std::vector<Body> bodies;
     std::vector<Clamp> clamps;  //!< see clamp_neighbours()
     Components components;

@@ -156,7 +156,6 @@ ConstrainedMinimiser::Targets PoseRates::asked(const Direction& direction,
     const std::vector<Matrix3> change = turn_rates(direction, spins);
     Eigen::MatrixXd velocities = known_velocities(placement_, direction.pose, bodies_, bodies);
     move_clamped(placement_, given_.logs, direction.given, velocities);
-    part_.arms.turn(change, velocities);
     return {turned_rows(part_.operators, change), std::move(velocities), direction.wanted};
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/constrained_minimiser.h"
 #include "sheetmorph/surface/operators/point_rows.h"
-#include "sheetmorph/surface/operators/stitches.h"
+#include "sheetmorph/surface/operators/shared_unknowns.h"
+#include "sheetmorph/surface/operators/ties.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
 #include <optional>
@@ -20,6 +21,7 @@ class BiharmonicRotationField : public RotationField
 {
 public:
     BiharmonicRotationField(const RotationFieldInput& input, const BiharmonicRotationField* earlier)
+        : ties_(input.roles.ties)
     {
         for (std::size_t k = 0; k < input.constraints.points.size(); ++k)
             if (input.constraints.points[k].is_turned)
@@ -56,6 +58,7 @@ public:
             targets.constraints.row(static_cast<Eigen::Index>(row)) =
                 known.points.row(turned_[row]);
         ConstrainedMinimiser::Solution found = minimiser_->minimum(targets, most_refinements);
+        fill_tied(ties_, found.u);
         found.convergence.what = "the rotations of the sheet";
         found.convergence.unit = "radians";
         return {std::move(found.u), found.convergence};
@@ -90,11 +93,13 @@ private:
             const int component = input.roles.components.label[static_cast<std::size_t>(i)];
             unknowns.add(component != Components::unused
                          && reached[static_cast<std::size_t>(component)]
+                         && input.roles.role[static_cast<std::size_t>(i)] != Role::tied
                          && !is_rotation_known(input.roles, i));
         }
         return unknowns.found();
     }
 
+    std::vector<Tie> ties_;
     std::vector<int> turned_;
     std::vector<char> is_known_;
     std::optional<ConstrainedMinimiser> minimiser_;
@@ -119,6 +124,7 @@ bool is_rotation_known(const VertexRoles& roles, int vertex)
         }
         case Role::free:
         case Role::follower:
+        case Role::tied:
             return false;
     }
     return false;

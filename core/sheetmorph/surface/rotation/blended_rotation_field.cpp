@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/surface/operators/stitches.h"
+#include "sheetmorph/surface/operators/shared_unknowns.h"
+#include "sheetmorph/surface/operators/ties.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
 #include <algorithm>
@@ -62,6 +63,7 @@ int source_of_vertex(const Sources& sources, const VertexRoles& roles, int verte
     {
         case Role::fixed:
         case Role::follower:
+        case Role::tied:
             return Sources::rest;
         case Role::handle:
             return sources.first_handle + owner;
@@ -186,7 +188,8 @@ public:
           factor_(unknowns_.merged(harmonic_), input.operators.harmonic_tree,
                   earlier != nullptr ? &earlier->factor_ : nullptr),
           used_(used_sources(sources_)),
-          weights_(harmonic_values(indicator(sources_, used_)))
+          weights_(harmonic_values(indicator(sources_, used_))),
+          ties_(input.roles.ties)
     {
         smooth_and_renormalise(weights_);
     }
@@ -212,6 +215,7 @@ public:
         }
         if (!excess.isZero(0.0))
             add_harmonic_excess(logs, excess);
+        fill_tied(ties_, logs);
         return {logs, {}};
     }
 
@@ -265,6 +269,7 @@ private:
     SparseCholesky factor_;
     std::vector<int> used_;    // sources that have a vertex
     Eigen::MatrixXd weights_;  // (unknowns, used sources)
+    std::vector<Tie> ties_;
 };
 
 }  // namespace

@@ -2,7 +2,8 @@
 #include "sheetmorph/surface/rotation/turner_weights.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/surface/operators/stitches.h"
+#include "sheetmorph/surface/operators/shared_unknowns.h"
+#include "sheetmorph/surface/operators/ties.h"
 
 #include <algorithm>
 
@@ -137,7 +138,10 @@ SparseMatrix turner_weights(const RotationFieldInput& input, const std::vector<T
     const Unknowns unknowns = open_vertices(input, owner);
     if (!turners.empty() && unknowns.count > 0)
         add_open(input, unknowns, owned, shares);
-    return shares.normalised(static_cast<Eigen::Index>(turners.size()));
+    SparseMatrix weights = shares.normalised(static_cast<Eigen::Index>(turners.size()));
+    if (input.roles.ties.empty())
+        return weights;
+    return tie_basis(input.mesh.vertex_count(), input.roles.ties) * weights;
 }
 
 }  // namespace sheetmorph

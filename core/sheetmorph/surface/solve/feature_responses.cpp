@@ -27,7 +27,7 @@ constexpr double least_pivot = 1e-5;  // of the stiffest: the energy feels every
 
 }  // namespace
 
-FeatureResponses::FeatureResponses(const RotationFieldInput& input, const StitchArms& arms,
+FeatureResponses::FeatureResponses(const RotationFieldInput& input,
                                    const ConstrainedMinimiser& minimiser,
                                    std::vector<Turner> turners)
     : mesh_(input.mesh),
@@ -39,7 +39,7 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input, const Stitch
       weights_(turner_weights(input, turners_))
 {
     number_columns();
-    offsets_ = direct_moves(arms);
+    offsets_ = direct_moves();
     turned_rows_ = turned_rows();
     respond();
     factor_at_rest();
@@ -58,7 +58,7 @@ void FeatureResponses::number_columns()
     }
 }
 
-SparseMatrix FeatureResponses::direct_moves(const StitchArms& arms) const
+SparseMatrix FeatureResponses::direct_moves() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t k = 0; k < turners_.size(); ++k)
@@ -75,16 +75,6 @@ SparseMatrix FeatureResponses::direct_moves(const StitchArms& arms) const
                 entries.emplace_back(vertex, columns_[k].shift, 1.0);
         }
     }
-    using WeightRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-    const WeightRows weights(weights_);
-    arms.for_each(
-        [&](int vertex, const Vector3& arm)
-        {
-            for (WeightRows::InnerIterator entry(weights, vertex); entry; ++entry)
-                for (int b = 0; b < 3 && columns_[at(entry.col())].turn != none; ++b)
-                    entries.emplace_back(vertex, columns_[at(entry.col())].turn + b,
-                                         entry.value() * arm(b));
-        });
     SparseMatrix moves(mesh_.vertex_count(), count_);
     // A vertex listed twice in a feature moves once.
     moves.setFromTriplets(entries.begin(), entries.end(),

@@ -5,7 +5,6 @@
 #include "sheetmorph/numerics/constrained_minimiser.h"
 #include "sheetmorph/numerics/response/response_fields.h"
 #include "sheetmorph/surface/bodies/joints.h"
-#include "sheetmorph/surface/operators/stitches.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
 
 namespace sheetmorph
@@ -32,8 +31,8 @@ struct TurnerColumns
 class FeatureResponses
 {
 public:
-    FeatureResponses(const RotationFieldInput& input, const StitchArms& arms,
-                     const ConstrainedMinimiser& minimiser, std::vector<Turner> turners);
+    FeatureResponses(const RotationFieldInput& input, const ConstrainedMinimiser& minimiser,
+                     std::vector<Turner> turners);
 
     const std::vector<Turner>& turners() const { return turners_; }
     const std::vector<TurnerColumns>& columns() const { return columns_; }
@@ -63,7 +62,7 @@ public:
 
 private:
     void number_columns();
-    SparseMatrix direct_moves(const StitchArms& arms) const;
+    SparseMatrix direct_moves() const;
     SparseMatrix turned_rows() const;
     ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
     void respond();

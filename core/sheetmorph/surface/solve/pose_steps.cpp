@@ -74,7 +74,6 @@ void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const 
 {
     asked.rows = turned_rows(part.operators, change);
     asked.offset = known_displacements(part.placement(), told.targets, told.bodies);
-    part.arms.turn(change, asked.offset);
 }
 
 Turned turned_features(const PreparedSurface& part, const ToTurn& pose,

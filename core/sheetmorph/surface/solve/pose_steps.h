@@ -31,7 +31,7 @@ struct Told
     const BodyMotions& bodies;
 };
 
-//! Asks the sheet for rest rows and seams that turn like that, and for what moves as it is told.
+//! Asks the sheet for rest rows that turn like that, and for what moves as it is told.
 //! \param change  turns_of()
 void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const Told& told,
          ConstrainedMinimiser::Targets& asked);

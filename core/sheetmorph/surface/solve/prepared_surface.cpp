@@ -4,6 +4,7 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/operators/clamping.h"
 #include "sheetmorph/surface/operators/point_rows.h"
+#include "sheetmorph/surface/operators/shared_unknowns.h"
 
 namespace sheetmorph
 {
@@ -11,7 +12,7 @@ namespace sheetmorph
 namespace
 {
 
-// Free vertices have an unknown each, stitched ones and bodies whose translation is open share one.
+// Free vertices have an unknown each, bodies whose translation is open share one.
 Unknowns position_unknowns(const VertexRoles& roles)
 {
     SharedUnknowns unknowns(roles);
@@ -89,14 +90,14 @@ std::shared_ptr<const SurfaceOperators> reported_operators(const TriangleMesh& r
 }
 
 // An earlier state of the part whose operators are still right: those of `natural` depend on what
-// is held, those of seams on what carries them.
+// is held, those of ties on what decides their vertices.
 const PreparedSurface* with_same_operators(const PreparedSurface* earlier, const TriangleMesh& rest,
                                            const SurfaceConstraints& constraints)
 {
     const bool is_same = earlier != nullptr && constraints.energy != Energy::natural
                          && earlier->constraints.energy == constraints.energy
                          && earlier->constraints.laplacian == constraints.laplacian
-                         && earlier->constraints.stitches.empty() && constraints.stitches.empty()
+                         && earlier->constraints.ties.empty() && constraints.ties.empty()
                          && earlier->rest == rest;
     return is_same ? earlier : nullptr;
 }
@@ -118,7 +119,6 @@ ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input, const U
 }
 
 std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& input,
-                                                     const StitchArms& arms,
                                                      const ConstrainedMinimiser& minimiser,
                                                      const Progress& progress)
 {
@@ -126,7 +126,7 @@ std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& i
     if (turners.empty())
         return nullptr;
     progress.report(0.7, "responses of features");
-    return std::make_unique<FeatureResponses>(input, arms, minimiser, std::move(turners));
+    return std::make_unique<FeatureResponses>(input, minimiser, std::move(turners));
 }
 
 }  // namespace
@@ -149,12 +149,10 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
                            : reported_operators(rest, constraints, roles, progress)),
       operators(*shared_operators),
       unknowns(position_unknowns(roles)),
-      arms(rest, roles),
       field(reported_field({rest, constraints, roles, operators}, reuse.earlier, progress)),
       minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, reuse.earlier,
                                    progress)),
-      responses(
-          reported_responses({rest, constraints, roles, operators}, arms, minimiser, progress)),
+      responses(reported_responses({rest, constraints, roles, operators}, minimiser, progress)),
       steel(constraints.has_previews() ? std::make_unique<SteelAnswer>(rest, constraints)
                                        : nullptr),
       growth({rest, constraints, roles, operators}, shapes),

@@ -4,7 +4,7 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/surface/bodies/sheet_growth.h"
 #include "sheetmorph/surface/operators/followers.h"
-#include "sheetmorph/surface/operators/stitches.h"
+#include "sheetmorph/surface/operators/unknowns.h"
 #include "sheetmorph/surface/solve/feature_responses.h"
 #include "sheetmorph/surface/steel/steel_answer.h"
 
@@ -31,7 +31,6 @@ struct PreparedSurface
     std::shared_ptr<const SurfaceOperators> shared_operators;  //!< with other states of the part
     const SurfaceOperators& operators;
     Unknowns unknowns;
-    StitchArms arms;
     std::unique_ptr<RotationField> field;
     ConstrainedMinimiser minimiser;
     std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing

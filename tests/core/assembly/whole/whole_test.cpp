@@ -145,21 +145,8 @@ TEST_P(CutPlates, AnswerAsThePlateDidWhenTheCutIsWelded)
                       1e-7);
 }
 
-INSTANTIATE_TEST_SUITE_P(Energies, CutPlates, testing::Values(Energy::neumann, Energy::paper));
-
-TEST(Whole, ASeamOfNaturalSheetsIsNoHinge)
-{
-    const CutPlate plate(Energy::natural);
-    const Deformed one = DeformationSession(plate.one).deform(plate.pose);
-    const Deformed halves = DeformationSession(plate.halves).deform(plate.pose);
-    double worst = 0.0;
-    for (std::size_t half = 0; half < 2; ++half)
-        for (std::size_t k = 0; k < plate.places[half].size(); ++k)
-            worst = std::max(worst, (halves.parts[half].positions.row(static_cast<Eigen::Index>(k))
-                                     - one.parts[0].positions.row(plate.places[half][k]))
-                                        .norm());
-    EXPECT_LT(worst, 1.5);  // of 30 mm
-}
+INSTANTIATE_TEST_SUITE_P(Energies, CutPlates,
+                         testing::Values(Energy::neumann, Energy::paper, Energy::natural));
 
 class WholeAssemblies : public testing::TestWithParam<ContactType>
 {
@@ -281,8 +268,9 @@ TEST(Whole, LayersOfOneSeamAreNotOneRigidBody)
 {
     const Frame frame = layers();
     const Deformed shape = DeformationSession(frame.assembly).deform(frame.pose);
+    // The first and the last one stand on the one between; the chord of a triangle is told there.
     for (const ContactFidelity& contact : shape.contacts)
-        EXPECT_LT(contact.gap_change, 0.5);
+        EXPECT_LT(contact.gap_change, contact.contact == 2 ? 0.03 : 1e-9);
     // Every layer is bent all along: no chord is as long as the sheet.
     for (std::size_t layer = 0; layer < 3; ++layer)
     {
