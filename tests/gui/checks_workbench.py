@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, click_point, on_screen, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import actions, api
-from freecad.sheetmorph.commands import exchange
+from freecad.sheetmorph.commands import create, exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 from pivy import coin
@@ -14,6 +14,7 @@ from scenes import assembly, new_morph, part, regions
 __all__ = [
     "test_panels_open_and_close_again_and_again",
     "test_every_example_opens_and_is_up_to_date",
+    "test_who_watches_documents_does_not_lead_a_new_one_astray",
     "test_a_double_click_picks_a_region_anew",
     "test_ok_with_nothing_picked_says_what_to_do",
     "test_what_a_click_would_take_lights_up",
@@ -43,6 +44,33 @@ def test_every_example_opens_and_is_up_to_date():
         for shown in model.parts(assembly()):
             assert shown.State == ["Up-to-date"], (title, shown.Label, shown.State)
         assert regions("handle"), title
+
+
+class KeepsActive:
+    """Watches documents: one stays the active one whatever others are made."""
+
+    def __init__(self, kept):
+        self.kept = kept
+
+    def slotCreatedDocument(self, _document) -> None:
+        """FreeCAD calls this."""
+        App.setActiveDocument(self.kept)
+
+
+def test_who_watches_documents_does_not_lead_a_new_one_astray():
+    yield from activate()
+    kept = App.newDocument("Kept")
+    watcher = KeepsActive(kept.Name)
+    App.addDocumentObserver(watcher)
+    try:
+        made = actions.new_document("Made")
+        yield from until(lambda: App.ActiveDocument == kept, "the watcher's document is active")
+        assert exchange.open_recipe(exchange.example_recipes()["Door Mirror"], "Mirror")
+    finally:
+        App.removeDocumentObserver(watcher)
+    yield from settled()
+    held = {name: len(document.Objects) > 0 for name, document in App.listDocuments().items()}
+    assert held == {"Kept": False, made.Name: False, "Mirror": True}
 
 
 def test_a_double_click_picks_a_region_anew():

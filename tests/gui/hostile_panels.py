@@ -105,6 +105,7 @@ def run_study() -> None:
     """Until its process is there: for a moment it has the name of FreeCAD."""
     press_button("run")
     message = panel().findChild(QtGui.QLabel, "message").text()
+    assert panel().findChild(QtGui.QPushButton, "stop").isEnabled(), f"not started: {message}"
     for _ in range(STARTS):
         if child_processes():
             return

@@ -35,21 +35,27 @@ def call(function: str, *arguments: str, **keywords: str) -> str:
     return f"{API}.{function}({', '.join(texts)})"
 
 
-def new_document(label: str = "") -> None:
-    """Makes a document, as lines that a macro runs anywhere."""
+def new_document(label: str = "") -> App.Document:
+    """Makes a document, as lines that a macro runs anywhere. Whoever watches documents may have
+    made another one the active one since, or none."""
+    before = App.listDocuments().keys()
     record("import FreeCAD as App", f"App.newDocument({label!r})" if label else "App.newDocument()")
+    return next(made for name, made in App.listDocuments().items() if name not in before)
 
 
-def record(*lines: str) -> None:
+def record(*lines: str, document=None) -> None:
     """Runs lines and writes them to the macro being recorded, without a transaction.
 
-    The imports are written every time: FreeCAD's addModule does so once a session, too early for
-    a macro whose recording starts later.
+    The document they mean is made the active one for each: what happens under progress may make
+    another one so. The imports are written every time: FreeCAD's addModule does so once a session,
+    too early for a macro whose recording starts later.
     """
     told = reporting.progress()
     for number, line in enumerate((*IMPORTS, *lines)):
         if told is not None and not told(number / (len(IMPORTS) + len(lines)), ""):
             return
+        if document is not None and App.ActiveDocument != document:
+            App.setActiveDocument(document.Name)
         with unseen() if len(line) > LONGEST_SHOWN else nullcontext():
             Gui.doCommand(line)
 
@@ -103,11 +109,10 @@ def run(title: str, *lines: str, document=None) -> None:
     A morph that was sound and is not afterwards, by what the step has made, is an error too.
     """
     document = document or App.ActiveDocument
-    App.setActiveDocument(document.Name)
     before = faults.faults_in(document)
     try:
         with transactions.step(document, title), followed(title):
-            record(*lines, f"{DOCUMENT}.recompute()")
+            record(*lines, f"{DOCUMENT}.recompute()", document=document)
             refuse(faults.new_fault(document, before))
     except MorphError:
         document.recompute()  # FreeCAD counts as due what was taken back

@@ -27,7 +27,7 @@ NEW = call("create_assembly", DOCUMENT)
 def ensure_document() -> None:
     """Makes a document if there is none."""
     if App.ActiveDocument is None:
-        actions.new_document()
+        App.setActiveDocument(actions.new_document().Name)
 
 
 def added(function: str, *arguments: str) -> str:

@@ -18,9 +18,10 @@ CRITERIA = ["standard", "crash", "static"]
 
 def open_recipe(path: str, document_name: str = "") -> bool:
     """Opens a recipe in a new document, or in the active one; False if it could not be read."""
-    if document_name or App.ActiveDocument is None:
-        actions.new_document(document_name)
-    done = actions.attempt("Import Recipe", call("import_recipe", DOCUMENT, repr(path)))
+    document = None if document_name else App.ActiveDocument
+    document = document or actions.new_document(document_name)
+    line = call("import_recipe", DOCUMENT, repr(path))
+    done = actions.attempt("Import Recipe", line, document=document)
     if done:
         Gui.activeDocument().activeView().viewIsometric()
         Gui.SendMsgToActiveView("ViewFit")
