@@ -5,7 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, click_point, on_screen, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import actions, api
-from freecad.sheetmorph.commands import create, exchange
+from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 from pivy import coin
