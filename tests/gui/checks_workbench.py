@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, click_point, on_screen, press, press_tool, settled, until, xdotool
-from freecad.sheetmorph import actions, api
+from freecad.sheetmorph import actions, api, subject
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore, QtWidgets
@@ -20,6 +20,7 @@ __all__ = [
     "test_what_a_click_would_take_lights_up",
     "test_a_removed_part_gives_its_source_back_to_the_view",
     "test_no_command_fails_when_asked_whether_it_is_active",
+    "test_commands_know_the_morphs_that_came_and_went",
     "test_an_error_is_told_as_freecad_tells_its_own",
 ]
 
@@ -144,6 +145,28 @@ def test_no_command_fails_when_asked_whether_it_is_active():
     of_features = ("FeatureSettings", "GroupFeatures", "MakeCoaxial", "KeepDistance")
     wanting |= {f"SheetMorph_{name}" for name in of_features}
     assert active == set(names) - wanting, (set(names) - wanting) ^ active
+
+
+def test_commands_know_the_morphs_that_came_and_went():
+    yield from new_morph()
+    document, first = App.ActiveDocument, assembly()
+    assert subject.assemblies() == [first]
+    document.openTransaction("Another morph")
+    second = api.create_assembly(document)
+    document.commitTransaction()
+    name = second.Name
+    assert subject.assemblies() == [first, second]
+    document.undo()
+    assert subject.assemblies() == [first]
+    document.redo()
+    assert [morph.Name for morph in subject.assemblies()] == [first.Name, name]
+    document.removeObject(name)
+    assert subject.assemblies() == [first]
+    App.newDocument("Other")
+    assert subject.assemblies() == []
+    App.closeDocument(App.ActiveDocument.Name)
+    App.setActiveDocument(document.Name)
+    assert subject.assemblies() == [first]
 
 
 def test_an_error_is_told_as_freecad_tells_its_own():

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a command acts on: the morph, part or region that is selected, or the only one there is."""
 
+from itertools import islice
+
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION, STUDY, kind
 from freecad.sheetmorph.objects import model
+
+_listed: dict[str, list] = {"objects": [], "groups": []}  # of the document asked about last
 
 __all__ = ["ASSEMBLY", "PART", "POSE", "REGION", "STUDY", "kind"]
 
@@ -41,11 +45,18 @@ def may_become_parts() -> bool:
 
 
 def assemblies() -> list:
-    """The morphs of the active document; FreeCAD asks for them all the time."""
+    """The morphs of the active document; FreeCAD asks for them all the time.
+
+    Looking through a document takes FreeCAD eight times as long as listing it, so it is looked
+    through again only when the list is another.
+    """
     if App.ActiveDocument is None:
         return []
-    groups = App.ActiveDocument.findObjects("App::DocumentObjectGroupPython")
-    return [group for group in groups if kind(group) == ASSEMBLY]
+    every = App.ActiveDocument.Objects
+    if every != _listed["objects"]:
+        groups = App.ActiveDocument.findObjects("App::DocumentObjectGroupPython")
+        _listed.update(objects=every, groups=groups)
+    return [group for group in _listed["groups"] if kind(group) == ASSEMBLY]
 
 
 def assembly_of(obj):
@@ -106,6 +117,12 @@ def handle():
     owner = assembly()
     every = members(owner, REGION) if owner else ()
     return next((region for region in every if region.Role == "handle"), None)
+
+
+def has(wanted: str, least: int = 1) -> bool:
+    """Whether the morph that is meant has so many objects of one type."""
+    owner = assembly()
+    return owner is not None and len(list(islice(members(owner, wanted), least))) == least
 
 
 def members(owner, wanted: str):

@@ -22,8 +22,7 @@ class MarkContact(Command):
 
     def possible(self) -> bool:
         """With a morph of two parts or more."""
-        owner = subject.assembly()
-        return owner is not None and len(subject.parts(owner)) > 1
+        return subject.has(subject.PART, 2)
 
     def execute(self) -> None:
         """Opens the panel; the contact comes into being when the user says OK."""
@@ -46,8 +45,7 @@ class Propagation(Command):
 
     def possible(self) -> bool:
         """With a part."""
-        owner = subject.assembly()
-        return owner is not None and bool(subject.parts(owner))
+        return subject.has(subject.PART)
 
     def execute(self) -> None:
         """Opens the panel."""

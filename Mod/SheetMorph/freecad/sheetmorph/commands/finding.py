@@ -20,8 +20,7 @@ class FindFeatures(Command):
 
     def possible(self) -> bool:
         """With a part."""
-        owner = subject.assembly()
-        return owner is not None and bool(subject.parts(owner))
+        return subject.has(subject.PART)
 
     def execute(self) -> None:
         """Opens the panel; the document changes when the user says OK."""
@@ -42,8 +41,7 @@ class FindContacts(Command):
 
     def possible(self) -> bool:
         """With a morph of two parts or more."""
-        owner = subject.assembly()
-        return owner is not None and len(subject.parts(owner)) > 1
+        return subject.has(subject.PART, 2)
 
     def execute(self) -> None:
         """Opens the panel; the document changes when the user says OK."""

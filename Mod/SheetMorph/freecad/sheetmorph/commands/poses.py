@@ -51,8 +51,7 @@ class BlendPoses(Command):
 
     def possible(self) -> bool:
         """With a pose."""
-        owner = subject.assembly()
-        return owner is not None and bool(subject.poses(owner))
+        return subject.has(subject.POSE)
 
     def execute(self) -> None:
         """Opens the panel at the selected pose, else at the last one."""
