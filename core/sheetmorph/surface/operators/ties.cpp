@@ -2,7 +2,7 @@
 #include "sheetmorph/surface/operators/ties.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/mesh/topology/edges.h"
+#include "sheetmorph/mesh/topology/boundary.h"
 
 #include <numeric>
 #include <unordered_map>
@@ -31,13 +31,8 @@ void fill(const std::vector<Tie>& ties, Rows& rows)
 std::vector<char> border_vertices(const TriangleMesh& mesh)
 {
     std::vector<char> is_border(at(mesh.vertex_count()), 0);
-    const EdgeTable table(mesh);
-    for (int edge = 0; edge < table.count(); ++edge)
-        if (table.uses(edge).count() == 1)
-        {
-            is_border[at(table.uses(edge).begin()->from)] = 1;
-            is_border[at(table.uses(edge).begin()->to)] = 1;
-        }
+    for (const BoundaryEdge& edge : boundary_edges(mesh))
+        is_border[at(edge.from)] = is_border[at(edge.to)] = 1;
     return is_border;
 }
 
