@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/dense_products.h"
 
-#include "sheetmorph/base/instructions/instructions.h"
-#include "sheetmorph/base/instructions/vector_types.h"
+#include "sheetmorph/base/instructions/widest.h"
 
 #include <algorithm>
 #include <cstring>
@@ -22,6 +21,9 @@ namespace
 // Twelve sums of two registers are under way at once, as many as 16 registers have room for.
 constexpr int tile_rows = 6;
 constexpr int largest_panel = 16;
+
+// Doubles a register for three columns: the sums of wider ones take longer than they save.
+constexpr int narrow = 4;
 
 // Rows of doubles `stride` apart.
 struct Rows
@@ -109,48 +111,6 @@ struct Kernel
     }
 };
 
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void tile_512(
-    Tile& tile)
-{
-    Kernel<8>::multiply(tile);
-}
-
-__attribute__((target("avx2,fma"))) void tile_256(Tile& tile)
-{
-    Kernel<4>::multiply(tile);
-}
-
-void tile_128(Tile& tile)
-{
-    Kernel<2>::multiply(tile);
-}
-
-__attribute__((target("avx2,fma"))) void narrow_256(const Weights& left, const Rows& columns,
-                                                    Points& result)
-{
-    Kernel<4>::multiply(left, columns, result);
-}
-
-void narrow_128(const Weights& left, const Rows& columns, Points& result)
-{
-    Kernel<2>::multiply(left, columns, result);
-}
-
-struct TileKernel
-{
-    void (*multiply)(Tile&);
-    int columns;
-};
-
-TileKernel tile_kernel()
-{
-    if (instructions() == Instructions::avx512)
-        return {tile_512, 16};
-    if (instructions() != Instructions::portable)
-        return {tile_256, 8};
-    return {tile_128, 4};
-}
-
 // Rows first .. of `right` side by side, zeros where there are none.
 void pack(const WeightsView& right, Eigen::Index first, int columns, double* panel)
 {
@@ -161,36 +121,45 @@ void pack(const WeightsView& right, Eigen::Index first, int columns, double* pan
             panel[columns * k + c] = right(first + c, k);
 }
 
-}  // namespace
-
-void add_product(const WeightsView& left, const WeightsView& right, double factor,
-                 WeightsTarget result)
+// In tiles of 2 * width columns.
+template <int width>
+SHEETMORPH_INLINE void add_tiles(const WeightsView& left, const WeightsView& right, double factor,
+                                 WeightsTarget& result)
 {
-    const TileKernel kernel = tile_kernel();
+    constexpr int across = 2 * width;
     const Eigen::Index depth = left.cols(), rows = left.rows(), columns = right.rows();
     thread_local std::vector<double> panel;
-    panel.resize(std::max(panel.size(), static_cast<std::size_t>(kernel.columns * depth)));
+    panel.resize(std::max(panel.size(), static_cast<std::size_t>(across * depth)));
     Tile tile{{}, panel.data(), depth, factor, {}, false, {}};
-    for (Eigen::Index j = 0; j < columns; j += kernel.columns)
+    for (Eigen::Index j = 0; j < columns; j += across)
     {
-        pack(right, j, kernel.columns, panel.data());
-        const Eigen::Index wide = std::min<Eigen::Index>(kernel.columns, columns - j);
+        pack(right, j, across, panel.data());
+        const Eigen::Index wide = std::min<Eigen::Index>(across, columns - j);
         for (Eigen::Index i = 0; i < rows; i += tile_rows)
         {
             const Eigen::Index high = std::min<Eigen::Index>(tile_rows, rows - i);
-            tile.is_whole = high == tile_rows && wide == kernel.columns;
+            tile.is_whole = high == tile_rows && wide == across;
             for (Eigen::Index r = 0; r < tile_rows; ++r)
             {
                 const Eigen::Index row = std::min(i + r, rows - 1);
                 tile.left[r] = left.data() + row * left.outerStride();
                 tile.result[r] = result.data() + row * result.outerStride() + j;
             }
-            kernel.multiply(tile);
+            Kernel<width>::multiply(tile);
             for (Eigen::Index r = 0; r < high && !tile.is_whole; ++r)
                 for (Eigen::Index c = 0; c < wide; ++c)
                     result(i + r, j + c) += tile.sums[r][c];
         }
     }
+}
+
+}  // namespace
+
+void add_product(const WeightsView& left, const WeightsView& right, double factor,
+                 WeightsTarget result)
+{
+    run_widest([&](auto width) SHEETMORPH_INLINED
+               { add_tiles<width>(left, right, factor, result); });
 }
 
 void add_lower_product(const WeightsView& left, const WeightsView& right, double factor,
@@ -212,10 +181,8 @@ Points narrow_product(const Weights& left, const Points& right)
         return result;
     const Weights columns = right.transpose();
     const Rows rows{columns.data(), columns.cols()};
-    if (instructions() != Instructions::portable)
-        narrow_256(left, rows, result);
-    else
-        narrow_128(left, rows, result);
+    run_widest([&](auto width) SHEETMORPH_INLINED
+               { Kernel<std::min<int>(width, narrow)>::multiply(left, rows, result); });
     return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/mean_value_kernel.h"
 
-#include "sheetmorph/base/instructions/instructions.h"
+#include "sheetmorph/base/instructions/widest.h"
 #include "sheetmorph/volume/lane_angles.h"
 
 #include <cstring>
@@ -200,64 +200,27 @@ struct Kernel : LaneAngles<width>
     }
 };
 
-// What is done with a block, by processors that compute `width` doubles at once.
-enum class Step
-{
-    add_up,
-    finish
-};
-
-template <int width>
-SHEETMORPH_INLINE void run(Step step, const KernelMesh& mesh, KernelBlock& block)
-{
-    for (int at = 0; at < lanes; at += width)
-    {
-        const Kernel<width> kernel{{}, mesh, block, at};
-        if (step == Step::add_up)
-            kernel.add_up();
-        else
-            kernel.finish();
-    }
-}
-
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void run_512(
-    Step step, const KernelMesh& mesh, KernelBlock& block)
-{
-    run<8>(step, mesh, block);
-}
-
-__attribute__((target("avx2,fma"))) void run_256(Step step, const KernelMesh& mesh,
-                                                 KernelBlock& block)
-{
-    run<4>(step, mesh, block);
-}
-
-void run_128(Step step, const KernelMesh& mesh, KernelBlock& block)
-{
-    run<2>(step, mesh, block);
-}
-
-void run(Step step, const KernelMesh& mesh, KernelBlock& block)
-{
-    if (instructions() == Instructions::avx512)
-        run_512(step, mesh, block);
-    else if (instructions() == Instructions::avx2)
-        run_256(step, mesh, block);
-    else
-        run_128(step, mesh, block);
-}
-
 }  // namespace
 
 void add_up(const KernelMesh& mesh, KernelBlock& block)
 {
     block.grazed.clear();
-    run(Step::add_up, mesh, block);
+    run_widest(
+        [&](auto width) SHEETMORPH_INLINED
+        {
+            for (int at = 0; at < lanes; at += width)
+                Kernel<width>{{}, mesh, block, at}.add_up();
+        });
 }
 
 void finish(const KernelMesh& mesh, KernelBlock& block)
 {
-    run(Step::finish, mesh, block);
+    run_widest(
+        [&](auto width) SHEETMORPH_INLINED
+        {
+            for (int at = 0; at < lanes; at += width)
+                Kernel<width>{{}, mesh, block, at}.finish();
+        });
 }
 
 }  // namespace sheetmorph

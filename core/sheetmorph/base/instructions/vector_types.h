@@ -3,7 +3,8 @@
 
 //! Inlined into callers compiled for other instruction sets, or the kernels would not be
 //! vectorised.
-#define SHEETMORPH_INLINE inline __attribute__((always_inline))
+#define SHEETMORPH_INLINED __attribute__((always_inline))
+#define SHEETMORPH_INLINE inline SHEETMORPH_INLINED
 
 namespace sheetmorph
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/cholesky/front_kernel.h"
 
-#include "sheetmorph/base/instructions/instructions.h"
-#include "sheetmorph/base/instructions/vector_types.h"
+#include "sheetmorph/base/instructions/widest.h"
 
 #include <cstring>
 
@@ -166,26 +165,14 @@ struct Substitution
     }
 };
 
-__attribute__((target("avx2,fma"))) void forward_256(const Front& front, double* w)
+// The step with as many right sides as are computed side by side.
+template <int width, typename Step>
+SHEETMORPH_INLINE void with_sides(int sides, const Step& step)
 {
-    Substitution<few_sides>::forward(front, w);
-}
-
-__attribute__((target("avx2,fma"))) void backward_256(const Front& front, double* w)
-{
-    Substitution<few_sides>::backward(front, w);
-}
-
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void forward_512(
-    const Front& front, double* w)
-{
-    Substitution<many_sides>::forward(front, w);
-}
-
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void backward_512(
-    const Front& front, double* w)
-{
-    Substitution<many_sides>::backward(front, w);
+    if (width == many_sides && sides == many_sides)
+        step(Substitution<many_sides>());
+    else
+        step(Substitution<few_sides>());
 }
 
 }  // namespace
@@ -197,22 +184,14 @@ bool has_many_sides()
 
 void run_forward(const Front& front, int sides, double* w)
 {
-    if (sides == many_sides)
-        forward_512(front, w);
-    else if (instructions() != Instructions::portable)
-        forward_256(front, w);
-    else
-        Substitution<few_sides>::forward(front, w);
+    const auto forward = [&](auto kernel) SHEETMORPH_INLINED { kernel.forward(front, w); };
+    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(sides, forward); });
 }
 
 void run_backward(const Front& front, int sides, double* w)
 {
-    if (sides == many_sides)
-        backward_512(front, w);
-    else if (instructions() != Instructions::portable)
-        backward_256(front, w);
-    else
-        Substitution<few_sides>::backward(front, w);
+    const auto backward = [&](auto kernel) SHEETMORPH_INLINED { kernel.backward(front, w); };
+    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(sides, backward); });
 }
 
 }  // namespace sheetmorph

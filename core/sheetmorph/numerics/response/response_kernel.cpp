@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/response/response_kernel.h"
 
-#include "sheetmorph/base/instructions/instructions.h"
-#include "sheetmorph/base/instructions/vector_types.h"
+#include "sheetmorph/base/instructions/widest.h"
 
 #include <utility>
 
@@ -163,32 +162,11 @@ struct Kernel
     }
 };
 
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void kernel_512(
-    const ResponseProduct& work)
-{
-    Kernel<16>::run(work);
-}
-
-__attribute__((target("avx2,fma"))) void kernel_256(const ResponseProduct& work)
-{
-    Kernel<8>::run(work);
-}
-
-void kernel_128(const ResponseProduct& work)
-{
-    Kernel<4>::run(work);
-}
-
 }  // namespace
 
 void run_response_kernel(const ResponseProduct& work)
 {
-    if (instructions() == Instructions::avx512)
-        kernel_512(work);
-    else if (instructions() == Instructions::avx2)
-        kernel_256(work);
-    else
-        kernel_128(work);
+    run_widest([&](auto width) SHEETMORPH_INLINED { Kernel<2 * width>::run(work); });
 }
 
 }  // namespace sheetmorph

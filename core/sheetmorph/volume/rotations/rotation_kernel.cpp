@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 
-#include "sheetmorph/base/instructions/instructions.h"
+#include "sheetmorph/base/instructions/widest.h"
 #include "sheetmorph/volume/rotations/lane_rotations.h"
 
 #include <algorithm>
@@ -174,38 +174,6 @@ struct Kernel : LaneRotations<width>
     }
 };
 
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void turn_512(
-    const RingWork& work)
-{
-    Kernel<8>::turn(work);
-}
-
-__attribute__((target("avx2,fma"))) void turn_256(const RingWork& work)
-{
-    Kernel<4>::turn(work);
-}
-
-void turn_128(const RingWork& work)
-{
-    Kernel<2>::turn(work);
-}
-
-__attribute__((target("avx512f,avx512vl,avx512dq,fma,prefer-vector-width=512"))) void rotate_512(
-    Matrix3* matrices, int count)
-{
-    Kernel<8>::rotate(matrices, count);
-}
-
-__attribute__((target("avx2,fma"))) void rotate_256(Matrix3* matrices, int count)
-{
-    Kernel<4>::rotate(matrices, count);
-}
-
-void rotate_128(Matrix3* matrices, int count)
-{
-    Kernel<2>::rotate(matrices, count);
-}
-
 }  // namespace
 
 void turn_rings(const RingBatch& batch, const std::vector<RingSpokes>& spokes,
@@ -213,22 +181,18 @@ void turn_rings(const RingBatch& batch, const std::vector<RingSpokes>& spokes,
 {
     const RingWork work{batch, spokes.data() + batch.first, points.rest.data(), points.now.data(),
                         references};
-    if (instructions() == Instructions::avx512)
-        turn_512(work);
-    else if (instructions() == Instructions::avx2)
-        turn_256(work);
-    else
-        turn_128(work);
+    run_widest([&](auto width) SHEETMORPH_INLINED { Kernel<width>::turn(work); });
 }
 
 void make_rotations(std::vector<Matrix3>& matrices)
 {
-    const bool is_widest = instructions() == Instructions::avx512;
-    const bool is_wide = instructions() == Instructions::avx2;
-    const std::size_t width = is_widest ? 8 : is_wide ? 4 : 2;
-    const auto rotate = is_widest ? rotate_512 : is_wide ? rotate_256 : rotate_128;
-    for (std::size_t k = 0; k < matrices.size(); k += width)
-        rotate(matrices.data() + k, static_cast<int>(std::min(width, matrices.size() - k)));
+    const int count = static_cast<int>(matrices.size());
+    run_widest(
+        [&](auto width) SHEETMORPH_INLINED
+        {
+            for (int k = 0; k < count; k += width)
+                Kernel<width>::rotate(matrices.data() + k, std::min<int>(width, count - k));
+        });
 }
 
 }  // namespace sheetmorph
