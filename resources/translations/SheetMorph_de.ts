@@ -285,8 +285,12 @@
    <translation>CAD-Formen vernetzen</translation>
   </message>
   <message>
-   <source>Longest edge in mm (0: a hundredth of the size)</source>
-   <translation>Längste Kante in mm (0: ein Hundertstel der Größe)</translation>
+   <source>Longest edge (0 mm: a hundredth of the size)</source>
+   <translation>Längste Kante (0 mm: ein Hundertstel der Größe)</translation>
+  </message>
+  <message>
+   <source>“{0}” is no length; type one such as 5 mm.</source>
+   <translation>„{0}“ ist keine Länge; geben Sie eine wie 5 mm ein.</translation>
   </message>
   <message>
    <source>Import Part</source>
@@ -1310,6 +1314,10 @@
    <translation>Auf ein Teil klicken…</translation>
   </message>
   <message>
+   <source>1 vertex</source>
+   <translation>1 Knoten</translation>
+  </message>
+  <message>
    <source>{0} vertices</source>
    <translation>{0} Knoten</translation>
   </message>
@@ -2244,8 +2252,8 @@
    <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
   </message>
   <message>
-   <source>Picked: {0} vertices, {1} piece(s)</source>
-   <translation>Gewählt: {0} Vertices, {1} Stück(e)</translation>
+   <source>Picked: {0}, {1} piece(s)</source>
+   <translation>Gewählt: {0}, {1} Stück(e)</translation>
   </message>
   <message>
    <source>Nothing picked yet</source>

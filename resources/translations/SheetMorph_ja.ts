@@ -285,8 +285,12 @@
    <translation>CAD 形状をメッシュ化</translation>
   </message>
   <message>
-   <source>Longest edge in mm (0: a hundredth of the size)</source>
-   <translation>最長の辺 (mm、0 は大きさの百分の一)</translation>
+   <source>Longest edge (0 mm: a hundredth of the size)</source>
+   <translation>最長の辺 (0 mm は大きさの百分の一)</translation>
+  </message>
+  <message>
+   <source>“{0}” is no length; type one such as 5 mm.</source>
+   <translation>“{0}” は長さではありません。5 mm のように入力してください。</translation>
   </message>
   <message>
    <source>Import Part</source>
@@ -1310,6 +1314,10 @@
    <translation>部品をクリック…</translation>
   </message>
   <message>
+   <source>1 vertex</source>
+   <translation>頂点 1 個</translation>
+  </message>
+  <message>
    <source>{0} vertices</source>
    <translation>頂点 {0} 個</translation>
   </message>
@@ -2244,8 +2252,8 @@
    <translation>何も選択されていません。先に部品をクリックしてください。</translation>
   </message>
   <message>
-   <source>Picked: {0} vertices, {1} piece(s)</source>
-   <translation>選択: 頂点 {0} 個、かたまり {1} 個</translation>
+   <source>Picked: {0}, {1} piece(s)</source>
+   <translation>選択: {0}、かたまり {1} 個</translation>
   </message>
   <message>
    <source>Nothing picked yet</source>

@@ -152,6 +152,14 @@ def test_only_selected_parts_are_searched():
     yield from press_tool("Find Features…")
     assert rows_shown() == 2
     yield from press("Cancel")
+    for label, is_touching in (("loose", False), ("bracket", True)):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(labelled(label))
+        yield from press_tool("Find Contacts…")
+        table = child("table")
+        names = [table.item(row, 0).text() for row in range(table.rowCount())]
+        assert bool(names) == is_touching and all(label in name for name in names), names
+        yield from press("Cancel")
 
 
 def test_proposals_are_filtered_by_kind_and_size():

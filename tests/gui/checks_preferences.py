@@ -7,7 +7,7 @@ import unittest
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import activate, child, picture, press, press_tool, settled, until
+from desk import activate, child, enter, picture, press, press_tool, settled, until
 from freecad.sheetmorph import preferences
 from freecad.sheetmorph.scene import colours
 from PySide import QtCore, QtGui
@@ -37,6 +37,7 @@ def test_the_preferences_page_changes_what_panels_begin_with():
     page.findChild(QtGui.QDoubleSpinBox, "CreaseAngle").setValue(17.0)
     page.findChild(QtGui.QSpinBox, "HoleRings").setValue(2)
     page.findChild(QtGui.QComboBox, "UpdateResults").setCurrentIndex(2)
+    yield from enter(page.findChild(QtGui.QWidget, "SnapLength"), "2 cm")
     handle_colour = page.findChild(QtGui.QPushButton, "ColourHandle")
     handle_colour.setProperty("color", QtGui.QColor(255, 0, 128))
     boxes = dialog.findChildren(QtGui.QDialogButtonBox)
@@ -44,6 +45,7 @@ def test_the_preferences_page_changes_what_panels_begin_with():
     yield from settled()
     try:
         assert preferences.get("UpdateResults") == 2
+        assert preferences.get("SnapLength") == 20.0
         assert colours.css(colours.ROLES["handle"]) == "#ff0080"
         yield from press_tool("Mark Form Features…")
         assert float(child("angle").property("rawValue")) == 17.0
@@ -51,7 +53,7 @@ def test_the_preferences_page_changes_what_panels_begin_with():
         yield from press("Cancel")
     finally:
         group = App.ParamGet(preferences.PATH)
-        for entry in ("CreaseAngle", "HoleRings", "UpdateResults", "ColourHandle"):
+        for entry in ("CreaseAngle", "SnapLength", "HoleRings", "UpdateResults", "ColourHandle"):
             for remove in (group.RemFloat, group.RemInt, group.RemUnsigned):
                 remove(entry)
 
@@ -77,6 +79,32 @@ def dark_sheet() -> str:
     return "QWidget { background-color: #2d2d2d; color: #e0e0e0; }"
 
 
+ARROW = 22  # px from the left of a button that folds a group
+
+
+def is_arrow_like_text(button) -> bool:
+    """Whether the arrow of a button that folds a group is on the side of its ground, and about as
+    far from it, that its text is on."""
+    image = button.grab().toImage()
+    columns = [
+        [QtGui.qGray(image.pixel(x, y)) for y in range(5, image.height() - 5)]
+        for x in range(5, image.width() - 5)
+    ]
+    greys = [grey for column in columns for grey in column]
+    ground = max(set(greys), key=greys.count)
+    arrow, text = (
+        max((grey - ground for column in part for grey in column), key=abs)
+        for part in (columns[: ARROW - 5], columns[ARROW:])
+    )
+    return abs(text) > 40 and arrow * text > 0.3 * text * text
+
+
+def folding_buttons() -> list:
+    """Those that are seen."""
+    found = Gui.getMainWindow().findChildren(QtGui.QToolButton)
+    return [b for b in found if b.objectName().startswith("fold_") and b.isVisible()]
+
+
 def test_panels_are_readable_in_a_dark_theme_and_in_german():
     yield from new_morph()
     sheet = dark_sheet()
@@ -95,6 +123,8 @@ def test_panels_are_readable_in_a_dark_theme_and_in_german():
             yield from press_tool(tool)
             yield from settled()
             picture(f"dark-{title}")
+            assert len(folding_buttons()) == 3 * (title == "move")
+            assert all(map(is_arrow_like_text, folding_buttons()))
             assert Gui.Control.activeDialog()
             yield from press(close)
             assert not Gui.Control.activeDialog()

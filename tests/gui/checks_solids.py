@@ -29,6 +29,7 @@ from PySide import QtGui
 from scenes import assembly, part, regions
 
 __all__ = [
+    "test_the_edge_of_a_cad_file_takes_units_and_is_asked_for_again",
     "test_a_step_file_is_bent_and_written_as_step",
     "test_cancel_while_a_shape_is_made_leaves_nothing",
 ]
@@ -62,6 +63,30 @@ def import_step(path: str, edge: str):
     )
     yield from until(asked, "the question for the edges")
     yield from answer(edge)
+
+
+def question() -> str:
+    """What an input dialog asks that waits, empty without one."""
+    box = QtGui.QApplication.activeModalWidget()
+    return box.labelText() if isinstance(box, QtGui.QInputDialog) else ""
+
+
+def test_the_edge_of_a_cad_file_takes_units_and_is_asked_for_again():
+    path = os.path.join(WORK, "edges.step")
+    Part.makeBox(60, 40, 2).exportStep(path)
+    yield from activate()
+    yield from menu("File", "New")
+    yield from menu("SheetMorph", "Import Part…")
+    yield from choose(path)
+    for typed in ("soon", "-3 mm", "2 kg"):
+        yield from until(question, "the question")
+        yield from choose(typed)
+        yield from until(lambda told=typed: told in question(), "the question again")
+    yield from answer("0.8 cm")
+    yield from until(lambda: len(App.ActiveDocument.Objects) > 2, "the part")
+    points, triangles = api.rest_mesh(part())
+    edges = np.linalg.norm(points[triangles] - points[np.roll(triangles, 1, axis=1)], axis=2)
+    assert 4.0 < edges.max() < 12.0, edges.max()
 
 
 def mark_the_ends():

@@ -68,32 +68,32 @@ def import_files(files: list[str], edge: float, arrived):
     """Import Part…, its dialogs answered: files, and the edge of CAD files in mm; then waits."""
     from freecad.sheetmorph.qt import QtWidgets
 
-    asked, length = QtWidgets.QFileDialog.getOpenFileNames, QtWidgets.QInputDialog.getDouble
+    asked, length = QtWidgets.QFileDialog.getOpenFileNames, QtWidgets.QInputDialog.getText
     QtWidgets.QFileDialog.getOpenFileNames = lambda *_: (files, "")
-    QtWidgets.QInputDialog.getDouble = lambda *_: (edge, True)
+    QtWidgets.QInputDialog.getText = lambda *_: (f"{edge} mm", True)
     try:
         yield from press_tool("Import Part…")
         yield from until(arrived, "the parts")
     finally:
         QtWidgets.QFileDialog.getOpenFileNames = asked
-        QtWidgets.QInputDialog.getDouble = length
+        QtWidgets.QInputDialog.getText = length
 
 
 def replace_file(file: str, edge: float):
     """Replace File…, its dialogs answered: the file, and the edge of a CAD file in mm."""
     from freecad.sheetmorph.qt import QtWidgets
 
-    asked, length = QtWidgets.QFileDialog.getOpenFileName, QtWidgets.QInputDialog.getDouble
+    asked, length = QtWidgets.QFileDialog.getOpenFileName, QtWidgets.QInputDialog.getText
     named = []
     QtWidgets.QFileDialog.getOpenFileName = lambda *_: named.append(file) or (file, "")
-    QtWidgets.QInputDialog.getDouble = lambda *_: (edge, True)
+    QtWidgets.QInputDialog.getText = lambda *_: (f"{edge} mm", True)
     try:
         yield from press_tool("Replace File…")
         yield from until(lambda: named, "the question for a file")
         yield from settled()
     finally:
         QtWidgets.QFileDialog.getOpenFileName = asked
-        QtWidgets.QInputDialog.getDouble = length
+        QtWidgets.QInputDialog.getText = length
 
 
 @contextmanager

@@ -3,7 +3,7 @@
 
 import pytest
 from freecad.sheetmorph.tools import words
-from sheetmorph.words import counted
+from sheetmorph.words import counted, folds, preparation
 
 
 @pytest.mark.parametrize(
@@ -26,3 +26,13 @@ def test_shares_that_are_rounding_are_none():
 def test_one_is_singular():
     assert counted(1, "sliver", "slivers") == "1 sliver"
     assert counted(0, "sliver", "slivers") == "0 slivers"
+
+
+def test_one_triangle_folds_and_two_fold():
+    assert folds(1) == "1 triangle folds over"
+    assert folds(2, " of lid") == "2 triangles of lid fold over"
+
+
+def test_a_cured_mesh_says_one_in_the_singular():
+    done = {"welded": 1, "removed": 1, "split": 0, "turned": 3}
+    assert preparation(done) == "1 vertex welded, 1 triangle removed, 0 cut, 3 turned"

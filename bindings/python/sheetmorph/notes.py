@@ -11,6 +11,7 @@ from .preprocessed import Preprocessed
 from .recipe.model import Model, PartEntry
 from .stretch import stretch_words
 from .thin import crossings
+from .words import folds
 
 _MOST_BODIES = 5
 _ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
@@ -53,8 +54,9 @@ def shape_notes(result: Answer, parts: list[dict[str, Any]]) -> Iterator[str]:
             yield from stretch_words(entry)
         name, flipped = entry["name"], entry["quality"]["flipped"]
         if flipped:
+            where = f' of "{name}"'
             yield (
-                f'{flipped} triangles of "{name}" fold over onto a neighbour in this pose: remesh '
+                f"{folds(flipped, where)} onto a neighbour in this pose: remesh "
                 "it, hold slivers in a form feature, or turn it less"
             )
         if name not in asked:

@@ -13,6 +13,7 @@ from .errors import list_ids
 from .files.cad_writing import CadWriting
 from .part_mesh import PartMesh
 from .thin import crossing_counts
+from .words import folds
 
 # Beyond it a kink is told, degrees; how far the radius of a kept cylinder may be off, mm.
 KINK, RADIUS = 0.1, 1e-9
@@ -94,7 +95,7 @@ def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
 
 def _fold(flipped: int, rest: int, deformed: int) -> str:
     if flipped:
-        return f"{flipped} triangles fold over"
+        return folds(flipped)
     return "it passes through itself" if deformed > rest else ""
 
 

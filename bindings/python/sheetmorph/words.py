@@ -3,7 +3,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 
 def counted(number: int, one: str, many: str) -> str:
     """`1 vertex stands`, `2 vertices stand`."""
     return f"{number} {one if number == 1 else many}"
+
+
+def folds(number: int, where: str = "") -> str:
+    """`1 triangle folds over`, `2 triangles of "lid" fold over`."""
+    thing, does = ("triangle", "folds") if number == 1 else ("triangles", "fold")
+    return f"{number} {thing}{where} {does} over"
+
+
+def preparation(done: Mapping[str, int]) -> str:
+    """What the cures of a mesh did, by the counts of their report."""
+    welded = counted(done["welded"], "vertex", "vertices")
+    removed = counted(done["removed"], "triangle", "triangles")
+    return f"{welded} welded, {removed} removed, {done['split']} cut, {done['turned']} turned"

@@ -103,10 +103,10 @@ def part():
     return owner.Primary or next(members(owner, PART), None)
 
 
-def chosen_parts(least: int = 1) -> list | None:
-    """The selected parts of the morph, None for all if there are fewer than ``least``."""
+def chosen_parts() -> list | None:
+    """The selected parts of the morph, None for all if there is none."""
     mine = [chosen for chosen in selected(PART) if model.assembly_of(chosen) == assembly()]
-    return mine if len(mine) >= least else None
+    return mine or None
 
 
 def handle():

@@ -23,6 +23,7 @@ from ..kernel import load_kernel
 from ..recipe import filled, named_in, prepare, read_json
 from ..recipe.model import ContactEntry, Model, RegionEntry, model_of
 from ..recipe.parts import Parts, Source
+from ..words import counted, folds
 from .criteria import Criteria
 from .measuring import (
     RestContact,
@@ -266,14 +267,15 @@ def _failures(entry: dict[str, Any], criteria: Criteria) -> list[str]:
     ]
     for part in entry["parts"]:
         if part["flipped"] and criteria.flipped:
-            found.append(f"{part['flipped']} triangles of {part['name']} fold over")
+            found.append(folds(part["flipped"], f" of {part['name']}"))
         if part["newly_failing"] > criteria.allowed:
             count = part["newly_failing"]
-            found.append(f"{count} elements of {part['name']} newly fail the criteria")
+            where, fails = f" of {part['name']} newly", ("fails", "fail")[count != 1]
+            found.append(f"{counted(count, 'element', 'elements')}{where} {fails} the criteria")
     for one in entry["penetrations"]:
         found.append(
             f"{one['part']} newly stands {one['depth']:.3g} mm in {one['into']} "
-            f"({one['vertices']} vertices)"
+            f"({counted(one['vertices'], 'vertex', 'vertices')})"
         )
     for one in entry["contacts"]:
         if criteria.gap_change is not None and one["worst_change"] > criteria.gap_change:

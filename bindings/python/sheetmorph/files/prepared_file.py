@@ -12,6 +12,7 @@ from ..arrays import Floats
 from ..kernel import load_kernel
 from ..prepared_mesh import Wanted, prepared_mesh
 from ..progress import Progress
+from ..words import preparation
 from .obj import ObjFile
 from .part_file import PartFile
 
@@ -50,10 +51,7 @@ class PreparedFile(PartFile):
 
 
 def _notes(done: dict[str, Any]) -> list[str]:
-    notes = [
-        f"prepared: {done['welded']} vertices welded, {done['removed']} triangles removed, "
-        f"{done['split']} cut, {done['turned']} turned; written as OBJ"
-    ]
+    notes = [f"prepared: {preparation(done)}; written as OBJ"]
     fresh = done["remesh"]
     if fresh:
         notes.append(

@@ -92,17 +92,20 @@ def find_features(
 def find_contacts(assembly, *, parts: Iterable | None = None, **options) -> list[FoundContact]:
     """Return the contacts found between the parts of a morph, at rest; nothing is added.
 
-    `parts`: only between these. `options`: gap (largest distance, mm; proposed if left out),
-    facing_angle (degrees), smallest (vertices of a side), one_per_pair and others, see
-    `finding.md`. Raises ValueError.
+    `parts`: only between these; of one alone, between it and all others. `options`: gap (largest
+    distance, mm; proposed if left out), facing_angle (degrees), smallest (vertices of a side),
+    one_per_pair and others, see `finding.md`. Raises ValueError.
     """
     chosen = _parts(assembly, parts)
+    alone = chosen if len(chosen) == 1 else []
+    chosen = model.parts(assembly) if alone else chosen
     if len(chosen) < 2:
-        raise ValueError("Contacts are between parts; pass two parts or more.")
+        raise ValueError("Contacts are between parts; the morph needs two or more.")
     found = _find(chosen, options, contacts=True)
     by_name = {part.Name: part for part in chosen}
     marked = [_sides_of(contact) for contact in model.contacts(assembly)]
-    return [_contact(by_name, entry, marked) for entry in found.contacts]
+    every = [_contact(by_name, entry, marked) for entry in found.contacts]
+    return [one for one in every if not alone or alone[0] in (one.part_a, one.part_b)]
 
 
 def add_found_features(assembly, found: Iterable[FoundFeature], *, rings: int = 0) -> list:

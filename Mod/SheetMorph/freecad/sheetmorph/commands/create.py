@@ -2,12 +2,14 @@
 """Commands that create a morph and bring parts into it."""
 
 import json
+import math
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import DOCUMENT, call, name
+from freecad.sheetmorph.bridge.units import number_in
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
@@ -36,14 +38,24 @@ def added(function: str, *arguments: str) -> str:
 
 
 def ask_edge() -> float | None:
-    """Asks how long the edges of meshed CAD shapes may be, mm; 0 for automatic, None to stop."""
-    length, is_given = QtWidgets.QInputDialog.getDouble(
-        Gui.getMainWindow(),
-        translate("SheetMorph_ImportPart", "Mesh CAD Shapes"),
-        translate("SheetMorph_ImportPart", "Longest edge in mm (0: a hundredth of the size)"),
-        *(0.0, 0.0, 1e6, 3),
-    )
-    return length if is_given else None
+    """Asks how long the edges of meshed CAD shapes may be, mm; 0 for automatic, None to stop.
+
+    What is no length is asked for again.
+    """
+    title = translate("SheetMorph_ImportPart", "Mesh CAD Shapes")
+    wanted = translate("SheetMorph_ImportPart", "Longest edge (0 mm: a hundredth of the size)")
+    refused = translate("SheetMorph_ImportPart", "“{0}” is no length; type one such as 5 mm.")
+    asked, text, is_given = wanted, "0 mm", True
+    while is_given:
+        normal = QtWidgets.QLineEdit.Normal
+        text, is_given = QtWidgets.QInputDialog.getText(
+            Gui.getMainWindow(), title, asked, normal, text
+        )
+        length = number_in(text, "mm") if is_given else None
+        if length is not None and 0.0 <= length < math.inf:
+            return length
+        asked = f"{refused.format(text)}\n{wanted}"
+    return None
 
 
 def meshed(edge: float) -> dict[str, str]:

@@ -47,4 +47,4 @@ class FindContacts(Command):
         """Opens the panel; the document changes when the user says OK."""
         from freecad.sheetmorph.panels import find_panel
 
-        find_panel.open_contacts(subject.assembly(), subject.chosen_parts(2))
+        find_panel.open_contacts(subject.assembly(), subject.chosen_parts())

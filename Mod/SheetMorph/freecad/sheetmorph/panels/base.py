@@ -184,6 +184,13 @@ def say(label, text: str, is_error: bool = False) -> None:
     label.setVisible(bool(text))
 
 
+def vertices_said(count: int) -> str:
+    """How many vertices are picked."""
+    if count == 1:
+        return translate("SheetMorph_panels", "1 vertex")
+    return translate("SheetMorph_panels", "{0} vertices").format(count)
+
+
 def legend(active: str) -> str:
     """The colours of the roles as rich text, the active role in bold."""
     chips = []

@@ -7,7 +7,7 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import contact_types
-from freecad.sheetmorph.panels.base import Panel, chip, say
+from freecad.sheetmorph.panels.base import Panel, chip, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
@@ -246,9 +246,7 @@ class ContactPanel(Panel):
         """Shows what is picked."""
         for side in "ab":
             picked = self._sides.picked(side)
-            text = (
-                translate("SheetMorph_panels", "{0} vertices").format(len(picked)) if picked else ""
-            )
+            text = vertices_said(len(picked)) if picked else ""
             getattr(self.form, f"count_{side}").setText(text)
             if side in self._views:
                 self._views[side].show_picked(picked)

@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.api.finding import HOLES, with_washers
-from freecad.sheetmorph.panels.base import number_in
+from freecad.sheetmorph.panels.base import number_in, vertices_said
 from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -68,7 +68,7 @@ class Features:
         mark = "? " if self.doubt(one) else ""
         texts = (one.name, size, mark + words.percent(quality))
         is_checked = not one.is_marked and one.kind in HOLES
-        tip = MARKED if one.is_marked else f"{one.kind}, {len(one.vertices)} vertices"
+        tip = MARKED if one.is_marked else f"{one.kind}, {vertices_said(len(one.vertices))}"
         tip = "\n".join(filter(None, (one.name, tip, self.doubt(one))))
         return texts, (one.name, one.size, quality), is_checked, not one.is_marked, tip
 
@@ -137,7 +137,7 @@ class Contacts:
     def row(self, one) -> tuple:
         """What the list shows of a proposal."""
         texts = (one.name, one.type, words.length(one.size, 4), words.length(one.distance))
-        tip = MARKED if one.is_marked else f"{len(one.a)} and {len(one.b)} vertices"
+        tip = MARKED if one.is_marked else f"{len(one.a)} and {vertices_said(len(one.b))}"
         tip = f"{one.name}\n{tip}"
         values = (one.name, one.type, one.size, one.distance)
         return texts, values, not one.is_marked, not one.is_marked, tip

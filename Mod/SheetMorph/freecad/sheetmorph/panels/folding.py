@@ -2,9 +2,7 @@
 """Groups of a panel that fold to their title, so that it fits a small screen."""
 
 from freecad.sheetmorph import preferences
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
-
-RIGHT, DOWN = ((10, 6), (24, 16), (10, 26)), ((6, 10), (26, 10), (16, 24))
+from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 
 class Folds:
@@ -27,7 +25,7 @@ def foldable(group):
     button.setObjectName(f"fold_{group.objectName()}")
     button.setText(group.title())
     button.setToolTip(group.toolTip())
-    button.setIcon(arrows(button.palette()))
+    point(button, False)
     button.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
     button.setAutoRaise(True)
     button.setCheckable(True)
@@ -40,20 +38,10 @@ def foldable(group):
     column.addWidget(inside)
     inside.setVisible(False)
     button.toggled.connect(inside.setVisible)
+    button.toggled.connect(lambda is_open: point(button, is_open))
     return button
 
 
-def arrows(palette):
-    """An icon that points to the right while off and down while on, as dark as the text."""
-    icon = QtGui.QIcon()
-    for state, corners in ((QtGui.QIcon.Off, RIGHT), (QtGui.QIcon.On, DOWN)):
-        image = QtGui.QPixmap(32, 32)
-        image.fill(QtCore.Qt.transparent)
-        painter = QtGui.QPainter(image)
-        painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        painter.setPen(QtCore.Qt.NoPen)
-        painter.setBrush(palette.color(QtGui.QPalette.ButtonText))
-        painter.drawPolygon(QtGui.QPolygonF([QtCore.QPointF(x, y) for x, y in corners]))
-        painter.end()
-        icon.addPixmap(image, QtGui.QIcon.Normal, state)
-    return icon
+def point(button, is_open: bool) -> None:
+    """An arrow down while a group is open, else to the right; the style draws it, as its text."""
+    button.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)

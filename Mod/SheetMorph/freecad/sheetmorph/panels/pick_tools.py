@@ -22,7 +22,8 @@ ONLY_FOR = {
     "radius": (figures.BRUSH,),
 }
 CHOSEN = (
-    "QToolButton:checked { border: 2px solid #4a90d9; border-radius: 3px; }"  # in dark styles too
+    "QToolButton:checked { border: 2px solid #4a90d9; border-radius: 3px;"  # in dark styles too
+    " background: rgba(74, 144, 217, 70); }"
 )
 KEYS = QT_TRANSLATE_NOOP("SheetMorph_picking", "Click picks, Shift adds, Ctrl removes.")
 HINTS = {

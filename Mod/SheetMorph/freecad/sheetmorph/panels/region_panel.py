@@ -8,7 +8,7 @@ from freecad.sheetmorph.bridge import seen, selecting
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels.base import Panel, legend, say
+from freecad.sheetmorph.panels.base import Panel, legend, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
 from freecad.sheetmorph.panels.pick_tools import PickTools
@@ -133,8 +133,8 @@ class RegionPanel(Panel):
         self._view.show_aimed(())
         self._tools.show_state()
         pieces = len(self._picker.groups()) if len(picked) else 0
-        text = translate("SheetMorph_region", "Picked: {0} vertices, {1} piece(s)").format(
-            len(picked), pieces
+        text = translate("SheetMorph_region", "Picked: {0}, {1} piece(s)").format(
+            vertices_said(len(picked)), pieces
         )
         self.form.count.setText(
             text if pieces else translate("SheetMorph_region", "Nothing picked yet")

@@ -97,19 +97,19 @@ def as_text(diagnosis: dict) -> str:
 
 def summary(made) -> str:
     """What a preparation (sheetmorph.PreparedMesh) did, as rich text."""
+    from sheetmorph.words import counted, preparation
+
     done, fresh = made.preparation, made.preparation["remesh"]
     lines = [f"<b>{len(made.triangles):,} triangles</b>, {len(made.points):,} vertices"]
-    lines.append(
-        f"{done['welded']} vertices welded, {done['removed']} triangles removed, "
-        f"{done['split']} cut, {done['turned']} turned"
-    )
+    lines.append(preparation(done))
     if fresh:
         lines.append(
             f"At most {length(fresh['deviation'], 2)} from the facets as they were, "
             f"{length(fresh['flat_deviation'], 1)} on flats"
         )
         if fresh["rims"] == "circle":
-            lines.append(f"{fresh['rims_on_circles']} rims put on their circles")
+            rims = ("rim put on its circle", "rims put on their circles")
+            lines.append(counted(fresh["rims_on_circles"], *rims))
     if done["unsettled"]:
         lines.append(escape(done["unsettled"]))
     return "<br>".join(lines)
