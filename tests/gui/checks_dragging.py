@@ -30,6 +30,7 @@ __all__ = [
     "test_a_preview_that_is_refined_on_release_says_so",
     "test_a_value_is_typed_beside_the_cursor_while_dragging",
     "test_arrows_are_as_large_on_the_screen_in_every_view",
+    "test_a_view_that_has_lost_its_camera_is_let_be",
     "test_the_panel_says_which_parts_will_not_follow",
 ]
 
@@ -290,6 +291,23 @@ def test_arrows_are_as_large_on_the_screen_in_every_view():
     frame.showMaximized()
     yield from settled()
     yield from press("Cancel")
+
+
+def test_a_view_that_has_lost_its_camera_is_let_be():
+    """As a view is that closes: FreeCAD itself dies of the question for the camera then."""
+    yield from new_morph()
+    yield from open_panel()
+    before = arrows_px()
+    renderer = view().getViewer().getSoRenderManager()
+    camera = renderer.getCamera()
+    renderer.setCamera(None)
+    camera.touch()
+    coin.SoDB.getSensorManager().processDelayQueue(False)
+    renderer.setCamera(camera)
+    Gui.SendMsgToActiveView("ViewFit")
+    yield from until(lambda: abs(arrows_px() - before) < 0.01 * before, "arrows of the same size")
+    yield from press("Cancel")
+    assert not Gui.Control.activeDialog()
 
 
 def test_the_panel_says_which_parts_will_not_follow():

@@ -88,8 +88,9 @@ def seen() -> tuple:
     docks = window.findChildren(QtGui.QDockWidget)
     places = [dock.geometry().getRect() for dock in docks if dock.isVisible()]
     view = Gui.ActiveDocument.ActiveView if Gui.ActiveDocument else None
-    if hasattr(view, "getCameraNode"):
-        camera = view.getCameraNode()
+    renderer = view.getViewer().getSoRenderManager() if hasattr(view, "getViewer") else None
+    camera = renderer.getCamera() if renderer else None
+    if camera:  # a view that closes has none, and FreeCAD dies of the question for it
         places += [view.getSize(), camera.position.getValue().getValue()]
         places += [camera.orientation.getValue().getValue()]
     return window.geometry().getRect(), QtGui.QApplication.activeWindow() is None, tuple(places)

@@ -7,7 +7,7 @@ from pivy import coin
 
 from freecad.sheetmorph import generations
 from freecad.sheetmorph.scene.hanging import Hanging
-from freecad.sheetmorph.scene.viewport import mm_per_px
+from freecad.sheetmorph.scene.viewport import camera_node, mm_per_px
 
 SIZE = 8.0  # px: what the dragger takes for one, its arrows are ten times as long
 FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
@@ -40,7 +40,7 @@ class Dragger:
         self._root.addChild(self._pivot)
         self._root.addChild(self._dragger)
         self._hanging = Hanging(view.getSceneGraph(), self._root)
-        self._camera = view.getCameraNode()
+        self._camera = camera_node(view)
         self._sensor = coin.SoNodeSensor(self.resize, None)
         self._sensor.attach(self._camera)
         self._callbacks = {

@@ -4,6 +4,8 @@
 import numpy as np
 from pivy import coin
 
+from freecad.sheetmorph.scene.viewport import camera_node
+
 AROUND = 1.6  # how much is seen with a place, in its sizes
 LEAST = 0.02  # of what is seen now: a single vertex is no place to zoom into
 
@@ -12,7 +14,7 @@ def look_at(view, points: np.ndarray) -> None:
     """Lets a 3D view show places (n, 3), global mm, from where it looks now."""
     if not len(points):
         return
-    camera = view.getCameraNode()
+    camera = camera_node(view)
     low, high = points.min(axis=0), points.max(axis=0)
     middle, reach = 0.5 * (low + high), 0.5 * AROUND * (high - low).max()
     reach = max(reach, LEAST * camera.focalDistance.getValue())

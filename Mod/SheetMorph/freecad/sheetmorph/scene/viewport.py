@@ -182,11 +182,22 @@ def pointer_of(view, widget, event) -> Pointer:
     return Pointer(near, far - near, bool(shift), bool(control), (float(x), float(y)))
 
 
+def camera_node(view):
+    """The camera of a view in Coin; raises RuntimeError for a view that is closed or closes.
+
+    Such a view may have none any more, and FreeCAD's own getCameraNode() dies of that.
+    """
+    camera = view.getViewer().getSoRenderManager().getCamera()
+    if camera is None:
+        raise RuntimeError("The view has no camera any more.")
+    return camera
+
+
 def view_volume(view):
     """The part of space that a view shows, an SbViewVolume."""
     width, height = view.getSize()
     aspect = width / max(height, 1)
-    volume = view.getCameraNode().getViewVolume(aspect)
+    volume = camera_node(view).getViewVolume(aspect)
     if aspect < 1.0:  # as Coin does: what fits into the height must fit into the width
         volume.scale(1.0 / aspect)
     return volume
