@@ -25,6 +25,14 @@ struct Anchor
         return {{corners(0), corners(1), corners(2)}, hit.barycentric};
     }
 
+    //! The corner with the largest weight.
+    int heaviest() const
+    {
+        Eigen::Index corner = 0;
+        weights.maxCoeff(&corner);
+        return corners[static_cast<std::size_t>(corner)];
+    }
+
     //! The sum of what its corners have, each times its weight.
     template <typename OfCorner>
     Vector3 sum(OfCorner of_corner) const

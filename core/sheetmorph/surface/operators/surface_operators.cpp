@@ -8,10 +8,11 @@
 #include "sheetmorph/mesh/geometry/fans.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "sheetmorph/surface/operators/clamping.h"
+#include "sheetmorph/surface/operators/hinged_sheets.h"
 #include "sheetmorph/surface/operators/natural_rows.h"
 #include "sheetmorph/surface/operators/ties.h"
 
-#include <Eigen/SVD>
+#include <algorithm>
 #include <numeric>
 
 namespace sheetmorph
@@ -23,9 +24,6 @@ namespace
 // Where the cotangents opposite to one edge sum to less than this (a triangle with a corner of more
 // than about 168 degrees beside a good one), `natural` turns to intrinsic triangles by itself.
 constexpr double failing_cotangents = -4.0;
-
-// Three points are in line if they are this much longer than wide.
-constexpr double in_line = 1e-3;
 
 // Rows whose turning is worth a range of its own.
 constexpr Eigen::Index least_turned = 1000;
@@ -137,11 +135,7 @@ bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& const
         for (int k = 0; k < 3; ++k)
             held.bottomRows(1) += point.barycentric(k) * mesh.points().row(corners(k));
     }
-    if (held.rows() < 3)
-        return false;
-    const Points spread = held.rowwise() - held.colwise().mean();
-    const Vector3 extents = Eigen::JacobiSVD<Matrix3>(spread.transpose() * spread).singularValues();
-    return extents(1) > in_line * in_line * extents(0);
+    return held.rows() > 2 && !are_in_line(held);
 }
 
 // Where sheets that both end there stand on each other, but for glued ones, which no face has.
@@ -166,24 +160,25 @@ VertexIds seam_vertices(const VertexRoles& roles, const LaidFaces& faces,
     return found;
 }
 
-// Vertices whose rows of L `natural` needs besides: at free edges where they keep a component from
-// tilting, on seams of sheets that end there, which would be hinges.
+// Vertices whose rows of L `natural` needs besides: at free edges where they keep a component or a
+// sheet from tilting, on seams of sheets that end there, which would be hinges.
 VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
                                 const VertexRoles& roles, const LaidFaces& faces)
 {
-    VertexIds vertices;
-    if (roles.held_by_points.empty() && roles.ties.empty())
-        return vertices;
+    const std::vector<char> clamps = holding_vertices(constraints, roles);
     const std::vector<char> is_interior = fans_of(faces, mesh.vertex_count()).is_interior;
-    vertices = seam_vertices(roles, faces, is_interior);
+    VertexIds vertices = hinged_vertices({mesh, roles, clamps, is_interior});
     for (const int component : roles.held_by_points)
-    {
-        if (is_held_by_points(mesh, constraints, roles.components, component))
-            continue;
-        for (const int vertex : roles.components.vertices(component))
-            if (!is_interior[static_cast<std::size_t>(vertex)])
-                vertices.push_back(vertex);
-    }
+        if (!is_held_by_points(mesh, constraints, roles.components, component))
+        {
+            const VertexIds all = roles.components.vertices(component);
+            vertices.insert(vertices.end(), all.begin(), all.end());
+        }
+    const auto has_none = [&](int vertex)
+    { return is_interior[at(vertex)] != 0 || roles.role[at(vertex)] == Role::tied; };
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(), has_none), vertices.end());
+    const VertexIds seams = seam_vertices(roles, faces, is_interior);
+    vertices.insert(vertices.end(), seams.begin(), seams.end());
     make_set(vertices);
     return vertices;
 }
@@ -287,11 +282,11 @@ SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstr
     if (constraints.energy != Energy::natural)
         return operators;
     const std::vector<Tie> as_one = glued_ties(mesh, roles.ties);
-    const LaidFaces laid =
-        as_one.empty() ? faces : faces_of(glued(mesh, as_one), constraints).faces;
+    const TriangleMesh one = as_one.empty() ? mesh : glued(mesh, as_one);
+    const LaidFaces laid = as_one.empty() ? faces : faces_of(one, constraints).faces;
     BendingRows bending = natural_rows(laid, holding_vertices(constraints, roles));
     stand(bending, roles);
-    const VertexIds straightened = straightened_vertices(mesh, constraints, roles, laid);
+    const VertexIds straightened = straightened_vertices(one, constraints, roles, laid);
     if (!straightened.empty())
         append_rows(bending, operators, straightened);
     operators.rest_rows = rest_rows(bending, mesh.points());

@@ -36,14 +36,6 @@ std::vector<char> border_vertices(const TriangleMesh& mesh)
     return is_border;
 }
 
-// The corner that has all the weight.
-int heaviest(const Anchor& place)
-{
-    Eigen::Index corner = 0;
-    place.weights.maxCoeff(&corner);
-    return place.corners[at(corner)];
-}
-
 }  // namespace
 
 SparseMatrix tie_basis(Eigen::Index vertex_count, const std::vector<Tie>& ties)
@@ -98,7 +90,7 @@ std::vector<Tie> glued_ties(const TriangleMesh& mesh, const std::vector<Tie>& ti
     for (const Tie& tie : ties)
     {
         const Vector3 own = mesh.points().row(tie.vertex).transpose();
-        if (is_border[at(tie.vertex)] && is_border[at(heaviest(tie.place))]
+        if (is_border[at(tie.vertex)] && is_border[at(tie.place.heaviest())]
             && tie.place.weights.maxCoeff() > 1.0 - rounding
             && (own - tie.place.on(mesh.points())).norm() <= rounding * mesh.size())
             found.push_back(tie);
@@ -111,7 +103,7 @@ TriangleMesh glued(const TriangleMesh& mesh, const std::vector<Tie>& ties)
     std::vector<int> now(at(mesh.vertex_count()));
     std::iota(now.begin(), now.end(), 0);
     for (const Tie& tie : ties)
-        now[at(tie.vertex)] = now[at(heaviest(tie.place))];
+        now[at(tie.vertex)] = now[at(tie.place.heaviest())];
     Triangles triangles = mesh.triangles();
     for (Eigen::Index t = 0; t < triangles.rows(); ++t)
         for (Eigen::Index k = 0; k < 3; ++k)

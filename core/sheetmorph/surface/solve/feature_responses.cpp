@@ -23,6 +23,8 @@ constexpr Eigen::Index blocks_at_once = 4;
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
 constexpr int refinements = 1;
 constexpr double miss_a_size = 5e-9;  // of the responses of live frames
+constexpr double unfelt = 1e-10;      // of the stiffness if nothing yielded: rounding leaves this
+constexpr double no_shift = 1e-12;    // of the size
 constexpr double least_pivot = 1e-5;  // of the stiffest: the energy feels every turn
 
 }  // namespace
@@ -130,6 +132,27 @@ void FeatureResponses::respond()
             responses_.reset();
     }
     stiffness_ = 0.5 * (stiffness_ + stiffness_.transpose()).eval();
+    forget_unfelt();
+}
+
+// What the sheet yields to wholly the energy does not feel: rounding must not decide it.
+void FeatureResponses::forget_unfelt()
+{
+    const SparseMatrix asked = operators_.rows * offsets_ - turned_rows_;
+    const double stiffest = Eigen::VectorXd(operators_.stiffness->diagonal()).maxCoeff();
+    const double by_rounding = stiffest * std::pow(no_shift * mesh_.size(), 2);
+    for (Eigen::Index k = 0; k < count_; ++k)
+    {
+        double unyielding = 0.0;
+        for (SparseMatrix::InnerIterator entry(asked, k); entry; ++entry)
+            unyielding += operators_.weights(entry.row()) * entry.value() * entry.value();
+        if (stiffness_(k, k) > std::max(unfelt * unyielding, by_rounding))
+            continue;
+        stiffness_.row(k).setZero();
+        stiffness_.col(k).setZero();
+        offsets_.col(k) *= 0.0;
+        turned_rows_.col(k) *= 0.0;
+    }
 }
 
 // Of two turners 2 (tr G_kl - G_kl^T) (TurnExpansion).

@@ -66,6 +66,7 @@ private:
     SparseMatrix turned_rows() const;
     ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
     void respond();
+    void forget_unfelt();
     void factor_at_rest();
     Eigen::MatrixXd answer(Eigen::Index first);
     Eigen::MatrixXd slopes(const ConstrainedMinimiser::Balance& left) const;

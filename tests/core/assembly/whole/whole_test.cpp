@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <ostream>
 #include <set>
 
 namespace sheetmorph
@@ -281,6 +283,104 @@ TEST(Whole, LayersOfOneSeamAreNotOneRigidBody)
         EXPECT_GT((middle - 0.5 * (a + b)).norm(), 1.0);
     }
 }
+
+struct Hold
+{
+    std::string name;
+    ContactType type;
+    double roll;  // of the sheets, radians in 1 mm: 0 is flat
+    std::function<bool(const Vector3&)> is_there;
+};
+
+void PrintTo(const Hold& hold, std::ostream* out)
+{
+    *out << hold.name;
+}
+
+// Two strips on each other, flat or rolled up, one of them held; the other one hangs on a few
+// vertices of it.
+Frame hanging(const Hold& hold, Energy energy)
+{
+    const TriangleMesh grid = shapes::grid(12, 6, 60.0, 20.0);
+    Frame frame;
+    Assembly& assembly = frame.assembly;
+    assembly.energy = energy;
+    assembly.propagation.type = PropagationType::whole;
+    for (const double lift : {0.0, 1.0})
+    {
+        const auto laid = [&](const Vector3& p)
+        {
+            if (hold.roll == 0.0)
+                return Vector3(p.x(), p.y(), lift);
+            const double radius = 1.0 / hold.roll + lift, turn = hold.roll * p.x();
+            return Vector3(radius * std::sin(turn), p.y(), radius * std::cos(turn));
+        };
+        assembly.parts.push_back(
+            {"strip" + std::to_string(assembly.parts.size()), shapes::mapped(grid, laid), {}});
+    }
+    Contact contact;
+    contact.name = "hold";
+    contact.type = hold.type;
+    for (int i = 0; i < grid.vertex_count(); ++i)
+        if (hold.is_there(grid.points().row(i)))
+            contact.a.vertices.push_back(i);
+    contact.a.part = 0;
+    contact.b = {"", 1, contact.a.vertices};
+    assembly.contacts.push_back(contact);
+    VertexIds tip;
+    for (int i = 0; i < grid.vertex_count(); ++i)
+        if (grid.points()(i, 0) > 60.0 - 1e-6)
+            tip.push_back(i);
+    assembly.handles = {{"tip", 0, tip}};
+    return frame;
+}
+
+class HangingSheets : public testing::TestWithParam<Hold>
+{
+};
+
+TEST_P(HangingSheets, TurnWithWhatHoldsThemByEveryEnergy)
+{
+    for (const auto& [energy, type] : {std::pair(Energy::neumann, PropagationType::whole),
+                                       std::pair(Energy::paper, PropagationType::whole),
+                                       std::pair(Energy::natural, PropagationType::whole),
+                                       std::pair(Energy::natural, PropagationType::local)})
+    {
+        Frame frame = hanging(GetParam(), energy);
+        frame.assembly.propagation.type = type;
+        const RigidMotion motion =
+            frames::motion({3.0, -5.0, 8.0}, {1.0, 2.0, -1.0}, 25.0, {0, 0, 0});
+        frame.pose.handles["tip"] = motion;
+        const Deformed shape = DeformationSession(frame.assembly).deform(frame.pose);
+        for (std::size_t part = 0; part < 2; ++part)
+        {
+            const Points& rest = frame.assembly.parts[part].mesh.points();
+            for (Eigen::Index i = 0; i < rest.rows(); ++i)
+                EXPECT_LT((motion.apply(Vector3(rest.row(i)))
+                           - shape.parts[part].positions.row(i).transpose())
+                              .norm(),
+                          1e-6);
+        }
+    }
+}
+
+const auto one_place = [](const Vector3& p) { return (p - Vector3(30, 10, 0)).norm() < 1.0; };
+const auto across = [](const Vector3& p) { return std::abs(p.x() - 30.0) < 1.0; };
+const auto along = [](const Vector3& p) { return std::abs(p.y() - 10.0) < 1.0; };
+const auto far_apart = [](const Vector3& p)
+{ return std::abs(p.x() - 30.0) < 1.0 && (p.y() < 1.0 || p.y() > 19.0); };
+
+INSTANTIATE_TEST_SUITE_P(
+    Holds, HangingSheets,
+    testing::Values(Hold{"one vertex welded", ContactType::rigid, 0.0, one_place},
+                    Hold{"two vertices welded", ContactType::rigid, 0.0, far_apart},
+                    Hold{"a row welded", ContactType::rigid, 0.0, along},
+                    Hold{"a row welded along a tube", ContactType::rigid, 0.1, along},
+                    Hold{"a row welded around a tube", ContactType::rigid, 0.1, across},
+                    Hold{"one vertex tied", ContactType::tied, 0.0, one_place},
+                    Hold{"two vertices tied", ContactType::tied, 0.0, far_apart},
+                    Hold{"a row tied along a tube", ContactType::tied, 0.1, along},
+                    Hold{"a row tied around a tube", ContactType::tied, 0.1, across}));
 
 }  // namespace
 }  // namespace sheetmorph
