@@ -139,12 +139,12 @@ def test_a_format_that_is_not_read_is_refused_with_a_way_to_convert_it(
     assert way in str(refused.value)
 
 
-def test_a_bend_of_narrow_facets_is_meshed_anew_in_proportion_to_the_file():
+def test_a_sheet_of_narrow_bends_is_meshed_anew_in_proportion_to_the_file():
     """Doubled, too, as in the file whose cure never came to an end."""
-    strips, length = 60, 30.0
-    angles = np.linspace(0.0, np.pi, strips + 1)
-    ring = 0.5 * np.column_stack([np.cos(angles), 0.0 * angles, np.sin(angles)])
-    points = np.vstack([ring, ring + (0.0, length, 0.0)])
+    strips, length = 720, 60.0
+    angles = np.linspace(0.0, 60.0 * np.pi, strips + 1)
+    wave = 0.3 * np.column_stack([angles, 0.0 * angles, np.sin(angles)])
+    points = np.vstack([wave, wave + (0.0, length, 0.0)])
     first = np.arange(strips)
     one = np.column_stack([first, first + 1, first + strips + 1])
     other = np.column_stack([first + 1, first + strips + 2, first + strips + 1])

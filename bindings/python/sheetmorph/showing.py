@@ -46,7 +46,7 @@ def show(
             wanted = recipe["poses"][pose] if pose else None
             scene = scene_of_answer(session.deform(wanted), _title(path, pose))
         else:
-            model = check_with_meshes(recipe, parts.meshes, parts.found)
+            model = check_with_meshes(parts.resolved.recipe, parts.meshes, parts.found)
             scene = scene_of_recipe(model, parts.meshes, _title(path, pose), pose or "")
     with files or FileSet() as out:
         draw([(_seen_from(scene, view), Path(picture))], out)

@@ -17,6 +17,7 @@ import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 
 from ..files.atomic import FileSet
 from .scene import Scene
@@ -43,8 +44,17 @@ def draw(pictures: Sequence[tuple[Scene, Path]], files: FileSet | None = None) -
     temporaries = [(scene, files.temporary_for(path)) for scene, path in pictures]
     with tempfile.TemporaryDirectory(prefix="sheetmorph-picture-") as folder, _screen() as screen:
         wanted = Path(folder) / "scenes"
-        wanted.write_bytes(pickle.dumps([(scene, str(path)) for scene, path in temporaries]))
+        wanted.write_bytes(
+            pickle.dumps([(_plain(scene), str(path)) for scene, path in temporaries])
+        )
         _draw_on(screen, wanted, len(pictures))
+
+
+def _plain(scene: Scene) -> SimpleNamespace:
+    """The same for a program that knows no class of the package."""
+    sheets = [SimpleNamespace(**vars(sheet)) for sheet in scene.sheets]
+    arrows = [SimpleNamespace(**vars(arrow)) for arrow in scene.arrows]
+    return SimpleNamespace(**{**vars(scene), "sheets": sheets, "arrows": arrows})
 
 
 def require_tools() -> None:
@@ -59,16 +69,10 @@ def require_tools() -> None:
 
 
 def _draw_on(screen: str, wanted: Path, count: int) -> None:
-    package = Path(__file__).resolve().parent.parent
-    environment = {
-        **os.environ,
-        "DISPLAY": screen,
-        "PYTHONPATH": str(package.parent),
-        "LIBGL_ALWAYS_SOFTWARE": "1",
-    }
+    environment = {**os.environ, "DISPLAY": screen, "LIBGL_ALWAYS_SOFTWARE": "1"}
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "sheetmorph.pictures.painter", str(wanted)],
+            [sys.executable, str(Path(__file__).with_name("painter.py")), str(wanted)],
             env=environment,
             capture_output=True,
             timeout=_SECONDS_FOR_ONE * max(1, count),

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws the scenes of a file with VTK; a program of its own, started by `drawing`."""
+"""Draws the scenes of a file with VTK; a program of its own, started by `drawing`.
+
+It loads nothing of the package, which would take longer than the picture.
+"""
 
 from __future__ import annotations
 
 import pickle
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -30,13 +33,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from ..arrays import Ints
-from .scene import SHEET, Arrow, Colour, Scene, Sheet
+if TYPE_CHECKING:
+    from ..arrays import Ints
+    from .scene import Arrow, Colour, Scene, Sheet
 
 _TEXT: Colour = (0.13, 0.17, 0.22)
 _CREASE = 30.0  # degrees; a sharper edge stays one
 _MARGIN = 1.12
-_RAMP = (SHEET, (0.99, 0.86, 0.45), (0.93, 0.45, 0.17), (0.62, 0.05, 0.15))
 _SHADES = 256
 
 
@@ -63,6 +66,7 @@ def paint(scene: Scene, path: str) -> None:
     image = vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
+    image.ShouldRerenderOff()
     writer = vtkPNGWriter()
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(path)
@@ -70,12 +74,12 @@ def paint(scene: Scene, path: str) -> None:
 
 
 def _table(scene: Scene) -> Any:
-    """From the grey of the sheet over yellow to dark red."""
+    """The colours of the values."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(_SHADES)
-    places = np.linspace(0.0, 1.0, len(_RAMP))
+    places = np.linspace(0.0, 1.0, len(scene.ramp))
     for k, share in enumerate(np.linspace(0.0, 1.0, _SHADES)):
-        shade = [np.interp(share, places, channel) for channel in zip(*_RAMP)]
+        shade = [np.interp(share, places, channel) for channel in zip(*scene.ramp)]
         table.SetTableValue(k, *shade, 1.0)
     table.SetTableRange(*scene.span)
     return table

@@ -21,6 +21,8 @@ ROLES: dict[str, Colour] = {
     "contact, side a": (0.86, 0.16, 0.44),
     "contact, side b": (0.02, 0.66, 0.78),
 }
+# From the grey of the sheet over yellow to dark red.
+_RAMP: Sequence[Colour] = (SHEET, (0.99, 0.86, 0.45), (0.93, 0.45, 0.17), (0.62, 0.05, 0.15))
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +51,7 @@ class Arrow:
 @dataclass(frozen=True)
 class Scene:
     """A picture: what is in it, a title, a legend (text and colour), what values mean with their
-    range, and the direction from the middle to the eye."""
+    range and colours, and the direction from the middle to the eye."""
 
     sheets: Sequence[Sheet]
     arrows: Sequence[Arrow] = ()
@@ -57,5 +59,6 @@ class Scene:
     legend: dict[str, Colour] = field(default_factory=dict)
     values: str = ""
     span: tuple[float, float] = (0.0, 1.0)
+    ramp: Sequence[Colour] = _RAMP
     view: tuple[float, float, float] = (0.55, -1.0, 0.75)
     size: tuple[int, int] = (1200, 900)

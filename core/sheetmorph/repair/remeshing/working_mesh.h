@@ -4,6 +4,8 @@
 #include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/topology/editable_triangles.h"
 
+#include <algorithm>
+
 namespace sheetmorph
 {
 
@@ -66,13 +68,19 @@ private:
 };
 
 //! Turns the edges that are not ridges until every pair of triangles is Delaunay (the two angles
-//! opposite an edge sum up to pi at most), or for so many rounds. Pairs that are bent stay.
-Convergence flip_to_delaunay(WorkingMesh& work, int most_rounds = 40);
+//! opposite an edge sum up to pi at most), or for so many rounds: a fan of n triangles takes n / 4.
+//! Pairs that are bent stay.
+Convergence flip_to_delaunay(WorkingMesh& work, int most_rounds);
+inline Convergence flip_to_delaunay(WorkingMesh& work)
+{
+    return flip_to_delaunay(work, std::max(40, work.count()));
+}
 
 //! Makes sizes grow slowly along the edges there are now: a few passes each time, sizes only fall.
 void even_sizes(WorkingMesh& work);
 
-//! Splits edges longer than 4/3 of what is wanted, then collapses those shorter than 4/5.
+//! Splits edges longer than 4/3 of what is wanted, turning edges in between, then collapses those
+//! shorter than 4/5.
 Convergence split_long_edges(WorkingMesh& work, int most_rounds = 40);
 Convergence collapse_short_edges(WorkingMesh& work, int most_rounds = 10);
 

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace sheetmorph
@@ -202,17 +203,21 @@ std::vector<Side> sides_where(const WorkingMesh& work, Choice excess_of)
 Convergence flip_to_delaunay(WorkingMesh& work, int most_rounds)
 {
     Convergence found{edges_of_work, false, 0, 0.0, "edges"};
+    // Only beside what one round turned has the next something to turn.
+    std::vector<int> waiting(static_cast<std::size_t>(work.count()));
+    std::iota(waiting.begin(), waiting.end(), 0);
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
-        int flipped = 0;
-        work.for_each_side(
-            [&](int t, int k)
-            {
-                if (work.is_free_side(t, k))
-                    flipped += flip_if_better(work, t, k);
-            });
-        found.miss = flipped;
-        found.is_converged = flipped == 0;
+        std::vector<int> turned;
+        for (const int t : waiting)
+            for (int k = 0; k < 3 && work.triangle(t).is_alive(); ++k)
+                if (const int other = work.across(t, k);
+                    other >= 0 && (found.rounds > 0 || other < t) && flip_if_better(work, t, k))
+                    turned.insert(turned.end(), {t, other});
+        found.miss = static_cast<double>(turned.size()) / 2.0;
+        found.is_converged = turned.empty();
+        make_set(turned);
+        waiting = std::move(turned);
     }
     return found;
 }
@@ -268,6 +273,7 @@ Convergence split_long_edges(WorkingMesh& work, int most_rounds)
         for (const Side& side : sides)
             if (side.is_there(work))
                 work.split(side.t, side.k);
+        flip_to_delaunay(work, 40);
         found.miss = static_cast<double>(sides.size());
         found.is_converged = sides.empty();
     }

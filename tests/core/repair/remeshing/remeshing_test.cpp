@@ -170,12 +170,54 @@ TEST(Remeshing, TellsWhenEdgesAreLeft)
     EXPECT_FALSE(cut.is_converged);
     EXPECT_GT(cut.miss, 0.0);
     EXPECT_EQ(cut.sentence().find("the edges of the new mesh have not settled after 5 rounds"), 0U);
-    EXPECT_FALSE(flip_to_delaunay(fine, 1).is_converged);
+    EXPECT_FALSE(flip_to_delaunay(fine, 0).is_converged);
     EXPECT_FALSE(collapse_short_edges(fine, 0).is_converged);
     WorkingMesh coarse = work_with(25.0);
     EXPECT_TRUE(split_long_edges(coarse).is_converged);
     EXPECT_TRUE(flip_to_delaunay(coarse).is_converged);
     EXPECT_TRUE(collapse_short_edges(coarse).is_converged);
+}
+
+TEST(Remeshing, MakesManyGoodTrianglesOfTwo)
+{
+    const auto expect_good = [](double length, double width, double edge)
+    {
+        const RemeshedMesh found = remeshed(shapes::grid(1, 1, length, width), edges_of(edge));
+        const double area = length * width, needed = area / 0.433 / edge / edge;
+        EXPECT_TRUE(found.convergence.is_converged);
+        EXPECT_GT(quality(found.mesh).worst_angle_degrees, 25.0);
+        EXPECT_NEAR(diagnose(found.mesh, 1e-9).pieces[0].area, area, 1e-9 * area);
+        EXPECT_NEAR(found.mesh.triangle_count(), needed, 0.1 * needed);
+    };
+    expect_good(16.0, 16.0, 0.1);
+    expect_good(300.0, 10.0, 0.5);
+}
+
+// Each edge looks at all the neighbours of its ends: with many the work would grow as its square.
+TEST(Remeshing, NoVertexHasMoreNeighboursTheFinerTheEdgesAreSplit)
+{
+    for (const int count : {50, 100, 200})
+    {
+        Points points(count, 3);
+        Triangles fan(count - 2, 3);
+        for (int k = 0; k < count; ++k)
+            points.row(k) << 2.0 * std::cos(2.0 * shapes::pi * k / count),
+                std::sin(2.0 * shapes::pi * k / count), 0.0;
+        for (int k = 0; k < count - 2; ++k)
+            fan.row(k) << 0, k + 1, k + 2;
+        const double edge = 2.0 * shapes::pi / count;
+        const std::vector<int> patch(static_cast<std::size_t>(count - 2), 0);
+        const std::vector<double> sizes(static_cast<std::size_t>(count), edge);
+        const std::vector<char> is_flat{1};
+        const TriangleMesh disc(points, fan);
+        WorkingMesh work({disc, {}, patch, sizes, is_flat, edge});
+        EXPECT_TRUE(flip_to_delaunay(work).is_converged);
+        EXPECT_TRUE(split_long_edges(work).is_converged);
+        std::size_t most = 0;
+        for (int v = 0; v < work.vertex_count(); ++v)
+            most = std::max(most, work.around(v).size());
+        EXPECT_LE(most, 12U);
+    }
 }
 
 TEST(Remeshing, RefusesEdgesThatMakeNoSense)
