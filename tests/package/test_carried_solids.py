@@ -126,8 +126,11 @@ def test_inches_stay_inches(tmp_path: Path):
     model = read_cad(path).model
     positions = [np.array(part.points) for part in model.parts]
     positions[6] = bent(positions[6])
+    positions[3] = np.roll(positions[3], 1, axis=1)  # x, y, z turned to y, z, x
     bodies = write_model(model, tmp_path / "box.step", positions, CadWriting("step"))
     assert all(body["is_valid"] and body["distance"]["value"] < 0.01 for body in bodies)
+    turned = bodies[3]["cylinders"]  # of radii that no short decimal fraction of an inch is
+    assert turned and all(abs(after / wanted - 1.0) < 1e-12 for *_, wanted, after in turned)
     assert "CONVERSION_BASED_UNIT('INCH'" in (tmp_path / "box.step").read_text()
 
 

@@ -95,6 +95,26 @@ struct EdgeEnd
     Vector3 direction, slope;
 };
 
+// The outward normal of length 1 of a face with these tangents; 0 at a pole.
+Vector3 normal_across(const Eigen::Matrix<double, 3, 2>& tangents, const TopoDS_Face& face)
+{
+    const Vector3 across = tangents.col(0).cross(tangents.col(1));
+    const double length = across.norm();
+    if (!(length > 1e-6 * tangents.col(0).norm() * tangents.col(1).norm()) || !(length > 0.0))
+        return Vector3::Zero();
+    return (face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0) / length * across;
+}
+
+Eigen::Matrix<double, 3, 2> tangents_of(const Handle(Geom_Surface) & surface, const gp_Pnt2d& uv)
+{
+    gp_Pnt here;
+    gp_Vec u, v;
+    surface->D1(uv.X(), uv.Y(), here, u, v);
+    Eigen::Matrix<double, 3, 2> found;
+    found << to_vector(u.XYZ()), to_vector(v.XYZ());
+    return found;
+}
+
 VertexIds distinct(VertexIds vertices)
 {
     std::sort(vertices.begin(), vertices.end());
@@ -346,22 +366,21 @@ Vector3 ShapeCarrier::normal(const EdgeOnFace& use, double t) const
 {
     const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
     const gp_Pnt2d uv = use.curve->Value(t);
-    Eigen::Matrix<double, 3, 2> tangents;
-    if (face.spline)
-        tangents = face.spline->tangents({uv.X(), uv.Y()});
-    else
+    return normal_across(
+        face.spline ? face.spline->tangents({uv.X(), uv.Y()}) : tangents_of(face.surface, uv),
+        face.face);
+}
+
+bool ShapeCarrier::is_smooth_at(const CarriedEdge& edge, double t) const
+{
+    constexpr double smooth = 0.9999;  // the cosine of 0.8 degrees
+    std::array<Vector3, 2> normals;
+    for (std::size_t k = 0; k < 2; ++k)
     {
-        gp_Pnt here;
-        gp_Vec u, v;
-        (face.surface.IsNull() ? face.rest : face.surface)->D1(uv.X(), uv.Y(), here, u, v);
-        tangents.col(0) = to_vector(u.XYZ());
-        tangents.col(1) = to_vector(v.XYZ());
+        const CarriedFace& face = faces_[static_cast<std::size_t>(edge.uses[k].face)];
+        normals[k] = normal_across(tangents_of(face.rest, edge.uses[k].curve->Value(t)), face.face);
     }
-    const Vector3 across = tangents.col(0).cross(tangents.col(1));
-    const double length = across.norm();
-    if (!(length > 1e-6 * tangents.col(0).norm() * tangents.col(1).norm()) || !(length > 0.0))
-        return Vector3::Zero();
-    return (face.face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0) / length * across;
+    return normals[0].dot(normals[1]) > smooth;
 }
 
 SurfacePatch ShapeCarrier::patch_of(int face) const
@@ -432,14 +451,10 @@ void ShapeCarrier::run(const Progress& progress)
     for (CarriedEdge& edge : edges_)
         if (edge.uses.size() == 2 && edge.uses[0].face != edge.uses[1].face && !edge.is_degenerated)
         {
-            constexpr double smooth = 0.9999;  // the cosine of 0.8 degrees
             edge.is_smooth = true;
             for (const double share : {0.1, 0.5, 0.9})
-            {
-                const double t = edge.low + share * (edge.high - edge.low);
                 edge.is_smooth =
-                    edge.is_smooth && normal(edge.uses[0], t).dot(normal(edge.uses[1], t)) > smooth;
-            }
+                    edge.is_smooth && is_smooth_at(edge, edge.low + share * (edge.high - edge.low));
         }
     for (std::size_t f = 0; f < faces_.size(); ++f)
         if (!faces_[f].motion)

@@ -96,6 +96,7 @@ private:
     void find_normals();
     void add_normals(const CarriedEdge& edge);
     Vector3 normal(const EdgeOnFace& use, double t) const;
+    bool is_smooth_at(const CarriedEdge& edge, double t) const;
     Vector3 point(const EdgeOnFace& use, double t) const;
     void measure();
     void measure_edge(CarriedEdge& edge);

@@ -4,14 +4,17 @@
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <IFSelect_ShareOut.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepSelect_FloatFormat.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TopoDS_Compound.hxx>
+#include <XSControl_WorkSession.hxx>
 #include <map>
 
 namespace sheetmorph
@@ -44,6 +47,17 @@ private:
     std::string before_;
 };
 
+// As many digits as radii need to be exact in inches, too: a relative 5e-13. OpenCASCADE keeps 15
+// characters of a number.
+Handle(StepSelect_FloatFormat) digits()
+{
+    Handle(StepSelect_FloatFormat) found = new StepSelect_FloatFormat;
+    found->SetFormat("%.12E");
+    found->SetFormatForRange("%.13f", 0.1, 1000.0);
+    found->SetZeroSuppress(true);
+    return found;
+}
+
 bool write_step(const CadDocument& document, const CadSource& source, const std::string& path,
                 double exactness)
 {
@@ -61,6 +75,7 @@ bool write_step(const CadDocument& document, const CadSource& source, const std:
     writer.SetNameMode(true);
     writer.SetMaterialMode(true);
     writer.SetPropsMode(false);
+    writer.ChangeWriter().WS()->ShareOut()->AddModifier(digits(), 0);
     // Since 7.8 the setting names the unit in the file, and the lengths are converted to this one.
     writer.ChangeWriter().Model()->SetWriteLengthUnit(millimetres_in(source.unit));
     return writer.Transfer(document.handle(), STEPControl_AsIs)
