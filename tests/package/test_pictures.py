@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +13,10 @@ import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
+import sheetmorph
 from sheetmorph.cli import main
-from sheetmorph.pictures import Arrow, PictureError, Scene, Sheet, draw, drawing
+from sheetmorph.recipe import read_json
+from sheetmorph.pictures import Arrow, PictureError, Scene, Sheet, before_and_after, draw, drawing
 from sheetmorph.pictures.scene import ROLES
 
 SQUARE = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
@@ -48,6 +51,17 @@ def test_a_scene_shows_its_sheets_marks_and_arrows(tmp_path: Path):
     # The square is as high as the picture but for the margin; its half is marked.
     assert share_near(seen, red) == pytest.approx(0.5 * (240 / 1.12) ** 2 / (240 * 320), abs=0.05)
     assert share_near(plain, red) == 0.0
+
+
+def test_an_arrow_hides_behind_no_sheet(tmp_path: Path):
+    blue = (0.1, 0.1, 0.9)
+    arrows = [Arrow((0.2, 0.5, -20.0), (0.8, 0.5, -20.0), blue)]
+    arrows.append(Arrow((0.2, 0.8, 30.0), (0.8, 0.8, 30.0), blue))
+    plain = Scene([Sheet(SQUARE, HALVES)], size=(320, 240), view=(0, 0, 1))
+    shown = {"behind": arrows[:1], "both": arrows}
+    draw([(replace(plain, arrows=those), tmp_path / name) for name, those in shown.items()])
+    behind, both = (share_near(pixels(tmp_path / name), blue, 90) for name in shown)
+    assert behind > 0.002 and both > 1.5 * behind
 
 
 def test_no_picture_appears_where_none_can_be_drawn(tmp_path: Path, monkeypatch):
@@ -91,3 +105,21 @@ def test_run_puts_pictures_beside_the_parts(folder: Path):
         "plate.obj",
     ]
     assert not np.array_equal(pixels(Path("out/before.png")), pixels(Path("out/after.png")))
+
+
+def test_before_and_after_are_seen_from_one_place_at_one_scale(folder: Path):
+    recipe = read_json(folder / "recipe.json")
+    meshes = {"plate": sheetmorph.read_part("plate.obj").mesh}
+    scenes = before_and_after(sheetmorph.Session(recipe, meshes).deform())
+    aslant = np.array([[0.8, 0.6, 0.3], [-0.5, 0.7, 0.9], [0.1, -0.4, 0.8]])
+    seen = [all_places(scene) @ aslant for scene in scenes]
+    assert np.ptp(seen[0], axis=0).tolist() == pytest.approx(np.ptp(seen[1], axis=0), abs=1e-12)
+    assert seen[0].min(axis=0).tolist() == pytest.approx(seen[1].min(axis=0), abs=1e-12)
+
+
+def all_places(scene: Scene) -> np.ndarray:
+    """Of sheets and arrows: what a picture makes room for (n, 3)."""
+    ends = [point for arrow in scene.arrows for point in (arrow.start, arrow.end)]
+    return np.concatenate(
+        [*(sheet.points for sheet in scene.sheets), *np.reshape(ends, (-1, 1, 3))]
+    )

@@ -10,11 +10,11 @@ from dataclasses import replace
 import numpy as np
 
 from ..answer import Answer
-from ..arrays import Floats, Ints
+from ..arrays import Ints
 from ..part_mesh import PartMesh
 from ..recipe.model import Model, RegionEntry
 from ..recipe.pose import Moved, pose_of
-from .scene import ROLES, SHEET, Arrow, Scene, Sheet
+from .scene import ROLES, SHEET, SHIFT, TURN, Arrow, Scene, Sheet
 
 _ROLE_OF = {
     "fixed": "fixed",
@@ -38,12 +38,12 @@ def scene_of_recipe(
     sheets = [sheet for name, mesh in meshes.items() for sheet in _painted(mesh, regions[name])]
     names = {role for of_part in regions.values() for role, _ in of_part}
     motions = model.poses[pose] if pose else model.pose
-    return Scene(
-        sheets,
-        arrows=_arrows(model, meshes, motions),
-        title=title,
-        legend={role: colour for role, colour in ROLES.items() if role in names},
-    )
+    arrows = _arrows(model, meshes, motions)
+    legend = {role: colour for role, colour in ROLES.items() if role in names}
+    for name, colour in (("shift", SHIFT), ("axis of a turn", TURN)):
+        if any(arrow.colour == colour for arrow in arrows):
+            legend[name] = colour
+    return Scene(sheets, arrows=arrows, title=title, legend=legend)
 
 
 def scene_of_answer(result: Answer, title: str = "") -> Scene:
@@ -64,19 +64,15 @@ def before_and_after(result: Answer) -> tuple[Scene, Scene]:
     model = replace(session.model, pose=pose_of(result.pose))
     before = scene_of_recipe(model, session.meshes, "before")
     after = scene_of_answer(result, "after")
-    seen = [_corners(scene) for scene in (before, after)]
-    return _with_room(before, seen[1]), _with_room(after, seen[0])
+    return _with_room(before, after), _with_room(after, before)
 
 
-def _with_room(scene: Scene, corners: Floats) -> Scene:
-    """The scene with room for points (k, 3) that are not drawn."""
-    return replace(scene, sheets=[*scene.sheets, Sheet(corners, np.zeros((0, 3), int))])
-
-
-def _corners(scene: Scene) -> Floats:
-    """The points (6, 3) that reach farthest."""
-    whole = np.concatenate([sheet.points for sheet in scene.sheets])
-    return np.concatenate([whole[whole.argmin(axis=0)], whole[whole.argmax(axis=0)]])
+def _with_room(scene: Scene, other: Scene) -> Scene:
+    """The scene with room for what is drawn in the other."""
+    ends = [point for arrow in other.arrows for point in (arrow.start, arrow.end)]
+    places = [*(sheet.points for sheet in other.sheets), np.array(ends, float).reshape(-1, 3)]
+    room = Sheet(np.concatenate(places), np.zeros((0, 3), int))
+    return replace(scene, sheets=[*scene.sheets, room])
 
 
 def _regions(model: Model, meshes: Mapping[str, PartMesh]) -> dict[str, list[tuple[str, Ints]]]:
@@ -147,5 +143,5 @@ def _arrows(
             axis = np.asarray(turn.axis) / np.linalg.norm(turn.axis)
             pivot = np.asarray(motion.pivot or region.pivot or start)
             length = 0.12 * size * math.copysign(1.0, turn.radians)
-            found.append(Arrow(pivot.tolist(), (pivot + length * axis).tolist(), (0.75, 0.2, 0.6)))
+            found.append(Arrow(pivot.tolist(), (pivot + length * axis).tolist(), TURN))
     return found

@@ -58,9 +58,10 @@ def paint(scene: Scene, path: str) -> None:
         for actor in _actors(sheet, table):
             renderer.AddActor(actor)
     size = _size(scene)
+    before = _layer_before(renderer, window)
     for arrow in scene.arrows:
-        renderer.AddActor(_arrow(arrow, size))
-    _look(renderer, scene)
+        before.AddActor(_arrow(arrow, size))
+    _look(renderer, scene, _bounds([renderer, before]))
     _write_texts(renderer, scene, table)
     window.Render()
     image = vtkWindowToImageFilter()
@@ -71,6 +72,27 @@ def paint(scene: Scene, path: str) -> None:
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(path)
     writer.Write()
+
+
+def _layer_before(renderer: Any, window: Any) -> Any:
+    """What is drawn there hides behind no sheet; seen by the same camera."""
+    before = vtkRenderer()
+    window.SetNumberOfLayers(2)
+    before.SetLayer(1)
+    before.SetActiveCamera(renderer.GetActiveCamera())
+    window.AddRenderer(before)
+    return before
+
+
+def _bounds(renderers: list[Any]) -> list[float]:
+    """Of all that they draw: least and largest x, y, z."""
+    bounds = np.array([renderer.ComputeVisiblePropBounds() for renderer in renderers])
+    bounds = bounds[bounds[:, 0] <= bounds[:, 1]]
+    if not len(bounds):
+        return [-1.0, 1.0] * 3
+    low, high = bounds[:, ::2].min(axis=0), bounds[:, 1::2].max(axis=0)
+    found: list[float] = np.column_stack([low, high]).ravel().tolist()
+    return found
 
 
 def _table(scene: Scene) -> Any:
@@ -179,8 +201,8 @@ def _arrow(arrow: Arrow, size: float) -> Any:
     return actor
 
 
-def _look(renderer: Any, scene: Scene) -> None:
-    renderer.ResetCamera()
+def _look(renderer: Any, scene: Scene, bounds: list[float]) -> None:
+    renderer.ResetCamera(bounds)
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     view = np.asarray(scene.view, float)
@@ -188,9 +210,9 @@ def _look(renderer: Any, scene: Scene) -> None:
     camera.SetPosition(*(middle + view / np.linalg.norm(view)))
     upright = abs(view[2]) < 0.999 * np.linalg.norm(view)
     camera.SetViewUp(*((0.0, 0.0, 1.0) if upright else (0.0, 1.0, 0.0)))
-    renderer.ResetCamera()
+    renderer.ResetCamera(bounds)
     _fit(renderer, scene)
-    renderer.ResetCameraClippingRange()
+    renderer.ResetCameraClippingRange(bounds)
 
 
 def _fit(renderer: Any, scene: Scene) -> None:
@@ -230,21 +252,21 @@ def _write_texts(renderer: Any, scene: Scene, table: Any) -> None:
     if scene.values:
         bar = vtkScalarBarActor()
         bar.SetLookupTable(table)
-        bar.SetTitle(scene.values)
         bar.SetNumberOfLabels(5)
         bar.UnconstrainedFontSizeOn()
-        for style, size in ((bar.GetTitleTextProperty(), 16), (bar.GetLabelTextProperty(), 14)):
-            style.SetColor(*_TEXT)
-            style.SetFontSize(size)
-            style.ItalicOff()
-            style.ShadowOff()
-            style.BoldOff()
+        style = bar.GetLabelTextProperty()
+        style.SetColor(*_TEXT)
+        style.SetFontSize(14)
+        style.ItalicOff()
+        style.ShadowOff()
+        style.BoldOff()
         bar.SetLabelFormat("%.3g")
         bar.SetOrientationToHorizontal()
         bar.SetPosition(0.33, 12 / height)
         bar.SetWidth(0.34)
-        bar.SetHeight(56 / height)
+        bar.SetHeight(44 / height)
         renderer.AddActor2D(bar)
+        renderer.AddActor2D(_text(scene.values, (0.69 * scene.size[0], 16), 16))
 
 
 def _text(text: str, place: tuple[float, float], size: int) -> Any:

@@ -21,6 +21,9 @@ ROLES: dict[str, Colour] = {
     "contact, side a": (0.86, 0.16, 0.44),
     "contact, side b": (0.02, 0.66, 0.78),
 }
+# Where handles go, and about what they turn.
+SHIFT: Colour = (0.66, 0.29, 0.02)
+TURN: Colour = (0.75, 0.2, 0.6)
 # From the grey of the sheet over yellow to dark red.
 _RAMP: Sequence[Colour] = (SHEET, (0.99, 0.86, 0.45), (0.93, 0.45, 0.17), (0.62, 0.05, 0.15))
 
@@ -45,7 +48,7 @@ class Arrow:
 
     start: Sequence[float]
     end: Sequence[float]
-    colour: Colour = ROLES["handle"]
+    colour: Colour = SHIFT
 
 
 @dataclass(frozen=True)
