@@ -237,8 +237,12 @@ def test_hover_shows_what_a_click_takes_and_vertices_are_picked_singly():
     x, y = on_screen(place)
     yield from xdotool("mousemove", x - 2, y - 2, "mousemove", x, y)
     yield from settled()
-    red, green, blue = colour_at((30.5, 50.0, 0))
-    assert blue < before[2] - 20 and red > blue + 60, "the face under the mouse is yellow"
+
+    def is_yellow() -> bool:
+        red, _, blue = colour_at((30.5, 50.0, 0))
+        return blue < before[2] - 20 and red > blue + 60
+
+    yield from until(is_yellow, "the face under the mouse to be yellow")
     yield from click_widget(child("vertex"))
     yield from click_point((20.5, 12.2, 0))
     yield from click_point((45.3, 9.8, 0), "shift")
