@@ -131,7 +131,7 @@ ONE_FAULT = [
     ("groups", [{"features": ["hole", "rim"]}], "groups[0].features", 'no feature "rim"', "names"),
     ("groups", [{"features": ["hole", "slot"]}], "groups[0].features", "a group is on one part",
      'a contact of type "rigid"'),
-    ("groups", [{"features": ["hole"]}], "groups[0].features", "it has 1 entries", "at least two"),
+    ("groups", [{"features": ["hole"]}], "groups[0].features", "it has 1 entry", "at least two"),
     ("coaxial", [{"features": ["hole", "hole"]}], "coaxial[0].features", "named twice", "once"),
     ("symmetry", {"point": [0, 0, 0], "normal": [0, 0, 0]}, "symmetry.normal", "no length", "give"),
     ("pose.hole", {"size": 5}, "pose.hole.size", "has no size in the recipe", "(hole)"),

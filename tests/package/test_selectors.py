@@ -235,6 +235,20 @@ def test_resolve_prints_a_recipe(recipe: Path, capsys: pytest.CaptureFixture[str
     assert np.allclose(np.hypot(seat[:, 0] - 20, seat[:, 1]), 4.0)
 
 
+def test_resolve_tells_what_took_all_of_a_part_or_something_far_away(recipe: Path, capsys):
+    told = json.loads(recipe.read_text())
+    told["features"] = [{"name": "seat", "part": "strip", "where": {"rim_at": [20.0, 0.0, 9.0]}}]
+    told["fixed"] = [{"part": "strip", "where": {"box": [[-1e3] * 3, [1e3] * 3]}}]
+    del told["handles"], told["pose"]
+    recipe.write_text(json.dumps(told))
+    assert main(["resolve", str(recipe), "--quiet"]) == 0
+    printed = capsys.readouterr()
+    assert len(json.loads(printed.out)["fixed"][0]["vertices"]) == len(STRIP.points)
+    all_of_it, far = printed.err.strip().splitlines()
+    assert all_of_it.startswith('warning: fixed[0]: it is the whole part "strip"; ')
+    assert far.startswith("warning: features[0] (seat): rim_at: the nearest match is ")
+
+
 def test_resolve_writes_over_nothing_that_the_recipe_reads(recipe: Path, capsys):
     for place in (recipe, recipe.parent / "strip.nas"):
         before = place.read_bytes()

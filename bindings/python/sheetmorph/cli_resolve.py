@@ -29,8 +29,11 @@ def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     # Imported here, so that --help answers at once.
     from .running import resolve
 
+    remarks: list[str] = []
     with progress_on(sys.stderr, wanted.quiet) as progress:
-        recipe = resolve(wanted.recipe, progress)
+        recipe = resolve(wanted.recipe, progress, remarks)
+    for remark in remarks:
+        print(f"warning: {remark}", file=sys.stderr)
     if wanted.output is None:
         return [one_line_each(recipe)]
     path, source = Path(wanted.output), Path(wanted.recipe)

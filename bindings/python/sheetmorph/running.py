@@ -69,15 +69,21 @@ def check(
     return []
 
 
-def resolve(recipe_path: str | Path, progress: Progress | None = None) -> dict[str, Any]:
+def resolve(
+    recipe_path: str | Path, progress: Progress | None = None, remarks: list[str] | None = None
+) -> dict[str, Any]:
     """A recipe file with vertex ids in place of its selectors, and what was found for "auto".
 
-    The paths of the parts stay as the file has them. Raises RecipeError, KernelError.
+    The paths of the parts stay as the file has them. remarks: gets a sentence for each selector
+    that took all of a part, or something far away. Raises RecipeError, KernelError.
     """
     path = Path(recipe_path)
     recipe = read_json(path)
     with named_in(path):
         parts = prepare(recipe, path.parent, progress)
+    if remarks is not None:
+        for place, told in parts.resolved.told.items():
+            remarks += [f"{place}: {remark}" for remark in told["remarks"]]
     return with_ids(parts)
 
 

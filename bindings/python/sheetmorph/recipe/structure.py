@@ -13,6 +13,7 @@ from typing import Any
 import jsonschema
 
 from ..errors import Fault
+from ..words import counted
 from .places import place_of
 from .pose import entries_of, is_plainly_sound
 from .values import are_ids, bad_values, copied, depth_faults
@@ -140,7 +141,7 @@ def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
     if kind == "minItems" and len(value) == 0:
         return "the list is empty", f"give {wanted}"
     if kind in ("minItems", "maxItems"):
-        return f"it has {len(value)} entries", f"give {wanted}"
+        return f"it has {counted(len(value), 'entry', 'entries')}", f"give {wanted}"
     return f"{_show(value)} is not {wanted}", f"give {wanted}"
 
 
