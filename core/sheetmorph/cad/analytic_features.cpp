@@ -224,6 +224,7 @@ private:
     // The circular holes of a sheet without thickness: the sheet lies outside of them.
     void add_rims(std::vector<CadFeature>& found) const
     {
+        const double tolerance = same_within * std::max(1.0, part_.mesh.size());
         for (const VertexIds& loop : boundary_loops(part_.mesh))
         {
             VertexIds sorted = loop;
@@ -237,7 +238,7 @@ private:
                 double residual = 0.0;
                 for (const int v : loop)
                     residual = std::max(residual, distance_to_circle(about, point(v)));
-                if (residual > same_within * std::max(1.0, part_.mesh.size()))
+                if (residual > tolerance)
                     continue;
                 if (lies_outside(loop, about))
                     found.push_back({CadFeatureKind::round_hole, circle.centre, upward(circle.axis),

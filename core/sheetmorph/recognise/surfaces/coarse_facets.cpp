@@ -33,7 +33,7 @@ constexpr double too_long = 1.7;
 constexpr double slimmest = 0.05;
 
 // Triangles that are left, of all, for it to be worth while.
-constexpr double far_fewer = 0.5;
+constexpr double far_fewer = 0.9;
 
 // The facet of every triangle; one too thin for a plane is one by itself.
 std::vector<int> facets_of(const FacetGraph& graph)
@@ -136,11 +136,11 @@ void FacetThinner::measure_wanted()
                 border[facet_[t]] += length(corners(t, k), corners(t, (k + 1) % 3));
         }
     }
+    const double longest = of_size * graph_.mesh().size();
     wanted_.resize(area.size());
     for (std::size_t f = 0; f < area.size(); ++f)
-        wanted_[f] = border[f] > 0.0 ? std::min(of_width * 2.0 * area[f] / border[f],
-                                                of_size * graph_.mesh().size())
-                                     : of_size * graph_.mesh().size();
+        wanted_[f] =
+            border[f] > 0.0 ? std::min(of_width * 2.0 * area[f] / border[f], longest) : longest;
 }
 
 // Where a vertex may go: inside a facet to any neighbour, on a straight edge of two facets, or a

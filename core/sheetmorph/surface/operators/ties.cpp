@@ -87,12 +87,13 @@ std::vector<Tie> glued_ties(const TriangleMesh& mesh, const std::vector<Tie>& ti
     if (ties.empty())
         return found;
     const std::vector<char> is_border = border_vertices(mesh);
+    const double as_one = rounding * mesh.size();
     for (const Tie& tie : ties)
     {
         const Vector3 own = mesh.points().row(tie.vertex).transpose();
         if (is_border[at(tie.vertex)] && is_border[at(tie.place.heaviest())]
             && tie.place.weights.maxCoeff() > 1.0 - rounding
-            && (own - tie.place.on(mesh.points())).norm() <= rounding * mesh.size())
+            && (own - tie.place.on(mesh.points())).norm() <= as_one)
             found.push_back(tie);
     }
     return found;
