@@ -120,7 +120,7 @@ def test_one_part_is_deformed_from_the_command_line(folder: Path):
     command = [sys.executable, "-m", "sheetmorph", "run", str(path), "-o", str(folder / "out")]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
-    assert "OpenCASCADE" not in done.stdout and "1 part(s)" in done.stdout.splitlines()[-1]
+    assert "OpenCASCADE" not in done.stdout and "1 part written" in done.stdout.splitlines()[-1]
     written = read_part(folder / "out" / "plate.obj").mesh.points
     hole = on_cylinder(mesh.points, (40, 20), 5)
     gaps = [

@@ -170,7 +170,7 @@ def test_the_command_line_writes_step(folder: Path, capsys: pytest.CaptureFixtur
     recipe = lifted(folder, "plate.brep")
     assert main(["run", str(recipe), "-o", str(folder / "out"), "--step", "--quiet"]) == 0
     assert (folder / "out" / "plate.step").is_file()
-    assert "plate.step: 4 face(s) kept, 4 fitted" in capsys.readouterr().out
+    assert "plate.step: 4 faces kept, 4 fitted" in capsys.readouterr().out
 
 
 def test_an_assembly_comes_back_as_one(folder: Path):

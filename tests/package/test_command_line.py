@@ -43,7 +43,7 @@ def test_run_writes_parts_and_report(folder: Path, capsys):
     assert status == 0
     assert os.listdir(folder / "out") == ["plate.obj"]
     assert json.loads((folder / "report.json").read_text())["certificate"]["passed"] is True
-    assert "1 part(s) written, 3 form feature(s) rigid" in capsys.readouterr().out
+    assert "1 part written, 3 form features rigid" in capsys.readouterr().out
 
 
 def test_check_says_valid_and_writes_nothing(folder: Path, capsys):

@@ -9,6 +9,7 @@ from typing import Any
 
 from .cli_copy import add_copy_arguments
 from .files.atomic import FileSet
+from .words import counted
 
 NAMES = ("certificate.json", "certificate.html")
 
@@ -48,12 +49,14 @@ def certified(
 
     files = [None if place is None else Path(place) for place in places]
     found = certify(recipe, folder, read_criteria(criteria), Targets(*files))
-    parts, features = len(found["parts"]), len(found["features"])
     joints = sum(deck["joints"]["count"] for deck in found["decks"])
-    return [
-        f"{folder}: certified by {found['criteria']['name']}: {parts} part(s), "
-        f"{features} form feature(s), {len(found['contacts'])} contact(s), {joints} joint(s)"
+    told = [
+        counted(len(found["parts"]), "part", "parts"),
+        counted(len(found["features"]), "form feature", "form features"),
+        counted(len(found["contacts"]), "contact", "contacts"),
+        counted(joints, "joint", "joints"),
     ]
+    return [f"{folder}: certified by {found['criteria']['name']}: {', '.join(told)}"]
 
 
 def certified_run(wanted: argparse.Namespace) -> list[str]:

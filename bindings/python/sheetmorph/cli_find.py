@@ -10,6 +10,7 @@ from typing import Any
 
 from .errors import Fault, RecipeError
 from .files.atomic import FileSet
+from .words import counted
 
 # Option of the command line, name in FindOptions, type, help.
 _NUMBERS = (
@@ -65,8 +66,8 @@ def run_find(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     if wanted.output is None:
         return [text]
     path = write_text(wanted, text + "\n", files)
-    features, contacts = len(found["features"]), len(found["contacts"])
-    return [f"{path}: {features} feature(s), {contacts} contact(s)"]
+    features = counted(len(found["features"]), "feature", "features")
+    return [f"{path}: {features}, {counted(len(found['contacts']), 'contact', 'contacts')}"]
 
 
 def write_text(wanted: argparse.Namespace, text: str, files: FileSet) -> Path:

@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from .words import counted
+
 # Rows of parts and of contacts; the rest is in the report.
 _MOST = 12
 
@@ -14,7 +16,8 @@ def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[st
     """What `run` prints: tables unless it is quiet, warnings, and how exact the features are."""
     lines = [] if is_quiet else [*_parts(report), *_contacts(report)]
     lines += [f"warning: {text}" for text in report["warnings"]]
-    lines.append(f"{output}: {len(report['parts'])} part(s) written, {_rigid(report)}")
+    parts = counted(len(report["parts"]), "part", "parts")
+    lines.append(f"{output}: {parts} written, {_rigid(report)}")
     lines += _shapes(report)
     return lines + [
         f"{part['name']}: not reached by any motion, unchanged"
@@ -52,7 +55,8 @@ def _shapes(report: dict[str, Any]) -> Iterator[str]:
         kept, fitted = (sum(body[key] for body in bodies) for key in ("kept", "fitted"))
         off = max((body["distance"]["value"] for body in bodies), default=0.0)
         yield (
-            f"{name}: {kept} face(s) kept, {fitted} fitted, at most {off:.2g} mm off the mesh, "
+            f"{name}: {counted(kept, 'face', 'faces')} kept, {fitted} fitted, "
+            f"at most {off:.2g} mm off the mesh, "
             f"{own[0]['bytes'] / max(own[0]['bytes_before'], 1):.2g} times its size"
         )
 
@@ -87,8 +91,9 @@ def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
 def _rigid(report: dict[str, Any]) -> str:
     features, left_out = report["features"], report.get("found", {}).get("left_out", [])
     worst = max((feature["edge_error"] for feature in features), default=0.0)
-    text = f"{len(features)} form feature(s) rigid to {worst:.2g} mm"
+    text = f"{counted(len(features), 'form feature', 'form features')} rigid to {worst:.2g} mm"
     if left_out:
-        text += f"; {len(left_out)} proposal(s) changed or left out: {left_out[0]}"
+        number = counted(len(left_out), "proposal", "proposals")
+        text += f"; {number} changed or left out: {left_out[0]}"
         text += " (all in the report)" if len(left_out) > 1 else ""
     return text
