@@ -2252,8 +2252,12 @@
    <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
   </message>
   <message>
-   <source>Picked: {0}, {1} piece(s)</source>
-   <translation>Gewählt: {0}, {1} Stück(e)</translation>
+   <source>Picked: {0}, 1 piece</source>
+   <translation>Gewählt: {0}, 1 Stück</translation>
+  </message>
+  <message>
+   <source>Picked: {0}, {1} pieces</source>
+   <translation>Gewählt: {0}, {1} Stücke</translation>
   </message>
   <message>
    <source>Nothing picked yet</source>

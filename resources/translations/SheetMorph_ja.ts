@@ -2252,7 +2252,11 @@
    <translation>何も選択されていません。先に部品をクリックしてください。</translation>
   </message>
   <message>
-   <source>Picked: {0}, {1} piece(s)</source>
+   <source>Picked: {0}, 1 piece</source>
+   <translation>選択: {0}、かたまり 1 個</translation>
+  </message>
+  <message>
+   <source>Picked: {0}, {1} pieces</source>
    <translation>選択: {0}、かたまり {1} 個</translation>
   </message>
   <message>

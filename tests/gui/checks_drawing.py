@@ -251,7 +251,7 @@ def test_hover_shows_what_a_click_takes_and_vertices_are_picked_singly():
 
 
 def picked_vertices() -> int:
-    """What the panel says: "Picked: 93 vertices, 1 piece(s)"."""
+    """What the panel says: "Picked: 93 vertices, 1 piece"."""
     return int(child("count").text().split()[1])
 
 

@@ -133,12 +133,12 @@ class RegionPanel(Panel):
         self._view.show_aimed(())
         self._tools.show_state()
         pieces = len(self._picker.groups()) if len(picked) else 0
-        text = translate("SheetMorph_region", "Picked: {0}, {1} piece(s)").format(
-            vertices_said(len(picked)), pieces
-        )
-        self.form.count.setText(
-            text if pieces else translate("SheetMorph_region", "Nothing picked yet")
-        )
+        text = translate("SheetMorph_region", "Nothing picked yet")
+        if pieces == 1:
+            text = translate("SheetMorph_region", "Picked: {0}, 1 piece")
+        elif pieces:
+            text = translate("SheetMorph_region", "Picked: {0}, {1} pieces")
+        self.form.count.setText(text.format(vertices_said(len(picked)), pieces))
         self._faults.say("")
         self._show_sentence()
         refused = ", ".join(f"'{label}'" for label in self._picker.refused)
