@@ -15,6 +15,7 @@ from checks_flow import drag_arrow_up, loop_round, select, stroke_along
 from checks_moving import open_panel
 from checks_preparing import coarse_plate, is_previewed
 from checks_propagation import click_row
+from checks_solids import bracket, drag_and_type, import_step, keep_the_holes, mark_the_ends
 from checks_steel import choose_property
 from checks_reach import is_marked
 from checks_study import mirror_study
@@ -240,3 +241,48 @@ def test_how_far_a_value_may_go():
     yield from until(is_marked, "the scale")
     yield from taken("reach")
     yield from press("Cancel")
+
+
+def test_a_step_file_comes_back():
+    path = os.path.join(WORK, "bracket.step")
+    bracket().exportStep(path)
+    yield from large_view()
+    yield from menu("File", "New")
+    yield from import_step(path, "3 mm")
+    yield from mark_the_ends()
+    yield from keep_the_holes()
+    yield from press("OK")
+    yield from until(lambda: len(regions("form feature")) == 3, "three holes")
+    yield from drag_and_type()
+    yield from taken("solid-dragged")
+    yield from press("OK")
+    select(part())
+    yield from menu("SheetMorph", "Deformed Shape")
+    yield from until(lambda: part().DeformedShape, "the shape")
+    part().ViewObject.Visibility = False
+    select(part().DeformedShape)
+    yield from taken("solid-shape", with_panel=False)
+
+
+def test_an_edited_body_is_followed():
+    yield from large_view()
+    yield from menu("File", "New")
+    document = App.ActiveDocument
+    plate = document.addObject("Part::Box", "Plate")
+    plate.Length, plate.Width, plate.Height = 80, 50, 4
+    document.recompute()
+    morph = api.create_assembly(document)
+    (made,) = api.add_shape(morph, plate, "plate mesh", {"edge": 6.0})
+    api.add_fixed(morph, made, {"face_at": [0, 25, 2]}, "Clamp")
+    plate.ViewObject.Visibility = False
+    plate.Length = 100
+    document.recompute()
+    yield from until(lambda: made.SourceChanged, "what is to be followed")
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.activeDocument().activeView().fitAll()
+    yield from press_tool("Guide")
+    yield from taken("follow-shape")
+    select(made)
+    yield from menu("SheetMorph", "Follow Shape")
+    yield from until(lambda: not made.SourceChanged, "the part to follow")
+    assert np.ptp(api.rest_mesh(made)[0][:, 0]) > 99.9

@@ -217,7 +217,16 @@ std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const st
     TopoDS_Shape shape;
     std::istringstream stream(text);
     if (head.find("CASCADE Topology V") != std::string::npos)
-        BRepTools::Read(shape, stream, BRep_Builder());
+        try
+        {
+            // Else the reader looks forever for what a file that is cut off lacks.
+            stream.exceptions(std::ios::failbit);
+            BRepTools::Read(shape, stream, BRep_Builder());
+        }
+        catch (const std::ios::failure&)
+        {
+            shape.Nullify();
+        }
     if (shape.IsNull())
         throw InvalidInput("it is no shape in BREP format, or a damaged one; export it again");
     const auto source = std::make_shared<CadSource>();
