@@ -103,3 +103,8 @@ def test_a_package_without_circles_passes(tmp_path):
     )
     assert graph == {"": {"a"}, "a": {"b"}, "b": set()}
     assert circles(graph) == []
+
+
+def test_the_picture_of_the_workbench_is_that_of_its_imports_of_today():
+    drawn = draw_workbench.svg(draw_workbench.rooms())
+    assert draw_workbench.PICTURE.read_text("utf-8") == drawn, "run draw_workbench.py"

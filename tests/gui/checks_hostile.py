@@ -2,7 +2,8 @@
 """Whatever is done under an open panel, it goes on or ends, and nothing of it is left behind.
 
 Undo, redo, deletion of what it is about, closing of the document, `closeDialog()`, other commands,
-other workbenches, a spreadsheet on top, other views: under every panel there is.
+other workbenches, a spreadsheet on top, other views, saving, going back to the file, hiding,
+renaming, the tree: under every panel there is.
 """
 
 import pathlib
@@ -12,9 +13,9 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import settling
-from desk import POLL, answered, clear_report_view, panel, press, say_yes, settled, until
+from desk import POLL, answered, clear_report_view, panel, press, say_yes, settled, until, view
 from freecad.sheetmorph import panels
-from hostile_acts import DELETIONS, DESTRUCTIVE, GENTLE, STEPS, undo_and_redo
+from hostile_acts import DELETIONS, DESTRUCTIVE, GENTLE, OF_A_PERSON, STEPS, undo_and_redo
 from hostile_panels import PANELS, is_shown, prepared
 from hostile_traces import Traces, left, motions
 from PySide import QtGui
@@ -58,14 +59,21 @@ def survive(name: str, acts):
 
 
 def test_every_panel_is_among_those_that_suffer():
-    """Opened one after the other; the texts of the panels say how many kinds there are."""
+    """Opened one after the other, each from a spreadsheet; it brings the 3D view on top.
+
+    The texts of the panels say how many kinds there are.
+    """
     yield from prepared()
     texts = [text.read_text("utf-8") for text in pathlib.Path(panels.__file__).parent.glob("*.py")]
     kinds = {kind for text in texts for kind in re.findall(OWN_WIDGETS, text)}
     opened = set()
-    for opener, _, _ in PANELS.values():
+    cells = App.ActiveDocument.addObject("Spreadsheet::Sheet", "Cells")
+    for name, (opener, _, _) in PANELS.items():
+        cells.ViewObject.doubleClicked()
+        yield from until(lambda: not hasattr(view(), "getSceneGraph"), "the spreadsheet")
         opener()
-        yield from until(is_shown, "a panel")
+        yield from until(is_shown, f"the panel {name}")
+        assert hasattr(view(), "getSceneGraph") or name == "guide", name
         opened.add(panel().objectName())
         Gui.Control.closeDialog()
         yield from settled()
@@ -133,5 +141,6 @@ def a_test(name: str, acts, title: str) -> None:
 
 for NAME in PANELS:
     a_test(NAME, GENTLE, "other_things")
+    a_test(NAME, OF_A_PERSON, "saving_and_the_tree")
     a_test(NAME, STEPS, "undo_and_closing")
     a_test(NAME, DELETIONS, "deletions")

@@ -20,6 +20,7 @@ from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, par
 
 __all__ = [
     "test_the_original_stays_as_a_ghost_while_the_part_moves",
+    "test_a_part_that_is_hidden_while_it_is_moved_is_seen_no_more",
     "test_creases_stay_crisp_while_dragging_and_at_rest",
     "test_without_the_compiled_view_everything_is_drawn_through_pivy",
     "test_features_say_how_far_they_move",
@@ -76,6 +77,32 @@ def test_the_original_stays_as_a_ghost_while_the_part_moves():
     yield from xdotool("mouseup", 1)
     yield from press("Cancel")
     assert len(found(coin.SoCoordinate3, part().ViewObject.RootNode)) < len(shapes)
+
+
+def test_a_part_that_is_hidden_while_it_is_moved_is_seen_no_more():
+    yield from new_morph()
+    place = (20.5, 12.0, 0.0)
+    seen = colour_at(place)
+    yield from open_panel()
+    yield from enter(child("translation_z"), "9")
+    yield from settled()
+    moved = colour_at(place)
+    Gui.Selection.addSelection(part())
+    Gui.runCommand("Std_ToggleVisibility")
+    Gui.Selection.clearSelection()
+    yield from settled()
+    ground = colour_at(place)
+    assert differ(seen, ground) > 12 and differ(moved, ground) > 12, (seen, moved, ground)
+    yield from press("Cancel")
+    assert not part().ViewObject.Visibility and differ(colour_at(place), ground) < 4
+    part().ViewObject.Visibility = True
+    yield from settled()
+    assert differ(colour_at(place), seen) < 4
+
+
+def differ(one, other) -> int:
+    """How far two colours are apart."""
+    return max(abs(a - b) for a, b in zip(one, other))
 
 
 def indices_in(field) -> np.ndarray:

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench as a whole: panels open and close, examples open, the tree does what it should."""
 
+from functools import lru_cache
+from unittest import mock
+
 import FreeCAD as App
 import FreeCADGui as Gui
 from desk import activate, child, click_point, on_screen, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import actions, api, subject
 from freecad.sheetmorph.commands import exchange
-from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects import model, watcher
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 from pivy import coin
 from scenes import assembly, new_morph, part, regions
@@ -20,6 +23,7 @@ __all__ = [
     "test_what_a_click_would_take_lights_up",
     "test_a_removed_part_gives_its_source_back_to_the_view",
     "test_no_command_fails_when_asked_whether_it_is_active",
+    "test_commands_look_at_no_document_before_there_is_a_morph",
     "test_commands_know_the_morphs_that_came_and_went",
     "test_an_error_is_told_as_freecad_tells_its_own",
 ]
@@ -145,6 +149,24 @@ def test_no_command_fails_when_asked_whether_it_is_active():
     of_features = ("FeatureSettings", "GroupFeatures", "MakeCoaxial", "KeepDistance")
     wanting |= {f"SheetMorph_{name}" for name in of_features}
     assert active == set(names) - wanting, (set(names) - wanting) ^ active
+
+
+class Untouched:
+    """A document that nobody looks at."""
+
+    def __getattr__(self, name: str):
+        raise AssertionError(f"the document was asked for its {name}")
+
+
+def test_commands_look_at_no_document_before_there_is_a_morph():
+    yield from activate()
+    names = [name for name in Gui.listCommands() if name.startswith("SheetMorph_")]
+    none_yet = lru_cache(maxsize=1)(lambda: None)
+    with mock.patch.object(watcher, "watch", none_yet), mock.patch.object(subject, "App") as app:
+        app.ActiveDocument = Untouched()
+        active = [name for name in names if Gui.Command.get(name).isActive()]
+        assert subject.assemblies() == [] and subject.selected(subject.PART) == []
+    assert "SheetMorph_CreateMorph" in active and "SheetMorph_MoveHandle" not in active
 
 
 def test_commands_know_the_morphs_that_came_and_went():

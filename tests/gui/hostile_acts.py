@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is done under an open panel that it did not ask for."""
 
+import os
+
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import answered, say_yes, settled, until
-from PySide import QtGui
+from desk import WORK, answered, say_yes, settled, until, view, xdotool
+from PySide import QtCore, QtGui
 from freecad.sheetmorph import api
 from scenes import assembly, contacts, part, regions
 
@@ -171,6 +173,102 @@ def first_view_closed(_subject):
     yield from settled()
 
 
+def save(_subject):
+    """Under another name, then once more: the next test opens the first file."""
+    App.ActiveDocument.saveAs(os.path.join(WORK, "hostile-saved.FCStd"))
+    yield from settled()
+    Gui.runCommand("Std_Save")
+    yield from settled()
+
+
+def revert(_subject):
+    """The document as it was saved, in place of what it is."""
+    with answered(say_yes):
+        Gui.runCommand("Std_Revert")
+    yield from settled()
+    assert App.ActiveDocument.UndoNames == [], "the document is not that of the file"
+
+
+def hide_and_show(_subject):
+    """The part, as the space bar does."""
+    for is_shown in (False, True):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(part())
+        Gui.runCommand("Std_ToggleVisibility")
+        yield from settled()
+        assert part().ViewObject.Visibility == is_shown, f"shown: {not is_shown}"
+
+
+def hide_until_the_end(_subject):
+    """The part stays hidden when the panel has closed."""
+    shown = part()
+    shown.ViewObject.Visibility = False
+    yield from settled()
+    Gui.Control.closeDialog()
+    yield from settled()
+    assert not shown.ViewObject.Visibility, "a hidden part came into view again"
+    shown.ViewObject.Visibility = True
+
+
+def rename(subject):
+    """As the tree does, in a step of its own; and back."""
+    for label in ("“Renamed” <b>&amp; 2", subject.Label):
+        App.ActiveDocument.openTransaction("Relabel")
+        subject.Label = label
+        App.ActiveDocument.commitTransaction()
+        yield from settled()
+
+
+def escape_twice(_subject):
+    """With the mouse over the view."""
+    over = view().graphicsView().viewport()
+    place = over.mapToGlobal(over.rect().center())
+    view().graphicsView().setFocus()
+    yield from xdotool("mousemove", place.x(), place.y(), "key", "Escape", "key", "Escape")
+    yield from settled()
+
+
+def select_in_tree(subject):
+    """A click on what the panel is about, and one on a region."""
+    yield from show_tab("Model")
+    for obj in (subject, regions("fixed")[0]):
+        x, y = place_in_tree(obj.Label)
+        yield from xdotool("mousemove", x, y, "click", 1)
+        yield from settled()
+        assert obj in Gui.Selection.getSelection(), "the click in the tree selected something else"
+    yield from show_tab("Tasks")
+
+
+def take_out_of_the_morph(_subject):
+    """A region leaves its group in a step, as when it is dragged to the document in the tree."""
+    App.ActiveDocument.openTransaction("Move object")
+    assembly().removeObject(regions("fixed")[0])
+    App.ActiveDocument.commitTransaction()
+    yield from settled()
+    assert not regions("fixed"), "the region is still in the morph"
+
+
+def show_tab(title: str):
+    """Clicks the tab of the tree, or of the panels, where they share a window."""
+    for bar in Gui.getMainWindow().findChildren(QtGui.QTabBar):
+        texts = [bar.tabText(k) for k in range(bar.count())]
+        if title in texts and bar.isVisible():
+            place = bar.mapToGlobal(bar.tabRect(texts.index(title)).center())
+            yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
+    yield from settled()
+
+
+def place_in_tree(label: str) -> tuple[int, int]:
+    """Where an object stands in the tree, on the screen."""
+    trees = [tree for tree in Gui.getMainWindow().findChildren(QtGui.QTreeWidget)]
+    (tree,) = [t for t in trees if "TreeWidget" in t.metaObject().className() and t.isVisible()]
+    item = tree.findItems(label, QtCore.Qt.MatchStartsWith | QtCore.Qt.MatchRecursive)[0]
+    tree.scrollToItem(item)
+    rect = tree.visualItemRect(item)
+    place = tree.viewport().mapToGlobal(QtCore.QPoint(rect.left() + 30, rect.center().y()))
+    return place.x(), place.y()
+
+
 def close_active_window() -> None:
     Gui.getMainWindow().findChild(QtGui.QMdiArea).activeSubWindow().close()
 
@@ -187,7 +285,16 @@ GENTLE = (
     another_command,
     our_command,
 )
-STEPS = (undo, undo_all, undo_all_at_once, undo_and_redo, close_document)
+OF_A_PERSON = (
+    save,
+    hide_and_show,
+    hide_until_the_end,
+    rename,
+    escape_twice,
+    select_in_tree,
+    take_out_of_the_morph,
+)
+STEPS = (undo, undo_all, undo_all_at_once, undo_and_redo, revert, close_document)
 DELETIONS = (
     delete_subject,
     delete_part,

@@ -7,7 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION, STUDY, kind
-from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects import model, watcher
 
 _listed: dict[str, list] = {"objects": [], "groups": []}  # of the document asked about last
 
@@ -47,10 +47,10 @@ def may_become_parts() -> bool:
 def assemblies() -> list:
     """The morphs of the active document; FreeCAD asks for them all the time.
 
-    Looking through a document takes FreeCAD eight times as long as listing it, so it is looked
-    through again only when the list is another.
+    Before there was a morph no document is looked at. Looking through one takes FreeCAD eight times
+    as long as listing it, so it is looked through again only when the list is another.
     """
-    if App.ActiveDocument is None:
+    if not watcher.is_watching() or App.ActiveDocument is None:
         return []
     every = App.ActiveDocument.Objects
     if every != _listed["objects"]:

@@ -80,7 +80,15 @@ class Pending:
             self._write(self._steps[0])
             self._close(transactions.keep)
         else:
+            shown = {obj.Name: obj.Visibility for obj in self._document.Objects}
             self._close(transactions.take_back)
+            self._show_again(shown)
+
+    def _show_again(self, shown: dict[str, bool]) -> None:
+        """What was hidden or shown meanwhile stays so: that is no change of the morph."""
+        for obj in self._document.Objects:
+            if obj.Visibility != shown.get(obj.Name, obj.Visibility):
+                obj.Visibility = shown[obj.Name]
 
     @contextmanager
     def aside(self) -> Iterator[None]:

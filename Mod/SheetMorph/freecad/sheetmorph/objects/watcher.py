@@ -48,6 +48,11 @@ def watch() -> None:
     FreeCAD.addDocumentObserver(SourceWatcher())
 
 
+def is_watching() -> bool:
+    """Whether there has been a morph since the program began."""
+    return watch.cache_info().currsize > 0
+
+
 def touch_deformations_of(source) -> None:
     """Make the deformations due that use this mesh at rest."""
     if source.Document.Restoring:

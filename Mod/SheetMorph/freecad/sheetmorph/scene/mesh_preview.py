@@ -5,7 +5,7 @@ import numpy as np
 from pivy import coin
 
 from freecad.sheetmorph.scene import colours, nodes
-from freecad.sheetmorph.scene.hanging import Hanging
+from freecad.sheetmorph.scene.in_place import InPlace
 
 NAME = "SheetMorphMeshPreview"
 
@@ -15,16 +15,11 @@ class MeshPreview:
 
     def __init__(self, view, view_object, points: np.ndarray, triangles: np.ndarray):
         """``points`` (n, 3) global mm, ``triangles`` (m, 3); ``view_object``: of the part."""
-        self._switch = view_object.SwitchNode
-        self._mode = self._switch.whichChild.getValue()
-        self._root = _drawn(points, triangles)
-        self._switch.whichChild = coin.SO_SWITCH_NONE
-        self._hanging = Hanging(view.getSceneGraph(), self._root)
+        self._in_place = InPlace(view_object, view.getSceneGraph(), _drawn(points, triangles))
 
     def remove(self) -> None:
         """Shows the part again."""
-        self._hanging.remove()
-        self._switch.whichChild = self._mode
+        self._in_place.remove()
 
 
 def _drawn(points: np.ndarray, triangles: np.ndarray):

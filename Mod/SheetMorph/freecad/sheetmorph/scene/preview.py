@@ -6,10 +6,9 @@ part and all containers around it, and the coloured regions follow.
 """
 
 import numpy as np
-from pivy import coin
 
 from freecad.sheetmorph.scene import nodes
-from freecad.sheetmorph.scene.hanging import Hanging
+from freecad.sheetmorph.scene.in_place import InPlace
 from freecad.sheetmorph.scene.surface import Surface
 
 
@@ -20,13 +19,9 @@ class Preview:
         """``drawer``: see `drawing`; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
         self._view_object = view_object
         self._surface = Surface(nodes.coordinates(view_object))
-        self._switch = view_object.SwitchNode
-        self._mode = self._switch.whichChild.getValue()
         self._surface.fill(drawer, points, triangles)
         self.plain()
-        # Not the Visibility property: hiding the mesh is no change of the document.
-        self._switch.whichChild = coin.SO_SWITCH_NONE
-        self._hanging = Hanging(view_object.RootNode, self._surface.node)
+        self._in_place = InPlace(view_object, view_object.RootNode, self._surface.node)
 
     def show(self, points: np.ndarray, frame) -> None:
         """Moves the drawing to (n, 3) global positions, mm, of a part with a conversion.Frame."""
@@ -43,8 +38,7 @@ class Preview:
 
     def remove(self) -> None:
         """Shows the mesh as the document has it; the part may be deleted already."""
-        self._hanging.remove()
-        self._switch.whichChild = self._mode
+        self._in_place.remove()
         try:
             self._view_object.update()
         except (ReferenceError, RuntimeError):
