@@ -18,6 +18,7 @@ CadDocument::CadDocument()
 
 CadDocument::~CadDocument()
 {
+    document_->Main().Root().ForgetAllAttributes();  // nodes of layers hold each other
     if (document_->IsOpened())
         XCAFApp_Application::GetApplication()->Close(document_);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "cad_files.h"
 
+#include "sheetmorph/cad/cad_document.h"
+
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
@@ -19,12 +21,10 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TDataStd_Name.hxx>
-#include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
@@ -118,9 +118,8 @@ void write_sheet_and_ball_brep(const std::string& path)
 
 void write_assembly_step(const std::string& path)
 {
-    const auto application = XCAFApp_Application::GetApplication();
-    Handle(TDocStd_Document) document;
-    application->NewDocument("MDTV-XCAF", document);
+    const CadDocument own;
+    const Handle(TDocStd_Document) document = own.handle();
     const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
     const TDF_Label root = tool->NewShape();
     TDataStd_Name::Set(root, "fixture");
@@ -139,14 +138,12 @@ void write_assembly_step(const std::string& path)
     STEPCAFControl_Writer writer;
     writer.Transfer(document);
     writer.Write(path.c_str());
-    application->Close(document);
 }
 
 void write_coloured_step(const std::string& path)
 {
-    const auto application = XCAFApp_Application::GetApplication();
-    Handle(TDocStd_Document) document;
-    application->NewDocument("MDTV-XCAF", document);
+    const CadDocument own;
+    const Handle(TDocStd_Document) document = own.handle();
     const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
     const auto colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
     const TopoDS_Shape sheet = plate();
@@ -163,7 +160,6 @@ void write_coloured_step(const std::string& path)
     writer.SetLayerMode(true);
     writer.Transfer(document);
     writer.Write(path.c_str());
-    application->Close(document);
 }
 
 void write_bend_brep(const std::string& path)
