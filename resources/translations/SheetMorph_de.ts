@@ -1414,6 +1414,10 @@
    <translation>{0} nicht sicher (?): darauf zeigen, um zu lesen, warum</translation>
   </message>
   <message>
+   <source>of the selected parts only</source>
+   <translation>nur von den gewählten Teilen</translation>
+  </message>
+  <message>
    <source>Nothing is checked; check proposals, or cancel.</source>
    <translation>Nichts ist angehakt; hake Vorschläge an oder brich ab.</translation>
   </message>

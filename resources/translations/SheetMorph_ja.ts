@@ -1414,6 +1414,10 @@
    <translation>{0} 件は不確か（?）: 指すと理由が読めます</translation>
   </message>
   <message>
+   <source>of the selected parts only</source>
+   <translation>選択した部品のみ</translation>
+  </message>
+  <message>
    <source>Nothing is checked; check proposals, or cancel.</source>
    <translation>何もチェックされていません。提案をチェックするか、キャンセルしてください。</translation>
   </message>

@@ -91,7 +91,8 @@ def made_by_freecad(script: str, folder: Path) -> Path:
     file = folder / "make_files.py"
     file.write_text(_HEAD + script + _TAIL, "utf-8")
     settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "CAD_FOLDER": str(folder)}
-    settings.pop("PYTHONPATH", None)
+    for name in ("PYTHONPATH", "LD_PRELOAD"):  # FreeCAD does not start with sanitizers
+        settings.pop(name, None)
     command = [program, str(file)]
     subprocess.run(command, env=settings, stdin=subprocess.DEVNULL, capture_output=True)
     assert (folder / "done").is_file(), "FreeCAD did not make the CAD files"

@@ -3,28 +3,18 @@
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
-import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from cad_samples import made_by_freecad
 from sheetmorph.files.cad_file import read_cad
 from sheetmorph.files.cad_writing import CadWriting, write_model
 from test_real_files import real_file
 
 _SCRIPT = """
-import os
-import re
-import FreeCAD
-import Import
-import Part
-from FreeCAD import Vector
-
-folder = os.environ["CAD_SAMPLES"]
 box = Part.makeBox(60, 40, 10)
 drilled = Part.makeBox(60, 40, 6).cut(Part.makeCylinder(4, 10, Vector(20, 20, -1)))
 for name, shape in (
@@ -46,8 +36,6 @@ for label, x in (("pin a", 0), ("pin b", 20), ("pin c", 40)):
     shown[-1].Placement.Base = Vector(x, 0, 0)
 document.recompute()
 Import.export(shown, os.path.join(folder, "pins.step"))
-open(os.path.join(folder, "done"), "w").close()
-os._exit(0)
 """
 SOLIDS = ("tube", "dish", "cone", "ball", "ring", "fillets", "countersunk")
 
@@ -55,19 +43,7 @@ SOLIDS = ("tube", "dish", "cone", "ball", "ring", "fillets", "countersunk")
 @pytest.fixture(scope="module")
 def solids(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of STEP files that FreeCAD made."""
-    program = shutil.which("freecadcmd")
-    if program is None:
-        pytest.skip("freecadcmd, which makes the CAD files, is not installed")
-    folder = tmp_path_factory.mktemp("solids")
-    (folder / "make.py").write_text(_SCRIPT, "utf-8")
-    settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "CAD_SAMPLES": str(folder)}
-    settings.pop("PYTHONPATH", None)
-    subprocess.run(
-        [program, str(folder / "make.py")], env=settings, stdin=subprocess.DEVNULL,
-        capture_output=True,
-    )  # fmt: skip
-    assert (folder / "done").is_file(), "FreeCAD did not make the CAD files"
-    return folder
+    return made_by_freecad(_SCRIPT, tmp_path_factory.mktemp("solids"))
 
 
 def bent(points: np.ndarray, share: float = 0.1) -> np.ndarray:

@@ -31,7 +31,7 @@ def test_a_finger_jointed_box_turns_as_a_whole_and_its_plates_stay_plates():
         thin = part["thin"]
         assert part["quality"]["flipped"] == 0, part["name"]
         assert thin["thickness"] == pytest.approx(2.9972, rel=1e-6)
-        assert thin["largest_change"] < 0.006
+        assert thin["largest_change"] < 0.008
         assert thin["largest_change_at_walls"] < 0.02
         assert thin["self_intersections"] == {"rest": 0, "deformed": 0}
     # The plates at both ends turn as bodies, those between them twist; joints stay shut.

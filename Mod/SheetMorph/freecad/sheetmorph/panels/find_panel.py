@@ -110,6 +110,8 @@ class FindPanel(Panel):
         if unsettled:
             text = translate("SheetMorph_panels", "{0} not certain (?): point at them to read why")
             texts.append(text.format(unsettled))
+        if self._parts:
+            texts.append(translate("SheetMorph_panels", "of the selected parts only"))
         self.form.count.setText("; ".join(texts))
 
     # -- the 3D view
