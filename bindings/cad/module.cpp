@@ -104,6 +104,8 @@ void bind_part(py::module_& module)
         .def_readonly("edge", &CadModel::edge, "the longest edge wanted, mm")
         .def_readonly("deflection", &CadModel::deflection, "mm")
         .def_readonly("angle", &CadModel::angle, "radians")
+        .def_readonly("lost_faces", &CadModel::lost_faces,
+                      "how many faces of the file OpenCASCADE could not make; no part has them")
         .def(
             "kept_mesh",
             [](const CadModel& model, std::size_t part)

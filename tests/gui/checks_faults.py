@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wrong with a morph is one sentence in the panel, with buttons that show and mend it."""
 
+from pathlib import Path
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_moving import lifted, open_panel
-from desk import child, clear_report_view, click_point, click_widget, enter, panel, picture, press
-from desk import press_tool, report_view, settled, until
+from checks_tutorial import answer, menu
+from desk import WORK, answered, child, clear_report_view, click_point, click_widget, enter, panel
+from desk import picture, press, press_tool, report_view, settled, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
@@ -20,6 +23,7 @@ __all__ = [
     "test_a_piece_that_nothing_holds_is_shown_and_left_at_rest",
     "test_a_region_that_cannot_be_is_refused_in_its_panel",
     "test_a_pick_leaves_out_what_another_handle_has_and_says_so",
+    "test_a_recipe_keeps_the_meshes_that_it_reads",
 ]
 
 
@@ -149,3 +153,28 @@ def test_a_pick_leaves_out_what_another_handle_has_and_says_so():
     picture("fault-left-out")
     yield from press("OK")
     assert len(regions("handle")) == 2 and model.failure_of(assembly()) == ""
+
+
+def test_a_recipe_keeps_the_meshes_that_it_reads():
+    """Parts exported into its folder would be deformed twice by who imports it."""
+    yield from new_morph()
+    regions("handle")[0].TranslationZ = 12.0
+    App.ActiveDocument.recompute()
+    moved, folder = stored(), Path(WORK, "recipe_and_parts")
+    folder.mkdir()
+    yield from menu("SheetMorph", "Export Recipe…")
+    yield from answer(str(folder / "recipe.json"))
+    yield from until((folder / "recipe.json").is_file, "the recipe")
+    kept = {path.name: path.read_bytes() for path in folder.iterdir()}
+    with answered(lambda box: box.accept()):
+        yield from menu("SheetMorph", "Export Parts…")
+        yield from answer(str(folder))
+        yield from until(lambda: "reads this file" in report_view(), "the refusal")
+    assert 'the recipe "recipe.json" beside it reads this file' in report_view()
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == kept
+    yield from menu("File", "New")
+    yield from menu("SheetMorph", "Import Recipe…")
+    yield from answer(str(folder / "recipe.json"))
+    yield from until(lambda: App.ActiveDocument.Objects, "the morph")
+    yield from settled()
+    assert np.abs(stored() - moved).max() < 1e-4

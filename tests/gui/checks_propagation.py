@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How the motion goes from part to part is shown, and everything follows while dragging."""
 
+import subprocess
+import threading
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
@@ -24,6 +27,7 @@ __all__ = [
     "test_every_part_of_the_welded_frame_follows_live",
     "test_another_part_becomes_the_primary",
     "test_a_cancelled_set_up_opens_no_panel",
+    "test_return_and_space_cancel_no_progress_and_escape_does",
 ]
 
 
@@ -239,3 +243,49 @@ class Canceller:
         if shown is not None:
             self._timer.stop()
             shown.findChild(QtGui.QPushButton).click()
+
+
+class Typist(QtCore.QObject):
+    """Types keys while a progress dialog is open, and waits until FreeCAD has let go of them."""
+
+    def __init__(self, *keys: str):
+        super().__init__()
+        self._keys = keys
+        self._is_open, self._is_typed = threading.Event(), threading.Event()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._look)
+        QtGui.QApplication.instance().installEventFilter(self)
+
+    def __call__(self, progress) -> None:
+        """The work, in a thread: it lasts until the keys have come, or were not for a minute."""
+        self._is_open.wait(60.0)
+        subprocess.run(["xdotool", "key", *self._keys], check=True)
+        self._is_typed.wait(60.0)
+
+    def type_under_progress(self) -> bool:
+        """Whether the progress was cancelled by the keys."""
+        progress = progress_dialog.Progress("Typing")
+        self._timer.start(5)
+        progress.wait_for(self)
+        progress.close()
+        QtGui.QApplication.instance().removeEventFilter(self)
+        assert self._is_open.is_set() and self._is_typed.is_set()
+        return progress.is_cancelled
+
+    def eventFilter(self, target, event) -> bool:  # noqa: N802 - Qt's name
+        """Hears the last key's release, or what Escape makes of it before."""
+        if event.type() == QtCore.QEvent.KeyRelease and not event.isAutoRepeat():
+            self._is_typed.set()
+        return False
+
+    def _look(self) -> None:
+        if dialog() is not None and dialog().isActiveWindow():
+            self._timer.stop()
+            self._is_open.set()
+
+
+def test_return_and_space_cancel_no_progress_and_escape_does():
+    yield from new_assembly()
+    for key, cancels in (("Return", False), ("space", False), ("Escape", True)):
+        assert Typist(key).type_under_progress() == cancels, key
+        yield from settled()

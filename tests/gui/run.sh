@@ -11,6 +11,7 @@ staged=$(realpath "${1:?usage: run.sh <staged add-on folder> [test]}")
 only=${2:-}
 here=$(dirname "$(realpath "$0")")
 work=$(mktemp -d)
+LONGEST=3000 # seconds; a test of "large" may take nearly as long
 lanes=${SHEETMORPH_GUI_LANES:-$(($(nproc) + 1))}
 touch "$work/all"
 mkdir "$work/claims"
@@ -46,12 +47,19 @@ make_home() {
 }
 
 # Runs tests $2 in lane $1, those whose name has $3 in it and that nobody has claimed in folder $4.
-# The results go to "results" there.
+# The results go to "results" there. One that stays at a test for LONGEST seconds is ended.
 start_freecad() {
+    touch "$1/running"
     FREECAD_USER_HOME="$1/home" QT_ENABLE_HIGHDPI_SCALING=0 SHEETMORPH_GUI_TESTS=$2 \
         SHEETMORPH_GUI_ONLY=$3 SHEETMORPH_GUI_CLAIMS=$4 SHEETMORPH_GUI_WORK=$1 \
-        timeout 3000 freecad "$here/inside.py" </dev/null >>"$1/freecad.out" 2>&1
-    local status=$?
+        freecad "$here/inside.py" </dev/null >>"$1/freecad.out" 2>&1 &
+    local freecad=$! status
+    while kill -0 "$freecad" 2>/dev/null; do
+        [ $(($(date +%s) - $(stat -c %Y "$1/running"))) -lt "$LONGEST" ] || kill -KILL "$freecad"
+        sleep 0.5
+    done
+    wait "$freecad"
+    status=$?
     touch "$1/results"
     # A FreeCAD that died, hung or was killed leaves no closing line.
     grep -q '^END$' "$1/results" || {

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+// Debian's OpenCASCADE is built so: it turns signals into exceptions where it is asked to.
+#ifndef OCC_CONVERT_SIGNALS
+#define OCC_CONVERT_SIGNALS
+#endif
+
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/caught_signals.h"
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
 #include <string>
 
@@ -28,13 +35,15 @@ private:
 };
 
 //! Does work of OpenCASCADE in silence; what it throws becomes an InvalidInput with these words
-//! around its own.
+//! around its own. So does memory that it reaches for in vain: what it held then is lost.
 template <typename Work>
 auto guarded(const std::string& what, const std::string& todo, Work&& work)
 {
     const Silence silence;
+    const CaughtSignals caught;
     try
     {
+        OCC_CATCH_SIGNALS
         return work();
     }
     catch (const Standard_Failure& failure)

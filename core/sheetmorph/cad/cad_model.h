@@ -97,6 +97,7 @@ struct CadModel
     double deflection = 0.0;                  //!< the same
     double angle = 0.0;                       //!< the same
     std::shared_ptr<const CadSource> source;  //!< what was read, to be written with other shapes
+    int lost_faces = 0;                       //!< faces in the file that no part has: unreadable
 };
 
 }  // namespace sheetmorph

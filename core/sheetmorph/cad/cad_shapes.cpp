@@ -178,6 +178,7 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
             transfer->EntityFromShapeResult(unplaced, 1));
         return item.IsNull() || item->Name().IsNull() ? "" : trimmed(item->Name()->ToCString());
     };
+    source->lost_faces = count_lost_faces(transfer);
     const Healing healing = collect_healed(*source, name_of_body);
     FaceNames names = face_names_of(transfer);
     for (TopTools_DataMapOfShapeShape::Iterator it(healing.before()); it.More(); it.Next())
@@ -199,6 +200,7 @@ std::shared_ptr<CadSource> source_of_iges(const std::string& path)
     Handle(TDocStd_Document) document = source->document.handle();
     if (!reader.Transfer(document))
         throw InvalidInput("its shapes cannot be read; export it again, surfaces as trimmed ones");
+    source->lost_faces = count_lost_faces(reader.WS()->TransferReader());
     collect_healed(*source, {});
     return source;
 }

@@ -19,6 +19,7 @@ struct CadSource
     CadDocument document;
     std::string unit = "MM";  //!< of the lengths in the file, as OpenCASCADE names it
     bool is_ap242 = false;    //!< the schema of a STEP file
+    int lost_faces = 0;       //!< faces that the file holds and OpenCASCADE could not make
 };
 
 //! \throws InvalidInput if the file cannot be read

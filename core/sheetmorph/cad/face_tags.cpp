@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/face_tags.h"
 
+#include <IGESGeom_TrimmedSurface.hxx>
+#include <IGESSolid_Face.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Quantity_Color.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <TCollection_AsciiString.hxx>
@@ -62,6 +65,23 @@ FaceNames face_names_of(const Handle(XSControl_TransferReader) & transfer)
             names.Bind(unplaced(shape), name);
     }
     return names;
+}
+
+int count_lost_faces(const Handle(XSControl_TransferReader) & transfer)
+{
+    const Handle(Interface_InterfaceModel) model = transfer->Model();
+    const Handle(Transfer_TransientProcess) process = transfer->TransientProcess();
+    int lost = 0;
+    for (int i = 1; !process.IsNull() && i <= model->NbEntities(); ++i)
+    {
+        const Handle(Standard_Transient) entity = model->Value(i);
+        const bool is_face = entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))
+                             || entity->IsKind(STANDARD_TYPE(IGESGeom_TrimmedSurface))
+                             || entity->IsKind(STANDARD_TYPE(IGESSolid_Face));
+        if (is_face && TransferBRep::ShapeResult(process, entity).IsNull())
+            ++lost;
+    }
+    return lost;
 }
 
 void tag_faces(std::vector<NamedShape>& bodies, const FaceNames& names,

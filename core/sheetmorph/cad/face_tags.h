@@ -16,6 +16,9 @@ using FaceNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeM
 
 FaceNames face_names_of(const Handle(XSControl_TransferReader) & transfer);
 
+//! How many faces of a STEP or IGES file came to no shape.
+int count_lost_faces(const Handle(XSControl_TransferReader) & transfer);
+
 //! Gives every body the names and colours of its faces; a face without a colour has its body's.
 //! Bodies of which the file says neither stay as they are.
 void tag_faces(std::vector<NamedShape>& bodies, const FaceNames& names,

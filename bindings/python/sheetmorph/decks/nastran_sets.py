@@ -67,7 +67,7 @@ def _listed(words: Sequence[str]) -> list[int]:
     for word in words:
         if word.upper() == "THRU":
             is_range = bool(found)
-        elif word.isdigit() and len(word) < 10:
+        elif word.isdecimal() and len(word) < 10:
             last = int(word)
             start = found[-1] + 1 if is_range else last
             found += range(start, min(last, start + _LARGEST) + 1)

@@ -18,6 +18,7 @@ from ..kernel import load_cad
 from ..labels import CadFace, Labels
 from ..part_mesh import PartMesh
 from ..progress import Progress
+from ..words import counted
 from .obj import ObjFile
 from .part_file import PartFile
 from .text import LARGEST, read_bytes
@@ -172,6 +173,9 @@ def _notes(model: Any) -> list[str]:
         f"angle {angle:.4g} degrees; at most {deviation:.2g} mm from the CAD surfaces; written as "
         "OBJ"
     ]
+    if model.lost_faces:
+        faces = counted(model.lost_faces, "face of the file is", "faces of the file are")
+        notes.append(f"{faces} missing: OpenCASCADE cannot read what it says; export it again")
     for part in model.parts:
         if part.skipped_faces:
             faces = ", ".join(str(face) for face in part.skipped_faces)

@@ -13,6 +13,7 @@ from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.api.checks import refuse_link, require_assembly
 from freecad.sheetmorph.api.meshes import add_mesh
+from freecad.sheetmorph.bridge.reading import read_file
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.bridge.shapes import keep_shape
 from freecad.sheetmorph.objects import shape_source
@@ -30,8 +31,7 @@ def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> l
     package = kernel.load()
     if not package.files.is_cad(path):
         raise ValueError(f"{Path(path).name} is no CAD file; use import_part.")
-    read = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
-    return add_model(assembly, read.model)
+    return add_model(assembly, read_file(path, mesh).model)
 
 
 def add_shape(assembly, source, label: str | None = None, mesh: dict | None = None) -> list:

@@ -13,6 +13,7 @@ from freecad.sheetmorph import reporting
 from freecad.sheetmorph.api.checks import require_assembly
 from freecad.sheetmorph.api.meshes import add_mesh
 from freecad.sheetmorph.bridge import decks, kernel
+from freecad.sheetmorph.bridge.reading import read_file
 from freecad.sheetmorph.objects import assembly_of
 from freecad.sheetmorph.objects.deck import DeckProxy, ShellsProxy, told_thickness
 
@@ -29,8 +30,7 @@ def import_deck(
     a recipe's part. Raises ValueError or OSError if it cannot be read.
     """
     require_assembly(assembly)
-    package = kernel.load()
-    file = reporting.waited_for(lambda told: package.read_part(Path(path), None, told))
+    file = read_file(path)
     if file.properties is None:
         raise ValueError(f"{Path(path).name} is no deck; use import_part.")
     splitting = kernel.splitting()

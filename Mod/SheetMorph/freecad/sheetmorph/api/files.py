@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, kernel, solving, written
+from freecad.sheetmorph.bridge.reading import read_file
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.api.assemblies import create_assembly, set_energy, set_operator, set_primary
 from freecad.sheetmorph.api.checks import require_assembly
@@ -51,7 +51,7 @@ def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, 
         (part,) = import_deck(assembly, path, "")
         part.Label = label or path.stem
         return part
-    read = reporting.waited_for(lambda told: package.read_part(path, mesh, told)).mesh
+    read = read_file(path, mesh).mesh
     if len(read.triangles) == 0:
         raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
     part = add_mesh(assembly, read, label or path.stem)

@@ -14,6 +14,7 @@ from freecad.sheetmorph import reporting
 from freecad.sheetmorph.api import preparing
 from freecad.sheetmorph.api.cad import check_shape, read_shape
 from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.bridge.reading import read_file
 from freecad.sheetmorph.bridge.rest import read_kept, read_original, write_rest_data
 from freecad.sheetmorph.bridge.shapes import keep_shape
 from freecad.sheetmorph.objects import assembly_of, model, shape_source
@@ -110,9 +111,9 @@ class Read:
             wanted = "mesh" if is_cad else "CAD"
             raise ValueError(f"'{part.Label}' is of a {wanted} file; choose another state of that.")
         if not is_cad:
-            self.mesh = package.read_part(path).mesh.with_indices()
+            self.mesh = read_file(path).mesh.with_indices()
             return
-        file = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
+        file = read_file(path, mesh)
         meshes = package.files.cad_file.part_meshes(file.model)
         read = ReadShape(file.model, solid_like(part, meshes, path))
         self.model, self.number = read.model, read.number

@@ -16,7 +16,8 @@ from freecad.sheetmorph.bridge import kernel
 
 OUT, SUMMARY = "out", "summary.json"
 # What the process runs: the command line, and beside it one who waits for the end of FreeCAD,
-# however that comes. Not by a file object: its lock would be held in what is forked.
+# however that comes. Not by a file object: its lock would be held in what is forked. A FreeCAD that
+# a shell started in the background ignores interrupts, and hands that down; `cancel` needs them.
 BOUND = """
 import os, runpy, signal, threading
 
@@ -24,6 +25,7 @@ def end_with_freecad():
     os.read(0, 1)
     os.killpg(0, signal.SIGKILL)
 
+signal.signal(signal.SIGINT, signal.default_int_handler)
 threading.Thread(target=end_with_freecad, daemon=True).start()
 runpy.run_module("sheetmorph", run_name="__main__", alter_sys=True)
 """

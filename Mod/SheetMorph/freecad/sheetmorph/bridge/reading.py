@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads the files of parts, in a thread where somebody waits; what they tell goes to the report."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import FreeCAD
+
+from freecad.sheetmorph import reporting
+from freecad.sheetmorph.bridge import kernel
+
+
+def read_file(path: str | os.PathLike, mesh: dict | None = None):
+    """Return the part file (`sheetmorph.read_part`) of a path; `mesh`: how CAD is meshed.
+
+    What the file tells of itself, faces that cannot be read or shapes that were healed, is told in
+    the report view. Raises ValueError or OSError if it cannot be read.
+    """
+    path, package = Path(path), kernel.load()
+    file = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
+    for note in file.notes:
+        FreeCAD.Console.PrintMessage(f"SheetMorph: {path.name}: {note}\n")
+    return file
