@@ -102,7 +102,7 @@ class Progress:
         self._dialog.setMinimumWidth(380)
         self._dialog.setMinimumDuration(0)
         self._dialog.setCursor(QtCore.Qt.ArrowCursor)
-        # Only a click or Escape cancels: Return or a space typed before the dialog came is meant for
+        # Only a click or Escape cancels: Return or a space typed before the dialog came is for
         # the field that had the keyboard then.
         button = self._dialog.findChild(QtWidgets.QPushButton)
         button.setAutoDefault(False)
