@@ -11,7 +11,7 @@ from checks_dragging import drag_up
 from checks_moving import open_panel
 from checks_showing import found, legend_in_the_view
 from desk import WORK, activate, buttons_called, child, choose_below, click_widget, import_files
-from desk import on_screen, picture, press, press_tool, settled, until, xdotool
+from desk import on_screen, picture, press, press_tool, settled, show_docks, until, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtWidgets
@@ -85,9 +85,7 @@ def test_a_deck_comes_in_as_a_tree_of_parts_with_quads():
     doubler.ViewObject.Visibility = False
     assert element_edges() == [EDGES, 0]
     doubler.ViewObject.Visibility = True
-    for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
-        if dock.objectName() in ("Combo View", "Tree view", "Model"):
-            dock.show()
+    show_docks()
     yield from settled()
     for tree in Gui.getMainWindow().findChildren(QtGui.QTreeWidget):
         tree.expandAll()

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from checks_flow import select
 from checks_moving import open_panel
 from checks_tutorial import menu
-from desk import child, choose_below, enter, picture, press, settled, until, xdotool
+from desk import child, choose_below, enter, picture, press, settled, show_docks, until, xdotool
 from freecad.sheetmorph import api
 from PySide import QtCore, QtGui
 from scenes import assembly, drawn, largest, new_morph, part, regions, stored
@@ -37,9 +37,7 @@ def property_editors() -> list:
 
 def choose_property(obj, name: str, steps: int):
     """Selects an object and moves a list of its in the property editor so many entries down."""
-    for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
-        if dock.objectName() in ("Combo View", "Tree view", "Property view", "Model"):
-            dock.show()
+    show_docks()
     select(obj)
     yield from until(lambda: len(property_editors()) == 1, "the property editor")
     (editor,) = property_editors()

@@ -5,6 +5,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from desk import answered, child, click_point, click_widget, picture, press, say_yes, settled, until
 from freecad.sheetmorph.objects import model
+from hostile_acts import drag_in_tree
 from PySide import QtGui
 from scenes import assembly, contacts, labelled, new_assembly, new_morph, part, regions
 
@@ -15,6 +16,7 @@ __all__ = [
     "test_nothing_hidden_is_said_to_break_when_a_region_or_part_is_deleted",
     "test_a_renamed_region_is_edited_by_a_double_click",
     "test_the_context_menu_of_a_part_marks_a_region_on_it",
+    "test_a_region_dragged_in_the_tree",
 ]
 
 
@@ -136,3 +138,26 @@ def test_the_context_menu_of_a_part_marks_a_region_on_it():
     yield from press("Cancel")
     assert "Edit Region…" in menu_of(regions("fixed")[0])
     assert "Edit Contact…" in menu_of(contacts()[0])
+
+
+def places_in_tree() -> dict:
+    """By object, what it hangs on."""
+    return {obj.Name: sorted(o.Name for o in obj.InList) for obj in App.ActiveDocument.Objects}
+
+
+def test_a_region_dragged_in_the_tree():
+    """Out of its morph and back; on anything else it takes nobody's place."""
+    yield from new_morph()
+    (fixed,), (handle,) = regions("fixed"), regions("handle")
+    whole = places_in_tree()
+    yield from drag_in_tree(fixed.Label, App.ActiveDocument.Label)
+    assert App.ActiveDocument.UndoNames == ["Move object"] and regions("fixed") == []
+    outside = places_in_tree()
+    for target in (part(), part().Source, handle):
+        yield from drag_in_tree(fixed.Label, target.Label)
+        assert places_in_tree() == outside, target.Label
+    yield from drag_in_tree(fixed.Label, assembly().Label)
+    assert places_in_tree() == whole
+    while App.ActiveDocument.UndoCount:
+        App.ActiveDocument.undo()
+    assert places_in_tree() == whole and regions("fixed") == [fixed]

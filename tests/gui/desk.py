@@ -96,6 +96,13 @@ def replace_file(file: str, edge: float):
         QtWidgets.QInputDialog.getText = length
 
 
+def show_docks() -> None:
+    """The tree and the properties, which may be hidden while there is no panel."""
+    for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
+        if dock.objectName() in ("Combo View", "Tree view", "Property view", "Model"):
+            dock.show()
+
+
 @contextmanager
 def answered(answer):
     """In this context a question is answered by a function of its box, however late it comes."""

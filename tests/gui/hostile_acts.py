@@ -2,10 +2,11 @@
 """What is done under an open panel that it did not ask for."""
 
 import os
+import subprocess
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import WORK, answered, say_yes, settled, until, view, xdotool
+from desk import WORK, answered, say_yes, settled, show_docks, until, view, xdotool
 from PySide import QtCore, QtGui
 from freecad.sheetmorph import api
 from scenes import assembly, contacts, part, regions
@@ -239,6 +240,26 @@ def select_in_tree(subject):
     yield from show_tab("Tasks")
 
 
+def drag_in_tree(label: str, onto: str):
+    """What is called so, onto something else, with the mouse."""
+    show_docks()
+    yield from settled()
+    yield from show_tab("Model")
+    place_in_tree(label)  # which may scroll the tree, and the other one again
+    end, begin = place_in_tree(onto), place_in_tree(label)
+    if end != place_in_tree(onto):
+        return  # too far apart to be seen together
+    # In one go: while Qt drags it tells of no button that is released.
+    words = ["mousemove", *begin, "mousedown", 1, "sleep", 0.1]
+    for place in (begin[0] + 20, begin[1] + 4), end, (end[0] + 1, end[1]):
+        words += ["mousemove", *place, "sleep", 0.1]
+    dragged = subprocess.Popen(["xdotool", *map(str, [*words, "mouseup", 1])])
+    yield from until(lambda: dragged.poll() is not None, "the end of the drag")
+    assert dragged.returncode == 0
+    yield from settled()
+    yield from show_tab("Tasks")
+
+
 def take_out_of_the_morph(_subject):
     """A region leaves its group in a step, as when it is dragged to the document in the tree."""
     App.ActiveDocument.openTransaction("Move object")
@@ -262,7 +283,7 @@ def place_in_tree(label: str) -> tuple[int, int]:
     """Where an object stands in the tree, on the screen."""
     trees = [tree for tree in Gui.getMainWindow().findChildren(QtGui.QTreeWidget)]
     (tree,) = [t for t in trees if "TreeWidget" in t.metaObject().className() and t.isVisible()]
-    item = tree.findItems(label, QtCore.Qt.MatchStartsWith | QtCore.Qt.MatchRecursive)[0]
+    item = tree.findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)[0]
     tree.scrollToItem(item)
     rect = tree.visualItemRect(item)
     place = tree.viewport().mapToGlobal(QtCore.QPoint(rect.left() + 30, rect.center().y()))

@@ -9,7 +9,7 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import hostile_acts
-from desk import POLL, WORK, view, within_reach, xdotool
+from desk import POLL, WORK, answered, say_yes, view, within_reach, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_panels import PANELS
@@ -226,6 +226,32 @@ def save(chance):
     yield POLL
 
 
+def rename(chance):
+    """Any object, in a step as the tree does it."""
+    for obj in chance.sample(objects(), min(1, len(objects()))):
+        App.ActiveDocument.openTransaction("Relabel")
+        obj.Label = chance.choice(("Renamed", "“Quoted” <b>&amp;", "名前"))
+        App.ActiveDocument.commitTransaction()
+    yield POLL
+
+
+def revert(chance):
+    """The document as it was saved, if it was."""
+    if model_in(App.ActiveDocument) and App.ActiveDocument.FileName:
+        with answered(say_yes):
+            Gui.runCommand("Std_Revert")
+    yield POLL
+
+
+def drag_in_tree(chance):
+    """An object onto another one: out of its group, into a part, where it does not belong."""
+    labels = [obj.Label for obj in chance.sample(objects(), min(2, len(objects())))]
+    try:
+        yield from hostile_acts.drag_in_tree(*labels)
+    except (IndexError, TypeError, ValueError):
+        return  # fewer than two, hidden, or the tree is
+
+
 def change_views(chance):
     act = chance.choice(("another_document", "tall_view", "second_view", "split_view"))
     if model_in(App.ActiveDocument) and view() is not None:
@@ -245,6 +271,7 @@ def spreadsheet(chance):
 IN_PANEL = {click_in_panel: 9, type_in_panel: 7, drag_in_view: 5, click_in_view: 5, press_key: 3}
 IN_PANEL |= {undo: 3, redo: 2, close_panel: 4, open_panel: 1, press_tool: 1}
 ANYWHERE = {delete: 1, set_motion: 1, hide_or_show: 1, change_workbench: 1, change_document: 1}
+ANYWHERE |= {rename: 0.5, revert: 0.5, drag_in_tree: 2}
 ANYWHERE |= {save: 0.5, change_views: 0.5, spreadsheet: 0.5, select: 1, double_click_in_tree: 1}
 OUTSIDE = {open_panel: 12, press_tool: 4, undo: 2, redo: 2, press_key: 1, click_in_view: 1}
 # After these the way back by Cancel alone is known.

@@ -29,6 +29,10 @@ class View:
         """No editing by FreeCAD's dragger: it would move the placement."""
         return False
 
+    def replaceObject(self, _old, _new) -> bool:
+        """Nothing takes another's place by being dropped on it: a region would become the part."""
+        return False
+
     def dumps(self) -> None:
         """Nothing is saved (FreeCAD from 0.21.2)."""
 
