@@ -119,3 +119,14 @@ def test_a_mistake_is_named_with_its_line(mistake: tuple, tmp_path: Path):
     assert error is not None
     assert what in error.what
     assert line is None or error.line == line
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_number_that_signals_is_refused_without_a_warning(tmp_path: Path):
+    """A NaN with a bit that tells the processor to complain about it."""
+    data = bytearray(binary_stl().replace(b"solid", b"SOLAR"))
+    data[84 + 12 : 84 + 16] = (0x7FA00000).to_bytes(4, "little")
+    path = tmp_path / "a.stl"
+    path.write_bytes(data)
+    error = failure_of(path)
+    assert error is not None and "finite" in error.what, error

@@ -129,7 +129,8 @@ def _check_between(source: Source, begin: int, end: int) -> None:
 def _binary_corners(source: Source) -> Floats:
     """Corners (3 m, 3) float64 of a binary STL. Raises FileError."""
     records = np.frombuffer(source.data, _RECORD, offset=_HEADER_SIZE)
-    corners = records["corners"].reshape(-1, 3).astype(np.float64)
+    with np.errstate(invalid="ignore"):  # a NaN that signals; it is refused in words
+        corners = records["corners"].reshape(-1, 3).astype(np.float64)
     check_points(source.path, corners)
     return corners
 
