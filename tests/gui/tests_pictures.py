@@ -10,6 +10,7 @@ import subprocess
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
+import Part
 from checks_finding import bare_frame, cell_place
 from checks_flow import drag_arrow_up, loop_round, select, stroke_along
 from checks_moving import open_panel
@@ -262,6 +263,34 @@ def test_a_step_file_comes_back():
     part().ViewObject.Visibility = False
     select(part().DeformedShape)
     yield from taken("solid-shape", with_panel=False)
+    shape = part().DeformedShape
+    yield from drawn_along_a_hole(shape, 5.0)
+
+
+def drawn_along_a_hole(shape, radius: float):
+    """A page of TechDraw that looks along a hole of a shape: it is a circle of its radius there."""
+    surfaces = [face.Surface for face in shape.Shape.Faces]
+    holes = [one for one in surfaces if isinstance(one, Part.Cylinder)]
+    hole = next(one for one in holes if abs(one.Radius - radius) < 1e-9)
+    document = shape.Document
+    page = document.addObject("TechDraw::DrawPage", "Page")
+    template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
+    folder = os.path.join(App.getResourceDir(), "Mod", "TechDraw", "Templates")
+    template.Template = os.path.join(folder, "A4_LandscapeTD.svg")
+    page.Template = template
+    drawing = document.addObject("TechDraw::DrawViewPart", "View")
+    page.addView(drawing)
+    drawing.Source, drawing.Direction = [shape], hole.Axis
+    drawing.ScaleType, drawing.Scale, drawing.X, drawing.Y = "Custom", 1.4, 90, 110
+    document.recompute()
+    yield from until(drawing.getVisibleEdges, "the drawing")
+    curves = [edge.Curve for edge in drawing.getVisibleEdges()]
+    radii = [one.Radius / drawing.Scale for one in curves if isinstance(one, Part.Circle)]
+    assert any(abs(one - radius) < 1e-6 for one in radii), radii
+    page.ViewObject.show()
+    yield from settled()
+    Gui.SendMsgToActiveView("ViewFit")
+    yield from taken("solid-drawing", with_panel=False)
 
 
 def test_an_edited_body_is_followed():
