@@ -26,6 +26,14 @@ SETS = {
 }
 WRITING = CadWriting("step")
 RADIUS = 1e-12  # relative: how far the radius of a kept cylinder may be off
+CUT = 0.01  # of the volume: how far that of a half may be off, sheets and chords are what they are
+HOLES = {"06": 0, "03": 52}  # drawn in FreeCAD, at most two a solid; those of set 06 are in halves
+# The parts whose meshes in FreeCAD pass through themselves, and how deep they may, mm.
+CROSSING = {
+    "MainEnclosure.MainSheet": 0.005,
+    "A_36x26x13mm_2009757_B v1": 0.05,
+    "A_36x26x13mm_2025866_A": 0.05,
+}
 COLUMNS = ("part", "kept/fitted", "off mesh", "edges", "re-read", "radii", "kink", "")
 
 
@@ -64,6 +72,18 @@ def check(body: dict) -> None:
     assert max(radii, default=0.0) <= RADIUS, body["name"]
 
 
+def check_in_freecad(solid: dict, name: str) -> None:
+    """FreeCAD takes a solid: its mesh, a cut, its holes as circles in drawings."""
+    assert solid["is_valid"] and solid["is_watertight"], name
+    assert solid["depth"] <= CROSSING.get(name, 0.0), name
+    assert solid["crossings"] == 0 or name in CROSSING, name
+    rest, expected, whole = solid["cut_volumes"]
+    assert solid["is_cut"] and abs(rest - expected) < CUT * whole, (name, solid)
+    assert 0.01 * whole < expected < 0.99 * whole, name
+    for radius, circles in solid["holes"]:
+        assert round(radius, 9) in circles, name
+
+
 @pytest.mark.parametrize("number", SETS)
 def test_public_assemblies_come_back(number: str, tmp_path: Path):
     path = SHARED / SETS[number]
@@ -78,6 +98,12 @@ def test_public_assemblies_come_back(number: str, tmp_path: Path):
     for body in bodies:
         check(body)
         assert body["is_closed"], body["name"]
+    solids = read_in_freecad(tmp_path / "back.step", tmp_path / "FreeCAD", 2)
+    assert len(solids) == len(bodies)
+    for body, solid in zip(bodies, solids):
+        print(f"{body['name'][:34]:34} {solid['crossings']} crossings, {solid['depth']:.2g} mm")
+        check_in_freecad(solid, body["name"])
+    assert sum(len(solid["holes"]) for solid in solids) == HOLES[number]
 
 
 @pytest.mark.parametrize("number", SETS)
@@ -106,14 +132,6 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return make_own_parts(tmp_path_factory.mktemp("own"))
 
 
-def drawn_right(solid: dict) -> bool:
-    """Whether FreeCAD takes a solid: its mesh, a cut, its holes as circles in drawings."""
-    seen = all(round(radius, 9) in circles for radius, circles in solid["holes"])
-    return (solid["is_valid"] and solid["is_watertight"] and not solid["has_intersections"]) and (
-        solid["is_cut"] and seen
-    )
-
-
 @pytest.mark.parametrize(
     ("name", "drawings"),
     [("tube", 0), ("ball", 0), ("countersunk", 0), ("inches", 0), ("fillets", 0), ("washers", 2)],
@@ -130,8 +148,10 @@ def test_own_parts_come_back(name: str, drawings: int, own: Path, tmp_path: Path
     before, after = (read_part(one, {}).model.parts[0].surfaces for one in (path, out))
     tags = [{(s.name, s.colour) for s in one if s.name or s.colour} for one in (before, after)]
     assert tags[0] == tags[1] == ({("left end", "#ff8000")} if name == "washers" else set())
-    solids = read_in_freecad(out, 0.1, drawings)
-    assert len(solids) == len(bodies) and all(map(drawn_right, solids)), solids
+    solids = read_in_freecad(out, tmp_path / "FreeCAD", drawings)
+    assert len(solids) == len(bodies)
+    for solid in solids:
+        check_in_freecad(solid, name)
     assert sum(len(solid["holes"]) for solid in solids) == drawings
 
 
@@ -148,7 +168,8 @@ def test_instances_driven_differently_become_products_of_their_own(own: Path, tm
         for text in ((own / "frame.step").read_text(), out.read_text())
     ]
     assert counts == [(2, 2), (3, 2)]
-    assert all(map(drawn_right, read_in_freecad(out, 0.1, 0)))
+    for solid in read_in_freecad(out, tmp_path / "FreeCAD", 0):
+        check_in_freecad(solid, "frame")
     model = models[0]
     one_bent = [bent(model.parts[0]), np.array(model.parts[1].points)]
     for body in write_model(model, tmp_path / "one.step", one_bent, WRITING):
