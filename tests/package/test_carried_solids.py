@@ -17,6 +17,12 @@ from test_real_files import real_file
 _SCRIPT = """
 box = Part.makeBox(60, 40, 10)
 drilled = Part.makeBox(60, 40, 6).cut(Part.makeCylinder(4, 10, Vector(20, 20, -1)))
+# A thread of two turns on a pin: strips wind about its cylinder between the flanks.
+corners = [(3.8, 2.3), (5, 2.8), (5, 3.2), (3.8, 3.7), (3.8, 2.3)]
+profile = Part.makePolygon([Vector(x, 0, z) for x, z in corners])
+helix = Part.makeHelix(2, 4, 5)
+helix.translate(Vector(0, 0, 3))
+thread = Part.Wire(helix.Edges).makePipeShell([profile], True, True)
 for name, shape in (
     ("tube", Part.makeCylinder(10, 80).cut(Part.makeCylinder(8, 80))),
     ("dish", Part.makeSphere(30, Vector(), Vector(0, 0, 1), 0, 90, 360).cut(Part.makeSphere(28))),
@@ -25,6 +31,7 @@ for name, shape in (
     ("ring", Part.makeTorus(30, 6)),
     ("fillets", box.makeFillet(3, box.Edges)),
     ("countersunk", drilled.cut(Part.makeCone(4, 8, 4, Vector(20, 20, 2.5)))),
+    ("thread", Part.makeCylinder(4, 10).fuse(thread)),
 ):
     shape.exportStep(os.path.join(folder, name + ".step"))
 document = FreeCAD.newDocument("pins")
@@ -37,7 +44,7 @@ for label, x in (("pin a", 0), ("pin b", 20), ("pin c", 40)):
 document.recompute()
 Import.export(shown, os.path.join(folder, "pins.step"))
 """
-SOLIDS = ("tube", "dish", "cone", "ball", "ring", "fillets", "countersunk")
+SOLIDS = ("tube", "dish", "cone", "ball", "ring", "fillets", "countersunk", "thread")
 
 
 @pytest.fixture(scope="module")

@@ -62,17 +62,17 @@ class Bending:
         return self(place[None])[0] + (points - place) @ turn.T
 
 
-def bent(part: Any, washer: float = 0.0) -> np.ndarray:
+def bent(part: Any, washer: float = 0.0, held: str = "round hole") -> np.ndarray:
     """(n, 3) positions of a CadPart, bent and twisted; its round holes go as rigid bodies.
 
     washer: how many radii around a hole go with it. What lies near a hole passes over from its
-    motion to that of the part.
+    motion to that of the part. held: the kind of features that are held in place of round holes.
     """
     points = np.array(part.points)
     bending = Bending.of(points)
     positions, nearest = bending(points), np.full(len(points), np.inf)
     for hole in part.features():
-        if hole.kind != "round hole":
+        if hole.kind != held:
             continue
         away = points - hole.center
         beside = away - np.outer(away @ hole.axis, hole.axis)

@@ -11,11 +11,29 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "package"))
 from cad_samples import made_by_freecad  # noqa: E402
 
 # A tube with a seam; a ball cut flat with a pole; a plate with a countersunk hole; a block with
-# fillets; a plate with two holes; the
-# countersunk plate in inches; a frame of two instances of one bracket.
+# fillets; a plate with two holes; a threaded rod; a plate with a threaded stud,
+# and one with a threaded hole; the countersunk plate in inches; a frame of two instances of
+# one bracket.
 _SCRIPT = """
 from FreeCAD import Placement, Rotation
 
+
+def thread(inner, outer, pitch, start, height):
+    corners = [(inner, -0.44), (outer, -0.06), (outer, 0.06), (inner, 0.44), (inner, -0.44)]
+    profile = Part.makePolygon([Vector(x, 0, start + pitch * z) for x, z in corners])
+    helix = Part.makeHelix(pitch, height, outer)
+    helix.translate(Vector(0, 0, start))
+    return Part.Wire(helix.Edges).makePipeShell([profile], True, True)
+
+
+def threaded(plate, hole, tap):
+    # Cut in a ring first: a cut in the plate at once leaves planes in pieces.
+    ring = Part.makeCylinder(hole, plate.BoundBox.ZLength)
+    return plate.cut(ring).fuse(ring.cut(tap)).removeSplitter()
+
+
+tap = Part.makeCylinder(3.42, 16, Vector(0, 0, -5)).fuse(thread(3.3, 4.2, 1.25, -2.63, 11.13))
+stud = Part.makeCylinder(2.5, 11).fuse(thread(2.35, 3, 1, 1, 8))
 plate = Part.makeBox(120, 60, 3)
 for x in (35, 85):
     plate = plate.cut(Part.makeCylinder(5, 5, Vector(x, 30, -1)))
@@ -27,6 +45,9 @@ shapes = {
     "countersunk": Part.makeBox(120, 60, 3).cut(cone),
     "fillets": block.makeFillet(3, block.Edges),
     "washers": plate,
+    "rod": Part.makeCylinder(4, 14).fuse(thread(3.8, 5, 2, 2, 10)).removeSplitter(),
+    "stud": Part.makeBox(120, 60, 3, Vector(-60, -30, -3)).fuse(stud).removeSplitter(),
+    "threaded": threaded(Part.makeBox(120, 60, 6, Vector(-60, -30, 0)), 5.2, tap),
 }
 for name, shape in shapes.items():
     assert shape.isValid(), name

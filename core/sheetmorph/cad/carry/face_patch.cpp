@@ -85,10 +85,12 @@ bool put_around(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
     return is_straight;
 }
 
-// How many borders run along each side; one that is one point makes the side a pole.
-std::array<int, 4> borders_along(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
+using Ranges = std::vector<std::pair<double, double>>;
+
+// The stretches of each side that borders run along; one that is one point makes it a pole.
+std::array<Ranges, 4> borders_along(SurfacePatch& patch, const std::vector<FaceBorder>& borders)
 {
-    std::array<int, 4> along{};
+    std::array<Ranges, 4> along;
     for (std::size_t side = 0; side < 4; ++side)
         for (const FaceBorder& border : borders)
         {
@@ -96,10 +98,24 @@ std::array<int, 4> borders_along(SurfacePatch& patch, const std::vector<FaceBord
             const double at = side % 2 == 0 ? patch.low(k) : patch.high(k);
             if (!is_along(patch, border, k, at))
                 continue;
-            ++along[side];
+            const gp_Pnt2d one = border.curve->Value(border.low),
+                           other = border.curve->Value(border.high);
+            along[side].push_back(k == 0 ? std::minmax({one.Y(), other.Y()})
+                                         : std::minmax({one.X(), other.X()}));
             patch.is_pole[side] = patch.is_pole[side] || border.is_degenerated;
         }
     return along;
+}
+
+// Whether both sides have borders at one place. A strip that winds about a cylinder has a border
+// on either side, but none across from the other.
+bool has_seam(const Ranges& low, const Ranges& high, double least)
+{
+    for (const auto& one : low)
+        for (const auto& other : high)
+            if (std::min(one.second, other.second) - std::max(one.first, other.first) > least)
+                return true;
+    return false;
 }
 
 }  // namespace
@@ -110,23 +126,27 @@ SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
     SurfacePatch patch;
     patch.surface = surface;
     const bool is_straight = put_around(patch, borders);
-    const std::array<int, 4> along = borders_along(patch, borders);
+    const std::array<Ranges, 4> along = borders_along(patch, borders);
     const Vector2 middle = 0.5 * (patch.low + patch.high);
     const double size =
         (point_at(surface, patch.low(0), patch.low(1)) - point_at(surface, middle(0), middle(1)))
             .norm();
-    for (std::size_t k = 0; k < 2; ++k)
-        patch.is_closed[k] = along[2 * k] > 0 && along[2 * k + 1] > 0
-                             && distance_across(patch, static_cast<int>(k)) < 1e-4 * size;
+    for (int k = 0; k < 2; ++k)
+    {
+        const auto side = static_cast<std::size_t>(2 * k);
+        const double least = 1e-6 * (patch.high(1 - k) - patch.low(1 - k));
+        patch.is_closed[static_cast<std::size_t>(k)] = has_seam(along[side], along[side + 1], least)
+                                                       && distance_across(patch, k) < 1e-4 * size;
+    }
     if (is_straight)
         return patch;
     const Vector2 more = 0.002 * (patch.high - patch.low);
     for (int k = 0; k < 2; ++k)
     {
         const auto side = static_cast<std::size_t>(2 * k);
-        if (along[side] == 0)
+        if (along[side].empty())
             patch.low(k) -= more(k);
-        if (along[side + 1] == 0)
+        if (along[side + 1].empty())
             patch.high(k) += more(k);
     }
     keep_inside(patch);

@@ -212,7 +212,7 @@ void FaceSpline::solve(const std::vector<SurfacePlace>& places,
     close();
 }
 
-// A surface is as smooth across a seam as anywhere.
+// A surface is as smooth across a seam as anywhere, also where its face has only one side of it.
 void FaceSpline::tie_seams(PlateSystem& system) const
 {
     for (int k = 0; k < 2; ++k)
@@ -222,13 +222,18 @@ void FaceSpline::tie_seams(PlateSystem& system) const
             const double length = across.ends()[1] - across.ends()[0];
             for (const double place : along.greville())
             {
-                const CubicBasis::Row here = along.row(place), low = across.row(across.low(), 1),
-                                      high = across.row(across.high(), 1);
-                const auto ordered =
-                    [&](const CubicBasis::Row& row) -> std::array<CubicBasis::Row, 2> {
-                    return k == 0 ? std::array{row, here} : std::array{here, row};
+                const CubicBasis::Row here = along.row(place);
+                const auto tie = [&](int derivative, double weight)
+                {
+                    const auto ordered = [&](double end) -> std::array<CubicBasis::Row, 2>
+                    {
+                        const CubicBasis::Row row = across.row(end, derivative);
+                        return k == 0 ? std::array{row, here} : std::array{here, row};
+                    };
+                    system.tie(ordered(across.low()), ordered(across.high()), k, weight);
                 };
-                system.tie(ordered(low), ordered(high), k, seam_weight * length * length);
+                tie(0, seam_weight);
+                tie(1, seam_weight * length * length);
             }
         }
 }

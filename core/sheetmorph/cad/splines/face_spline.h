@@ -56,7 +56,7 @@ struct SurfacePatch
     Vector2 low = Vector2::Zero(), high = Vector2::Zero();
     //! Which of the four borders are one point: u low, u high, v low, v high.
     std::array<bool, 4> is_pole = {};
-    //! Whether both borders in u, in v, are one curve.
+    //! Whether both borders in u, in v, are one curve, with a seam of the face on it.
     std::array<bool, 2> is_closed = {};
 };
 
