@@ -13,6 +13,7 @@ PANEL_ROWS = {
     "one_more_fixed_region": "one more fixed strip, the part being at hand",
     "cgal_sre_arap_set_up": "CGAL SRE_ARAP preprocess()",
     "cgal_arap_set_up": "CGAL ORIGINAL_ARAP preprocess()",
+    "cholmod_factorisation": "plain CHOLMOD, one factor, of the shape's matrix",
     "response_set_up": "response fields, in the background of a drag",
     "live_frame": "live frame, one handle turning and moving",
     "live_frame_50_free_features": "the same with 50 free features, at their minimum",
@@ -30,6 +31,7 @@ REMESHING_ROWS = {
 }
 RATIOS = (
     ("CGAL SRE_ARAP preprocess() / set-up", "cgal_sre_arap_set_up", "set_up"),
+    ("CHOLMOD's one factor / set-up", "cholmod_factorisation", "set_up"),
     ("CGAL SRE_ARAP iteration / live frame", "cgal_sre_arap_iteration", "live_frame"),
     ("CGAL ORIGINAL_ARAP iteration / live frame", "cgal_arap_iteration", "live_frame"),
     ("CHOLMOD back-substitution / live frame", "cholmod_substitution", "live_frame"),
