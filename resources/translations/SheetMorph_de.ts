@@ -537,6 +537,10 @@
  <context>
   <name>SheetMorph_actions</name>
   <message>
+   <source>Cancelling…</source>
+   <translation>Wird abgebrochen …</translation>
+  </message>
+  <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>Abgebrochen; nichts wurde geändert.</translation>
   </message>

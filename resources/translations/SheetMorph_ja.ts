@@ -537,6 +537,10 @@
  <context>
   <name>SheetMorph_actions</name>
   <message>
+   <source>Cancelling…</source>
+   <translation>中止しています…</translation>
+  </message>
+  <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>中止しました。何も変更されていません。</translation>
   </message>

@@ -246,30 +246,31 @@ class Canceller:
 
 
 class Typist(QtCore.QObject):
-    """Types keys while a progress dialog is open, and waits until FreeCAD has let go of them."""
+    """Types a key while a progress dialog is open, and works on until FreeCAD has let go of it."""
 
-    def __init__(self, *keys: str):
+    def __init__(self, key: str):
         super().__init__()
-        self._keys = keys
-        self._is_open, self._is_typed = threading.Event(), threading.Event()
+        self._key, self.is_shut = key, False
+        self._is_open, self._is_typed, self._is_seen = (threading.Event() for _ in range(3))
         self._timer = QtCore.QTimer()
         self._timer.timeout.connect(self._look)
         QtGui.QApplication.instance().installEventFilter(self)
 
     def __call__(self, progress) -> None:
-        """The work, in a thread: it lasts until the keys have come, or were not for a minute."""
+        """The work, in a thread: it lasts until the key has come and was seen to."""
         self._is_open.wait(60.0)
-        subprocess.run(["xdotool", "key", *self._keys], check=True)
+        subprocess.run(["xdotool", "key", self._key], check=True)
         self._is_typed.wait(60.0)
+        self._is_seen.wait(60.0)
 
     def type_under_progress(self) -> bool:
-        """Whether the progress was cancelled by the keys."""
+        """Whether the progress was cancelled by the key."""
         progress = progress_dialog.Progress("Typing")
         self._timer.start(5)
         progress.wait_for(self)
         progress.close()
         QtGui.QApplication.instance().removeEventFilter(self)
-        assert self._is_open.is_set() and self._is_typed.is_set()
+        assert self._is_open.is_set() and self._is_seen.is_set()
         return progress.is_cancelled
 
     def eventFilter(self, target, event) -> bool:  # noqa: N802 - Qt's name
@@ -279,13 +280,20 @@ class Typist(QtCore.QObject):
         return False
 
     def _look(self) -> None:
-        if dialog() is not None and dialog().isActiveWindow():
-            self._timer.stop()
+        if not self._is_open.is_set() and dialog() is not None and dialog().isActiveWindow():
             self._is_open.set()
+        elif self._is_typed.is_set():  # and what the key does is done
+            self._timer.stop()
+            self.is_shut = QtGui.QApplication.activeModalWidget() is dialog() is not None
+            self._is_seen.set()
 
 
 def test_return_and_space_cancel_no_progress_and_escape_does():
+    """And the window stays shut until the work, which may go on for a moment, has ended."""
     yield from new_assembly()
     for key, cancels in (("Return", False), ("space", False), ("Escape", True)):
-        assert Typist(key).type_under_progress() == cancels, key
+        typist = Typist(key)
+        assert typist.type_under_progress() == cancels, key
+        assert typist.is_shut, f"after {key} the window was open while the work went on"
+        assert dialog() is None or not dialog().isVisible()
         yield from settled()

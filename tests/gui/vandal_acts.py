@@ -40,7 +40,7 @@ class Answers(QtCore.QObject):
             asked.reject()
         elif isinstance(asked, QtGui.QProgressDialog):
             if self._chance.random() < 0.1:
-                asked.cancel()
+                asked.findChild(QtGui.QAbstractButton).click()
         elif asked is not None:
             buttons = asked.findChildren(QtGui.QAbstractButton)
             buttons = [b for b in buttons if b.isVisible() and b.isEnabled()]

@@ -76,10 +76,9 @@ class Progress:
         if self._dialog is None or (begin < self._next and not at_last):
             return
         fraction, task = self._told
-        self._dialog.setLabelText(task)
-        self._dialog.setValue(round(100 * fraction))
+        self._dialog.tell(fraction, task)
         QtWidgets.QApplication.processEvents()
-        self.is_cancelled = self.is_cancelled or self._dialog.wasCanceled()
+        self.is_cancelled = self.is_cancelled or self._dialog.is_cancelled
         now = time.monotonic()
         self._next = now + min(LONGEST, (now - begin) / SHARE)
 
@@ -87,27 +86,61 @@ class Progress:
         """Takes the dialog away, and lets the views be drawn."""
         self._views.setUpdatesEnabled(True)
         if self._dialog is not None:
-            self._dialog.reset()
+            self._dialog.hide()
             self._dialog.deleteLater()
             self._dialog = None
 
     def _open(self) -> None:
-        cancel = translate("SheetMorph_actions", "Cancel")
-        self._dialog = QtWidgets.QProgressDialog(self._title, cancel, 0, 100, Gui.getMainWindow())
-        self._dialog.setObjectName("SheetMorphProgress")
-        self._dialog.setWindowTitle(self._title)
-        self._dialog.setWindowModality(QtCore.Qt.ApplicationModal)
-        self._dialog.setAutoClose(False)
-        self._dialog.setAutoReset(False)
-        self._dialog.setMinimumWidth(380)
-        self._dialog.setMinimumDuration(0)
-        self._dialog.setCursor(QtCore.Qt.ArrowCursor)
-        # Only a click or Escape cancels: Return or a space typed before the dialog came is for
-        # the field that had the keyboard then.
-        button = self._dialog.findChild(QtWidgets.QPushButton)
-        button.setAutoDefault(False)
-        button.setFocusPolicy(QtCore.Qt.NoFocus)
+        self._dialog = ProgressDialog(self._title)
         self._dialog.show()
+
+
+class ProgressDialog(QtWidgets.QProgressDialog):
+    """Keeps the window shut until it is taken away, also after Cancel: what is under way ends when
+    it next looks, and until then nobody else may touch what it works on.
+
+    Only a click or Escape cancels: Return or a space typed before the dialog came is for the field
+    that had the keyboard then.
+    """
+
+    def __init__(self, title: str):
+        cancel = translate("SheetMorph_actions", "Cancel")
+        super().__init__(title, cancel, 0, 100, Gui.getMainWindow())
+        self.is_cancelled = False
+        self.setObjectName("SheetMorphProgress")
+        self.setWindowTitle(title)
+        self.setWindowModality(QtCore.Qt.ApplicationModal)
+        self.setAutoClose(False)
+        self.setAutoReset(False)
+        self.setMinimumWidth(380)
+        self.setMinimumDuration(0)
+        self.setCursor(QtCore.Qt.ArrowCursor)
+        self._button = self.findChild(QtWidgets.QPushButton)
+        self._button.setAutoDefault(False)
+        self._button.setFocusPolicy(QtCore.Qt.NoFocus)
+        hides = QtCore.SIGNAL("canceled()"), self, QtCore.SLOT("cancel()")
+        QtCore.QObject.disconnect(self, *hides)
+        self.canceled.connect(self._cancel)
+
+    def tell(self, fraction: float, task: str) -> None:
+        """Shows how far it is, 0..1, and what is next."""
+        if not self.is_cancelled:
+            self.setLabelText(task)
+            self.setValue(round(100 * fraction))
+
+    def closeEvent(self, event) -> None:
+        """The window's own button cancels, too."""
+        event.ignore()
+        self._cancel()
+
+    def reject(self) -> None:
+        """Escape, where no shortcut takes it."""
+        self._cancel()
+
+    def _cancel(self) -> None:
+        self.is_cancelled = True
+        self._button.setEnabled(False)
+        self.setLabelText(translate("SheetMorph_actions", "Cancelling…"))
 
 
 def is_window_thread() -> bool:
