@@ -28,11 +28,14 @@ plate.exportBrep(os.path.join(folder, "plate.brep"))
 Part.setStaticValue("write.iges.unit", "INCH")
 plate.exportIges(os.path.join(folder, "inches.igs"))
 """
-# Reads a file as it was damaged in one way after the other, in a process of its own; says how many
-# were refused. What a reader refuses it must refuse in words.
+# Reads a file as it was damaged in one way after the other, each in a process of its own, as one
+# meets them; says how many were refused. What a reader refuses it must refuse in words.
 _READING = """
+import os
 import random
+import signal
 import sys
+import traceback
 from pathlib import Path
 from sheetmorph import read_part
 from sheetmorph.errors import FileError
@@ -43,7 +46,7 @@ def cut_off():
     return [whole[: len(whole) * k // 24] for k in range(24)]
 
 def changed():
-    for seed in range(160):
+    for seed in range(100):
         chance, made = random.Random(seed), bytearray(whole)
         for _ in range(chance.choice((1, 3, 10, 40))):
             is_plain = chance.random() < 0.8
@@ -51,14 +54,30 @@ def changed():
             made[chance.randrange(len(made))] = byte
         yield bytes(made)
 
-refused = 0
-for made in {"cut off": cut_off, "changed": changed}[kind]():
+def read(made):
     path.write_bytes(made)
     try:
         read_part(path, {"edge": 8.0, "deflection": 0.2, "angle": 20})
     except FileError as error:
         assert path.name in str(error), error
-        refused += 1
+        return REFUSED
+    return 0
+
+REFUSED, refused = 3, 0
+for number, made in enumerate({"cut off": cut_off, "changed": changed}[kind]()):
+    child = os.fork()
+    if child == 0:
+        signal.alarm(100)  # one that reads forever
+        status = 1
+        try:
+            status = read(made)
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            os._exit(status)
+    status = os.waitpid(child, 0)[1]
+    assert status in (0, REFUSED << 8), f"file {number}: it ended with status {status}"
+    refused += status != 0
 print("refused", refused)
 """
 
