@@ -7,10 +7,10 @@ import os
 import FreeCADGui as Gui
 import numpy as np
 from checks_enclosure import SHARED, Steps, has_followed, is_quiet
-from checks_flow import count_of_parts, draw_region, drag_arrow_up, look, loop_round, select
+from checks_flow import count_of_parts, draw_region, look, loop_round, pull_arrow_up, select
 from checks_finding import rows_shown
 from checks_moving import open_panel
-from desk import activate, child, import_files, note, picture, press, press_tool
+from desk import activate, child, import_files, note, picture, press, press_tool, settled
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
@@ -71,7 +71,8 @@ def test_the_covers_from_stl_to_a_drag_with_what_is_offered_and_found():
     yield from taken("Find Contacts…", steps, 10)
     yield from mark_the_ends(steps)
     yield from steps.step("Move Handle", open_panel(), lambda: is_shown() and is_quiet())
-    yield from steps.step("a drag", drag_arrow_up(), has_followed)
+    yield from steps.step("a drag", pull_arrow_up(), has_followed)
+    yield from steps.step("how far it may go", settled(), lambda: True)
     yield from steps.step("OK", press("OK"), is_closed)
     moved = {
         part.Label: float(np.abs(api.deform(assembly())[part.Name] - api.rest_mesh(part)[0]).max())

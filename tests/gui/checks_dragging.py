@@ -298,7 +298,7 @@ def test_a_view_that_has_lost_its_camera_is_let_be():
     yield from new_morph()
     yield from open_panel()
     before = arrows_px()
-    renderer = view().getViewer().getSoRenderManager()
+    renderer = generations.viewer_of(view()).getSoRenderManager()
     camera = renderer.getCamera()
     renderer.setCamera(None)
     camera.touch()

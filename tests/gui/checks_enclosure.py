@@ -8,7 +8,7 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from checks_flow import count_of_parts, draw_region, drag_arrow_up, look, loop_round, select
+from checks_flow import count_of_parts, draw_region, look, loop_round, pull_arrow_up, select
 from checks_finding import rows_shown
 from checks_moving import open_panel
 from checks_propagation import dialog
@@ -140,7 +140,8 @@ def test_the_enclosure_from_step_to_a_saved_drag_is_measured():
     yield from found("Find Contacts…", steps)
     yield from mark_the_ends(steps)
     yield from steps.step("Move Handle", open_panel(), lambda: is_shown() and is_quiet())
-    yield from steps.step("a drag", drag_arrow_up(), has_followed)
+    yield from steps.step("a drag", pull_arrow_up(), has_followed)
+    yield from steps.step("how far it may go", settled(), lambda: True)
     yield from steps.step("OK", press("OK"), lambda: not Gui.Control.activeDialog() and is_quiet())
     wanted = (len(regions("form feature")), len(contacts()))
     moved = {part.Name: part.Mesh.BoundBox.DiagonalLength for part in model.parts(assembly())}

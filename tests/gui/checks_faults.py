@@ -172,7 +172,7 @@ def test_a_recipe_keeps_the_meshes_that_it_reads():
         yield from until(lambda: "reads this file" in report_view(), "the refusal")
     assert 'the recipe "recipe.json" beside it reads this file' in report_view()
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == kept
-    yield from menu("File", "New")
+    yield from menu("File", "Std_New")
     yield from menu("SheetMorph", "Import Recipe…")
     yield from answer(str(folder / "recipe.json"))
     yield from until(lambda: App.ActiveDocument.Objects, "the morph")

@@ -101,7 +101,7 @@ def click_rims(part, rims: list, image: str):
     assert sorted(made) == sorted(rims)
 
 
-def drag_arrow_up(pixels: int = 48):
+def pull_arrow_up(pixels: int = 48):
     """Drags the arrow that points up on the screen, whatever stands before it, and lets go."""
     handle = regions("handle")[0]
     shift = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
@@ -111,8 +111,13 @@ def drag_arrow_up(pixels: int = 48):
     for step in range(12, pixels + 1, 12):
         yield from xdotool("mousemove", x, y - 30 - step)
     yield from xdotool("mouseup", 1)
-    yield from settled()
     assert child("translation_z").property("rawValue") > before + 1.0, "the arrow was not dragged"
+
+
+def drag_arrow_up(pixels: int = 48):
+    """The same, and waits until all that follows from it is known."""
+    yield from pull_arrow_up(pixels)
+    yield from settled()
 
 
 def move(words: dict, image: str):
@@ -171,11 +176,13 @@ def test_the_door_mirror_from_files_to_a_second_drag():
     yield from draw_region(cover, "Mark Handle…", "brush", stroke_along(tip, 2))
     yield from click_rims(cover, api.hole_rims(cover), "mirror-loops")
     yield from press_tool("Find Contacts…")
+    yield from settled()
     count = Gui.Control.activeDialog() and child("count").text()
     assert count.endswith("of the selected parts only"), count
     yield from press("Cancel")
     Gui.Selection.clearSelection()
     yield from press_tool("Find Contacts…")
+    yield from settled()
     yield from press_ok()
     assert len(contacts()) > 1 and assembly().Unreached == []
     yield from look("Isometric")

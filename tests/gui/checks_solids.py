@@ -75,7 +75,7 @@ def test_the_edge_of_a_cad_file_takes_units_and_is_asked_for_again():
     path = os.path.join(WORK, "edges.step")
     Part.makeBox(60, 40, 2).exportStep(path)
     yield from activate()
-    yield from menu("File", "New")
+    yield from menu("File", "Std_New")
     yield from menu("SheetMorph", "Import Part…")
     yield from choose(path)
     for typed in ("soon", "-3 mm", "2 kg"):
@@ -129,7 +129,7 @@ def test_a_step_file_is_bent_and_written_as_step():
     path = os.path.join(WORK, "bracket.step")
     bracket().exportStep(path)
     yield from activate()
-    yield from menu("File", "New")
+    yield from menu("File", "Std_New")
     yield from import_step(path, "3")
     yield from mark_the_ends()
     yield from keep_the_holes()

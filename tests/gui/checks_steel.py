@@ -85,6 +85,6 @@ def test_a_sheet_as_steel_is_dragged_and_laid_flat_as_the_guide_says():
     Gui.SendMsgToActiveView("ViewFit")
     yield from settled()
     picture("steel-blanks")
-    yield from menu("Edit", "Undo")
+    yield from menu("Edit", "Std_Undo")
     yield from until(lambda: not made(), "the undo")
     assert api.rest_mesh(part())[0].shape == stored().shape

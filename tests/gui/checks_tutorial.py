@@ -17,11 +17,13 @@ __all__ = ["test_the_tutorial_as_a_new_user_does_it"]
 
 
 def menu(*texts: str, waits=settled):
-    """Chooses an entry of the menu bar with the mouse, and waits for what it does."""
+    """Chooses an entry of the menu bar with the mouse, and waits for what it does: by what it
+    says, or by its command."""
     bar = Gui.getMainWindow().menuBar()
     kept = []  # PySide takes a menu for deleted whose action it forgets
     for text in texts:
-        (action,) = [a for a in bar.actions() if a.text().replace("&", "") == text]
+        named = [(a, (a.text().replace("&", ""), a.objectName())) for a in bar.actions()]
+        (action,) = [action for action, names in named if text in names]
         middle = bar.mapToGlobal(bar.actionGeometry(action).center())
         yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
         yield from settled() if text != texts[-1] else waits()
@@ -92,7 +94,7 @@ def near_edge(sign: float) -> int:
 
 def test_the_tutorial_as_a_new_user_does_it():
     yield from activate()
-    yield from menu("File", "New")
+    yield from menu("File", "Std_New")
     yield from menu("SheetMorph", "Import Part…")
     yield from answer(os.path.join(paths.examples(), "door_mirror", "cover.obj"))
     assert part().Label == "cover"

@@ -37,7 +37,8 @@ def parts_of(words: list[str]):
     """Words for xdotool up to every press and release of a button, and what tells of its arrival.
 
     A window manager may hold a press back for a moment; keys come straight from the screen. A click
-    goes as one: a list that opens under a press that lasts takes what is under the release.
+    goes as one, and nobody knows when it has come: a list that opens under a press that lasts takes
+    what is under the release.
     """
     while words:
         place = next((k for k, word in enumerate(words) if word in BUTTONS), None)
@@ -226,7 +227,14 @@ def click_widget(widget):
     yield from until(lambda: widget.isVisible() and widget.isEnabled(), f"{name} to be enabled")
     yield from laid_out()
     middle = widget.mapToGlobal(widget.rect().center())
-    yield from xdotool("mousemove", middle.x(), middle.y(), "click", 1)
+    is_button = isinstance(widget, QtGui.QAbstractButton) and not has_menu(widget)
+    click = ("mousedown", 1, "mouseup", 1) if is_button else ("click", 1)
+    yield from xdotool("mousemove", middle.x(), middle.y(), *click)
+
+
+def has_menu(button) -> bool:
+    """Whether a press that lasts opens a list."""
+    return isinstance(button, QtGui.QToolButton) and button.menu() is not None
 
 
 def tick(box):

@@ -74,7 +74,7 @@ class Runner:
             later(int(pause or 0), self.step)
 
     def report(self, verdict: str, text: str) -> None:
-        """Notes the result, closes what the test left open."""
+        """Notes the result, then closes what the test left open."""
         seconds = time.monotonic() - self._start
         self._results.write(f"{verdict} {self._name} ({seconds:.1f} s){text}\n")
         while desk.NOTES:
@@ -83,8 +83,15 @@ class Runner:
         if verdict == "FAIL":
             self._failed = True
             desk.picture(f"failed-{self._name}")
-        while QtGui.QApplication.activeModalWidget() is not None:  # it would block the next test
-            QtGui.QApplication.activeModalWidget().close()
+        self.clean_up()
+
+    def clean_up(self) -> None:
+        """Closes what the test left open, as soon as nothing modal would block the next one."""
+        modal = QtGui.QApplication.activeModalWidget()
+        if modal is not None:  # one that shows progress stays until the work has ended
+            modal.close()
+            later(20, self.clean_up)
+            return
         if Gui.Control.activeDialog():
             Gui.Control.closeDialog()
         desk.Recorder.stop()

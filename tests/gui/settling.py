@@ -84,11 +84,13 @@ def is_under_way() -> bool:
 
 def seen() -> tuple:
     """Where things are on the screen."""
+    from freecad.sheetmorph.generations import viewer_of
+
     window = Gui.getMainWindow()
     docks = window.findChildren(QtGui.QDockWidget)
     places = [dock.geometry().getRect() for dock in docks if dock.isVisible()]
     view = Gui.ActiveDocument.ActiveView if Gui.ActiveDocument else None
-    renderer = view.getViewer().getSoRenderManager() if hasattr(view, "getViewer") else None
+    renderer = viewer_of(view).getSoRenderManager() if hasattr(view, "getViewer") else None
     camera = renderer.getCamera() if renderer else None
     if camera:  # a view that closes has none, and FreeCAD dies of the question for it
         places += [view.getSize(), camera.position.getValue().getValue()]

@@ -248,7 +248,7 @@ def test_a_step_file_comes_back():
     path = os.path.join(WORK, "bracket.step")
     bracket().exportStep(path)
     yield from large_view()
-    yield from menu("File", "New")
+    yield from menu("File", "Std_New")
     yield from import_step(path, "3 mm")
     yield from mark_the_ends()
     yield from keep_the_holes()
@@ -295,7 +295,7 @@ def drawn_along_a_hole(shape, radius: float):
 
 def test_an_edited_body_is_followed():
     yield from large_view()
-    yield from menu("File", "New")
+    yield from menu("File", "Std_New")
     document = App.ActiveDocument
     plate = document.addObject("Part::Box", "Plate")
     plate.Length, plate.Width, plate.Height = 80, 50, 4

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether form features kept their form, computed from the positions alone."""
+"""What is measured of positions alone: whether form features kept their form, what crosses."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 
@@ -43,3 +44,11 @@ def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats) -
     before = rest[edges[:, 0]] - rest[edges[:, 1]]
     after = positions[edges[:, 0]] - positions[edges[:, 1]]
     return float(np.linalg.norm(after - before @ rotation.T, axis=1).max(initial=0.0))
+
+
+def crossing_count(core: Any, points: Floats, triangles: Ints) -> int:
+    """Pairs of triangles (m, 3) on points (n, 3) that meet though no corner joins them (CGAL).
+
+    core: the kernel module.
+    """
+    return len(core.self_intersections(core.TriangleMesh(np.array(points), triangles)))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from .arrays import Floats, Ints
-from .certificate import feature_edges
+from .certificate import crossing_count, feature_edges
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 from .progress import Progress
@@ -59,6 +59,7 @@ class Preprocessed:
         self._rest_gaps: dict[str, float] = {}
         self._feature_edges: dict[str, Ints] = {}
         self._edge_changes: dict[str, EdgeChanges] = {}
+        self._crossings: dict[str, int] = {}
         with kernel_faults(self._core):
             self._translator = Translator(self._core, model, self.meshes)
             assembly = self._translator.assembly()
@@ -153,6 +154,13 @@ class Preprocessed:
             mesh = self.meshes[part]
             self._edge_changes[part] = EdgeChanges(mesh.points, mesh.triangles)
         return self._edge_changes[part]
+
+    def rest_crossings(self, part: str) -> int:
+        """Pairs of triangles of a part that meet at rest, as `certificate.crossing_count` tells."""
+        if part not in self._crossings:
+            mesh = self.meshes[part]
+            self._crossings[part] = crossing_count(self._core, mesh.points, mesh.triangles)
+        return self._crossings[part]
 
     @property
     def timings(self) -> dict[str, float]:

@@ -9,10 +9,10 @@ from typing import Any
 
 
 from .arrays import Floats
+from .certificate import crossing_count
 from .errors import list_ids
 from .files.cad_writing import CadWriting
 from .part_mesh import PartMesh
-from .thin import crossing_counts
 from .words import folds
 
 # Beyond it a kink is told, degrees; how far the radius of a kept cylinder may be off, mm.
@@ -90,7 +90,10 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
 def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
     """What of a part's mesh folds at positions (n, 3), in a few words; empty if nothing does."""
     flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
-    return _fold(flipped, *crossing_counts(core, mesh, positions))
+    rest, deformed = (
+        crossing_count(core, points, mesh.triangles) for points in (mesh.points, positions)
+    )
+    return _fold(flipped, rest, deformed)
 
 
 def _fold(flipped: int, rest: int, deformed: int) -> str:

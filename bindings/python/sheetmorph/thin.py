@@ -9,7 +9,7 @@ import numpy as np
 
 from .answer import Answer
 from .arrays import Floats
-from .part_mesh import PartMesh
+from .certificate import crossing_count
 
 
 def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
@@ -68,19 +68,12 @@ def thickness_in_file(result: Answer, part: str, points: Floats) -> dict[str, An
 def crossings(result: Answer, part: str) -> tuple[int, int]:
     """Pairs of triangles of a part that meet though no corner joins them: at rest, and in the pose
     (CGAL)."""
-    session, positions = result.session, result.positions[part]
-    return result.once(
-        ("crossings", part), lambda: crossing_counts(session.core, session.meshes[part], positions)
-    )
+    session = result.session
 
+    def count() -> int:
+        return crossing_count(session.core, result.positions[part], session.meshes[part].triangles)
 
-def crossing_counts(core: Any, mesh: PartMesh, positions: Floats) -> tuple[int, int]:
-    """The same of a mesh and positions (n, 3) of its vertices."""
-    rest, deformed = (
-        len(core.self_intersections(core.TriangleMesh(np.array(points), mesh.triangles)))
-        for points in (mesh.points, positions)
-    )
-    return rest, deformed
+    return session.rest_crossings(part), result.once(("crossings", part), count)
 
 
 def thin_failures(result: Answer, tol: float) -> list[str]:

@@ -2,6 +2,7 @@
 // Of CGAL only its kernel, which is LGPL: exact predicates.
 #include "sheetmorph/repair/self_intersections.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/search/picking.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -82,37 +83,17 @@ private:
     Places p_, q_;
 };
 
-// The inside of the box around a triangle.
-Planes box_around(const TriangleMesh& mesh, int t)
-{
-    const Points corners = mesh.points()(mesh.triangles().row(t), Eigen::indexing::all);
-    Planes planes = Planes::Zero(6, 4);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        planes(2 * axis, axis) = 1.0;
-        planes(2 * axis, 3) = -corners.col(axis).minCoeff();
-        planes(2 * axis + 1, axis) = -1.0;
-        planes(2 * axis + 1, 3) = corners.col(axis).maxCoeff();
-    }
-    return planes;
-}
-
 }  // namespace
 
 std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh)
 {
-    const PickingTree tree(mesh);
     std::vector<char> counts;
     for (int t = 0; t < mesh.triangle_count(); ++t)
         counts.push_back(has_area(mesh, t));
-    std::vector<std::pair<int, int>> found;
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        if (counts[t])
-            for (const int other : tree.triangles_between(box_around(mesh, t)))
-                if (other > t && counts[other] && Pair(mesh, t, other).meet_elsewhere())
-                    found.emplace_back(t, other);
-    std::sort(found.begin(), found.end());
-    return found;
+    return PickingTree(mesh).pairs_where(
+        [&](int one, int other) {
+            return counts[at(one)] && counts[at(other)] && Pair(mesh, one, other).meet_elsewhere();
+        });
 }
 
 }  // namespace sheetmorph

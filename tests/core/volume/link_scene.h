@@ -5,6 +5,7 @@
 #include "sheetmorph/volume/volume_link.h"
 #include "shapes.h"
 
+#include <Eigen/Geometry>
 #include <numeric>
 
 namespace sheetmorph::scene

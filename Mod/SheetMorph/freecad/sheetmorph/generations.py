@@ -14,6 +14,20 @@ SELECTION_SWITCHES = ("selectionRole", "selectionEnabled")
 """The field of a 3D view's root that says whether clicks select, until 1.0 and since 1.1."""
 
 
+_viewers: dict = {}
+
+
+def viewer_of(view):
+    """The viewer of a 3D view, whose Python object outlives it from then on.
+
+    FreeCAD drops its own reference when the view ends, without holding Python's lock: were it the
+    last, Python 3.14 would die of it, and FreeCAD 1.1 with it.
+    """
+    viewer = view.getViewer()
+    _viewers[id(viewer)] = viewer
+    return viewer
+
+
 def take_gloss(view_object) -> None:
     """Leaves a sheet its colour where it faces the eye: since 1.0 it shines white there."""
     if "ShapeAppearance" in view_object.PropertiesList:

@@ -3,12 +3,14 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/limits.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/search/triangle_queries.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -20,6 +22,7 @@ namespace
 {
 
 constexpr int triangles_per_leaf = 4;
+constexpr int leaves_at_once = 64;
 constexpr int most_levels = 32;
 constexpr double far_away = std::numeric_limits<double>::infinity();
 
@@ -168,15 +171,20 @@ int PickingTree::first_of_leaf(int leaf) const
     return static_cast<int>(static_cast<std::int64_t>(leaf) * triangles_.rows() / leaf_count_);
 }
 
+PickingTree::Box PickingTree::box_of(int triangle) const
+{
+    const Vector3 a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
+    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
 PickingTree::Box PickingTree::box_of_leaf(int leaf) const
 {
     Box box{Vector3::Constant(far_away), Vector3::Constant(-far_away)};
     for (int k = first_of_leaf(leaf); k < first_of_leaf(leaf + 1); ++k)
-        for (int c = 0; c < 3; ++c)
-        {
-            box.low = box.low.cwiseMin(corner(order_[k], c));
-            box.high = box.high.cwiseMax(corner(order_[k], c));
-        }
+    {
+        const Box own = box_of(order_[k]);
+        box = {box.low.cwiseMin(own.low), box.high.cwiseMax(own.high)};
+    }
     return box;
 }
 
@@ -284,6 +292,70 @@ void PickingTree::collect(int node, const Planes& planes, std::vector<int>& foun
         first *= 2;
     found.insert(found.end(), order_.begin() + first_of_leaf(first - leaf_count_),
                  order_.begin() + first_of_leaf(last + 1 - leaf_count_));
+}
+
+// The leaves whose boxes meet the one of a leaf, itself and those behind it in the order.
+template <typename Visit>
+void PickingTree::visit_leaves_meeting(int leaf, const Visit& visit) const
+{
+    const int own = leaf_count_ + leaf;
+    visit(leaf);
+    for (int above = own; above > 1; above /= 2)
+    {
+        if (above % 2 == 1)
+            continue;
+        std::array<int, most_levels> waiting{above + 1};
+        for (int count = 1; count > 0;)
+        {
+            const int node = waiting[--count];
+            if (!boxes_[own].meets(boxes_[node]))
+                continue;
+            if (node >= leaf_count_)
+            {
+                visit(node - leaf_count_);
+                continue;
+            }
+            waiting[count++] = 2 * node;
+            waiting[count++] = 2 * node + 1;
+        }
+    }
+}
+
+std::vector<std::pair<int, int>> PickingTree::pairs_where(
+    const std::function<bool(int one, int other)>& is_wanted) const
+{
+    std::vector<Box> boxes(order_.size());  // in the order of the leaves
+    for (std::size_t k = 0; k < boxes.size(); ++k)
+        boxes[k] = box_of(order_[k]);
+    std::vector<std::pair<int, int>> found;
+    std::mutex one_at_a_time;
+    const auto pairs_of_leaf = [&](int leaf, std::vector<std::pair<int, int>>& pairs)
+    {
+        visit_leaves_meeting(
+            leaf,
+            [&](int other)
+            {
+                for (int k = first_of_leaf(leaf); k < first_of_leaf(leaf + 1); ++k)
+                    for (int j = std::max(k + 1, first_of_leaf(other));
+                         j < first_of_leaf(other + 1); ++j)
+                    {
+                        const auto pair = std::minmax({order_[k], order_[j]});
+                        if (boxes[k].meets(boxes[j]) && is_wanted(pair.first, pair.second))
+                            pairs.push_back(pair);
+                    }
+            });
+    };
+    parallel_ranges(leaf_count_, leaves_at_once,
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        std::vector<std::pair<int, int>> pairs;
+                        for (Eigen::Index leaf = begin; leaf < end; ++leaf)
+                            pairs_of_leaf(static_cast<int>(leaf), pairs);
+                        const std::lock_guard guard(one_at_a_time);
+                        found.insert(found.end(), pairs.begin(), pairs.end());
+                    });
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 std::optional<Hit> PickingTree::nearest_point(const Vector3& point, double reach) const

@@ -3,8 +3,11 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace sheetmorph
 {
@@ -52,6 +55,11 @@ public:
     //! All triangles that reach to the inside of every plane, and a few near them, in no order.
     std::vector<int> triangles_between(const Planes& planes) const;
 
+    //! The pairs of triangles, the lower first, whose boxes meet and that are wanted, by rising
+    //! pair. \param is_wanted  asked once for each pair whose boxes meet, from several threads
+    std::vector<std::pair<int, int>> pairs_where(
+        const std::function<bool(int one, int other)>& is_wanted) const;
+
     const Points& points() const { return points_; }
     const Triangles& triangles() const { return triangles_; }
 
@@ -60,12 +68,21 @@ private:
     {
         Vector3 low;
         Vector3 high;
+
+        bool meets(const Box& other) const
+        {
+            return (low.array() <= other.high.array()).all()
+                   && (other.low.array() <= high.array()).all();
+        }
     };
 
     void order_triangles();
     void fit_boxes();
+    Box box_of(int triangle) const;
     Box box_of_leaf(int leaf) const;
     int first_of_leaf(int leaf) const;
+    template <typename Visit>
+    void visit_leaves_meeting(int leaf, const Visit& visit) const;
     Vector3 corner(int triangle, int k) const;
     template <typename Query>
     void visit(Query& query) const;

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
 
@@ -83,24 +84,47 @@ private:
         const PickingTree rest(skin.mesh);
         PickingTree now = rest;
         now.refit(positions_(skin.vertices, Eigen::indexing::all));
-        for (const int vertex : vertices)
-        {
-            const Vector3 before = mesh_.points().row(vertex).transpose();
-            const Vector3 after = positions_.row(vertex).transpose();
-            note(vertex, rest.nearest_point(before)->distance, now.nearest_point(after)->distance);
-        }
+        std::vector<Distances> found(vertices.size());
+        parallel_ranges(static_cast<Eigen::Index>(vertices.size()), microsecond_items,
+                        [&](auto begin, auto end)
+                        {
+                            for (auto k = begin; k < end; ++k)
+                                found[at(k)] = distances(vertices[at(k)], rest, now);
+                        });
+        for (std::size_t k = 0; k < found.size(); ++k)
+            if (found[k].before > 0.0)
+                note(vertices[k], found[k]);
     }
 
-    void note(int vertex, double before, double after)
+    // From a vertex to the skin opposite, mm; 0 where there is none at rest.
+    struct Distances
     {
-        if (before > farthest * solid_.thickness || before < nearest * solid_.thickness)
-            return;
-        change_.rest_least = std::min(change_.rest_least, before);
-        change_.rest_most = std::max(change_.rest_most, before);
-        change_.least = std::min(change_.least, after);
-        change_.most = std::max(change_.most, after);
+        double before = 0.0;
+        double after = 0.0;
+    };
+
+    Distances distances(int vertex, const PickingTree& rest, const PickingTree& now) const
+    {
+        const Vector3 point = positions_.row(vertex).transpose();
+        const auto hit =
+            rest.nearest_point(mesh_.points().row(vertex).transpose(), farthest * solid_.thickness);
+        if (!hit || hit->distance < nearest * solid_.thickness)
+            return {};
+        // What was nearest at rest is about as near now: the search need not look farther.
+        const auto corners = now.points()(now.triangles().row(hit->triangle), Eigen::indexing::all);
+        const double reach = (corners.transpose() * hit->barycentric - point).norm();
+        const auto nearer = now.nearest_point(point, reach);
+        return {hit->distance, nearer ? nearer->distance : reach};
+    }
+
+    void note(int vertex, const Distances& distance)
+    {
+        change_.rest_least = std::min(change_.rest_least, distance.before);
+        change_.rest_most = std::max(change_.rest_most, distance.before);
+        change_.least = std::min(change_.least, distance.after);
+        change_.most = std::max(change_.most, distance.after);
         double& worst = is_on_wall_[at(vertex)] ? change_.worst_at_walls : change_.worst;
-        worst = std::max(worst, std::abs(after / before - 1.0));
+        worst = std::max(worst, std::abs(distance.after / distance.before - 1.0));
     }
 
     const TriangleMesh& mesh_;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <atomic>
 
 namespace sheetmorph
 {
@@ -220,6 +221,45 @@ TEST(Picking, DegenerateTrianglesAreNotHitAndDoNoHarm)
     EXPECT_FALSE(tree.nearest_hit({5, 5, 9}, {0, 0, -1}).has_value());
     EXPECT_DOUBLE_EQ(tree.nearest_point({1.5, 2, 0})->distance, 2.0);
     EXPECT_DOUBLE_EQ(tree.nearest_point({5, 5, 6})->distance, 1.0);
+}
+
+TEST(Picking, PairsWhoseBoxesMeetAreThoseOfEveryPairTestedInTurn)
+{
+    Random random(7);
+    for (const int count : {1, 2, 5, 40, 1500})
+    {
+        Points points(3 * count, 3);
+        Triangles triangles(count, 3);
+        for (int t = 0; t < count; ++t)
+        {
+            const Vector3 place = 10.0 * random.vector();
+            for (int k = 0; k < 3; ++k)
+            {
+                triangles(t, k) = 3 * t + k;
+                points.row(3 * t + k) = (place + random.vector()).transpose();
+            }
+        }
+        const auto low = [&](int t) { return points.middleRows(3 * t, 3).colwise().minCoeff(); };
+        const auto high = [&](int t) { return points.middleRows(3 * t, 3).colwise().maxCoeff(); };
+        const auto is_wanted = [](int one, int other) { return (one + other) % 3 != 0; };
+        std::vector<std::pair<int, int>> expected;
+        for (int one = 0; one < count; ++one)
+            for (int other = one + 1; other < count; ++other)
+                if (is_wanted(one, other) && (low(one).array() <= high(other).array()).all()
+                    && (low(other).array() <= high(one).array()).all())
+                    expected.emplace_back(one, other);
+        std::atomic<int> asked = 0;
+        const auto found = PickingTree(TriangleMesh(points, triangles))
+                               .pairs_where(
+                                   [&](int one, int other)
+                                   {
+                                       ++asked;
+                                       return is_wanted(one, other);
+                                   });
+        EXPECT_EQ(found, expected) << count;
+        EXPECT_GE(asked, static_cast<int>(found.size()));
+        EXPECT_LE(asked, 2 * static_cast<int>(found.size()) + 9) << "asked more than once";
+    }
 }
 
 TEST(Picking, AnEmptyMeshHasNothing)

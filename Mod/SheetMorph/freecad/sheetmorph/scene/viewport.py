@@ -187,7 +187,7 @@ def camera_node(view):
 
     Such a view may have none any more, and FreeCAD's own getCameraNode() dies of that.
     """
-    camera = view.getViewer().getSoRenderManager().getCamera()
+    camera = generations.viewer_of(view).getSoRenderManager().getCamera()
     if camera is None:
         raise RuntimeError("The view has no camera any more.")
     return camera
