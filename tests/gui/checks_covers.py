@@ -10,7 +10,7 @@ from checks_enclosure import SHARED, Steps, has_followed, is_quiet
 from checks_flow import count_of_parts, draw_region, look, loop_round, pull_arrow_up, select
 from checks_finding import rows_shown
 from checks_moving import open_panel
-from desk import activate, child, import_files, note, picture, press, press_tool, settled
+from desk import activate, child, import_files, laid_out, note, picture, press, press_tool, settled
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
@@ -29,8 +29,8 @@ def taken(command: str, steps: Steps, least: int):
     """Searches, and takes everything that is found."""
     Gui.Selection.clearSelection()
     opened = lambda: is_shown() and is_quiet() and rows_shown() >= least  # noqa: E731
-    yield from steps.step(command, press_tool(command), opened)
-    yield from steps.step(f"OK of {command}", press("OK"), is_closed)
+    yield from steps.step(command, press_tool(command, laid_out), opened)
+    yield from steps.step(f"OK of {command}", press("OK", laid_out), is_closed)
 
 
 def mark_the_ends(steps: Steps):
@@ -64,7 +64,7 @@ def test_the_covers_from_stl_to_a_drag_with_what_is_offered_and_found():
     assert "10 pieces" in child("split").text()
     picture("covers-offered")
     yield from steps.step(
-        "OK of Prepare Mesh", press("OK"), lambda: is_closed() and count_of_parts() > 1
+        "OK of Prepare Mesh", press("OK", laid_out), lambda: is_closed() and count_of_parts() > 1
     )
     assert count_of_parts() == 10
     yield from taken("Find Features…", steps, 30)
@@ -73,7 +73,7 @@ def test_the_covers_from_stl_to_a_drag_with_what_is_offered_and_found():
     yield from steps.step("Move Handle", open_panel(), lambda: is_shown() and is_quiet())
     yield from steps.step("a drag", pull_arrow_up(), has_followed)
     yield from steps.step("how far it may go", settled(), lambda: True)
-    yield from steps.step("OK", press("OK"), is_closed)
+    yield from steps.step("OK", press("OK", laid_out), is_closed)
     moved = {
         part.Label: float(np.abs(api.deform(assembly())[part.Name] - api.rest_mesh(part)[0]).max())
         for part in model.parts(assembly())

@@ -13,7 +13,7 @@ from checks_finding import rows_shown
 from checks_moving import open_panel
 from checks_propagation import dialog
 from desk import HERE, POLL, WORK, activate, child, import_files, note, picture, press, press_tool
-from desk import settled, until, view
+from desk import laid_out, settled, until, view
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
@@ -105,9 +105,9 @@ def found(command: str, steps: Steps):
     """Searches, and takes everything that is found."""
     Gui.Selection.clearSelection()
     opened = lambda: is_shown() and is_quiet() and rows_shown() > 100  # noqa: E731
-    yield from steps.step(command, press_tool(command), opened)
+    yield from steps.step(command, press_tool(command, laid_out), opened)
     closed = lambda: not Gui.Control.activeDialog() and is_quiet()  # noqa: E731
-    yield from steps.step(f"OK of {command}", press("OK"), closed)
+    yield from steps.step(f"OK of {command}", press("OK", laid_out), closed)
 
 
 def reopened(path: str, steps: Steps):
@@ -142,7 +142,9 @@ def test_the_enclosure_from_step_to_a_saved_drag_is_measured():
     yield from steps.step("Move Handle", open_panel(), lambda: is_shown() and is_quiet())
     yield from steps.step("a drag", pull_arrow_up(), has_followed)
     yield from steps.step("how far it may go", settled(), lambda: True)
-    yield from steps.step("OK", press("OK"), lambda: not Gui.Control.activeDialog() and is_quiet())
+    yield from steps.step(
+        "OK", press("OK", laid_out), lambda: not Gui.Control.activeDialog() and is_quiet()
+    )
     wanted = (len(regions("form feature")), len(contacts()))
     moved = {part.Name: part.Mesh.BoundBox.DiagonalLength for part in model.parts(assembly())}
     yield from reopened(os.path.join(WORK, "enclosure.FCStd"), steps)

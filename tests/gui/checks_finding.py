@@ -44,12 +44,6 @@ def bare_frame() -> None:
     look()
 
 
-def searched(command: str):
-    """Searches by the toolbar, until what was found is shown."""
-    yield from press_tool(command)
-    yield from settled()
-
-
 def rows_shown() -> int:
     """How many proposals are seen."""
     table = child("table")
@@ -81,7 +75,7 @@ def test_holes_found_become_form_features_in_one_step():
     for region in regions("form feature"):
         App.ActiveDocument.removeObject(region.Name)
     App.ActiveDocument.clearUndos()
-    yield from searched("Find Features…")
+    yield from press_tool("Find Features…")
     assert child("table").rowCount() == before == 2
     nodes = lit(part())
     x, y = cell_place(0)
@@ -151,17 +145,17 @@ def test_the_window_goes_on_while_a_search_takes_long():
 def test_only_selected_parts_are_searched():
     yield from new_assembly()
     Gui.Selection.addSelection(labelled("bracket"))
-    yield from searched("Find Features…")
+    yield from press_tool("Find Features…")
     assert rows_shown() == 0
     yield from press("Cancel")
     Gui.Selection.clearSelection()
-    yield from searched("Find Features…")
+    yield from press_tool("Find Features…")
     assert rows_shown() == 2
     yield from press("Cancel")
     for label, is_touching in (("loose", False), ("bracket", True)):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(labelled(label))
-        yield from searched("Find Contacts…")
+        yield from press_tool("Find Contacts…")
         table = child("table")
         names = [table.item(row, 0).text() for row in range(table.rowCount())]
         assert bool(names) == is_touching and all(label in name for name in names), names
@@ -171,7 +165,7 @@ def test_only_selected_parts_are_searched():
 def test_proposals_are_filtered_by_kind_and_size():
     yield from activate()
     bare_frame()
-    yield from searched("Find Features…")
+    yield from press_tool("Find Features…")
     everything = rows_shown()
     assert everything == 50
     yield from enter(child("smallest"), "20")
@@ -200,7 +194,7 @@ def test_bends_are_offered_and_not_checked():
     yield from activate()
     assert exchange.open_recipe(exchange.example_recipes()["Door Mirror"], "Mirror")
     look()
-    yield from searched("Find Features…")
+    yield from press_tool("Find Features…")
     table = child("table")
     (row,) = (r for r in range(table.rowCount()) if "bend" in table.item(r, 0).text())
     assert table.item(row, 0).checkState() == QtCore.Qt.Unchecked
@@ -214,7 +208,7 @@ def test_bends_are_offered_and_not_checked():
 
 def test_contacts_found_light_up_and_become_contacts():
     yield from new_assembly()
-    yield from searched("Find Contacts…")
+    yield from press_tool("Find Contacts…")
     yield from within_reach(child("gap"))
     yield from enter(child("gap"), "1.5")
     yield from press("Search Again")
@@ -230,7 +224,7 @@ def test_contacts_found_light_up_and_become_contacts():
     yield from press_ok()
     assert contacts() and all(contact.PartA != contact.PartB for contact in contacts())
     assert App.ActiveDocument.UndoNames == ["Find Contacts"]
-    yield from searched("Find Contacts…")
+    yield from press_tool("Find Contacts…")
     assert "in the document already" in child("count").text()
     yield from press("Cancel")
 
@@ -272,7 +266,7 @@ def test_names_stand_in_full_and_a_double_click_zooms_to_the_place():
     part().Label = "side panel with the long name of a drawing, left"
     labelled("bracket").Label = "bracket of the same drawing with a long name, 2nd"
     Gui.Selection.clearSelection()
-    yield from searched("Find Contacts…")
+    yield from press_tool("Find Contacts…")
     table = child("table")
     assert rows_shown() > 0
     assert all(is_in_full(table, row) for row in range(table.rowCount()))
@@ -290,7 +284,7 @@ def test_names_stand_in_full_and_a_double_click_zooms_to_the_place():
 def test_hundreds_of_vertices_are_not_printed_into_the_console():
     yield from new_assembly()
     Gui.Selection.clearSelection()
-    yield from searched("Find Contacts…")
+    yield from press_tool("Find Contacts…")
     console = Gui.getMainWindow().findChild(QtGui.QPlainTextEdit, "Python console")
     console.clear()
     yield from press_ok()

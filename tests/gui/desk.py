@@ -73,7 +73,7 @@ def import_files(files: list[str], edge: float, arrived):
     QtWidgets.QFileDialog.getOpenFileNames = lambda *_: (files, "")
     QtWidgets.QInputDialog.getText = lambda *_: (f"{edge} mm", True)
     try:
-        yield from press_tool("Import Part…")
+        yield from press_tool("Import Part…", laid_out)
         yield from until(arrived, "the parts")
     finally:
         QtWidgets.QFileDialog.getOpenFileNames = asked
@@ -89,7 +89,7 @@ def replace_file(file: str, edge: float):
     QtWidgets.QFileDialog.getOpenFileName = lambda *_: named.append(file) or (file, "")
     QtWidgets.QInputDialog.getText = lambda *_: (f"{edge} mm", True)
     try:
-        yield from press_tool("Replace File…")
+        yield from press_tool("Replace File…", laid_out)
         yield from until(lambda: named, "the question for a file")
         yield from settled()
     finally:
@@ -220,6 +220,11 @@ def laid_out():
     yield from until(settling.Looks(settling.is_anything_due), "everything to be in its place")
 
 
+def done():
+    """Waits until the window waits for nothing, such as work whose progress is shown."""
+    yield from until(settling.Looks(settling.is_at_work), "the window to be free")
+
+
 def click_widget(widget):
     """Clicks the middle of a widget as soon as it can be pressed."""
     name = widget.objectName() or type(widget).__name__
@@ -260,13 +265,14 @@ def choose_below(combo, steps: int):
     yield from laid_out()
 
 
-def press(text: str):
-    """Presses the visible button with a text in the task view, as soon as there is one."""
+def press(text: str, waits=done):
+    """Presses the visible button with a text in the task view, as soon as there is one, and
+    waits for what it does."""
     yield from until(lambda: len(buttons_called(text)) == 1, f"one button {text}")
     (button,) = buttons_called(text)
     yield from within_reach(button)
     yield from click_widget(button)
-    yield from laid_out()
+    yield from waits()
 
 
 def buttons_called(text: str) -> list:
@@ -278,11 +284,12 @@ def buttons_called(text: str) -> list:
     ]
 
 
-def press_tool(text: str):
-    """Presses the toolbar button of a command, as soon as there is one."""
+def press_tool(text: str, waits=done):
+    """Presses the toolbar button of a command, as soon as there is one, and waits for what it
+    does."""
     yield from until(lambda: tools_called(text), f"a button {text}")
     yield from click_widget(tools_called(text)[0])
-    yield from laid_out()
+    yield from waits()
 
 
 def tools_called(text: str) -> list:

@@ -71,15 +71,26 @@ def is_anything_due() -> bool:
     return time.monotonic() < _due["last"]
 
 
-def is_under_way() -> bool:
-    """Whether something of FreeCAD or the workbench has yet to end."""
+def is_at_work() -> bool:
+    """Whether FreeCAD or the workbench does something for which the window waits."""
     documents = App.listDocuments().values()
     if any(one.Recomputing or one.Restoring or one.Transacting for one in documents):
         return True
     modal = QtGui.QApplication.activeModalWidget()
     if modal is not None and modal.objectName() == "SheetMorphProgress":
         return True
-    return is_anything_due() or any(not worker.is_idle for worker in list(_workers))
+    return is_anything_due()
+
+
+def is_under_way() -> bool:
+    """Whether something of FreeCAD or the workbench has yet to end."""
+    return is_at_work() or any(not worker.is_idle for worker in list(_workers))
+
+
+def on_screen(widget) -> tuple:
+    """Where a widget is on the screen: since FreeCAD 1.0 a panel may slide in with all round it."""
+    corner = widget.mapToGlobal(QtCore.QPoint(0, 0))
+    return corner.x(), corner.y(), widget.width(), widget.height()
 
 
 def seen() -> tuple:
@@ -88,7 +99,7 @@ def seen() -> tuple:
 
     window = Gui.getMainWindow()
     docks = window.findChildren(QtGui.QDockWidget)
-    places = [dock.geometry().getRect() for dock in docks if dock.isVisible()]
+    places = [on_screen(dock) for dock in docks if dock.isVisible()]
     view = Gui.ActiveDocument.ActiveView if Gui.ActiveDocument else None
     renderer = viewer_of(view).getSoRenderManager() if hasattr(view, "getViewer") else None
     camera = renderer.getCamera() if renderer else None
