@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -122,6 +123,14 @@ ControlShape::ControlShape(int levels)
     triangles_ = split(quads);
     laplacian_ = uniform_laplacian(quads);
     vertices_ = smooth(laplacian_);
+}
+
+const ControlShape& ControlShape::shared(int levels)
+{
+    static std::mutex making;
+    static std::map<int, ControlShape> made;
+    const std::lock_guard<std::mutex> lock(making);
+    return made.try_emplace(levels, levels).first->second;
 }
 
 ControlMesh::ControlMesh(const ControlShape& given_shape, const OrientedBox& given_box)

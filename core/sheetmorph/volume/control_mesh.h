@@ -20,6 +20,9 @@ public:
     //! \throws InvalidInput for other levels
     explicit ControlShape(int levels = 3);
 
+    //! The same, made once for all who ask.
+    static const ControlShape& shared(int levels);
+
     const Points& vertices() const { return vertices_; }
     const Triangles& triangles() const { return triangles_; }
     int vertex_count() const { return static_cast<int>(vertices_.rows()); }

@@ -31,7 +31,10 @@ Weights normal_matrix(const Weights& sample_weights, const Weights& weighted,
     const double share =
         static_cast<double>(sample_weights.rows()) / static_cast<double>(sample_weights.cols());
     const Eigen::SparseMatrix<double> square = laplacian.transpose() * laplacian;
-    Weights matrix = Eigen::MatrixXd(smoothness * share * square);
+    Weights matrix = Weights::Zero(square.rows(), square.cols());
+    for (Eigen::Index column = 0; column < square.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(square, column); entry; ++entry)
+            matrix(entry.row(), column) = smoothness * share * entry.value();
     const Weights left = weighted.transpose(), right = sample_weights.transpose();
     add_lower_product(left, right, 1.0, matrix);
     return matrix;

@@ -42,6 +42,14 @@ TEST(ControlMeshTest, ThreeLevelsHaveTheFaceCountOfTheDesign)
     EXPECT_THROW(ControlShape(6), InvalidInput);
 }
 
+TEST(ControlMeshTest, TheShapeThatIsSharedIsMadeOnce)
+{
+    const ControlShape& shape = ControlShape::shared(2);
+    EXPECT_EQ(&ControlShape::shared(2), &shape);
+    EXPECT_EQ(shape.vertices(), ControlShape(2).vertices());
+    EXPECT_THROW(ControlShape::shared(6), InvalidInput);
+}
+
 TEST(ControlMeshTest, TheCornersOfTheBoxAreOnIt)
 {
     const OrientedBox box{rotation_from_log(Vector3(0.1, 0.2, -0.3)), Vector3(1, 2, 3),

@@ -104,7 +104,7 @@ public:
     ControlMeshLink(const MotionLinkInput& input, const ControlMeshOptions& options)
         : source_(input.source_part, input.source),
           meter_(input.source_part, source_.vertices),
-          control_(ControlShape(options.levels), options.box),
+          control_(ControlShape::shared(options.levels), options.box),
           link_(control_, source_.samples, input.targets, {options.smoothness, source_.edge})
     {
     }

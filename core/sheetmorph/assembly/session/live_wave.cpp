@@ -34,11 +34,8 @@ std::vector<char> Wave::run_live(const PartResponses& responses, std::vector<Def
             answered[at(part)] = all.front();
     }
     else
-        for (const int part : prepared_.plan.order)
-        {
-            answered[at(part)] = answer(part, responses[at(part)]);
-            pass_on(part);
-        }
+        for (const std::vector<int>& stage : prepared_.stages)
+            run_stage(stage, responses, answered);
     for (const int part : prepared_.plan.unreached)
         set_at_rest(part);
     place_answers();
@@ -50,6 +47,26 @@ std::vector<char> Wave::run_live(const PartResponses& responses, std::vector<Def
         report_features(part);
     }
     return answered;
+}
+
+// All its parts at the same time, then all that they pass on.
+void Wave::run_stage(const std::vector<int>& parts, const PartResponses& responses,
+                     std::vector<char>& answered)
+{
+    parallel_items(static_cast<Eigen::Index>(parts.size()),
+                   [&](Eigen::Index k)
+                   {
+                       const int part = parts[at(k)];
+                       answered[at(part)] = answer(part, responses[at(part)]);
+                   });
+    std::vector<std::size_t> links;
+    for (std::size_t k = 0; k < links_.size(); ++k)
+        if (std::count(parts.begin(), parts.end(), prepared_.planned[k].source_part) > 0)
+            links.push_back(k);
+    parallel_items(static_cast<Eigen::Index>(links.size()),
+                   [&](Eigen::Index k) { pass_on_link(links[at(k)]); });
+    for (const int part : parts)
+        pass_on_motions(part);
 }
 
 void Wave::begin_reading(std::vector<Deformation>& read)
@@ -89,22 +106,26 @@ bool Wave::respond(int part, const std::shared_ptr<const Response>& response)
     }
     is_in_read_[at(part)] = 1;
     response->place_reads(**frame, (*read_)[at(part)]);
-    answers_.push_back(
-        {part, [response, frame](Deformation& shape) { response->place(**frame, shape); }});
+    answers_[at(part)] = [response, frame](Deformation& shape) { response->place(**frame, shape); };
     return true;
 }
 
 void Wave::place_answers() const
 {
     int vertices = 0;
-    for (const Answer& answer : answers_)
-        vertices += prepared_.assembly.parts[at(answer.part)].mesh.vertex_count();
+    std::vector<std::size_t> parts;
+    for (std::size_t part = 0; part < answers_.size(); ++part)
+        if (answers_[part])
+        {
+            vertices += prepared_.assembly.parts[part].mesh.vertex_count();
+            parts.push_back(part);
+        }
     const auto place = [&](Eigen::Index begin, Eigen::Index end)
     {
-        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-            answers_[k].place(result_->parts[at(answers_[k].part)]);
+        for (Eigen::Index k = begin; k < end; ++k)
+            answers_[parts[at(k)]](result_->parts[parts[at(k)]]);
     };
-    const auto count = static_cast<Eigen::Index>(answers_.size());
+    const auto count = static_cast<Eigen::Index>(parts.size());
     parallel_ranges(count, vertices < many_vertices ? count : 1, place);
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <numeric>
 
 namespace sheetmorph
 {
@@ -225,6 +226,29 @@ void add_problems(PreparedAssembly& prepared)
     }
 }
 
+// A stage after the last that moves it.
+void add_stages(PreparedAssembly& prepared)
+{
+    std::vector<std::size_t> stage(prepared.parts.size(), 0);
+    for (const int part : prepared.plan.order)
+    {
+        const PartProblem& problem = prepared.parts[at(part)].problem;
+        const auto follow = [&](int earlier)
+        { stage[at(part)] = std::max(stage[at(part)], stage[at(earlier)] + 1); };
+        for (const PlannedLink& link : prepared.planned)
+            for (const LinkTarget& target : link.targets)
+                if (target.part == part)
+                    follow(link.source_part);
+        for (const int weld : problem.carried)
+            follow(prepared.welds[at(weld)].source_part);
+        for (const int leader : problem.own.leaders)
+            if (leader >= 0)
+                follow(prepared.assembly.features[at(leader)].part);
+        prepared.stages.resize(std::max(prepared.stages.size(), stage[at(part)] + 1));
+        prepared.stages[stage[at(part)]].push_back(part);
+    }
+}
+
 //! Collects what has to be built, and times it.
 class Preparation
 {
@@ -250,7 +274,8 @@ public:
         if (input.earlier && is_deformer_of(*input.earlier, of.mesh, input.constraints))
             part.deformer = input.earlier;
         else
-            add("part " + of.name, [&part, input](const Progress& progress)
+            add("part " + of.name, of.mesh.vertex_count(),
+                [&part, input](const Progress& progress)
                 { part.deformer = built_deformer(input, progress); });
     }
 
@@ -261,15 +286,37 @@ public:
         const PartGeometry& source = geometries_[part];
         link.link = reusable_link(previous_, prepared_.assembly.parts[part], link);
         if (!link.link)
-            add("contact " + prepared_.planned[index].name,
+            add("contact " + prepared_.planned[index].name, effort(link),
                 [&link, &source](const Progress&) { link.link = built_link(source, link); });
     }
 
-    void run(const Progress& progress) { run_tasks(tasks_, progress); }
+    // What takes longest first, so that no thread is left with it at the end.
+    void run(const Progress& progress)
+    {
+        std::vector<std::size_t> order(tasks_.size());
+        std::iota(order.begin(), order.end(), std::size_t(0));
+        std::stable_sort(order.begin(), order.end(),
+                         [this](std::size_t a, std::size_t b)
+                         { return efforts_[a] > efforts_[b]; });
+        std::vector<Task> tasks;
+        for (const std::size_t task : order)
+            tasks.push_back(std::move(tasks_[task]));
+        run_tasks(tasks, progress);
+    }
 
 private:
-    void add(const std::string& name, const std::function<void(const Progress&)>& work)
+    // About as many vertices of a part take as long: a point of a control mesh four.
+    static Eigen::Index effort(const PreparedLink& link)
     {
+        if (link.type == ContactType::tied)
+            return link.targets.rows();
+        return 4 * (3 * static_cast<Eigen::Index>(link.source.size()) + 7 * link.targets.rows());
+    }
+
+    void add(const std::string& name, Eigen::Index effort,
+             const std::function<void(const Progress&)>& work)
+    {
+        efforts_.push_back(effort);
         prepared_.timings.push_back({name, 0.0});
         Timing& timing = prepared_.timings.back();
         tasks_.push_back({"preparing " + name, [work, &timing](const Progress& progress)
@@ -286,6 +333,7 @@ private:
     const Geometries& geometries_;
     const PreparedAssembly* previous_;
     std::vector<Task> tasks_;
+    std::vector<Eigen::Index> efforts_;
 };
 
 }  // namespace
@@ -319,6 +367,7 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
     add_problems(prepared);
+    add_stages(prepared);
     Preparation preparation(prepared, geometries, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);

@@ -48,7 +48,8 @@ struct PreparedAssembly
     std::vector<PlannedPair> pairs;
     std::vector<PreparedLink> links;  //!< as planned
     std::vector<PreparedPart> parts;
-    std::vector<ContactGauge> gauges;  //!< as plan.measured
+    std::vector<std::vector<int>> stages;  //!< the plan's order; none of a stage moves another
+    std::vector<ContactGauge> gauges;      //!< as plan.measured
     std::vector<Timing> timings;
 
     //! Where all parts are solved at once: the one part that they are, and what is whose there.

@@ -18,7 +18,8 @@ Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactne
       progress_(std::move(progress)),
       links_(prepared.links.size()),
       welds_(prepared.welds.size()),
-      motions_(prepared.assembly.features.size())
+      motions_(prepared.assembly.features.size()),
+      answers_(prepared.parts.size())
 {
 }
 
@@ -166,14 +167,30 @@ void Wave::substitute(int index)
     expand(index, targets);
 }
 
+const Deformation& Wave::read_of(int part) const
+{
+    const bool is_in_read = !is_in_read_.empty() && is_in_read_[at(part)];
+    return is_in_read ? (*read_)[at(part)] : solved(part);
+}
+
 // What later parts need of this one.
 void Wave::pass_on(int index)
 {
-    const bool is_in_read = !is_in_read_.empty() && is_in_read_[at(index)];
-    const Deformation& shape = is_in_read ? (*read_)[at(index)] : solved(index);
     for (std::size_t k = 0; k < links_.size(); ++k)
         if (prepared_.planned[k].source_part == index)
-            links_[k] = prepared_.links[k].link->transfer(shape);
+            pass_on_link(k);
+    pass_on_motions(index);
+}
+
+void Wave::pass_on_link(std::size_t link)
+{
+    links_[link] =
+        prepared_.links[link].link->transfer(read_of(prepared_.planned[link].source_part));
+}
+
+void Wave::pass_on_motions(int index)
+{
+    const Deformation& shape = read_of(index);
     const PartProblem& problem = prepared_.parts[at(index)].problem;
     for (std::size_t k = 0; k < problem.carriers.size(); ++k)
         welds_[at(problem.carriers[k])] = shape.features[problem.own.features.size() + k];

@@ -41,12 +41,6 @@ public:
     bool read(int part, const Response& response);
 
 private:
-    struct Answer
-    {
-        int part;
-        std::function<void(Deformation&)> place;
-    };
-
     void start(Deformed& result);
     Deformation& solved(int part) const;
     void set_at_rest(int part) const;
@@ -57,6 +51,11 @@ private:
     void substitute(int part);
     bool respond(int part, const std::shared_ptr<const Response>& response);
     void pass_on(int part);
+    void pass_on_link(std::size_t link);
+    void pass_on_motions(int part);
+    void run_stage(const std::vector<int>& parts, const PartResponses& responses,
+                   std::vector<char>& answered);
+    const Deformation& read_of(int part) const;
     void place_answers() const;
     Points sized_rest(int part) const;
     std::optional<SizedForm> sized_form(int feature) const;
@@ -72,7 +71,8 @@ private:
     std::vector<LinkedTargets> links_;
     std::vector<RigidMotion> welds_;
     std::vector<RigidMotion> motions_;  // by feature of the assembly
-    std::vector<Answer> answers_;       // rigid motions known, vertices still to be placed
+    // By part: places its vertices, if only its rigid motions are known yet.
+    std::vector<std::function<void(Deformation&)>> answers_;
     Deformed* result_ = nullptr;
     std::vector<Deformation>* read_ = nullptr;
     std::vector<char> is_in_read_;  // by part: what later parts read is there, else in the result

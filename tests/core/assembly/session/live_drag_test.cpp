@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/session/live_drag.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
 #include "assembly/all_frames.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,18 @@ TEST_P(LiveDragContacts, FramesDoNotDependOnThoseBefore)
     other.handles["tip"].translation *= 2.0;
     drag->frame(other);
     EXPECT_EQ(worst_share(frame, *drag->frame(frame.pose), first), 0.0);
+}
+
+// Parts that do not move each other are answered at the same time.
+TEST_P(LiveDragContacts, FramesAreTheSameBitsWithAnyNumberOfThreads)
+{
+    const Frame frame = frames::ring(GetParam());
+    const DeformationSession session(frame.assembly);
+    const auto drag = session.begin_drag({"tip"});
+    drag->wait();
+    const Deformed several = *drag->frame(frame.pose);
+    const ThreadCount one(1);
+    EXPECT_EQ(worst_share(frame, *drag->frame(frame.pose), several), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LiveDragContacts,
