@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.bridge import conversion, kernel, stored_arrays
 from freecad.sheetmorph.bridge.snapshots import Snapshot, snapshot_of
 from freecad.sheetmorph.bridge.conversion import Frame
 from freecad.sheetmorph.objects.errors import MorphError
@@ -136,13 +136,16 @@ def read_rest_data(path: str) -> dict | None:
     if not path:
         return None
     with np.load(path, allow_pickle=False) as data:
-        stored = {name: data[name] for name in ("points", "triangles", "ids", "origin")}
-        features = json.loads(str(data["features"])) if "features" in data else []
+        stored = {name: data[name] for name in ("points", "ids", "origin")}
+        # Earlier documents have the triangles themselves.
+        is_early = "triangles" in data
+        stored["topology"] = topology_of(data["triangles"]) if is_early else data["topology"]
+        told = stored_arrays.text_in(data["features"]) if "features" in data else "[]"
         labels = kernel.labels_module().Labels.of_arrays(data) if kernel.is_available() else None
         of_deck = {name: data[name] if name in data else None for name in ("rows", "faces")}
     if len(stored["ids"]) == 0:
         stored["ids"] = None
-    return {**stored, "features": features, "labels": labels, **of_deck}
+    return {**stored, "features": json.loads(told), "labels": labels, **of_deck}
 
 
 def write_rest_data(
@@ -153,15 +156,23 @@ def write_rest_data(
     `features`: those of a CAD part, whose vertices are indices; `of_deck`: rows and faces.
     """
     ids = np.zeros(0, np.int64) if mesh.ids is None else mesh.ids
-    known = json.dumps(list(features))
-    arrays = {"points": mesh.points, "triangles": mesh.triangles, "ids": ids, "origin": origin}
+    known = stored_arrays.of_text(json.dumps(list(features)))
+    arrays = {"points": mesh.points, "ids": ids, "origin": origin, "features": known}
     labels = {} if mesh.labels is None else mesh.with_indices().labels.arrays()
-    np.savez(path, features=np.array(known), **arrays, **labels, **of_deck)
+    topology = topology_of(mesh.triangles)
+    stored_arrays.write(path, topology=topology, **arrays, **labels, **of_deck)
+
+
+def topology_of(triangles: np.ndarray) -> np.ndarray:
+    """Return a fingerprint of triangles (m, 3): the mesh object has the triangles themselves."""
+    numbers = np.ascontiguousarray(triangles, np.int32).tobytes()
+    return np.frombuffer(hashlib.blake2b(numbers, digest_size=16).digest(), np.uint8)
 
 
 def is_same_mesh(stored: dict, local: np.ndarray, triangles: np.ndarray) -> bool:
     """Whether the source mesh still is what was imported, bit for bit in single precision."""
-    if stored["points"].shape != local.shape or stored["triangles"].shape != triangles.shape:
+    if stored["points"].shape != local.shape:
         return False
     imported = (stored["points"] - stored["origin"]).astype(np.float32)
-    return bool(np.array_equal(imported, local) and np.array_equal(stored["triangles"], triangles))
+    is_same = np.array_equal(stored["topology"], topology_of(triangles))
+    return bool(is_same and np.array_equal(imported, local))

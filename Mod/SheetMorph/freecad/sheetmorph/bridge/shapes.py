@@ -11,7 +11,7 @@ import numpy as np
 import Part
 
 from freecad.sheetmorph import reporting
-from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.bridge import conversion, kernel, stored_arrays
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.objects.errors import MorphError
 
@@ -24,14 +24,15 @@ def keep_shape(part, model, number: int) -> None:
     with conversion.temporary_folder() as folder:
         stored = os.path.join(folder, "shape.npz")
         mesh = np.frombuffer(model.kept_mesh(number), dtype=np.uint8)
-        np.savez(stored, brep=np.array(model.brep(number)), mesh=mesh)  # a document compresses
+        brep = stored_arrays.of_text(model.brep(number))
+        stored_arrays.write(stored, brep=brep, mesh=mesh)
         part.ShapeData = stored
 
 
 def kept_model(part):
     """The CadModel of the kept shape. Raises ValueError."""
     with np.load(part.ShapeData, allow_pickle=False) as data:
-        brep, mesh = str(data["brep"]), data["mesh"].tobytes()
+        brep, mesh = stored_arrays.text_in(data["brep"]), data["mesh"].tobytes()
     return kernel.load().kernel.load_cad().kept_model(brep, mesh, part.Label)
 
 
