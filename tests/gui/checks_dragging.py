@@ -95,12 +95,12 @@ def test_escape_takes_a_drag_back_and_the_panel_stays():
     yield from xdotool("mouseup", 1)
     yield from settled()
     assert Gui.Control.activeDialog()
-    assert child("translation_z").property("rawValue") == 0.0
+    assert child("translation_z").value() == 0.0
     assert np.allclose(lifted(rest, drawn()), (3, 0, 0), atol=1e-4)
     start = yield from grab_up_arrow((3.0, 0.0, 0.0))
     yield from drag_up(start)
     yield from xdotool("mouseup", 1)
-    assert child("translation_z").property("rawValue") > 3.0
+    assert child("translation_z").value() > 3.0
     yield from press("Cancel")
     assert np.array_equal(stored(), rest)
 
@@ -117,7 +117,7 @@ def test_the_pivot_is_moved_and_the_shape_stays():
     yield from xdotool("mouseup", 1)
     yield from settled()
     yield from click_widget(child("move_pivot"))
-    assert child("pivot_z").property("rawValue") > handle_place()[2] + 3.0
+    assert child("pivot_z").value() > handle_place()[2] + 3.0
     assert largest(drawn() - before) < 1e-3
     picture("pivot")
     yield from press("OK")
@@ -202,7 +202,7 @@ def test_a_slow_frame_blocks_nothing_and_the_last_event_wins():
     try:
         yield from open_panel()
         for height in range(1, 21):
-            child("translation_z").setProperty("rawValue", float(height))
+            child("translation_z").setValue(float(height))
             yield POLL
         assert len(answered) == 1 and largest(drawn() - rest) == 0.0
         may_go_on.set()
@@ -248,20 +248,20 @@ def test_a_value_is_typed_beside_the_cursor_while_dragging():
     yield from drag_up(start)
     yield from until(lambda: beside_cursor().endswith(" mm"), "how far it is")
     shown = float(beside_cursor().split()[0])
-    assert abs(shown - child("translation_z").property("rawValue")) < 0.01 * shown
+    assert abs(shown - child("translation_z").value()) < 0.01 * shown
     picture("cursor-value")
     yield from xdotool("type", "--delay", 30, "12.5")
     yield from until(lambda: beside_cursor().startswith("12.5"), "what is typed")
     picture("cursor-typed")
     yield from xdotool("key", "Return")
     yield from xdotool("mouseup", 1)
-    assert child("translation_z").property("rawValue") == 12.5 and beside_cursor() == ""
+    assert child("translation_z").value() == 12.5 and beside_cursor() == ""
     yield from until(lambda: np.allclose(lifted(rest, drawn())[:, 2], 12.5, atol=1e-3), "lift")
     start = yield from grab_up_arrow((0.0, 0.0, 12.5))
     yield from drag_up(start)
     yield from xdotool("type", "--delay", 30, "1 cm")
     yield from xdotool("mouseup", 1)
-    yield from until(lambda: child("translation_z").property("rawValue") == 22.5, "with a unit")
+    yield from until(lambda: child("translation_z").value() == 22.5, "with a unit")
     yield from press("Cancel")
 
 

@@ -106,12 +106,12 @@ def pull_arrow_up(pixels: int = 48):
     handle = regions("handle")[0]
     shift = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
     x, y = on_screen(np.array(tuple(api.pivot(handle))) + [float(s.Value) for s in shift])
-    before = child("translation_z").property("rawValue")
+    before = child("translation_z").value()
     yield from xdotool("mousemove", x, y - 30, "mousedown", 1)
     for step in range(12, pixels + 1, 12):
         yield from xdotool("mousemove", x, y - 30 - step)
     yield from xdotool("mouseup", 1)
-    assert child("translation_z").property("rawValue") > before + 1.0, "the arrow was not dragged"
+    assert child("translation_z").value() > before + 1.0, "the arrow was not dragged"
 
 
 def drag_arrow_up(pixels: int = 48):

@@ -99,7 +99,7 @@ def test_a_saved_document_is_opened_and_moved_again():
     assert np.array_equal(stored(), moved)
     picture("reopened")
     yield from open_panel()
-    assert child("translation_z").property("rawValue") == 10.0
+    assert child("translation_z").value() == 10.0
     yield from enter(child("translation_z"), "30")
     yield from settled()
     yield from press("OK")

@@ -48,7 +48,7 @@ def test_the_preferences_page_changes_what_panels_begin_with():
         assert preferences.get("SnapLength") == 20.0
         assert colours.css(colours.ROLES["handle"]) == "#ff0080"
         yield from press_tool("Mark Form Features…")
-        assert float(child("angle").property("rawValue")) == 17.0
+        assert float(child("angle").value()) == 17.0
         assert child("rings").value() == 2
         yield from press("Cancel")
     finally:

@@ -26,7 +26,7 @@ __all__ = [
 
 
 def fields() -> tuple:
-    return tuple(child(f"translation_{c}").property("rawValue") for c in "xyz")
+    return tuple(child(f"translation_{c}").value() for c in "xyz")
 
 
 def undo_with_the_tool():

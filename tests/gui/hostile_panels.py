@@ -67,7 +67,7 @@ def edit(obj) -> None:
 
 
 def set_field(name: str, value: float) -> None:
-    panel().findChild(QtGui.QWidget, name).setProperty("rawValue", value)
+    panel().findChild(QtGui.QWidget, name).setValue(value)
 
 
 def set_percent() -> None:

@@ -7,6 +7,7 @@ from checks_dragging import *  # noqa: F401,F403
 from checks_drawing import *  # noqa: F401,F403
 from checks_faults import *  # noqa: F401,F403
 from checks_features import *  # noqa: F401,F403
+from checks_fields import *  # noqa: F401,F403
 from checks_finding import *  # noqa: F401,F403
 from checks_flow import *  # noqa: F401,F403
 from checks_guide import *  # noqa: F401,F403

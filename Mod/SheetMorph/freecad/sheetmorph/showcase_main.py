@@ -100,7 +100,7 @@ class Showcase:
                 if field.startswith("axis"):
                     getattr(form, field).setValue(value)
                 else:
-                    getattr(form, field).setProperty("rawValue", value * frame / FRAMES)
+                    getattr(form, field).setValue(value * frame / FRAMES)
             yield 60
         yield 1200
         self._picture("after")

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.tools import words
 
 NO_FIDELITY = (0.0, 0.0)
 UNREACHED = -1
@@ -62,6 +63,7 @@ def show(assembly, outcome) -> None:
         gap, deviation = found.fidelity.get(contact.Name, NO_FIDELITY)
         set_length(contact, "GapChange", gap)
         set_length(contact, "Deviation", deviation)
+        set_where_new(contact, "Kept", f"gap {words.length(gap)}, deviation {words.length(deviation)}")
         set_where_new(contact, "Warning", found.warnings.get(contact.Name, ""))
 
 

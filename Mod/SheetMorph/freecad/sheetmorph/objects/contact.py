@@ -22,6 +22,10 @@ DEVIATION_DOC = (
     "How far the follower's side is, at most, from where a stiff motion of the other side would "
     "put it; what bends shows here"
 )
+KEPT_DOC = (
+    "How well the last recompute kept the contact: how much its gap changes, and how far the "
+    "follower's side is from where a stiff motion of the other side would put it, at most"
+)
 WARNING_DOC = "Why the contact opens or closes too far, and what to do; empty if it does not"
 
 
@@ -38,8 +42,9 @@ class ContactProxy(ObjectProxy):
         Property("FloatList", "VerticesB", "Contact", "Vertices of the second side", mode=HIDDEN),
         Property("String", "WhereA", "Contact", WHERE_DOC, mode=READ_ONLY),
         Property("String", "WhereB", "Contact", WHERE_DOC, mode=READ_ONLY),
-        Property("Distance", "GapChange", "Result", GAP_DOC, None, READ_ONLY, is_output=True),
-        Property("Distance", "Deviation", "Result", DEVIATION_DOC, None, READ_ONLY, is_output=True),
+        Property("String", "Kept", "Result", KEPT_DOC, None, READ_ONLY, is_output=True),
+        Property("Distance", "GapChange", "Result", GAP_DOC, None, HIDDEN, is_output=True),
+        Property("Distance", "Deviation", "Result", DEVIATION_DOC, None, HIDDEN, is_output=True),
         Property("String", "Warning", "Result", WARNING_DOC, None, READ_ONLY, is_output=True),
     )
 

@@ -4,6 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
+from freecad.sheetmorph.panels.number_field import loaded
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate, widen
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.tools import words
@@ -31,7 +32,7 @@ class Panel:
 
     def __init__(self, session, widgets: str, icon: str, title: str):
         self.session = session
-        self._form = Gui.PySideUic.loadUi(paths.panel(widgets))
+        self._form = loaded(paths.panel(widgets))
         self.form.setWindowTitle(translate(f"SheetMorph_{widgets}", title))
         self.form.setWindowIcon(QtGui.QIcon(paths.icon(icon)))
         for name, widget in vars(self.form).items():
@@ -161,20 +162,6 @@ class WideDock(QtCore.QObject):
     def _widen(self) -> None:
         if self._dock is not None:
             widen(self._dock, self._width)
-
-
-def number_in(field) -> float:
-    """What a field says: of a length mm, of an angle degrees."""
-    raw = field.property("rawValue")  # fields with units have it
-    return field.value() if raw is None else float(raw)
-
-
-def put_number(field, value: float) -> None:
-    """Lets a field say a number, mm or degrees."""
-    if field.property("rawValue") is None:
-        field.setValue(value)
-    else:
-        field.setProperty("rawValue", value)
 
 
 def say(label, text: str, is_error: bool = False) -> None:

@@ -179,9 +179,8 @@ class ContactPanel(Panel):
             for part in self._parts.values():
                 combo.addItem(part.Label, part.Name)
             combo.activated.connect(lambda _index, s=side: self._choose_part(s))
-        form.distance.setProperty("unit", "mm")
-        form.distance.setProperty("minimum", 0.0)
-        form.distance.setProperty("rawValue", 2.0)
+        form.distance.setMinimum(0.0)
+        form.distance.setValue(2.0)
         form.distance.valueChanged.connect(self._touch)
         form.way.currentIndexChanged.connect(self._choose_way)
         form.type.currentIndexChanged.connect(self._explain)
@@ -208,7 +207,7 @@ class ContactPanel(Panel):
         if self._sides.are_chosen:
             with actions.waiting():
                 reach = reach_that_touches(self._touching, self._sides.size())
-            self.form.distance.setProperty("rawValue", reach)
+            self.form.distance.setValue(reach)
 
     def _touching(self, distance: float) -> tuple:
         first, second = (self._parts[self._sides.parts[side]] for side in "ab")
@@ -218,7 +217,7 @@ class ContactPanel(Panel):
         """Takes the vertices within the gap distance, unless they are picked by hand."""
         if self._sides.are_chosen and not self._side_by_hand():
             with actions.waiting():
-                self._sides.pick(*self._touching(float(self.form.distance.property("rawValue"))))
+                self._sides.pick(*self._touching(self.form.distance.value()))
         self.picked()
 
     def _choose_way(self, *_) -> None:

@@ -9,7 +9,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
-from freecad.sheetmorph.panels.base import Panel, number_in, put_number, say
+from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.tools import words
@@ -158,11 +158,7 @@ class FeaturePanel(Panel):
     def _size(self) -> Change | None:
         if self._shape is None:
             return None
-        size = (
-            float(self.form.feature_size.property("rawValue"))
-            if self.form.has_size.isChecked()
-            else 0.0
-        )
+        size = self.form.feature_size.value() if self.form.has_size.isChecked() else 0.0
         is_same = size == self._feature.Size.Value
         return None if is_same else ("set_size", (self._feature, size or None), {})
 
@@ -192,8 +188,8 @@ class FeaturePanel(Panel):
         form = self.form
         text = translate("SheetMorph_panels", "<b>{0}</b> on {1}")
         form.part.setText(text.format(self._feature.Label, self._feature.Part.Label))
-        form.feature_size.setProperty("unit", "mm")
-        form.feature_size.setProperty("minimum", 0.0)
+        form.feature_size.setMinimum(0.0)
+        form.angle.measure("deg")
         for other in self._others:
             item = QtWidgets.QListWidgetItem(f"{other.Label} on {other.Part.Label}", form.others)
             item.setFlags(item.flags() | QtCore.Qt.ItemIsUserCheckable)
@@ -224,7 +220,7 @@ class FeaturePanel(Panel):
             )
             form.size_text.setText(text)
             return
-        form.feature_size.setProperty("rawValue", feature.Size.Value or shape.size)
+        form.feature_size.setValue(feature.Size.Value or shape.size)
         size = words.length(shape.size, 6)
         form.size_text.setText(f"{shape.kind.capitalize()}, {shape.measure} {size}.")
 
@@ -250,10 +246,10 @@ class FeaturePanel(Panel):
 
     def _show(self, prefix: str, vector) -> None:
         for axis, value in zip("xyz", vector):
-            put_number(getattr(self.form, f"{prefix}_{axis}"), value)
+            getattr(self.form, f"{prefix}_{axis}").setValue(value)
 
     def _vector(self, prefix: str) -> tuple[float, float, float]:
-        return tuple(number_in(getattr(self.form, f"{prefix}_{axis}")) for axis in "xyz")
+        return tuple(getattr(self.form, f"{prefix}_{axis}").value() for axis in "xyz")
 
     def _ticked(self) -> list:
         """The other form features that are ticked."""

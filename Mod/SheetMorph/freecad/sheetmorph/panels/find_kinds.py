@@ -3,7 +3,7 @@
 
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.api.finding import HOLES, with_washers
-from freecad.sheetmorph.panels.base import number_in, vertices_said
+from freecad.sheetmorph.panels.base import vertices_said
 from freecad.sheetmorph.qt import QtWidgets, translate
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -116,11 +116,8 @@ class Contacts:
             "facing_angle": widget(form, "facing").value(),
             "one_per_pair": widget(form, "one_per_pair").isChecked(),
         }
-        return (
-            {**options, "gap": number_in(widget(form, "gap"))}
-            if number_in(widget(form, "gap")) > 0.0
-            else options
-        )
+        gap = widget(form, "gap").value()
+        return {**options, "gap": gap} if gap > 0.0 else options
 
     def find(self, api, assembly, options) -> list:
         """The proposals."""

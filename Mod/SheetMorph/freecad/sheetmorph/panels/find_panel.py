@@ -6,7 +6,7 @@ from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.panels import find_table
-from freecad.sheetmorph.panels.base import Panel, number_in, say
+from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
 from freecad.sheetmorph.qt import QtCore, translate
@@ -78,7 +78,7 @@ class FindPanel(Panel):
     def _filter(self, *_) -> None:
         """Hides the rows that the filters leave out; they are not taken either."""
         kind, any_kind = self.form.kind.currentText(), self.form.kind.currentIndex() <= 0
-        low, high = number_in(self.form.smallest), number_in(self.form.largest)
+        low, high = self.form.smallest.value(), self.form.largest.value()
         table = self.form.table
         for row in range(table.rowCount()):
             one = self._found[find_table.number_in(table, row)]

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of a motion in the Move Handle panel: between widgets and numbers."""
 
-from freecad.sheetmorph.panels.base import number_in, put_number
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.motion import Motion
 
@@ -24,14 +23,10 @@ class MotionFields(QtCore.QObject):
         self._form = form
         self._is_writing = False
         self._at_centroid = True
-        form.angle.setProperty("unit", "deg")
-        form.angle.setProperty("singleStep", 1.0)
+        form.angle.measure("deg")
         form.angle.valueChanged.connect(self._send)
         for c in "xyz":
-            shift = getattr(form, f"translation_{c}")
-            shift.setProperty("unit", "mm")
-            shift.setProperty("singleStep", 1.0)
-            shift.valueChanged.connect(self._send)
+            getattr(form, f"translation_{c}").valueChanged.connect(self._send)
             getattr(form, f"axis_{c}").valueChanged.connect(self._send)
             getattr(form, f"pivot_{c}").valueChanged.connect(self._leave_centroid)
             getattr(form, f"along_{c}").setCheckable(True)
@@ -42,11 +37,10 @@ class MotionFields(QtCore.QObject):
     def read(self) -> Motion:
         """The motion the fields say."""
         form = self._form
-        shift = tuple(float(getattr(form, f"translation_{c}").property("rawValue")) for c in "xyz")
+        shift = tuple(getattr(form, f"translation_{c}").value() for c in "xyz")
         axis = tuple(getattr(form, f"axis_{c}").value() for c in "xyz")
-        pivot = tuple(number_in(getattr(form, f"pivot_{c}")) for c in "xyz")
-        angle = float(form.angle.property("rawValue"))
-        return Motion(shift, axis, angle, None if self._at_centroid else pivot)
+        pivot = tuple(getattr(form, f"pivot_{c}").value() for c in "xyz")
+        return Motion(shift, axis, form.angle.value(), None if self._at_centroid else pivot)
 
     def write(self, motion: Motion, pivot) -> None:
         """Shows a motion without sending ``changed``; ``pivot`` (3,) mm: where the centroid is."""
@@ -54,10 +48,10 @@ class MotionFields(QtCore.QObject):
         self._at_centroid = motion.pivot is None
         shown = pivot if self._at_centroid else motion.pivot
         for k, c in enumerate("xyz"):
-            getattr(self._form, f"translation_{c}").setProperty("rawValue", motion.translation[k])
+            getattr(self._form, f"translation_{c}").setValue(motion.translation[k])
             getattr(self._form, f"axis_{c}").setValue(motion.axis[k])
-            put_number(getattr(self._form, f"pivot_{c}"), shown[k])
-        self._form.angle.setProperty("rawValue", motion.angle)
+            getattr(self._form, f"pivot_{c}").setValue(shown[k])
+        self._form.angle.setValue(motion.angle)
         self._form.centre.setEnabled(not self._at_centroid)
         self._show_direction()
         self._is_writing = False
@@ -68,7 +62,7 @@ class MotionFields(QtCore.QObject):
             return
         self._is_writing = True
         for k, c in enumerate("xyz"):
-            put_number(getattr(self._form, f"pivot_{c}"), pivot[k])
+            getattr(self._form, f"pivot_{c}").setValue(pivot[k])
         self._is_writing = False
 
     def lock(self, expressions: dict[str, str]) -> None:

@@ -12,9 +12,9 @@ class MouseFields:
         form.arrows.setChecked(preferences.get("ShowArrows"))
         form.snap.setChecked(preferences.get("Snap"))
         for field, unit, entry in self._steps():
-            field.setProperty("unit", unit)
-            field.setProperty("minimum", 0.001)
-            field.setProperty("rawValue", preferences.get(entry))
+            field.measure(unit)
+            field.setMinimum(0.001)
+            field.setValue(preferences.get(entry))
             field.valueChanged.connect(self._choose_steps)
         form.arrows.toggled.connect(self._show_arrows)
         form.points.toggled.connect(drag.use_points)
@@ -30,7 +30,7 @@ class MouseFields:
         )
 
     def _snap(self) -> None:
-        values = [float(field.property("rawValue")) for field, *_ in self._steps()]
+        values = [field.value() for field, *_ in self._steps()]
         is_on = self._form.snap.isChecked()
         for field, *_ in self._steps():
             field.setEnabled(is_on)
@@ -39,7 +39,7 @@ class MouseFields:
     def _choose_steps(self, *_) -> None:
         preferences.put("Snap", self._form.snap.isChecked())
         for field, _unit, entry in self._steps():
-            preferences.put(entry, float(field.property("rawValue")))
+            preferences.put(entry, field.value())
         self._snap()
 
     def _show_arrows(self, is_shown: bool) -> None:

@@ -3,9 +3,8 @@
 
 import math
 
-import FreeCADGui as Gui
-
 from freecad.sheetmorph import paths, preferences
+from freecad.sheetmorph.panels.number_field import loaded
 from freecad.sheetmorph.qt import QtGui, translate
 from freecad.sheetmorph.tools import figures, picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -48,13 +47,12 @@ class PickTools:
         """``on_change()`` is called when a button has picked or taken back."""
         self._on_change = on_change
         self._tool = picking.FACE
-        self._form = widgets = Gui.PySideUic.loadUi(paths.panel("picking"))
+        self._form = widgets = loaded(paths.panel("picking"))
         form.pick_column.addWidget(widgets)
         widgets.setStyleSheet(CHOSEN)
-        widgets.angle.setProperty("unit", "deg")
-        widgets.angle.setProperty("minimum", 1.0)
-        widgets.angle.setProperty("maximum", 180.0)
-        widgets.angle.setProperty("rawValue", preferences.get("CreaseAngle"))
+        widgets.angle.measure("deg")
+        widgets.angle.setRange(1.0, 180.0)
+        widgets.angle.setValue(preferences.get("CreaseAngle"))
         widgets.rings.setValue(preferences.get("HoleRings"))
         widgets.radius.setValue(preferences.get("BrushRadius"))
         for field in (widgets.angle, widgets.rings, widgets.radius):
@@ -110,7 +108,7 @@ class PickTools:
         self._picker.choose(
             what=self._tool,
             mode=self._mode(),
-            crease=math.radians(self._form.angle.property("rawValue")),
+            crease=math.radians(self._form.angle.value()),
             rings=self._form.rings.value(),
             through=self._form.through.isChecked(),
             radius=float(self._form.radius.value()),

@@ -123,7 +123,7 @@ class PreparePanel(Panel):
         form.findings.setText(f"<b>{name_of_part}</b><br>{cures.as_text(found)}")
         form.tolerance.setText(words.exact_length(cures.tolerance_of(found)))
         suggested = (found["suggested_edge"] or 1.0) / found["unit"]["scale"]
-        form.edge.setProperty("rawValue", suggested)
+        form.edge.setValue(suggested)
         self._refresh()
 
     # -- what is asked for
@@ -132,7 +132,7 @@ class PreparePanel(Panel):
         form = self.form
         return cures.Wish(
             units.number_in(form.tolerance.text(), "mm") if form.weld.isChecked() else None,
-            form.edge.property("rawValue") if form.remesh.isChecked() else None,
+            form.edge.value() if form.remesh.isChecked() else None,
             ("polygon", "circle")[form.rims.currentIndex()],
             1000.0 if form.scale.isChecked() else 1.0,
             form.thin.isChecked(),
@@ -204,7 +204,6 @@ class PreparePanel(Panel):
     def _prepare_widgets(self) -> None:
         form = self.form
         say(form.message, "")
-        form.edge.setProperty("unit", "mm")
         form.scale.clicked.connect(self._tell)
         for box in (form.weld, form.remesh):
             box.toggled.connect(self._refresh)

@@ -6,6 +6,7 @@ MODULES = tuple(
     for name in (
         "conversion",
         "snapshots",
+        "units",
         "kernel",
         "objects",
         "regions",

@@ -103,7 +103,7 @@ class TestContact(support.DocumentTest):
 
     def test_every_property_a_designer_sees_is_explained(self):
         for obj in (self.contact, self.part, self.assembly):
-            for name in ("Type", "Active", "GapChange", "Mode", "Propagation", "Smoothness"):
+            for name in ("Type", "Active", "Kept", "Mode", "Propagation", "Smoothness"):
                 if name in obj.PropertiesList:
                     self.assertGreater(len(obj.getDocumentationOfProperty(name)), 40, name)
 
@@ -111,7 +111,10 @@ class TestContact(support.DocumentTest):
         api.set_motion(self.handle, (0, 0, 40))
         self.document.recompute()
         self.assert_up_to_date(self.document)
-        self.assertIn("ReadOnly", self.contact.getEditorMode("GapChange"))
+        self.assertIn("ReadOnly", self.contact.getEditorMode("Kept"))
+        self.assertRegex(self.contact.Kept, r"^gap [0-9.]+ mm, deviation [0-9.]+ mm$")
+        for name in ("GapChange", "Deviation"):  # FreeCAD would show them in nm and µm
+            self.assertIn("Hidden", self.contact.getEditorMode(name))
         self.assertGreater(self.contact.Deviation.Value, 0.0)
         self.assertLess(self.contact.GapChange.Value, 1.0)
         api.reset_motion(self.handle)
