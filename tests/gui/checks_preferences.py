@@ -3,6 +3,7 @@
 
 import io
 import os
+import re
 import unittest
 
 import FreeCAD as App
@@ -69,13 +70,16 @@ def test_the_window_tests_of_the_test_workbench_pass():
 
 
 def dark_sheet() -> str:
-    """A dark style sheet of this FreeCAD; 1.1 composes its own from parameters."""
+    """A dark style sheet of this FreeCAD, which puts the colours of its preferences in for names
+    like @ThemeAccentColor1; 1.1 composes its own from parameters."""
     folder = os.path.join(App.getResourceDir(), "Gui", "Stylesheets")
     for name in ("Dark-blue.qss", "FreeCAD Dark.qss"):
         path = os.path.join(folder, name)
         if os.path.exists(path):
             with open(path, encoding="utf-8") as file:
-                return file.read().replace("qss:", folder + "/")
+                return re.sub(
+                    r"@ThemeAccentColor\d", "#5e81ac", file.read().replace("qss:", folder + "/")
+                )
     return "QWidget { background-color: #2d2d2d; color: #e0e0e0; }"
 
 
