@@ -3,12 +3,20 @@
 
 from __future__ import annotations
 
+import signal
 from pathlib import Path
 
 import pytest
 
 from part_samples import samples
 from plates import plate, recipe_of, save_recipe, write_plate
+
+
+@pytest.fixture(scope="session", autouse=True)
+def can_be_interrupted() -> None:
+    """What a shell script starts in the background is deaf to Ctrl+C, with all that it starts in
+    turn: the tests' own commands, too, which are sent it."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(params=sorted(samples()))
