@@ -92,7 +92,9 @@ class TestFollowing(DocumentTest):
     def test_a_hole_that_moves_is_a_change(self):
         body, pad = self.padded()
         part, _ = self.marked(body)
-        pad.Profile[0].movePoint(4, 3, Vector(38, 20), False)
+        curves = pad.Profile[0].Geometry
+        curves[4].Center = Vector(38, 20)
+        pad.Profile[0].Geometry = curves
         self.document.recompute()
         self.assertTrue(part.SourceChanged)
 

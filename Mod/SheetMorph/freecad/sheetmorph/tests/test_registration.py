@@ -2,6 +2,7 @@
 """FreeCAD knows the tests and starts without touching the kernel or a window."""
 
 import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -33,13 +34,14 @@ class TestRegistration(unittest.TestCase):
         self.assertLessEqual(set(tests.MODULES), set(FreeCAD.__unit_test__))
 
     def test_the_start_is_light(self):
-        result = subprocess.run(
-            [interpreter(), "-c", QUIET_START],
-            env={"PYTHONPATH": str(PACKAGE.parent.parent)},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        with tempfile.TemporaryDirectory() as home:  # FreeCAD 1.1 makes a folder there, or ends
+            result = subprocess.run(
+                [interpreter(), "-c", QUIET_START],
+                env={"PYTHONPATH": str(PACKAGE.parent.parent), "HOME": home},
+                capture_output=True,
+                text=True,
+                check=False,
+            )
         self.assertIn("loaded at start: []", result.stdout, result.stderr)
 
 
