@@ -23,7 +23,19 @@ profile = Part.makePolygon([Vector(x, 0, z) for x, z in corners])
 helix = Part.makeHelix(2, 4, 5)
 helix.translate(Vector(0, 0, 3))
 thread = Part.Wire(helix.Edges).makePipeShell([profile], True, True)
+
+
+def uneven(start, end):
+    curve = Part.BezierCurve()
+    curve.setPoles([Vector(start + share * (end - start), 0, 0) for share in (0, 0.002, 0.004, 1)])
+    return curve.toBSpline().toShape()
+
+
+# A block of which one side is two, along lines that hardly move while their parameters begin.
+sides = [Vector(60, 0, 0), Vector(60, 8, 0), Vector(0, 8, 0), Vector(0, 0, 0)]
+sides = [uneven(0, 30), uneven(30, 60), *Part.makePolygon(sides).Edges]
 for name, shape in (
+    ("uneven", Part.Face(Part.Wire(sides)).extrude(Vector(0, 0, 20))),
     ("tube", Part.makeCylinder(10, 80).cut(Part.makeCylinder(8, 80))),
     ("dish", Part.makeSphere(30, Vector(), Vector(0, 0, 1), 0, 90, 360).cut(Part.makeSphere(28))),
     ("cone", Part.makeCone(20, 0, 50)),
@@ -83,6 +95,14 @@ def test_a_bent_solid_is_valid_closed_and_near_its_mesh(solids: Path, tmp_path: 
     assert body["gap"]["value"] < (0.006 if is_hard else 0.0005)
     assert body["edge_tolerance"] < (0.006 if is_hard else 0.001)
     assert body["kink"]["value"] < (1.0 if is_hard else 0.2)
+
+
+def test_an_edge_moves_by_its_length_however_uneven_its_parameter_is(solids: Path, tmp_path: Path):
+    model = read_cad(solids / "uneven.step", {"edge": 12.0, "deflection": 0.3}).model
+    positions = [bent(np.array(part.points)) for part in model.parts]
+    (body,) = write_model(model, tmp_path / "out.step", positions, CadWriting("step"))
+    assert body["gap"]["value"] < 0.0005  # 0.13 mm by the parameters
+    assert body["kink"]["value"] < 0.2  # 2.7 degrees
 
 
 def test_an_instance_that_differs_becomes_a_product_of_its_own(solids: Path, tmp_path: Path):

@@ -6,6 +6,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <algorithm>
 
 namespace sheetmorph
 {
@@ -78,7 +79,18 @@ TopoDS_Shape ShapeBuilder::made_face(const TopoDS_Shape& part)
     return face;
 }
 
-// The curves of the edges in the parameters of a face are what they were.
+Handle(Geom2d_Curve) ShapeBuilder::written_curve(const TopoDS_Edge& edge,
+                                                 const TopoDS_Face& face) const
+{
+    const int index = carrier_.mesh().edges.FindIndex(edge) - 1;
+    const int number = carrier_.mesh().faces.FindIndex(face) - 1;
+    const std::vector<EdgeOnFace>& uses = carrier_.edges()[static_cast<std::size_t>(index)].uses;
+    return std::find_if(uses.begin(), uses.end(),
+                        [&](const EdgeOnFace& use) { return use.face == number; })
+        ->written;
+}
+
+// The curves of the edges in the parameters of a face are what they were, or lie beneath them.
 void ShapeBuilder::add_parameters(const TopoDS_Face& face, const CarriedFace& carried)
 {
     const TopoDS_Face before = TopoDS::Face(carried.face.Oriented(TopAbs_FORWARD));
@@ -102,7 +114,8 @@ void ShapeBuilder::add_parameters(const TopoDS_Face& face, const CarriedFace& ca
                 ended(BRep_Tool::CurveOnSurface(TopoDS::Edge(old.Reversed()), before, low, high)),
                 face, tolerance);
         else
-            builder_.UpdateEdge(edge, ended(curve), face, tolerance);
+            builder_.UpdateEdge(edge, carried.spline ? written_curve(old, before) : curve, face,
+                                tolerance);
         builder_.Range(edge, face, low, high);
     }
 }

@@ -29,6 +29,7 @@ private:
     TopoDS_Shape made_group(const TopoDS_Shape& part);
     void add_parts(TopoDS_Shape& whole, const TopoDS_Shape& before);
     void add_parameters(const TopoDS_Face& face, const CarriedFace& carried);
+    Handle(Geom2d_Curve) written_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
 
     const ShapeCarrier& carrier_;
     BRep_Builder builder_;

@@ -28,6 +28,17 @@ Vector3 point_of(const gp_Pnt& point)
     return to_vector(point.XYZ());
 }
 
+// The curve of an edge where it stands; none of one without extent.
+Handle(Geom_Curve) placed_curve(const TopoDS_Edge& edge)
+{
+    TopLoc_Location place;
+    double low = 0.0, high = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, place, low, high);
+    return curve.IsNull()
+               ? curve
+               : Handle(Geom_Curve)::DownCast(curve->Transformed(place.Transformation()));
+}
+
 bool is_line(const Handle(Geom_Curve) & curve)
 {
     return GeomAdaptor_Curve(curve).GetType() == GeomAbs_Line;
@@ -48,12 +59,13 @@ std::vector<double> samples_between(const std::vector<double>& parameters)
 
 // What the bends of an edge add to its shift: cubics that end, with their slope, where they are
 // felt no more.
-Vector3 bent_by(const CarriedEdge& edge, double t)
+Vector3 bent_by(const CarriedEdge& edge, double place)
 {
     Vector3 sum = Vector3::Zero();
+    const double whole = edge.length->whole();
     for (std::size_t k = 0; k < 2; ++k)
     {
-        const double away = k == 0 ? t - edge.low : edge.high - t;
+        const double away = k == 0 ? place : whole - place;
         const double left = 1.0 - away / edge.reach[k];
         if (left > 0.0)
             sum += (k == 0 ? away : -away) * left * left * edge.bend[k];
@@ -70,10 +82,10 @@ struct EdgeEnd
         gp_Pnt here;
         gp_Vec along;
         edge.rest->D1(t, here, along);
-        speed = (is_low ? 1.0 : -1.0) * std::max(along.Magnitude(), 1e-12);
-        direction = to_vector(along.XYZ()) / speed;
+        inward = is_low ? 1.0 : -1.0;
+        direction = inward / std::max(along.Magnitude(), 1e-12) * to_vector(along.XYZ());
         if (edge.shift)
-            slope = edge.shift->derivative(t) / speed;
+            slope = inward * edge.shift->derivative(is_low ? 0.0 : edge.length->whole());
         else
         {
             constexpr double step = 1e-3;
@@ -87,11 +99,11 @@ struct EdgeEnd
     void bend(CarriedEdge& edge, const Vector3& wanted) const
     {
         if (edge.shift)
-            edge.bend[is_low ? 0 : 1] = speed * (wanted - slope);
+            edge.bend[is_low ? 0 : 1] = inward * (wanted - slope);
     }
 
     bool is_low;
-    double speed;  // mm per parameter, along the direction
+    double inward;  // the sign of a step along the edge that leads into it
     Vector3 direction, slope;
 };
 
@@ -113,6 +125,13 @@ Eigen::Matrix<double, 3, 2> tangents_of(const Handle(Geom_Surface) & surface, co
     Eigen::Matrix<double, 3, 2> found;
     found << to_vector(u.XYZ()), to_vector(v.XYZ());
     return found;
+}
+
+bool is_beside_smooth(const CarriedFace& face)
+{
+    const std::vector<SurfaceTrack>& tracks = face.targets.tracks;
+    return std::any_of(tracks.begin(), tracks.end(),
+                       [](const SurfaceTrack& track) { return static_cast<bool>(track.normal); });
 }
 
 VertexIds distinct(VertexIds vertices)
@@ -156,6 +175,7 @@ void ShapeCarrier::find_faces()
 
 void ShapeCarrier::find_uses()
 {
+    constexpr double of_edge = 0.1;
     edges_.resize(static_cast<std::size_t>(mesh_.edges.Extent()));
     for (std::size_t f = 0; f < faces_.size(); ++f)
     {
@@ -168,7 +188,13 @@ void ShapeCarrier::find_uses()
             use.face = static_cast<int>(f);
             use.curve = BRep_Tool::CurveOnSurface(edge, TopoDS::Face(face), low, high);
             if (!use.curve.IsNull() && !faces_[f].motion)
+            {
+                const Handle(Geom_Curve) curve = placed_curve(edge);
+                if (!curve.IsNull() && !BRep_Tool::IsClosed(edge, TopoDS::Face(face)))
+                    use.curve = curve_beneath(curve, faces_[f].rest, use.curve, low, high,
+                                              of_edge * tolerances_.edge);
                 use.written = spline_in_parameters(use.curve, low, high);
+            }
             CarriedEdge& found = edges_[static_cast<std::size_t>(mesh_.edges.FindIndex(edge) - 1)];
             if (found.uses.empty())
             {
@@ -234,17 +260,13 @@ void ShapeCarrier::find_edge(int index)
                                                     : std::vector<double>{found.low, found.high});
     if (found.is_degenerated)
         return;
-    TopLoc_Location place;
-    double low = 0.0, high = 0.0;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(found.edge, place, low, high);
-    if (curve.IsNull() || found.first < 0 || found.last < 0)
+    found.rest = placed_curve(found.edge);
+    if (found.rest.IsNull() || found.first < 0 || found.last < 0)
         throw InvalidInput("edge " + std::to_string(index)
                            + " has no curve; repair it in the CAD system");
-    found.low = low;
-    found.high = high;
-    found.rest = Handle(Geom_Curve)::DownCast(curve->Transformed(place.Transformation()));
+    BRep_Tool::Range(found.edge, found.low, found.high);
     if (known.parameters.empty())
-        found.samples = samples_between({low, high});
+        found.samples = samples_between({found.low, found.high});
     for (const EdgeOnFace& use : found.uses)
         if (faces_[static_cast<std::size_t>(use.face)].motion)
             found.motion = faces_[static_cast<std::size_t>(use.face)].motion;
@@ -260,11 +282,14 @@ void ShapeCarrier::find_edge(int index)
 
 void ShapeCarrier::find_shift(CarriedEdge& edge, const VerticesOnEdge& known) const
 {
+    edge.length.emplace(edge.rest, edge.low, edge.high);
     edge.shift = displacement(edge, known);
+    const double whole = edge.length->whole();
     const std::size_t count = known.parameters.size();
-    edge.reach.fill(edge.high - edge.low);
+    edge.reach.fill(whole);
     if (count > 2)
-        edge.reach = {known.parameters[1] - edge.low, edge.high - known.parameters[count - 2]};
+        edge.reach = {edge.length->at(known.parameters[1]),
+                      whole - edge.length->at(known.parameters[count - 2])};
 }
 
 // Edges that go on as one smooth curve where they meet move so, too: no surface beside both could
@@ -311,7 +336,10 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge)
         target = [&](double t) { return edge.motion->point(point_of(edge.rest->Value(t))); };
     else
         target = [&edge](double t) -> Vector3
-        { return point_of(edge.rest->Value(t)) + edge.shift->at(t) + bent_by(edge, t); };
+        {
+            const double place = edge.length->at(t);
+            return point_of(edge.rest->Value(t)) + edge.shift->at(place) + bent_by(edge, place);
+        };
     const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
     SplineCurve spline = curve_near(target, start, 0.2 * tolerances_.edge);
     spline.poles = tolerances_.grain * (spline.poles / tolerances_.grain).array().round();
@@ -320,14 +348,14 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge)
 
 SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOnEdge& known) const
 {
-    std::vector<double> parameters;
+    std::vector<double> places;
     std::vector<Vector3> shifts;
-    const double least = 1e-9 * (edge.high - edge.low);
-    const auto add = [&](double t, const Vector3& shift)
+    const double whole = edge.length->whole(), least = 1e-9 * whole;
+    const auto add = [&](double place, const Vector3& shift)
     {
-        if (!parameters.empty() && t < parameters.back() + least)
+        if (!places.empty() && place < places.back() + least)
             return;
-        parameters.push_back(t);
+        places.push_back(place);
         shifts.push_back(shift);
     };
     // An edge that ends beside its vertex in the file does so again: its faces are there.
@@ -336,12 +364,12 @@ SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOn
         const CarriedVertex& end = vertices_[static_cast<std::size_t>(vertex)];
         return end.point - point_of(BRep_Tool::Pnt(end.vertex));
     };
-    add(edge.low, shift_of(edge.first));
+    add(0.0, shift_of(edge.first));
     for (std::size_t i = 1; i + 1 < known.parameters.size(); ++i)
-        if (known.parameters[i] < edge.high - least)
-            add(known.parameters[i],
+        if (const double place = edge.length->at(known.parameters[i]); place < whole - least)
+            add(place,
                 (result_.row(known.vertices[i]) - mesh_.rest.row(known.vertices[i])).transpose());
-    add(edge.high, shift_of(edge.last));
+    add(whole, shift_of(edge.last));
     Points rows(static_cast<Eigen::Index>(shifts.size()), 3);
     for (std::size_t i = 0; i < shifts.size(); ++i)
         rows.row(static_cast<Eigen::Index>(i)) = shifts[i].transpose();
@@ -350,7 +378,7 @@ SplineCurve ShapeCarrier::displacement(const CarriedEdge& edge, const VerticesOn
     edge.rest->D1(edge.low, here, at_low);
     edge.rest->D1(edge.high, here, at_high);
     const bool is_closed = edge.first == edge.last && at_low.Angle(at_high) < 1e-3;
-    return curve_through(parameters, rows, is_closed);
+    return curve_through(places, rows, is_closed);
 }
 
 Vector3 ShapeCarrier::point(const EdgeOnFace& use, double t) const
@@ -362,13 +390,14 @@ Vector3 ShapeCarrier::point(const EdgeOnFace& use, double t) const
     return point_of(face.surface->Value(uv.X(), uv.Y()));
 }
 
+// As the splines were before the pass that is under way: faces are fitted side by side.
 Vector3 ShapeCarrier::normal(const EdgeOnFace& use, double t) const
 {
     const CarriedFace& face = faces_[static_cast<std::size_t>(use.face)];
+    const std::optional<FaceSpline>& spline = before_[static_cast<std::size_t>(use.face)];
     const gp_Pnt2d uv = use.curve->Value(t);
     return normal_across(
-        face.spline ? face.spline->tangents({uv.X(), uv.Y()}) : tangents_of(face.surface, uv),
-        face.face);
+        spline ? spline->tangents({uv.X(), uv.Y()}) : tangents_of(face.surface, uv), face.face);
 }
 
 bool ShapeCarrier::is_smooth_at(const CarriedEdge& edge, double t) const
@@ -411,6 +440,8 @@ void ShapeCarrier::collect_tracks(int face)
                                    double) { return there; };
             else
                 track.target = [&edge](double t) { return edge.at(t); };
+            if (edge.is_smooth)
+                track.normal = [this, &edge](double t) { return shared_normal(edge, t); };
             track.parameters = edge.samples;
             track.tolerance = 0.5 * tolerances_.edge;
             track.is_point = edge.is_degenerated;
@@ -466,7 +497,9 @@ void ShapeCarrier::run(const Progress& progress)
     fit_faces(false, progress.part(0.0, 0.4));
     for (int pass = 0; pass < passes; ++pass)
     {
-        find_normals();
+        before_.clear();
+        for (const CarriedFace& face : faces_)
+            before_.push_back(face.spline);
         fit_faces(true, progress.part(0.4 + 0.3 * pass, 0.7 + 0.3 * pass));
     }
     for (CarriedFace& face : faces_)
@@ -482,54 +515,27 @@ void ShapeCarrier::fit_faces(bool is_again, const Progress& progress)
 {
     std::vector<Task> tasks;
     for (std::size_t f = 0; f < faces_.size(); ++f)
-        if (faces_[f].spline && (!is_again || !faces_[f].targets.normals.empty()))
+        if (faces_[f].spline && (!is_again || is_beside_smooth(faces_[f])))
             tasks.push_back({"fitting face " + std::to_string(f), [this, f](const Progress& own)
                              {
-                                 own.report(0.0, "fitting");
                                  CarriedFace& face = faces_[f];
-                                 face.spline->fit(face.targets, 0.2 * tolerances_.surface);
+                                 face.spline->fit(face.targets, 0.2 * tolerances_.surface, own);
                              }});
     run_tasks(tasks, progress);
 }
 
-void ShapeCarrier::find_normals()
+// Both faces of a smooth edge take the normal between theirs, or that of the one that is kept.
+Vector3 ShapeCarrier::shared_normal(const CarriedEdge& edge, double t) const
 {
-    for (CarriedFace& face : faces_)
-        face.targets.normals.clear();
-    for (const CarriedEdge& edge : edges_)
-        if (edge.is_smooth)
-            add_normals(edge);
-}
-
-// Both faces take the normal between theirs, or that of the one that is kept.
-void ShapeCarrier::add_normals(const CarriedEdge& edge)
-{
-    const std::array<bool, 2> is_fitted = {
-        faces_[static_cast<std::size_t>(edge.uses[0].face)].spline.has_value(),
-        faces_[static_cast<std::size_t>(edge.uses[1].face)].spline.has_value()};
-    if (!is_fitted[0] && !is_fitted[1])
-        return;
-    constexpr int cuts = 4;
-    const std::size_t pieces = edge.samples.size() - 1;
-    for (std::size_t i = 0; i <= pieces * cuts; ++i)
-    {
-        const std::size_t piece = std::min(i / cuts, pieces - 1);
-        const double low = edge.samples[piece], high = edge.samples[piece + 1];
-        const double t = low + static_cast<double>(i - piece * cuts) / cuts * (high - low);
-        const Vector3 one = normal(edge.uses[0], t), other = normal(edge.uses[1], t);
-        Vector3 wanted = !is_fitted[0] ? one : !is_fitted[1] ? other : Vector3(one + other);
-        if (!(wanted.norm() > 0.5) || one.norm() == 0.0 || other.norm() == 0.0)
-            continue;
-        wanted.normalize();
-        const double spacing = 0.5 * (edge.at(low) - edge.at(high)).norm();
-        for (std::size_t k = 0; k < 2; ++k)
-            if (is_fitted[k])
-            {
-                CarriedFace& face = faces_[static_cast<std::size_t>(edge.uses[k].face)];
-                const gp_Pnt2d uv = edge.uses[k].curve->Value(t);
-                face.targets.normals.push_back({{uv.X(), uv.Y()}, wanted, spacing});
-            }
-    }
+    if (before_.empty())
+        return Vector3::Zero();
+    const Vector3 one = normal(edge.uses[0], t), other = normal(edge.uses[1], t);
+    const auto is_kept = [&](std::size_t k)
+    { return !before_[static_cast<std::size_t>(edge.uses[k].face)]; };
+    if (one.norm() == 0.0 || other.norm() == 0.0)
+        return Vector3::Zero();
+    const Vector3 wanted = is_kept(0) ? one : is_kept(1) ? other : Vector3(one + other);
+    return wanted.norm() > 0.5 ? Vector3(wanted.normalized()) : Vector3::Zero();
 }
 
 void ShapeCarrier::measure()

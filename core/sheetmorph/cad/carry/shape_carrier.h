@@ -3,6 +3,7 @@
 
 #include "sheetmorph/cad/carry/carried_shape.h"
 #include "sheetmorph/cad/carry/kept_motion.h"
+#include "sheetmorph/cad/splines/arc_length.h"
 #include "sheetmorph/cad/splines/face_spline.h"
 #include "sheetmorph/cad/splines/spline_curve.h"
 
@@ -45,10 +46,12 @@ struct CarriedEdge
     std::vector<EdgeOnFace> uses;
     Handle(Geom_Curve) rest, curve;
     std::optional<KeptMotion> motion;
-    std::optional<SplineCurve> shift;  //!< of one that has no motion: how its points move
+    //! Of one that has no motion: how its points move, by how far along it they are.
+    std::optional<SplineCurve> shift;
+    std::optional<ArcLength> length;
     //! What is added to the derivative of the shift at both ends.
     std::array<Vector3, 2> bend = {Vector3::Zero(), Vector3::Zero()};
-    std::array<double, 2> reach = {};  //!< how far that is felt: to the next vertex of the mesh
+    std::array<double, 2> reach = {};  //!< how far that is felt: to the next vertex of the mesh, mm
     std::vector<double> samples;       //!< parameters, ascending, ends included
     bool is_smooth = false;            //!< its two faces had one tangent plane at rest
     double tolerance = 0.0;
@@ -93,8 +96,7 @@ private:
     void collect_tracks(int face);
     void collect_inner_places(int face);
     void fit_faces(bool is_again, const Progress& progress);
-    void find_normals();
-    void add_normals(const CarriedEdge& edge);
+    Vector3 shared_normal(const CarriedEdge& edge, double t) const;
     Vector3 normal(const EdgeOnFace& use, double t) const;
     bool is_smooth_at(const CarriedEdge& edge, double t) const;
     Vector3 point(const EdgeOnFace& use, double t) const;
@@ -108,6 +110,7 @@ private:
     CarryTolerances tolerances_;
     double rigid_tolerance_;
     std::vector<CarriedFace> faces_;
+    std::vector<std::optional<FaceSpline>> before_;  // their splines before a pass; empty at first
     std::vector<CarriedEdge> edges_;
     std::vector<CarriedVertex> vertices_;
     WorstAt gap_;

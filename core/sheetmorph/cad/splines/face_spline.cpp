@@ -110,22 +110,28 @@ void FaceSpline::interpolate()
             base_.row(i * columns + j) = poles.block<1, 3>(j, 3 * i);
 }
 
-void FaceSpline::fit(const SplineTargets& targets, double tolerance)
+void FaceSpline::fit(const SplineTargets& targets, double tolerance, const Progress& progress)
 {
     constexpr int most_rounds = 12;
     const FaceSpline before = *this;
     for (int round = 0;; ++round)
     {
+        progress.report(static_cast<double>(round) / (most_rounds + 1), "fitting");
         std::vector<SurfacePlace> places = targets.places;
+        std::vector<SurfaceNormal> normals;
         for (const SurfaceTrack& track : targets.tracks)
+        {
             add_places(track, places);
-        if (round == 0 && SpanChoice(*this, places, targets.normals, tolerance).is_met())
+            if (track.normal)
+                add_normals(track, normals);
+        }
+        if (round == 0 && SpanChoice(*this, places, normals, tolerance).is_met())
             return;
         interpolate();
-        solve(places, targets.normals, before);
+        solve(places, normals, before);
         if (round == most_rounds)
             return;
-        const SpanChoice choice(*this, places, targets.normals, tolerance);
+        const SpanChoice choice(*this, places, normals, tolerance);
         if (!choice.is_any())
             return;
         u_ = u_.halved(choice.in_u());
@@ -185,6 +191,29 @@ void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>
     }
 }
 
+// The same of normals: between few of them a surface that meets them all may stand steeply.
+void FaceSpline::add_normals(const SurfaceTrack& track, std::vector<SurfaceNormal>& normals) const
+{
+    constexpr double to_a_span = 3.0, spacing_share = 0.5;
+    constexpr int least = 4, most = 40;
+    const std::size_t pieces = track.parameters.size() - 1;
+    for (std::size_t i = 0; i < pieces; ++i)
+    {
+        const double low = track.parameters[i], high = track.parameters[i + 1];
+        const int cuts = std::clamp(
+            static_cast<int>(to_a_span * spans_between(track.uv(low), track.uv(high))) + 1, least,
+            most);
+        const double length = (track.target(low) - track.target(high)).norm();
+        for (int cut = 0; cut < cuts + (i + 1 == pieces ? 1 : 0); ++cut)
+        {
+            const double t = low + cut * (high - low) / cuts;
+            if (const Vector3 normal = track.normal(t); normal.norm() > 0.5)
+                normals.push_back({track.uv(t), normal, static_cast<double>(least) / cuts,
+                                   spacing_share * length});
+        }
+    }
+}
+
 void FaceSpline::solve(const std::vector<SurfacePlace>& places,
                        const std::vector<SurfaceNormal>& normals, const FaceSpline& before)
 {
@@ -203,7 +232,7 @@ void FaceSpline::solve(const std::vector<SurfacePlace>& places,
             const double length = basis.ends()[span + 1] - basis.ends()[span];
             const Vector3 wanted = wrong.col(k) - one.normal * one.normal.dot(wrong.col(k));
             system.add(u_.row(one.uv(0), k == 0 ? 1 : 0), v_.row(one.uv(1), k == 1 ? 1 : 0),
-                       wanted - own.col(k), tangent_weight * length * length);
+                       wanted - own.col(k), one.weight * tangent_weight * length * length);
         }
     }
     tie_seams(system);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/progress.h"
 #include "sheetmorph/cad/meshing/face_mesh.h"
 #include "sheetmorph/cad/splines/cubic_basis.h"
 
@@ -28,9 +29,11 @@ struct SurfaceTrack
 {
     std::function<Vector2(double)> uv;
     std::function<Vector3(double)> target;  //!< mm
-    std::vector<double> parameters;         //!< ascending; both ends, and enough to know its form
-    double tolerance = 0.0;                 //!< mm
-    bool is_point = false;                  //!< in space
+    //! Its normal there, of length 1, or 0 where none is wanted; empty if none is anywhere.
+    std::function<Vector3(double)> normal;
+    std::vector<double> parameters;  //!< ascending; both ends, and enough to know its form
+    double tolerance = 0.0;          //!< mm
+    bool is_point = false;           //!< in space
 };
 
 //! A place where a carried surface has a given normal, of length 1.
@@ -38,6 +41,7 @@ struct SurfaceNormal
 {
     Vector2 uv = Vector2::Zero();
     Vector3 normal = Vector3::Zero();
+    double weight = 1.0;
     double spacing = 0.0;
 };
 
@@ -46,7 +50,6 @@ struct SplineTargets
 {
     std::vector<SurfacePlace> places;
     std::vector<SurfaceTrack> tracks;
-    std::vector<SurfaceNormal> normals;
 };
 
 //! The part of a surface that a face lies on.
@@ -70,7 +73,8 @@ public:
     //! Brings it as near to places and curves as their tolerances say, by least squares with a thin
     //! plate's energy where nothing is known, and cuts spans where that fails.
     //! \param tolerance  of what is interpolated of the surface itself, mm
-    void fit(const SplineTargets& targets, double tolerance);
+    //! \throws Cancelled
+    void fit(const SplineTargets& targets, double tolerance, const Progress& progress);
 
     //! Makes all coordinates multiples of a length: they are shorter in a file.
     void round_to(double grain);
@@ -86,6 +90,7 @@ private:
     void tie_seams(PlateSystem& system) const;
     void close();
     void add_places(const SurfaceTrack& track, std::vector<SurfacePlace>& places) const;
+    void add_normals(const SurfaceTrack& track, std::vector<SurfaceNormal>& normals) const;
     double spans_between(const Vector2& here, const Vector2& there) const;
     void interpolate();
     Vector3 sum(const CubicBasis::Row& u, const CubicBasis::Row& v) const;

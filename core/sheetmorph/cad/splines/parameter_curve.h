@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
 
 namespace sheetmorph
 {
@@ -11,5 +13,12 @@ namespace sheetmorph
 //! Readers then look for the edge on the face, which takes long on large splines.
 Handle(Geom2d_Curve)
     spline_in_parameters(const Handle(Geom2d_Curve) & curve, double low, double high);
+
+//! The curve in the parameters of a surface that lies beneath a curve in space, at the same
+//! parameters of its own: the one of the file, unless that is farther along the surface from the
+//! points beneath than a tolerance, mm. A surface that follows both would be folded between them.
+Handle(Geom2d_Curve)
+    curve_beneath(const Handle(Geom_Curve) & curve, const Handle(Geom_Surface) & surface,
+                  const Handle(Geom2d_Curve) & of_file, double low, double high, double tolerance);
 
 }  // namespace sheetmorph

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/splines/surface_breaks.h"
+#include "sheetmorph/cad/occt_surface.h"
 
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <functional>
 
 namespace sheetmorph
 {
@@ -13,26 +15,38 @@ namespace sheetmorph
 namespace
 {
 
+// First and second derivatives, one a row: at some places, by one parameter.
+using Slopes = std::array<Points, 2>;
+using SlopesAt = std::function<Slopes(double)>;
+
+// How often a place is a knot: files have knots of all orders where a CAD system made a surface
+// longer or joined two that go on smoothly, and what is not needed is free to swing.
+int times_at(const SlopesAt& slopes, double at, double range)
+{
+    constexpr double beside = 1e-9, kink = 1e-5, bend = 1e-3;
+    const Slopes before = slopes(at - beside * range), after = slopes(at + beside * range);
+    const auto largest = [](const Points& rows) { return rows.rowwise().norm().maxCoeff(); };
+    const double speed = std::max(largest(before[0]), largest(after[0]));
+    if (largest(after[0] - before[0]) > kink * speed)
+        return 3;
+    return largest(after[1] - before[1]) * range > bend * speed ? 2 : 0;
+}
+
 // What has one continuous derivative only between places, and two only between more of them.
-std::vector<CubicBasis::Break> merged(const std::vector<double>& kinks,
-                                      const std::vector<double>& breaks, double low, double high)
+std::vector<CubicBasis::Break> real_breaks(std::vector<double> places, const SlopesAt& slopes,
+                                           double low, double high)
 {
     const double least = 1e-6 * (high - low);
     std::vector<CubicBasis::Break> found;
-    const auto add = [&](double at, int times)
+    std::sort(places.begin(), places.end());
+    for (const double at : places)
     {
-        if (at < low + least || at > high - least)
-            return;
-        for (const CubicBasis::Break& one : found)
-            if (std::abs(one.at - at) < least)
-                return;
-        found.push_back({at, times});
-    };
-    for (const double at : kinks)
-        add(at, 3);
-    for (const double at : breaks)
-        add(at, 2);
-    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+        if (at < low + least || at > high - least
+            || (!found.empty() && at < found.back().at + least))
+            continue;
+        if (const int times = times_at(slopes, at, high - low); times > 0)
+            found.push_back({at, times});
+    }
     return found;
 }
 
@@ -47,30 +61,49 @@ std::vector<CubicBasis::Break> surface_breaks(const SurfacePatch& patch, int dir
 {
     const GeomAdaptor_Surface surface(patch.surface, patch.low(0), patch.high(0), patch.low(1),
                                       patch.high(1));
-    const auto ends = [&](GeomAbs_Shape shape)
+    TColStd_Array1OfReal ends(
+        1,
+        1 + (direction == 0 ? surface.NbUIntervals(GeomAbs_C2) : surface.NbVIntervals(GeomAbs_C2)));
+    if (direction == 0)
+        surface.UIntervals(ends, GeomAbs_C2);
+    else
+        surface.VIntervals(ends, GeomAbs_C2);
+    const auto slopes = [&](double at)
     {
-        TColStd_Array1OfReal found(
-            1, 1 + (direction == 0 ? surface.NbUIntervals(shape) : surface.NbVIntervals(shape)));
-        if (direction == 0)
-            surface.UIntervals(found, shape);
-        else
-            surface.VIntervals(found, shape);
-        return as_vector(found);
+        constexpr int samples = 8;
+        const int other = 1 - direction;
+        Slopes found = {Points(samples + 1, 3), Points(samples + 1, 3)};
+        for (int i = 0; i <= samples; ++i)
+        {
+            const double beside =
+                patch.low(other) + i * (patch.high(other) - patch.low(other)) / samples;
+            gp_Pnt here;
+            gp_Vec u, v, uu, vv, uv;
+            patch.surface->D2(direction == 0 ? at : beside, direction == 0 ? beside : at, here, u,
+                              v, uu, vv, uv);
+            found[0].row(i) = to_vector((direction == 0 ? u : v).XYZ()).transpose();
+            found[1].row(i) = to_vector((direction == 0 ? uu : vv).XYZ()).transpose();
+        }
+        return found;
     };
-    return merged(ends(GeomAbs_C1), ends(GeomAbs_C2), patch.low(direction), patch.high(direction));
+    return real_breaks(as_vector(ends), slopes, patch.low(direction), patch.high(direction));
 }
 
 std::vector<CubicBasis::Break> curve_breaks(const Handle(Geom_Curve) & curve, double low,
                                             double high)
 {
     const GeomAdaptor_Curve adaptor(curve, low, high);
-    const auto ends = [&](GeomAbs_Shape shape)
+    TColStd_Array1OfReal ends(1, 1 + adaptor.NbIntervals(GeomAbs_C2));
+    adaptor.Intervals(ends, GeomAbs_C2);
+    const auto slopes = [&](double at)
     {
-        TColStd_Array1OfReal found(1, 1 + adaptor.NbIntervals(shape));
-        adaptor.Intervals(found, shape);
-        return as_vector(found);
+        gp_Pnt here;
+        gp_Vec first, second;
+        curve->D2(at, here, first, second);
+        return Slopes{Points(to_vector(first.XYZ()).transpose()),
+                      Points(to_vector(second.XYZ()).transpose())};
     };
-    return merged(ends(GeomAbs_C1), ends(GeomAbs_C2), low, high);
+    return real_breaks(as_vector(ends), slopes, low, high);
 }
 
 }  // namespace sheetmorph

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Geom_Curve.hxx>
+#include <vector>
+
+namespace sheetmorph
+{
+
+//! How long a curve is from where it begins, mm, by its own parameter.
+class ArcLength
+{
+public:
+    ArcLength(const Handle(Geom_Curve) & curve, double low, double high);
+
+    double at(double t) const;
+    double whole() const { return lengths_.back(); }
+
+private:
+    double between(double low, double high) const;
+
+    Handle(Geom_Curve) curve_;
+    std::vector<double> ends_, lengths_;  // of pieces: parameters, and how far that is
+};
+
+}  // namespace sheetmorph
