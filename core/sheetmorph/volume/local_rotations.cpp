@@ -6,6 +6,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/rotations/rotation_batch.h"
 #include "sheetmorph/base/vertex_sets.h"
 
 #include <Eigen/Dense>
@@ -239,26 +240,16 @@ void LocalRotationMeter::require_rows(const Points& deformed, const Points& refe
 LocalRotations LocalRotationMeter::measure(const Points& deformed, const Points& references) const
 {
     require_rows(deformed, references, count_);
-    LocalRotations result{std::vector<Matrix3>(count_), references};
-    std::vector<Matrix3> before(count_);
-    parallel_ranges(references.rows(), microsecond_items,
-                    [&](Eigen::Index begin, Eigen::Index end)
-                    {
-                        for (Eigen::Index k = begin; k < end; ++k)
-                            before[at(k)] =
-                                rotation_from_log(Vector3(references.row(k).transpose()));
-                    });
-    result.matrices = before;
+    const std::vector<Matrix3> before = rotations_from_logs(references);
+    LocalRotations result{before, references, Points(0, 3)};
     turn(deformed, result.matrices);
-    parallel_ranges(
-        references.rows(), microsecond_items,
-        [&](Eigen::Index begin, Eigen::Index end)
-        {
-            for (Eigen::Index k = begin; k < end; ++k)
-                if (result.matrices[at(k)] != before[at(k)])
-                    result.logs.row(k) =
-                        log_near(result.matrices[at(k)], references.row(k).transpose()).transpose();
-        });
+    NearLogs found = logs_near(result.matrices, references);
+    for (std::size_t k = 0; k < count_; ++k)
+        if (const auto row = static_cast<Eigen::Index>(k); result.matrices[k] != before[k])
+            result.logs.row(row) = found.logs.row(row);
+        else if (found.tilts.rows() != 0)
+            found.tilts.row(row).setZero();
+    result.tilts = std::move(found.tilts);
     return result;
 }
 
@@ -363,9 +354,9 @@ RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalR
             "as it has vertices, and at least one");
     const Eigen::VectorXd share = shares(weights, count);
     const Vector3 log = (share.transpose() * turned.logs).transpose();
-    Vector3 tilt = Vector3::Zero();
-    for (Eigen::Index k = 0; k < count; ++k)
-        tilt += share(k) * tilt_beyond(turned.matrices[k], turned.logs.row(k).transpose());
+    const Vector3 tilt = turned.tilts.rows() == 0
+                             ? Vector3(Vector3::Zero())
+                             : Vector3((share.transpose() * turned.tilts).transpose());
     RigidMotion motion;
     motion.rotation_log =
         tilt.isZero(0.0) ? log : nearest_branch(log_from_rotation(tilted_rotation(log, tilt)), log);

@@ -15,6 +15,7 @@ struct LocalRotations
 {
     std::vector<Matrix3> matrices;  //!< k rotations
     Points logs;                    //!< (k, 3), each near its reference
+    Points tilts = Points(0, 3);    //!< (k, 3) what logs cannot tell (log_near()); no rows: nothing
 };
 
 //! Measures how the one-rings of some vertices turn: polar factor of the map from the rest ring to

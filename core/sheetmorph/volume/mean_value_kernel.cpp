@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/volume/mean_value_kernel.h"
 
+#include "sheetmorph/base/instructions/lane_angles.h"
 #include "sheetmorph/base/instructions/widest.h"
-#include "sheetmorph/volume/lane_angles.h"
 
 #include <cstring>
 

@@ -2,7 +2,10 @@
 #include "sheetmorph/volume/volume_link.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/rotations/rotation_batch.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 
@@ -138,15 +141,17 @@ void VolumeLink::compose(const MeanValueCoordinates& coordinates)
         return;
     }
     const Weights half_inputs = from_inputs_.transpose();
-    rows_ = Weights::Zero(each * count, columns);
+    rows_ = PanelRows(each * count, columns);
     for (Eigen::Index first = 0; first < count; first += chunk)
     {
         Weights rows = target_rows(coordinates, first);
-        auto place = rows_.middleRows(each * first, rows.rows());
         if (is_composed_)
-            add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0, place);
-        else
-            place = rows;
+        {
+            Weights composed = Weights::Zero(rows.rows(), columns);
+            add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0, composed);
+            rows = std::move(composed);
+        }
+        rows_.set(each * first, rows);
     }
 }
 
@@ -214,10 +219,10 @@ Points VolumeLink::control_vertices(const SourceState& state) const
 Points VolumeLink::displacements(const Points& inputs) const
 {
     if (is_composed_)
-        return narrow_product(rows_, inputs);
+        return rows_.times(inputs);
     const Points control = control_displacements(inputs);
     if (coordinates_ == nullptr)
-        return narrow_product(rows_, control);
+        return rows_.times(control);
     const Eigen::Index each = options_.rotations ? 4 : 1;
     Points moved(each * targets_.rows(), 3);
     for (Eigen::Index first = 0; first < targets_.rows(); first += chunk)
@@ -226,6 +231,11 @@ Points VolumeLink::displacements(const Points& inputs) const
         moved.middleRows(each * first, rows.rows()) = narrow_product(rows, control);
     }
     return moved;
+}
+
+Matrix3 LinkedTargets::rotation(Eigen::Index row) const
+{
+    return rotations.empty() ? rotation_from_log(logs.row(row).transpose()) : rotations[at(row)];
 }
 
 LinkedTargets VolumeLink::transfer(const SourceState& state) const
@@ -237,35 +247,28 @@ LinkedTargets VolumeLink::transfer(const SourceState& state) const
         result.positions += moved;
         return result;
     }
-    result.logs = state.mean.rotation_log.transpose().replicate(targets_.rows(), 1);
     const bool has_references = state.logs.rows() == source_.rows();
-    const Matrix3 rotation = state.mean.rotation();
-    result.rotations.assign(static_cast<std::size_t>(targets_.rows()), rotation);
-    const Matrix3 axes = steps_.colwise().normalized();
-    std::vector<Eigen::Index> turned;
-    std::vector<Matrix3> maps;
+    Points references(targets_.rows(), 3);
+    for (Eigen::Index i = 0; i < targets_.rows(); ++i)
+        references.row(i) = has_references
+                                ? Eigen::RowVector3d(state.logs.row(nearest_[at(i)]))
+                                : Eigen::RowVector3d(state.mean.rotation_log.transpose());
+    const Matrix3 rotation = state.mean.rotation(), axes = steps_.colwise().normalized();
+    std::vector<Matrix3> maps(at(targets_.rows()), rotation);
     for (Eigen::Index i = 0; i < targets_.rows(); ++i)
     {
         result.positions.row(i) += moved.row(4 * i);
-        const Matrix3 derivative = moved.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
-        if (derivative.isZero(0.0))
-            continue;
-        turned.push_back(i);
-        maps.push_back(rotation + derivative);
+        maps[at(i)] += moved.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
     }
-    make_rotations(maps);
-    for (std::size_t k = 0; k < turned.size(); ++k)
-        result.rotations[static_cast<std::size_t>(turned[k])] = maps[k];
-    for (std::size_t i = 0; i < result.rotations.size(); ++i)
-    {
-        const auto row = static_cast<Eigen::Index>(i);
-        if (has_references)
-            result.logs.row(row) =
-                log_near(result.rotations[i], state.logs.row(nearest_[i]).transpose()).transpose();
-        else if (result.rotations[i] != rotation)
-            result.logs.row(row) =
-                log_near(result.rotations[i], state.mean.rotation_log).transpose();
-    }
+    if (!moved.isZero(0.0))
+        make_rotations(maps);
+    NearLogs told = logs_near(maps, references);
+    for (Eigen::Index i = 0; i < targets_.rows() && !has_references; ++i)
+        if (maps[at(i)] == rotation)
+            told.logs.row(i) = references.row(i);
+    result.logs = std::move(told.logs);
+    if (told.tilts.rows() != 0)
+        result.rotations = std::move(maps);
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rates.h"
+#include "sheetmorph/numerics/panel_rows.h"
 #include "sheetmorph/volume/control_mesh.h"
 #include "sheetmorph/volume/control_mesh_fit.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"
@@ -46,8 +47,10 @@ struct LinkedTargets
 {
     Points positions;  //!< (k, 3) mm
     Points logs;       //!< (k, 3) near the nearest source point's log; empty without rotations
-    std::vector<Matrix3> rotations;  //!< k: the rotations themselves, which a log near a whole turn
-                                     //!< cannot tell (log_near()); empty without
+    std::vector<Matrix3> rotations;  //!< k: the rotations themselves, where a log near a whole turn
+                                     //!< cannot tell them (log_near()); empty: those of the logs
+
+    Matrix3 rotation(Eigen::Index row) const;
 };
 
 //! How a SourceState changes; its logs must be there.
@@ -105,7 +108,7 @@ private:
     DenseCholesky factor_;
     Weights from_inputs_;                // (m, inputs): L^-1 times what the source says
     std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
-    Weights rows_;                       // of the targets, on the inputs or on the control vertices
+    PanelRows rows_;                     // of the targets, on the inputs or on the control vertices
     bool is_composed_ = false;
     std::shared_ptr<const MeanValueCoordinates> coordinates_;  // instead of rows that are not kept
 };

@@ -4,6 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/rotations/rotation_batch.h"
 #include "volume/link_scene.h"
 
 #include <Eigen/Dense>
@@ -178,10 +179,9 @@ TEST(MeanMotionTest, TurnsAsTheSourceDoesWhereNoLogNearbyTellsIt)
     const Points point = Points::Zero(1, 3);
     const Vector3 reference(3.1, 0.0, 0.0);  // nearly a whole turn
     const Matrix3 rotation = rotation_from_log(Vector3(0.1, 0.6, 0.2));
-    Points logs(1, 3);
-    logs.row(0) = log_near(rotation, reference).transpose();
-    const RigidMotion motion = mean_motion(point, point, {{rotation}, logs});
-    EXPECT_GT((rotation_from_log(logs.row(0).transpose()) - rotation).norm(), 0.1);
+    const NearLogs told = logs_near({rotation}, reference.transpose());
+    const RigidMotion motion = mean_motion(point, point, {{rotation}, told.logs, told.tilts});
+    EXPECT_GT((rotation_from_log(told.logs.row(0).transpose()) - rotation).norm(), 0.1);
     EXPECT_LT((motion.rotation() - rotation).norm(), 1e-12);
 }
 

@@ -148,9 +148,14 @@ Matrix3 mean_rotation(const std::vector<LinkRow>& rows, const EarlierParts& earl
 {
     Matrix3 sum = Matrix3::Zero();
     for (const LinkRow& row : rows)
-        sum +=
-            row.weight * earlier.links[at(row.link)].rotations[static_cast<std::size_t>(row.row)];
+        sum += row.weight * earlier.links[at(row.link)].rotation(row.row);
     return rows.size() == 1 ? sum : nearest_rotation(sum);
+}
+
+// Of one row alone, whose rotation is its log's.
+bool is_told_by_log(const std::vector<LinkRow>& rows, const EarlierParts& earlier)
+{
+    return rows.size() == 1 && earlier.links[at(rows.front().link)].rotations.empty();
 }
 
 }  // namespace
@@ -196,8 +201,11 @@ SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& pro
             const std::vector<LinkRow>& rows = region[static_cast<std::size_t>(k)];
             target.positions.row(k) = mean_row(rows, earlier, &LinkedTargets::positions);
             target.rotation_logs.row(k) = mean_row(rows, earlier, &LinkedTargets::logs);
-            target.rotations.push_back(mean_rotation(rows, earlier));
         }
+        if (!std::all_of(region.begin(), region.end(),
+                         [&](const auto& rows) { return is_told_by_log(rows, earlier); }))
+            for (const std::vector<LinkRow>& rows : region)
+                target.rotations.push_back(mean_rotation(rows, earlier));
         targets.propagated.push_back(std::move(target));
     }
     return targets;

@@ -209,23 +209,6 @@ void join(PreparedAssembly& prepared, const Geometries& geometries, const Progre
                             prepared.joined->timings.end());
 }
 
-void add_problems(PreparedAssembly& prepared)
-{
-    const Assembly& given = prepared.assembly;
-    const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
-    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
-    {
-        const bool is_alone = !is_whole(given);
-        prepared.parts.push_back({is_alone ? problem_of_part(given, part, passages)
-                                           : problem_in_whole(given, part, prepared.welds),
-                                  {},
-                                  nullptr,
-                                  nullptr});
-        if (is_alone)
-            hold_loose_pieces(given.parts[at(part)], given.unheld, prepared.parts.back().problem);
-    }
-}
-
 // A stage after the last that moves it.
 void add_stages(PreparedAssembly& prepared)
 {
@@ -247,6 +230,24 @@ void add_stages(PreparedAssembly& prepared)
         prepared.stages.resize(std::max(prepared.stages.size(), stage[at(part)] + 1));
         prepared.stages[stage[at(part)]].push_back(part);
     }
+}
+
+void add_problems(PreparedAssembly& prepared)
+{
+    const Assembly& given = prepared.assembly;
+    const Passages passages{prepared.planned, prepared.welds, prepared.pairs};
+    for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
+    {
+        const bool is_alone = !is_whole(given);
+        prepared.parts.push_back({is_alone ? problem_of_part(given, part, passages)
+                                           : problem_in_whole(given, part, prepared.welds),
+                                  {},
+                                  nullptr,
+                                  nullptr});
+        if (is_alone)
+            hold_loose_pieces(given.parts[at(part)], given.unheld, prepared.parts.back().problem);
+    }
+    add_stages(prepared);
 }
 
 //! Collects what has to be built, and times it.
@@ -367,7 +368,6 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
     add_problems(prepared);
-    add_stages(prepared);
     Preparation preparation(prepared, geometries, previous);
     for (int part = 0; part < static_cast<int>(given.parts.size()); ++part)
         preparation.add_part(part);

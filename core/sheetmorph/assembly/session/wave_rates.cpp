@@ -69,7 +69,7 @@ PropagatedRate propagated_rate(const std::vector<std::vector<LinkRow>>& region,
         for (const LinkRow& row : region[at(k)])
         {
             const LinkedRates& link = links[at(row.link)];
-            const Matrix3& rotation = at_pose[at(row.link)].rotations[at(row.row)];
+            const Matrix3 rotation = at_pose[at(row.link)].rotation(row.row);
             rate.positions.row(k) += row.weight * link.positions.row(row.row);
             rate.rotation_logs.row(k) += row.weight * link.logs.row(row.row);
             sum += row.weight * rotation;

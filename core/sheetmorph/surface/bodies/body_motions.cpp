@@ -71,7 +71,8 @@ void add_propagated(const PlacementInput& part, const SurfaceTargets& targets,
         for (std::size_t k = 0; k < vertices.size(); ++k)
         {
             const Vector3 log = target.rotation_logs.row(static_cast<Eigen::Index>(k)).transpose();
-            const Vector3 tilt = tilt_beyond(rotation_at(target, k), log);
+            const Vector3 tilt = target.rotations.empty() ? Vector3(Vector3::Zero())
+                                                          : tilt_beyond(target.rotations[k], log);
             given.tilts.regions.row(region) +=
                 tilt.transpose() / static_cast<double>(vertices.size());
             if (part.roles.role[at(vertices[k])] != Role::propagated)

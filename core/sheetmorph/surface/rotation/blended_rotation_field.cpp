@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/numerics/panel_rows.h"
 #include "sheetmorph/surface/operators/shared_unknowns.h"
 #include "sheetmorph/surface/operators/ties.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
@@ -11,6 +12,10 @@ namespace sheetmorph
 
 namespace
 {
+
+// Answers to every vertex that is told on its own are kept where they are so few: read in less time
+// than the factor.
+constexpr Eigen::Index most_kept = 100000;
 
 // Every rotation that is known gets a number; a vertex belongs to one source or to none.
 struct Sources
@@ -192,6 +197,7 @@ public:
           ties_(input.roles.ties)
     {
         smooth_and_renormalise(weights_);
+        keep_answers();
     }
 
     SpreadRotations spread(const KnownRotations& known) const override
@@ -210,7 +216,7 @@ public:
                 logs.row(i) = of_unknown.row(unknowns_.of_vertex[static_cast<std::size_t>(i)]);
             else
                 logs.row(i) = of_source.row(source);
-            if (source >= sources_.first_region && source < sources_.first_point)
+            if (is_told_alone(static_cast<int>(i)))
                 excess.row(i) = known.vertices.row(i) - of_source.row(source);
         }
         if (!excess.isZero(0.0))
@@ -250,11 +256,35 @@ private:
         return -factor_.solve(pull);
     }
 
+    bool is_told_alone(int vertex) const
+    {
+        const int source = sources_.of_vertex[at(vertex)];
+        return source >= sources_.first_region && source < sources_.first_point;
+    }
+
+    void keep_answers()
+    {
+        const auto count = static_cast<int>(sources_.of_vertex.size());
+        for (int i = 0; i < count; ++i)
+            if (is_told_alone(i))
+                told_alone_.push_back(i);
+        const auto told = static_cast<Eigen::Index>(told_alone_.size());
+        is_kept_ = told * unknowns_.count <= most_kept;
+        if (!is_kept_)
+            return;
+        Eigen::MatrixXd each = Eigen::MatrixXd::Zero(count, told);
+        for (Eigen::Index k = 0; k < told; ++k)
+            each(told_alone_[at(k)], k) = 1.0;
+        answers_ = PanelRows(Weights(harmonic_values(each)));
+    }
+
     // Rotations differ from vertex to vertex inside a propagated region; what exceeds the
     // region's mean fades out harmonically.
     void add_harmonic_excess(Points& logs, const Points& excess) const
     {
-        const Eigen::MatrixXd of_unknown = harmonic_values(excess);
+        const Points of_unknown = is_kept_
+                                      ? answers_.times(excess(told_alone_, Eigen::indexing::all))
+                                      : Points(harmonic_values(excess));
         for (Eigen::Index i = 0; i < logs.rows(); ++i)
         {
             const int unknown = unknowns_.of_vertex[static_cast<std::size_t>(i)];
@@ -270,6 +300,9 @@ private:
     std::vector<int> used_;    // sources that have a vertex
     Eigen::MatrixXd weights_;  // (unknowns, used sources)
     std::vector<Tie> ties_;
+    VertexIds told_alone_;  // in propagated regions, each by its own
+    bool is_kept_ = false;
+    PanelRows answers_;  // (unknowns, told alone), if kept
 };
 
 }  // namespace

@@ -10,6 +10,28 @@ namespace sheetmorph
 namespace
 {
 
+// Motions whose rotations are worked out once for many points.
+struct Movers
+{
+    explicit Movers(const std::vector<RigidMotion>& given) : motions(given)
+    {
+        for (const RigidMotion& motion : motions)
+            rotations.push_back(motion.rotation());
+    }
+
+    Vector3 moved(int mover, const Vector3& point) const
+    {
+        const RigidMotion& motion = motions[at(mover)];
+        return motion.rotation_log.isZero(0.0)
+                   ? Vector3(point + motion.translation)
+                   : Vector3(motion.pivot + motion.translation
+                             + rotations[at(mover)] * (point - motion.pivot));
+    }
+
+    const std::vector<RigidMotion>& motions;
+    std::vector<Matrix3> rotations;
+};
+
 // Calls place(vertex, position) for every vertex whose position the pose knows.
 template <typename Place>
 void place_known(const PlacementInput& part, const SurfaceTargets& targets,
@@ -23,14 +45,15 @@ void place_known(const PlacementInput& part, const SurfaceTargets& targets,
                 place(vertices[k], Vector3(targets.propagated[region].positions.row(
                                        static_cast<Eigen::Index>(k))));
     }
+    const Movers of_handles(targets.handles), of_bodies(bodies.motions);
     for (int i = 0; i < part.rest.vertex_count(); ++i)
     {
         const Vector3 point = part.rest.points().row(i).transpose();
         const int owner = part.roles.owner[at(i)];
         if (part.roles.role[at(i)] == Role::handle)
-            place(i, targets.handles[at(owner)].apply(point));
+            place(i, of_handles.moved(owner, point));
         else if (part.roles.role[at(i)] == Role::body)
-            place(i, bodies.motions[at(owner)].apply(point));
+            place(i, of_bodies.moved(owner, point));
     }
 }
 

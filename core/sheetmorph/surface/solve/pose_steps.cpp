@@ -4,6 +4,7 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/rotations/rotation_batch.h"
 #include "sheetmorph/surface/rotation/turner_field.h"
 #include "sheetmorph/surface/solve/placement.h"
 #include "sheetmorph/surface/solve/reduced_minimum.h"
@@ -51,12 +52,16 @@ std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
     const WeightRows weights = part.responses ? WeightRows(part.responses->weights())
                                               : WeightRows(part.rest.vertex_count(), 0);
     std::vector<Matrix3> turn(at(part.rest.vertex_count()));
+    const bool is_tilted = !field.tilts.isZero(0.0);
     const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
     {
-        for (Eigen::Index i = begin; i < end; ++i)
+        turns_from_logs(field.logs, begin, end, turn.data() + begin);
+        for (Eigen::Index i = begin; i < end && (is_tilted || weights.nonZeros() > 0); ++i)
         {
             Matrix3& change = turn[at(i)];
-            change = tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
+            if (is_tilted)
+                change =
+                    tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
             double left = 1.0;
             for (WeightRows::InnerIterator entry(weights, i); entry; ++entry)
                 left -= entry.value();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/instructions/lane_functions.h"
 #include "sheetmorph/base/log_near.h"
-#include "sheetmorph/volume/lane_functions.h"
 
 namespace sheetmorph
 {

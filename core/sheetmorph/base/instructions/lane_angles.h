@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/volume/lane_functions.h"
+#include "sheetmorph/base/instructions/lane_functions.h"
 
 namespace sheetmorph
 {
