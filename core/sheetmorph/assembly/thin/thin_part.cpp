@@ -186,6 +186,12 @@ void ThinPart::find_feet()
         feet_[at(s)] = own->second.nearest(mesh_.points().row(v).transpose(), reach);
     };
     each_in_parallel(feet_.size(), find);
+    above_.resize(at(mesh_.vertex_count()));
+    for (std::size_t s = 0; s < feet_.size(); ++s)
+        for (const Anchor& foot : feet_[s])
+            for (std::size_t k = 0; k < 3; ++k)
+                if (foot.weights(static_cast<Eigen::Index>(k)) >= no_weight)
+                    above_[at(foot.corners[k])].push_back(static_cast<int>(s));
 }
 
 // Every skin vertex half the way to the other skin, so that all facets around are pushed alike: at
@@ -223,8 +229,15 @@ void ThinPart::find_middle()
 SkinRegion ThinPart::on_skin(const VertexIds& region) const
 {
     std::vector<char> is_in(at(mesh_.vertex_count()), 0);
+    VertexIds candidates;
     for (const int vertex : region)
+    {
         is_in[at(vertex)] = 1;
+        if (const int own = skin_.index_of[at(vertex)]; own >= 0)
+            candidates.push_back(own);
+        candidates.insert(candidates.end(), above_[at(vertex)].begin(), above_[at(vertex)].end());
+    }
+    make_set(candidates);
     SkinRegion found;
     std::vector<char> is_covered(skin_.vertices.size(), 0);
     const auto lies_on = [&](const Anchor& foot)
@@ -236,12 +249,13 @@ SkinRegion ThinPart::on_skin(const VertexIds& region) const
                       || foot.weights(static_cast<Eigen::Index>(k)) < no_weight);
         return all;
     };
-    for (std::size_t s = 0; s < feet_.size(); ++s)
+    for (const int s : candidates)
     {
-        const bool is_own = is_in[at(skin_.vertices[s])] != 0;
-        is_covered[s] = is_own || std::any_of(feet_[s].begin(), feet_[s].end(), lies_on);
-        if (is_covered[s])
-            (is_own ? found.own : found.below).push_back(static_cast<int>(s));
+        const std::vector<Anchor>& feet = feet_[at(s)];
+        const bool is_own = is_in[at(skin_.vertices[at(s)])] != 0;
+        is_covered[at(s)] = is_own || std::any_of(feet.begin(), feet.end(), lies_on);
+        if (is_covered[at(s)])
+            (is_own ? found.own : found.below).push_back(s);
     }
     add_below(region, is_covered, found);
     return found;

@@ -56,6 +56,7 @@ private:
     TriangleMesh middle_;
     std::vector<Anchors> anchors_;
     std::vector<Anchors> feet_;     // by skin vertex: the opposite places, if any
+    std::vector<VertexIds> above_;  // by vertex: the skin vertices whose feet are on its triangles
     std::vector<VertexIds> rims_;   // of the walls: those vertices on the main, then on the
     std::vector<int> wall_of_rim_;  // opposite skin
 };

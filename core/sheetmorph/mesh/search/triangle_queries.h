@@ -4,6 +4,7 @@
 #include "sheetmorph/mesh/search/picking.h"
 
 #include <array>
+#include <limits>
 
 namespace sheetmorph
 {
@@ -22,17 +23,35 @@ public:
 
     //! Distance at which the ray enters a box, widened by the rounding of the test; 0 inside it,
     //! infinite if it misses.
-    double entry(const Vector3& low, const Vector3& high) const;
+    double entry(const Vector3& low, const Vector3& high) const
+    {
+        double enter = 0.0;
+        double leave = std::numeric_limits<double>::infinity();
+        for (int c = 0; c < 3; ++c)
+        {
+            // Written so that the NaN of a ray in the plane of a side changes nothing.
+            const double from = ((is_forward_[c] ? low : high)(c) - enters_from_(c)) * inverse_(c);
+            const double to = ((is_forward_[c] ? high : low)(c) - leaves_from_(c)) * inverse_(c);
+            enter = from > enter ? from : enter;
+            leave = to < leave ? to : leave;
+        }
+        const bool is_hit = enter * (1.0 - rounding) <= leave * (1.0 + rounding);
+        return is_hit ? enter * (1.0 - rounding) : std::numeric_limits<double>::infinity();
+    }
 
     //! Whether the ray meets a triangle, from either side, its border included; sets barycentric,
     //! distance and point.
     bool meets(const TriangleCorners& corners, Hit& hit) const;
 
 private:
+    //! Relative error of what the tests compute, with room to spare.
+    static constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+
     Vector3 origin_;
     Vector3 inverse_;
+    Vector3 enters_from_, leaves_from_;  // the origin, moved so that boxes are widened
     Vector3 shear_;
-    double slack_;
+    bool is_forward_[3];
     int x_, y_, z_;
 };
 

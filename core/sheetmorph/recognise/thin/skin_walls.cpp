@@ -8,6 +8,7 @@
 #include "sheetmorph/mesh/topology/submesh.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace sheetmorph
@@ -23,6 +24,7 @@ constexpr double thickest_of_skin = 1.8;  // more than sqrt(3): the corner of a 
 constexpr double across = 0.5;
 
 constexpr int on_both = 2;
+constexpr int none = -1;
 
 constexpr Eigen::Index least_facets = 50;  // worth a thread
 
@@ -48,14 +50,14 @@ public:
     FacetSides run()
     {
         find_sides_of_patches();
-        parallel_ranges(
-            graph_.facet_count(), least_facets,
-            [this](Eigen::Index begin, Eigen::Index end)
-            {
-                for (auto t = static_cast<int>(begin); t < end; ++t)
-                    if (pairs_.side[at(t)] == 0 && !graph_.is_thin[at(t)] && thickness(t) > 0.0)
-                        place(t);
-            });
+        measure_corners();
+        parallel_ranges(graph_.facet_count(), least_facets,
+                        [this](Eigen::Index begin, Eigen::Index end)
+                        {
+                            for (auto t = static_cast<int>(begin); t < end; ++t)
+                                if (is_open(t))
+                                    place(t);
+                        });
         give_steps_to_their_skin();
         place_thin_facets();
         return result_;
@@ -68,6 +70,42 @@ private:
         const std::size_t component = at(graph_.component[at(facet)]);
         return pairs_.is_thin[component] ? cells_.thickness[component] : 0.0;
     }
+
+    // Whether a facet is yet on neither skin.
+    bool is_open(int facet) const
+    {
+        return pairs_.side[at(facet)] == 0 && !graph_.is_thin[at(facet)] && thickness(facet) > 0.0;
+    }
+
+    // The skin that the patch of a facet is on, if it is on one.
+    int side_of(int facet) const
+    {
+        const auto patch = side_of_patch_.find(cells_.patch[at(facet)]);
+        return patch != side_of_patch_.end() ? patch->second : on_both;
+    }
+
+    // How far corners of facets that may be walls are from the skins: facets share them.
+    void measure_corners()
+    {
+        facet_at_.assign(at(mesh_.vertex_count()), none);
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            for (int k = 0; k < 3 && is_open(t) && side_of(t) == on_both; ++k)
+                if (int& facet = facet_at_[at(mesh_.triangles()(t, k))];
+                    facet == none || graph_.component[at(facet)] == graph_.component[at(t)])
+                    facet = t;
+        distances_.resize(facet_at_.size());
+        parallel_ranges(mesh_.vertex_count(), least_facets,
+                        [this](Eigen::Index begin, Eigen::Index end)
+                        {
+                            for (auto v = static_cast<int>(begin); v < end; ++v)
+                                for (const int sign : {-1, 1})
+                                    if (facet_at_[at(v)] != none)
+                                        distances_[at(v)][sign > 0] =
+                                            nearest(facet_at_[at(v)], sign, corner(v)).distance;
+                        });
+    }
+
+    Vector3 corner(int vertex) const { return mesh_.points().row(vertex).transpose(); }
 
     // On a skin of the component of a facet: what touches it from outside plays no role.
     Hit nearest(int facet, int sign, const Vector3& point) const
@@ -91,8 +129,12 @@ private:
         double longest = 0.0;
         for (int k = 0; k < 3; ++k)
         {
-            const Vector3 corner = mesh_.points().row(mesh_.triangles()(facet, k)).transpose();
-            longest = std::max(longest, nearest(facet, sign, corner).distance);
+            const int vertex = mesh_.triangles()(facet, k);
+            const bool is_measured =
+                graph_.component[at(facet_at_[at(vertex)])] == graph_.component[at(facet)];
+            longest = std::max(longest, is_measured
+                                            ? distances_[at(vertex)][sign > 0]
+                                            : nearest(facet, sign, corner(vertex)).distance);
         }
         return longest;
     }
@@ -105,14 +147,14 @@ private:
 
     void place(int facet)
     {
-        const auto patch = side_of_patch_.find(cells_.patch[at(facet)]);
+        const int side = side_of(facet);
         const double reach = reach_of_walls * thickness(facet);
-        if (patch != side_of_patch_.end() && patch->second != on_both)
+        if (side != on_both)
         {
-            const Hit other = nearest(facet, -patch->second, graph_.centres.row(facet).transpose());
+            const Hit other = nearest(facet, -side, graph_.centres.row(facet).transpose());
             is_wall_[at(facet)] = other.distance <= reach && runs_along(facet, other);
             if (!is_wall_[at(facet)])
-                add_to_skin(facet, patch->second);
+                add_to_skin(facet, side);
             return;
         }
         is_wall_[at(facet)] = farthest(facet, 1) <= reach && farthest(facet, -1) <= reach;
@@ -181,6 +223,8 @@ private:
     const SkinPairs& pairs_;
     std::map<std::pair<int, int>, PickingTree> trees_;  // by component and side
     std::map<int, int> side_of_patch_;
+    std::vector<int> facet_at_;  // by vertex: one whose component it was measured in, none
+    std::vector<std::array<double, 2>> distances_;  // from the skins -1 and 1
     std::vector<char> is_wall_;
     FacetSides result_;
 };
