@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
 
@@ -27,25 +28,36 @@ class Answer:
 
     positions: part name -> (n, 3) float64 mm, read-only; contacts: empty if not exact; spread: the
     largest distance between two places where contacts want one vertex, mm, 0 if not exact;
-    deformed: the kernel's own result; lumps: where thin solids are not thin, each a rigid feature;
-    previews: parts that an exact answer refines besides, so that it may differ; unsettled: part
-    name -> what was not solved to its end, and how far it got; repairs: of parts of
-    decks, whose nodes slid after they were solved.
+    deformed: the kernel's own result; previews: parts that an exact answer refines besides, so that
+    it may differ; unsettled: part name -> what was not solved to its end, and how far it got;
+    repairs: of parts of decks, whose nodes slid after they were solved.
     """
 
     session: Preprocessed
     positions: dict[str, Floats]
-    features: list[FeatureResult]
     contacts: list[ContactResult]
     spread: float
     pose: Pose
     deformed: _core.Deformed
-    lumps: list[FeatureResult] = field(default_factory=list)
     previews: tuple[str, ...] = ()
     unsettled: dict[str, str] = field(default_factory=dict)
     repairs: list[dict[str, Any]] = field(default_factory=list)
     # An answer with other positions begins anew.
     _measured: dict[object, Any] = field(default_factory=dict, init=False)
+
+    @cached_property
+    def _moved(self) -> list[FeatureResult]:
+        return self.session.moved_features(self.deformed)
+
+    @property
+    def features(self) -> list[FeatureResult]:
+        """How every form feature of the recipe moved; few who drag ask."""
+        return self._moved[: len(self._moved) - self.session.lump_count]
+
+    @property
+    def lumps(self) -> list[FeatureResult]:
+        """Where thin solids are not thin: each moved as a rigid feature."""
+        return self._moved[len(self._moved) - self.session.lump_count :]
 
     def once(self, what: object, measure: Callable[[], Measured]) -> Measured:
         """What is measured when it is first asked for, under a key; each gets a copy."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, cast
 
@@ -186,6 +187,33 @@ class Preprocessed:
     def sheet_thickness(self, part: str) -> float:
         """How thick the sheet of a part is as `steel`, mm."""
         return float(self._kernel.sheet_thickness(self.parts.index(part)))
+
+    @cached_property
+    def lump_count(self) -> int:
+        """How many places of thin solids are not thin; each is a form feature after the others."""
+        solids = [self.thin_solid(part) for part in self.parts]
+        return sum(len(solid.lumps) for solid in solids if solid is not None)
+
+    def moved_features(self, deformed: _core.Deformed) -> list[FeatureResult]:
+        """How every form feature moved in what the kernel made, lumps of thin solids last."""
+        names = self.parts
+        entries = zip(deformed.features, self._kernel.features, self._kernel.shapes)
+        return [
+            FeatureResult(
+                name=feature.name,
+                part=names[feature.part],
+                rotation=feature.rotation,
+                translation=feature.translation,
+                centre=feature.centre,
+                edge_error=float(feature.edge_error),
+                rotation_type=entry.rotation,
+                motion=entry.motion,
+                kind=None if feature.size is None or shape is None else shape.kind,
+                size=feature.size,
+                outline_error=None if feature.size is None else float(feature.outline_error),
+            )
+            for feature, entry, shape in entries
+        ]
 
     def feature_vertices(self, name: str) -> Ints:
         """Indices (k,) of a form feature's vertices in its part."""

@@ -18,7 +18,7 @@ from .progress import Progress
 from .recipe import check_pose
 from .recipe.pose import Pose
 from .report import make_report
-from .results import ContactResult, FeatureResult
+from .results import ContactResult
 from .translation import Numbers, kernel_faults
 
 if TYPE_CHECKING:
@@ -113,14 +113,9 @@ class Session(Preprocessed):
             return self._result(kernel_drag.frame(self._translator.pose(moved)), pose)
 
     def _result(self, deformed: _core.Deformed, wanted: Pose) -> Result:
-        features = self._features(deformed.features)
-        solids = [self.thin_solid(part) for part in self.parts]
-        lumps = sum(len(solid.lumps) for solid in solids if solid is not None)
         return Result(
             session=self,
             positions={name: deformed.positions(k) for k, name in enumerate(self.parts)},
-            features=features[: len(features) - lumps],
-            lumps=features[len(features) - lumps :],
             contacts=[self._contact(found) for found in deformed.contacts],
             spread=float(deformed.spread),
             pose=dict(wanted),
@@ -128,25 +123,6 @@ class Session(Preprocessed):
             previews=tuple(self.parts[part] for part in deformed.previews),
             unsettled={self.parts[part]: text for part, text in deformed.unsettled},
         )
-
-    def _features(self, found: list[_core.FeatureResult]) -> list[FeatureResult]:
-        entries = zip(found, self._kernel.features, self._kernel.shapes)
-        return [
-            FeatureResult(
-                name=feature.name,
-                part=self.parts[feature.part],
-                rotation=feature.rotation,
-                translation=feature.translation,
-                centre=feature.centre,
-                edge_error=float(feature.edge_error),
-                rotation_type=entry.rotation,
-                motion=entry.motion,
-                kind=None if feature.size is None or shape is None else shape.kind,
-                size=feature.size,
-                outline_error=None if feature.size is None else float(feature.outline_error),
-            )
-            for feature, entry, shape in entries
-        ]
 
     def _contact(self, found: _core.ContactFidelity) -> ContactResult:
         entry = self._model.contacts[found.contact]
