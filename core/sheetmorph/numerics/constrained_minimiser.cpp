@@ -58,6 +58,19 @@ MergedMatrix reduced_hessian(const QuadraticProblem& problem, double support)
     return hessian;
 }
 
+// A^T diag(w) A, dense: a product row by row, since rows have few entries.
+Weights weighted_squares(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows,
+                         const Eigen::VectorXd& weights)
+{
+    using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+    Weights squares = Weights::Zero(rows.cols(), rows.cols());
+    for (Eigen::Index row = 0; row < rows.outerSize(); ++row)
+        for (Entry one(rows, row); one; ++one)
+            for (Entry other(rows, row); other; ++other)
+                squares(one.col(), other.col()) += weights(row) * one.value() * other.value();
+    return squares;
+}
+
 QuadraticProblem with_stiffness(QuadraticProblem problem)
 {
     if (!problem.stiffness)
@@ -169,6 +182,32 @@ ConstrainedMinimiser::Solution ConstrainedMinimiser::minimum(const Targets& targ
     }
     convergence.is_converged |= convergence.miss <= found_to * largest(u);
     return {std::move(u), std::move(multipliers), convergence};
+}
+
+// With A = B offset - f, b = -S^T B^T W A and v = -C offset it is A^T W A - q, and q (b, v) that of
+// the saddle point: b^T H^-1 b where there are no constraints. What the factor has of supporting
+// ones, s, goes to b as in correct(), and is taken off again.
+Weights ConstrainedMinimiser::energies(const SparseMatrix& rows, const SparseMatrix& offset) const
+{
+    const SparseMatrix unyielding = problem_.rows * offset - rows;
+    const SparseMatrix weighted = rows_scaled(unyielding, problem_.weights);
+    const SparseMatrix pulled = problem_.rows.transpose() * weighted;
+    SparseMatrix gradient = -(problem_.basis.transpose() * pulled);
+    Weights found = weighted_squares(unyielding, problem_.weights);
+    if (reduced_constraints_.rows() == 0)
+        return found - factor_.solved_product(gradient);
+    const SparseMatrix violation = -(problem_.constraints * offset);
+    if (support_ != 0.0)
+    {
+        const SparseMatrix held = supporting_rows(violation, problem_.supporting);
+        const SparseMatrix pulls = supporting_rows(reduced_constraints_, problem_.supporting);
+        gradient += support_ * (pulls.transpose() * held);
+        found += support_ * weighted_squares(held, Eigen::VectorXd::Ones(held.rows()));
+    }
+    const Eigen::MatrixXd excess =
+        scale_.asDiagonal() * (responses_.transpose() * gradient - Eigen::MatrixXd(violation));
+    found += excess.transpose() * schur_.solve(excess);
+    return found - factor_.solved_product(gradient);
 }
 
 Eigen::VectorXd ConstrainedMinimiser::constraint_error(const Eigen::MatrixXd& u,

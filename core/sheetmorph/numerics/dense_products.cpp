@@ -148,7 +148,7 @@ SHEETMORPH_INLINE void add_tiles(const WeightsView& left, const WeightsView& rig
             Kernel<width>::multiply(tile);
             for (Eigen::Index r = 0; r < high && !tile.is_whole; ++r)
                 for (Eigen::Index c = 0; c < wide; ++c)
-                    result(i + r, j + c) += tile.sums[r][c];
+                    tile.result[r][c] += tile.sums[r][c];
         }
     }
 }
@@ -158,6 +158,8 @@ SHEETMORPH_INLINE void add_tiles(const WeightsView& left, const WeightsView& rig
 void add_product(const WeightsView& left, const WeightsView& right, double factor,
                  WeightsTarget result)
 {
+    if (left.cols() == 0)
+        return;
     run_widest([&](auto width) SHEETMORPH_INLINED
                { add_tiles<width>(left, right, factor, result); });
 }

@@ -74,6 +74,28 @@ TEST(ConstrainedMinimiser, ASupportingConstraintDoesNotChangeTheMinimum)
     EXPECT_LT((ConstrainedMinimiser(problem).solve(small.targets, 1) - small.kkt()).norm(), 1e-10);
 }
 
+// With and without constraints that are redundant, and one that supports the part.
+TEST(ConstrainedMinimiser, EnergiesOfSparseTargetsAreThoseOfTheirMinima)
+{
+    for (const int constraints : {0, 1, 2})
+        for (const std::vector<int>& supporting : {std::vector<int>{}, std::vector<int>{0}})
+        {
+            Small small;
+            small.constraints.row(1) = 2.0 * small.constraints.row(0);
+            small.constraints.conservativeResize(constraints, Eigen::NoChange);
+            QuadraticProblem problem = small.problem();
+            problem.supporting = constraints > 0 ? supporting : std::vector<int>{};
+            const ConstrainedMinimiser minimiser(problem);
+            small.targets.constraints = Eigen::MatrixXd::Zero(constraints, 3);
+            const Eigen::MatrixXd left =
+                small.rows * minimiser.solve(small.targets, 2) - small.targets.rows;
+            const Eigen::MatrixXd expected = left.transpose() * small.weights.asDiagonal() * left;
+            const Eigen::MatrixXd found =
+                minimiser.energies(sparse(small.targets.rows), sparse(small.targets.offset));
+            EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-10) << constraints;
+        }
+}
+
 TEST(ConstrainedMinimiser, TellsWhichConstraintCannotBeMet)
 {
     Small small;

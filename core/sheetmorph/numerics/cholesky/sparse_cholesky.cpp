@@ -4,6 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/numerics/cholesky/frontal_cholesky.h"
+#include "sheetmorph/numerics/cholesky/half_solve.h"
 
 #include <algorithm>
 
@@ -70,6 +71,20 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right_sides) const
                     result(row, first + column) = group(slot_of(row), column);
         });
     return result;
+}
+
+Weights SparseCholesky::solved_product(const SparseMatrix& right) const
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index column = 0; column < right.outerSize(); ++column)
+        for (SparseMatrix::InnerIterator entry(right, column); entry; ++entry)
+            entries.emplace_back(elimination_.slot_of(static_cast<int>(entry.row())),
+                                 static_cast<int>(column), entry.value());
+    Eigen::SparseMatrix<double, Eigen::RowMajor> by_slot(solver_.factor().slots, right.cols());
+    by_slot.setFromTriplets(entries.begin(), entries.end());
+    Weights product = half_solved_product(solver_.factor(), by_slot);
+    product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+    return product;
 }
 
 SparseMatrix rows_scaled(const SparseMatrix& matrix, const Eigen::VectorXd& factors)

@@ -26,6 +26,10 @@ public:
     //! \returns            (n, k), the solutions
     Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides) const;
 
+    //! right^T N^-1 right (k, k) of the merged matrix N.
+    //! \param right  (n, k)
+    Weights solved_product(const SparseMatrix& right) const;
+
     Eigen::Index size() const { return elimination_.matrix().count; }
 
     //! Entries of the factor, for memory and fill reports.

@@ -54,8 +54,7 @@ bool Response::is_possible(const PreparedSurface& part)
     std::size_t propagated = 0;
     for (const KnownRegion& region : part.constraints.propagated)
         propagated += region.vertices.size();
-    return propagated <= most_propagated
-           && (part.responses == nullptr || part.responses->fields() != nullptr);
+    return propagated <= most_propagated;
 }
 
 Response::Response(const PreparedSurface& part, const std::vector<SurfaceTargets>& samples,
@@ -138,7 +137,8 @@ void Response::learn(const std::vector<SurfaceTargets>& samples, const Progress&
         poses.emplace_back(part_, targets);
     numbers_.emplace(part_, poses);
     const Span span = spanned(learnt_columns(*numbers_, poses));
-    is_learnt_ = span.miss <= largest_miss;
+    is_learnt_ = span.miss <= largest_miss
+                 && (part_.responses == nullptr || part_.responses->fields(progress) != nullptr);
     if (!is_learnt_)
         return;
     find_spread();

@@ -21,7 +21,7 @@ constexpr int none = -1;
 constexpr Eigen::Index block = 24;  // columns solved together
 constexpr Eigen::Index blocks_at_once = 4;
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
-constexpr int refinements = 1;
+constexpr double few_numbers = 1e6;  // of responses that are worked out at once: milliseconds
 constexpr double miss_a_size = 5e-9;  // of the responses of live frames
 constexpr double unfelt = 1e-10;      // of the stiffness if nothing yielded: rounding leaves this
 constexpr double no_shift = 1e-12;    // of the size
@@ -43,8 +43,11 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input,
     number_columns();
     offsets_ = direct_moves();
     turned_rows_ = turned_rows();
-    respond();
+    find_stiffness();
     factor_at_rest();
+    responses_ = ResponseFields(mesh_.points(), count_);
+    if (static_cast<double>(count_) * mesh_.vertex_count() <= few_numbers)
+        fields();
 }
 
 void FeatureResponses::number_columns()
@@ -114,30 +117,11 @@ ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
     return asked;
 }
 
-void FeatureResponses::respond()
-{
-    responses_.emplace(mesh_.points(), count_);
-    stiffness_.resize(count_, count_);
-    for (Eigen::Index first = 0; first < count_; first += blocks_at_once * block)
-    {
-        const Eigen::Index left = (count_ - first + block - 1) / block;
-        std::vector<Eigen::MatrixXd> answers(at(std::min(blocks_at_once, left)));
-        parallel_items(static_cast<Eigen::Index>(answers.size()),
-                       [&](Eigen::Index k) { answers[at(k)] = answer(first + k * block); });
-        for (const Eigen::MatrixXd& answer : answers)
-            if (responses_)
-                responses_->append(
-                    answer, Eigen::VectorXd::Constant(answer.cols(), miss_a_size * mesh_.size()));
-        if (responses_ && responses_->bytes() > most_bytes)
-            responses_.reset();
-    }
-    stiffness_ = 0.5 * (stiffness_ + stiffness_.transpose()).eval();
-    forget_unfelt();
-}
-
 // What the sheet yields to wholly the energy does not feel: rounding must not decide it.
-void FeatureResponses::forget_unfelt()
+void FeatureResponses::find_stiffness()
 {
+    stiffness_ = minimiser_.energies(turned_rows_, offsets_);
+    stiffness_ = 0.5 * (stiffness_ + stiffness_.transpose()).eval();
     const SparseMatrix asked = operators_.rows * offsets_ - turned_rows_;
     const double stiffest = Eigen::VectorXd(operators_.stiffness->diagonal()).maxCoeff();
     const double by_rounding = stiffest * std::pow(no_shift * mesh_.size(), 2);
@@ -150,9 +134,38 @@ void FeatureResponses::forget_unfelt()
             continue;
         stiffness_.row(k).setZero();
         stiffness_.col(k).setZero();
-        offsets_.col(k) *= 0.0;
-        turned_rows_.col(k) *= 0.0;
+        unfelt_.push_back(static_cast<int>(k));
     }
+}
+
+const ResponseFields* FeatureResponses::fields(const Progress& progress) const
+{
+    const std::lock_guard<std::mutex> lock(responding_);
+    while (responses_.columns() < count_ && responses_.bytes() <= most_bytes)
+    {
+        const Eigen::Index first = responses_.columns();
+        progress.report(static_cast<double>(first) / count_, "responses of features");
+        respond(first);
+    }
+    is_responded_ = responses_.bytes() <= most_bytes;
+    return is_responded_ ? &responses_ : nullptr;
+}
+
+// The next columns, some blocks at the same time.
+void FeatureResponses::respond(Eigen::Index first) const
+{
+    const Eigen::Index left = (count_ - first + block - 1) / block;
+    std::vector<Eigen::MatrixXd> answers(at(std::min(blocks_at_once, left)));
+    const auto answer = [&](Eigen::Index k)
+    {
+        const Eigen::Index begin = first + k * block;
+        answers[at(k)] =
+            minimiser_.minimum(asked_of(begin, std::min(block, count_ - begin)), 0).u;
+    };
+    parallel_items(static_cast<Eigen::Index>(answers.size()), answer);
+    for (const Eigen::MatrixXd& columns : answers)
+        responses_.append(columns,
+                          Eigen::VectorXd::Constant(columns.cols(), miss_a_size * mesh_.size()));
 }
 
 // Of two turners 2 (tr G_kl - G_kl^T) (TurnExpansion).
@@ -181,22 +194,16 @@ void FeatureResponses::factor_at_rest()
     }
 }
 
-// Of the next columns, and their part of the stiffness.
-Eigen::MatrixXd FeatureResponses::answer(Eigen::Index first)
-{
-    const Eigen::Index count = std::min(block, count_ - first);
-    const ConstrainedMinimiser::Targets asked = asked_of(first, count);
-    ConstrainedMinimiser::Solution answer = minimiser_.minimum(asked, refinements);
-    stiffness_.middleCols(first, count) = slopes(minimiser_.balance(asked, answer));
-    return std::move(answer.u);
-}
-
 // Psi^T W residual without Psi: phi^T B^T W residual is offset^T forces, since forces vanish on
 // all that the sheet can move and phi moves no constrained point.
 Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& left) const
 {
     const Weights weighted = operators_.weights.asDiagonal() * left.residual;  // rows contiguous
-    return offsets_.transpose() * left.forces - turned_rows_.transpose() * weighted;
+    Eigen::MatrixXd found =
+        offsets_.transpose() * left.forces - turned_rows_.transpose() * weighted;
+    for (const int column : unfelt_)
+        found.row(column).setZero();
+    return found;
 }
 
 ReducedEnergy FeatureResponses::energy(const ConstrainedMinimiser::Targets& asked,
@@ -213,9 +220,9 @@ Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Targets& as
 
 std::optional<Eigen::MatrixXd> FeatureResponses::displacements(const Eigen::MatrixXd& rho) const
 {
-    if (!responses_)
+    if (!is_responded_)
         return std::nullopt;
-    return Eigen::MatrixXd(responses_->times(rho));
+    return Eigen::MatrixXd(responses_.times(rho));
 }
 
 }  // namespace sheetmorph

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/progress.h"
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 #include "sheetmorph/numerics/constrained_minimiser.h"
 #include "sheetmorph/numerics/response/response_fields.h"
 #include "sheetmorph/surface/bodies/joints.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
+
+#include <atomic>
+#include <mutex>
 
 namespace sheetmorph
 {
@@ -27,7 +31,8 @@ struct TurnerColumns
 };
 
 //! How the sheet answers each entry of the turners' motions (mathematics.md, section 4): computed
-//! once, true for every pose.
+//! once, true for every pose. What the energy asks of them is there at once; where the sheet goes,
+//! which live frames alone read, is worked out when it is first asked for, unless it takes little.
 class FeatureResponses
 {
 public:
@@ -53,11 +58,12 @@ public:
     //! nothing else; else, or where it is as good as singular, nothing.
     const DenseCholesky* at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
 
-    //! (n, c) to live accuracy; nothing where the responses
-    //! would take more memory than they are worth: solve again instead.
-    const ResponseFields* fields() const { return responses_ ? &*responses_ : nullptr; }
+    //! (n, c) to live accuracy; nothing where the responses would take more memory than they are
+    //! worth: solve again instead. Works them out at the first call; a second thread waits.
+    //! \throws Cancelled if the progress callback asks for it; what is done is kept for the next call
+    const ResponseFields* fields(const Progress& progress = Progress()) const;
 
-    //! (n, 3) change of the sheet for entries rho (c, 3), where there are fields().
+    //! (n, 3) change of the sheet for entries rho (c, 3), where fields() were asked for.
     std::optional<Eigen::MatrixXd> displacements(const Eigen::MatrixXd& rho) const;
 
 private:
@@ -65,10 +71,9 @@ private:
     SparseMatrix direct_moves() const;
     SparseMatrix turned_rows() const;
     ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
-    void respond();
-    void forget_unfelt();
+    void find_stiffness();
     void factor_at_rest();
-    Eigen::MatrixXd answer(Eigen::Index first);
+    void respond(Eigen::Index first) const;
     Eigen::MatrixXd slopes(const ConstrainedMinimiser::Balance& left) const;
 
     const TriangleMesh& mesh_;
@@ -80,11 +85,14 @@ private:
     std::vector<TurnerColumns> columns_;
     int count_ = 0;  // c
     SparseMatrix weights_;
-    SparseMatrix offsets_;                     // (n, c) what the columns move directly
-    SparseMatrix turned_rows_;                 // (r, c)
-    std::optional<ResponseFields> responses_;  // (n, c) Phi
-    Weights stiffness_;                        // (c, c)
+    SparseMatrix offsets_;      // (n, c) what the columns move directly
+    SparseMatrix turned_rows_;  // (r, c)
+    Weights stiffness_;         // (c, c)
+    std::vector<int> unfelt_;   // columns that the energy does not feel
     std::optional<DenseCholesky> at_rest_;
+    mutable std::mutex responding_;
+    mutable ResponseFields responses_;  // (n, c) Phi, as far as it is worked out
+    mutable std::atomic<bool> is_responded_{false};
 };
 
 }  // namespace sheetmorph

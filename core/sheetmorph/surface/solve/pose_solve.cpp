@@ -23,6 +23,12 @@ namespace
 // Clean meshes settle after one or two; a few needles in the mesh need more.
 constexpr int most_refinements = 8;
 
+// Of form features that the energy turns, radians: what is settled, what counts as found, and how
+// often they turn on. The first time takes nearly all of it.
+constexpr double settled_turn = 1e-13;
+constexpr double found_turn = 1e-9;
+constexpr int most_turns = 3;
+
 void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& displacements,
                         const Eigen::MatrixXd& wanted, Exactness level)
 {
@@ -49,7 +55,6 @@ struct Solving
     Field field;
     ConstrainedMinimiser::Targets asked;
     Convergence convergence = {};
-    std::vector<Matrix3> turns = {};  // R - I at every vertex
 
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
 
@@ -61,45 +66,108 @@ struct Solving
     }
 };
 
-// Lets the energy turn what it may turn; the sheet's displacements, known already in a live frame.
-std::optional<Eigen::MatrixXd> turn_features(const PreparedSurface& part, Solving& pose)
+//! What the energy turns, and where bodies and field were before it did.
+struct Turning
+{
+    const BodyMotions& start;
+    const Field& field;
+    Turned turned;
+};
+
+// Bodies and field as the joints are.
+void take_turns(const PreparedSurface& part, const Turning& turning, Solving& pose)
+{
+    const std::vector<BodyState>& states = turning.turned.joints.states();
+    for (std::size_t k = 0; k < states.size(); ++k)
+        if (const int body = part.responses->turners()[k].body; body >= 0)
+            pose.bodies.motions[at(body)] =
+                motion_of(part.roles.bodies[at(body)], states[k],
+                          turning.start.motions[at(body)].rotation_log);
+    pose.field.logs = turning.field.logs;
+    blend_logs(*part.responses, states, pose.field.logs);
+}
+
+void ask_turned(const PreparedSurface& part, const Turning& turning, Solving& pose)
+{
+    const std::vector<Matrix3> turns =
+        turns_of(part, turning.field, turning.turned.joints.states());
+    ask(part, turns, {pose.targets, pose.bodies}, pose.asked);
+}
+
+// How far the bodies move on, radians or of the size, when the slope at the answer is taken for what
+// the responses tell: these know the energy to rounding of what it would be if nothing yielded.
+double turn_on(const PreparedSurface& part, const ConstrainedMinimiser::Solution& found,
+               const ConstrainedMinimiser::Targets& asked, Turned& turned)
+{
+    const PlacementInput placement = part.placement();
+    const FeatureResponses& responses = *part.responses;
+    const Eigen::MatrixXd before = entries_of(turned.joints, placement, responses);
+    const Eigen::MatrixXd told = responses.stiffness() * before + turned.slope;
+    const Eigen::MatrixXd missed = responses.slopes(asked, found) - told;
+    turned.slope += missed;
+    turned.energy.slope += missed;
+    turned.convergence = minimise(turned.joints, {placement, responses, turned.energy});
+    Eigen::MatrixXd change = entries_of(turned.joints, placement, responses) - before;
+    for (const TurnerColumns& columns : responses.columns())
+        if (columns.shift >= 0)
+            change.row(columns.shift) /= part.rest.size();
+    return change.cwiseAbs().maxCoeff();
+}
+
+// Lets the bodies move on until nothing on the answer moves them.
+void settle(const PreparedSurface& part, Turning& turning, Solving& pose,
+            ConstrainedMinimiser::Solution& found)
+{
+    Convergence settled{turning.turned.convergence.what, false, 0, 0.0, "radians"};
+    while (!settled.is_converged && settled.rounds < most_turns)
+    {
+        ++settled.rounds;
+        settled.miss = turn_on(part, found, pose.asked, turning.turned);
+        settled.is_converged = settled.miss <= settled_turn;
+        if (settled.is_converged)
+            break;
+        const ConstrainedMinimiser::Targets before = pose.asked;
+        take_turns(part, turning, pose);
+        ask_turned(part, turning, pose);
+        const ConstrainedMinimiser::Targets more{
+            pose.asked.rows - before.rows, pose.asked.offset - before.offset,
+            Eigen::MatrixXd::Zero(before.constraints.rows(), before.constraints.cols())};
+        const ConstrainedMinimiser::Solution further = part.minimiser.minimum(more, 0);
+        found.u += further.u;
+        found.multipliers += further.multipliers;
+    }
+    settled.is_converged |= settled.miss <= found_turn;
+    pose.join_linear(part, settled);
+}
+
+// Lets the energy turn what it may turn; a live frame may know the sheet's displacements already.
+Eigen::MatrixXd turned_displacements(const PreparedSurface& part, Solving& pose)
 {
     const BodyMotions start = pose.bodies;
     const Field field = pose.field;
-    const int refinements = std::min(pose.refinements(), 1);
-    const Turned turned =
-        turned_features(part, {pose.targets, start, field, refinements}, pose.asked);
-    const Joints& joints = turned.joints;
+    Turning turning{start, field,
+                    turned_features(part, {pose.targets, start, field, 0}, pose.asked)};
+    const Turned& turned = turning.turned;
     pose.join_linear(part, turned.convergence);
-    for (std::size_t k = 0; k < joints.states().size(); ++k)
-    {
-        const int body = part.responses->turners()[k].body;
-        if (body >= 0)
-            pose.bodies.motions[at(body)] =
-                motion_of(part.roles.bodies[at(body)], joints.states()[k],
-                          pose.bodies.motions[at(body)].rotation_log);
-    }
-    blend_logs(*part.responses, joints.states(), pose.field.logs);
-    if (pose.exactness == Exactness::live)
-    {
-        const Eigen::MatrixXd rho = entries_of(joints, part.placement(), *part.responses);
-        if (const auto change = part.responses->displacements(rho))
+    take_turns(part, turning, pose);
+    const bool is_exact = pose.exactness == Exactness::exact;
+    if (!is_exact)
+        if (const auto change = part.responses->displacements(
+                entries_of(turned.joints, part.placement(), *part.responses)))
             return turned.base.u + *change;
-    }
-    pose.turns = turns_of(part, field, joints.states());
-    return std::nullopt;
+    ask_turned(part, turning, pose);
+    ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
+    pose.join_linear(part, found.convergence);
+    if (is_exact)
+        settle(part, turning, pose, found);
+    return std::move(found.u);
 }
 
 Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
 {
     if (part.responses)
-    {
-        if (std::optional<Eigen::MatrixXd> known = turn_features(part, pose))
-            return *known;
-    }
-    else
-        pose.turns = turns_of(part, pose.field, {});
-    ask(part, pose.turns, {pose.targets, pose.bodies}, pose.asked);
+        return turned_displacements(part, pose);
+    ask(part, turns_of(part, pose.field, {}), {pose.targets, pose.bodies}, pose.asked);
     ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
     pose.join_linear(part, found.convergence);
     return std::move(found.u);

@@ -91,6 +91,7 @@ Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
     ConstrainedMinimiser::Solution base = part.minimiser.minimum(asked, pose.refinements);
     ReducedEnergy energy = responses.energy(asked, base);
     Turned found{std::move(base),
+                 energy.slope,
                  std::move(energy),
                  false,
                  Joints(placement, pose.targets, responses.turners(), pose.bodies),

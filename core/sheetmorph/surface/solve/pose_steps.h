@@ -49,6 +49,7 @@ struct ToTurn
 struct Turned
 {
     ConstrainedMinimiser::Solution base;  //!< with every turner unmoved
+    Eigen::MatrixXd slope;                //!< (c, 3) that the sheet alone has there
     ReducedEnergy energy;
     bool is_held = false;  //!< a feature is held at the field's rotation (hold_far_turned())
     Joints joints;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace sheetmorph
 {
 namespace
@@ -61,6 +63,27 @@ TEST(SparseCholesky, SolvesThePoissonProblemOnALineExactly)
     const Eigen::MatrixXd x = factor_of(second_differences(n)).solve(Eigen::VectorXd::Ones(n));
     for (int i = 0; i < n; ++i)
         EXPECT_NEAR(x(i, 0), 0.5 * (i + 1) * (n - i), 1e-12);
+}
+
+// A few sparse columns meet few of the fronts, full ones all of them; both by groups that do not end
+// with them.
+TEST(SparseCholesky, ProductsOfSolvedColumnsAreThoseOfTheColumnsSolved)
+{
+    const int n = 3000;
+    const SparseMatrix matrix = second_differences(n, -0.01);
+    const SparseCholesky factor = factor_of(matrix);
+    for (const bool is_full : {false, true})
+    {
+        Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 11);
+        for (int column = 0; column < right.cols(); ++column)
+            for (int row = is_full ? 0 : 250 * column; row < (is_full ? n : 250 * column + 9); ++row)
+                right(row, column) = std::sin(1.0 + row * (column + 1));
+        const Eigen::MatrixXd expected = right.transpose() * factor.solve(right);
+        const Eigen::MatrixXd found = factor.solved_product(right.sparseView());
+        EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-11 * expected.cwiseAbs().maxCoeff());
+    }
+    EXPECT_EQ(factor.solved_product(SparseMatrix(n, 2)), Weights::Zero(2, 2));
+    EXPECT_EQ(factor.solved_product(SparseMatrix(n, 0)).size(), 0);
 }
 
 TEST(SparseCholesky, RefusesAMatrixThatIsNotPositiveDefinite)
