@@ -281,8 +281,10 @@ def show_tab(title: str):
 
 def place_in_tree(label: str) -> tuple[int, int]:
     """Where an object stands in the tree, on the screen."""
-    trees = [tree for tree in Gui.getMainWindow().findChildren(QtGui.QTreeWidget)]
-    (tree,) = [t for t in trees if "TreeWidget" in t.metaObject().className() and t.isVisible()]
+    trees = Gui.getMainWindow().findChildren(QtGui.QTreeWidget)
+    # Not a panel's: in FreeCAD 1.0 it remains visible, in a tab behind.
+    trees = [tree for tree in trees if tree.metaObject().className() == "Gui::TreeWidget"]
+    (tree,) = filter(QtGui.QWidget.isVisible, trees)
     item = tree.findItems(label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)[0]
     tree.scrollToItem(item)
     rect = tree.visualItemRect(item)
