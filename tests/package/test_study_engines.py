@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import socket
 import subprocess
 import sys
@@ -14,12 +15,15 @@ from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 
 import pytest
 
 import sheetmorph
 from sheetmorph.cli import main
+from sheetmorph.study.engines import driving
 from sheetmorph.study.engines.driving import Driver, Hopes, Pool
+from sheetmorph.study.engines.processes import processes_driver
 from sheetmorph.study.plan import Plan
 from sheetmorph.study.storing import Store
 from sheetmorph.study.working import Cost, Task, Workshop, adopt, attempt
@@ -171,6 +175,35 @@ def test_a_process_that_is_killed_costs_a_try(tmp_path: Path):
 def children_of(parent: int) -> list[int]:
     """The worker processes of a study."""
     return [int(pid) for pid in Path(f"/proc/{parent}/task/{parent}/children").read_text().split()]
+
+
+class Told(BaseException):
+    """Raised where a command is told to end."""
+
+
+def tell(_number: int, _frame: FrameType | None) -> None:
+    raise Told
+
+
+def told_to_end_once(task: Task) -> tuple[Cost, str]:
+    """Computes nothing; the first time, the pool tells the worker to end, as a broken one does."""
+    told = Path(task.out) / "told"
+    if not told.exists():
+        told.touch()
+        signal.raise_signal(signal.SIGTERM)
+    return Cost(), ""
+
+
+def test_a_worker_that_is_told_to_end_ends_whatever_a_command_would_do(tmp_path: Path, monkeypatch):
+    finished: list[int] = []
+    hopes = Hopes(lambda task, _: finished.append(task.run), print, lambda _: False)
+    monkeypatch.setattr(driving, "attempt", told_to_end_once)
+    previous = signal.signal(signal.SIGTERM, tell)
+    try:
+        processes_driver(2, hopes).drive([Task("study", str(tmp_path), 0, "")])
+    finally:
+        signal.signal(signal.SIGTERM, previous)
+    assert finished == [0]
 
 
 class Fragile(Executor):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 import threading
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -48,7 +49,9 @@ def _share_of_cores(workers: int) -> Iterator[None]:
 
 
 def _begin() -> None:
-    """In a new worker: an end when the one who started it ends."""
+    """In a new worker: an end when the one who started it ends, or a pool that has broken asks for
+    it. A command's own way to end would be no more than an error of the variant at work."""
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 
