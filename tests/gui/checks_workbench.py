@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench as a whole: panels open and close, examples open, the tree does what it should."""
 
+import subprocess
 from functools import lru_cache
 from unittest import mock
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from desk import activate, child, click_point, on_screen, press, press_tool, settled, until, xdotool
+import settling
+from desk import activate, child, click_point, on_screen, press, press_tool, settled, tools_called
+from desk import until, xdotool
 from freecad.sheetmorph import actions, api, subject
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model, watcher
@@ -16,6 +19,7 @@ from scenes import assembly, new_morph, part, regions
 
 __all__ = [
     "test_panels_open_and_close_again_and_again",
+    "test_a_dialog_that_opens_late_lets_the_test_go_on",
     "test_every_example_opens_and_is_up_to_date",
     "test_who_watches_documents_does_not_lead_a_new_one_astray",
     "test_a_double_click_picks_a_region_anew",
@@ -37,6 +41,19 @@ def test_panels_open_and_close_again_and_again():
         assert Gui.Control.activeDialog(), f"{tool} did not open in round {number}"
         yield from press("Cancel")
     assert App.ActiveDocument.UndoNames == []
+
+
+def test_a_dialog_that_opens_late_lets_the_test_go_on():
+    """Of a click that FreeCAD had not read yet when the test had sent it."""
+    yield from new_morph()
+    (tool,) = tools_called("Import Part…")
+    place = tool.mapToGlobal(tool.rect().center())
+    words = ["xdotool", "mousemove", place.x(), place.y(), "sleep", 0.1, "click", 1, "sleep", 0.2]
+    subprocess.run(list(map(str, words)), check=True)
+    settling.receive()
+    yield from until(QtWidgets.QApplication.activeModalWidget, "the dialog")
+    QtWidgets.QApplication.activeModalWidget().close()
+    yield from settled()
 
 
 def test_every_example_opens_and_is_up_to_date():

@@ -14,6 +14,7 @@ from PySide import QtCore, QtGui
 LONGEST = 3000  # ms: what is put off for longer is no part of an answer
 LOOKS = 3  # in which nothing has changed
 
+_later = QtCore.QTimer.singleShot  # as it was before the watch
 _due = {"last": 0.0}  # when the last timer that was started is over
 _workers = weakref.WeakSet()
 
@@ -110,5 +111,9 @@ def seen() -> tuple:
 
 
 def receive() -> None:
-    """Lets FreeCAD read what the screen has for it; it is handled before the next look."""
-    QtGui.QGuiApplication.sync()
+    """Lets FreeCAD read what the screen has for it; it is handled before the next look.
+
+    In a timer of its own: a dialog that it opens and that waits for its end would otherwise wait
+    inside the test, which could not answer it.
+    """
+    _later(0, QtGui.QGuiApplication.sync)
