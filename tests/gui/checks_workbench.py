@@ -8,18 +8,19 @@ from unittest import mock
 import FreeCAD as App
 import FreeCADGui as Gui
 import settling
-from desk import activate, child, click_point, on_screen, press, press_tool, settled, tools_called
-from desk import until, xdotool
+from desk import activate, child, click_point, laid_out, on_screen, panel, press, press_tool
+from desk import settled, tools_called, until, xdotool
 from freecad.sheetmorph import actions, api, subject
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model, watcher
-from freecad.sheetmorph.qt import QtCore, QtWidgets
+from freecad.sheetmorph.qt import QtCore, QtWidgets, frame_of
 from pivy import coin
 from scenes import assembly, new_morph, part, regions
 
 __all__ = [
     "test_panels_open_and_close_again_and_again",
     "test_a_dialog_that_opens_late_lets_the_test_go_on",
+    "test_a_panel_is_whole_again_after_freecad_has_laid_it_out",
     "test_every_example_opens_and_is_up_to_date",
     "test_who_watches_documents_does_not_lead_a_new_one_astray",
     "test_a_double_click_picks_a_region_anew",
@@ -54,6 +55,40 @@ def test_a_dialog_that_opens_late_lets_the_test_go_on():
     yield from until(QtWidgets.QApplication.activeModalWidget, "the dialog")
     QtWidgets.QApplication.activeModalWidget().close()
     yield from settled()
+
+
+def test_a_panel_is_whole_again_after_freecad_has_laid_it_out():
+    yield from new_morph()
+    yield from press_tool("Mark Fixed Region…")
+    buttons = panel().findChildren(QtWidgets.QPushButton)
+    docks = Gui.getMainWindow().findChildren(QtWidgets.QDockWidget)
+    (dock,) = [one for one in docks if one.isAncestorOf(panel())]
+    x, y = on_screen((40, 12, 0))
+    for is_pressed in (False, True):  # a press in the view is no wish for a narrow panel
+        yield from xdotool("mousemove", x, y, *(("mousedown", 1) if is_pressed else ()))
+        lay_out(dock, 150)
+        yield from laid_out()
+        cut = [one.objectName() for one in buttons if shown_width(one) < one.width()]
+        if is_pressed:
+            yield from xdotool("mouseup", 1)
+        assert not cut, (is_pressed, cut)
+    yield from press("Cancel")
+
+
+def lay_out(dock, width: int) -> None:
+    """Gives a dock a width, px, as FreeCAD does, which may lay it over the 3D view since 1.0."""
+    frame = frame_of(dock)
+    if frame is dock:
+        dock.window().resizeDocks([dock], [width], QtCore.Qt.Horizontal)
+        return
+    place = frame.geometry()
+    place.setLeft(place.right() + 1 - width)
+    frame.setGeometry(place)
+
+
+def shown_width(widget) -> int:
+    """How much of a widget's width nothing round it cuts off; all of one that is not shown."""
+    return widget.visibleRegion().boundingRect().width() if widget.isVisible() else widget.width()
 
 
 def test_every_example_opens_and_is_up_to_date():

@@ -15,7 +15,7 @@ try:
 except ImportError:
     import shiboken2 as shiboken
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "forget", "number", "translate", "widen"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "forget", "frame_of", "number", "translate", "widen"]
 
 
 def number(choice) -> int:
@@ -38,22 +38,30 @@ def forget(form) -> None:
         shiboken.invalidate(widget)
 
 
-def widen(dock, width: int) -> None:
-    """Makes a dock of the main window at least so wide, px.
+def frame_of(dock):
+    """What has the width that a dock of the main window is seen with: itself, or what lies round it.
 
     Since FreeCAD 1.0 a dock may lie over the 3D view, in a widget at the window's edge of which the
-    window's layout knows nothing.
+    window's layout knows nothing, and which cuts off what is wider.
     """
     over = dock.parentWidget()
     while over is not None and not over.metaObject().className().endswith("OverlayTabWidget"):
         over = over.parentWidget()
-    if over is None:
+    return dock if over is None else over
+
+
+def widen(dock, width: int) -> None:
+    """Makes a dock of the main window at least so wide, px; one that is folded away is left so."""
+    frame = frame_of(dock)
+    if frame is dock:
         if dock.width() < width:
             dock.window().resizeDocks([dock], [width], QtCore.Qt.Horizontal)
         return
-    place = over.geometry()
+    place = frame.geometry()
+    if place.width() >= width or not dock.isVisible():
+        return
     if place.right() >= dock.window().width() - 2:
-        place.setLeft(min(place.left(), place.right() + 1 - width))
+        place.setLeft(place.right() + 1 - width)
     else:
-        place.setWidth(max(place.width(), width))
-    over.setGeometry(place)
+        place.setWidth(width)
+    frame.setGeometry(place)
