@@ -133,7 +133,7 @@ VertexIds ids_from(const py::handle& object, const std::string& what)
     if (py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object))
     {
         VertexIds ids;
-        for (const py::handle item : py::reinterpret_borrow<py::sequence>(object))
+        for (const py::handle& item : py::reinterpret_borrow<py::sequence>(object))
         {
             if (!py::isinstance<py::int_>(item) && !PyIndex_Check(item.ptr()))
                 throw py::type_error(what + " must hold integers");

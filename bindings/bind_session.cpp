@@ -223,11 +223,11 @@ void bind_union(py::class_<DeformationSession>& session)
                                "Labels of form features and rigid contacts that are one body.")
         .def_property_readonly(
             "loose_pieces",
-            [](const DeformationSession& session)
+            [](const DeformationSession& of)
             {
                 std::vector<std::tuple<int, int, int>> found;
-                for (const LoosePieces& of : session.loose_pieces())
-                    found.emplace_back(of.part, of.pieces, of.vertices);
+                for (const LoosePieces& loose : of.loose_pieces())
+                    found.emplace_back(loose.part, loose.pieces, loose.vertices);
                 return found;
             },
             "(part index, pieces, vertices) of parts with pieces that nothing holds.")
