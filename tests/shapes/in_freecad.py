@@ -75,7 +75,8 @@ def volume_beyond(mesh, x):
 
 
 def cut(solid, mesh):
-    box, middle = solid.BoundBox, mesh.BoundBox.Center.x
+    box = solid.BoundBox
+    middle = box.XMin + asked["cut_at"] * box.XLength
     half = Part.makeBox(middle - box.XMin + 1, box.YLength + 2, box.ZLength + 2)
     half.translate(Vector(box.XMin - 1, box.YMin - 1, box.ZMin - 1))
     rest = solid.cut(half, asked["uncertainty"])
@@ -118,16 +119,16 @@ os._exit(0)
 """
 
 
-def read_in_freecad(path: Path, folder: Path, drawings: int) -> list[dict]:
+def read_in_freecad(path: Path, folder: Path, drawings: int, cut_at: float = 0.5) -> list[dict]:
     """One dict a solid of a CAD file; at most so many of its holes are drawn.
 
-    folder: where FreeCAD may write.
+    folder: where FreeCAD may write. cut_at: of its extent in x, where a solid is cut.
     """
     folder.mkdir()
     script, asked, out = (folder / name for name in ("read.py", "asked.json", "told.json"))
     script.write_text(_SCRIPT, "utf-8")
     wanted = {"file": str(path), "out": str(out), "drawings": drawings}
-    wanted |= {"deflection": DEFLECTION, "uncertainty": UNCERTAINTY}
+    wanted |= {"deflection": DEFLECTION, "uncertainty": UNCERTAINTY, "cut_at": cut_at}
     asked.write_text(json.dumps(wanted), "utf-8")
     settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "SHEETMORPH_ASKED": str(asked)}
     settings.pop("PYTHONPATH", None)

@@ -167,9 +167,9 @@ def test_own_parts_come_back(name: str, drawings: int, own: Path, tmp_path: Path
         assert {before[face].kind for face in bodies[0]["fitted_faces"]} == {"plane"}
     tags = [{(s.name, s.colour) for s in one if s.name or s.colour} for one in (before, after)]
     assert tags[0] == tags[1] == ({("left end", "#ff8000")} if name == "washers" else set())
-    if name == "threaded":  # which FreeCAD cannot cut
-        return
-    solids = read_in_freecad(out, tmp_path / "FreeCAD", drawings)
+    # Along the axis of its thread FreeCAD cuts neither what came in nor what comes out.
+    cut_at = 0.45 if name == "threaded" else 0.5
+    solids = read_in_freecad(out, tmp_path / "FreeCAD", drawings, cut_at)
     assert len(solids) == len(bodies)
     for solid in solids:
         check_in_freecad(solid, name)

@@ -194,7 +194,7 @@ void FaceSpline::add_places(const SurfaceTrack& track, std::vector<SurfacePlace>
 // The same of normals: between few of them a surface that meets them all may stand steeply.
 void FaceSpline::add_normals(const SurfaceTrack& track, std::vector<SurfaceNormal>& normals) const
 {
-    constexpr double to_a_span = 3.0, spacing_share = 0.5;
+    constexpr double to_a_span = 1.0, spacing_share = 0.5;
     constexpr int least = 4, most = 40;
     const std::size_t pieces = track.parameters.size() - 1;
     for (std::size_t i = 0; i < pieces; ++i)
