@@ -70,11 +70,9 @@ public:
 
     Balance balance(const Targets& targets, const Solution& solution) const;
 
-    //! Of the columns of sparse targets, C u = 0: what the energy at their minima is in any blend of
-    //! them, (B u - f)^T W (B u - f), to rounding of what it would be if nothing yielded.
-    //! \param rows    f (r, k)
-    //! \param offset  (n, k)
-    //! \returns       (k, k), symmetric
+    //! Of the columns of sparse targets, C u = 0: what the energy at their minima is in any blend
+    //! of them, (B u - f)^T W (B u - f), to rounding of what it would be if nothing yielded. \param
+    //! rows    f (r, k) \param offset  (n, k) \returns       (k, k), symmetric
     Weights energies(const SparseMatrix& rows, const SparseMatrix& offset) const;
 
     //! (c) largest violation of each constraint by u.

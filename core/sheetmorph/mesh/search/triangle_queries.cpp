@@ -80,8 +80,7 @@ Hit nearest_on_thin_triangle(const Vector3& point, const TriangleCorners& corner
 }  // namespace
 
 TriangleRay::TriangleRay(const Vector3& origin, const Vector3& direction, double reach)
-    : origin_(origin),
-      inverse_(direction.cwiseInverse())
+    : origin_(origin), inverse_(direction.cwiseInverse())
 {
     const double slack = rounding * (reach + origin.cwiseAbs().maxCoeff());
     for (int c = 0; c < 3; ++c)

@@ -30,8 +30,8 @@ public:
         for (int c = 0; c < 3; ++c)
         {
             // Written so that the NaN of a ray in the plane of a side changes nothing.
-            const double from = ((is_forward_[c] ? low : high)(c) - enters_from_(c)) * inverse_(c);
-            const double to = ((is_forward_[c] ? high : low)(c) - leaves_from_(c)) * inverse_(c);
+            const double from = ((is_forward_[c] ? low : high)(c)-enters_from_(c)) * inverse_(c);
+            const double to = ((is_forward_[c] ? high : low)(c)-leaves_from_(c)) * inverse_(c);
             enter = from > enter ? from : enter;
             leave = to < leave ? to : leave;
         }

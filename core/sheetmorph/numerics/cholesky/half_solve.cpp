@@ -21,9 +21,9 @@ using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 //! The columns that reach a front: their values on its rows, and their products on its own ones.
 struct Reached
 {
-    std::vector<int> columns;  // ascending
+    std::vector<int> columns;    // ascending
     std::vector<double> values;  // (groups, rows, sides)
-    Weights product;           // of the own rows, negative; lower triangle
+    Weights product;             // of the own rows, negative; lower triangle
 };
 
 class HalfSolve
@@ -164,9 +164,9 @@ private:
                         [&](Eigen::Index begin, Eigen::Index end)
                         {
                             for (Eigen::Index group = begin; group < end; ++group)
-                                run_forward(own, sides_,
-                                            &value(reached, own, 0,
-                                                   static_cast<int>(group) * sides_));
+                                run_forward(
+                                    own, sides_,
+                                    &value(reached, own, 0, static_cast<int>(group) * sides_));
                         });
         Weights solved(count, own.columns);
         for (int column = 0; column < count; ++column)

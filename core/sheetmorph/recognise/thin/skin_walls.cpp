@@ -132,9 +132,9 @@ private:
             const int vertex = mesh_.triangles()(facet, k);
             const bool is_measured =
                 graph_.component[at(facet_at_[at(vertex)])] == graph_.component[at(facet)];
-            longest = std::max(longest, is_measured
-                                            ? distances_[at(vertex)][sign > 0]
-                                            : nearest(facet, sign, corner(vertex)).distance);
+            longest =
+                std::max(longest, is_measured ? distances_[at(vertex)][sign > 0]
+                                              : nearest(facet, sign, corner(vertex)).distance);
         }
         return longest;
     }

@@ -21,7 +21,7 @@ constexpr int none = -1;
 constexpr Eigen::Index block = 24;  // columns solved together
 constexpr Eigen::Index blocks_at_once = 4;
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
-constexpr double few_numbers = 1e6;  // of responses that are worked out at once: milliseconds
+constexpr double few_numbers = 1e6;   // of responses that are worked out at once: milliseconds
 constexpr double miss_a_size = 5e-9;  // of the responses of live frames
 constexpr double unfelt = 1e-10;      // of the stiffness if nothing yielded: rounding leaves this
 constexpr double no_shift = 1e-12;    // of the size
@@ -159,8 +159,7 @@ void FeatureResponses::respond(Eigen::Index first) const
     const auto answer = [&](Eigen::Index k)
     {
         const Eigen::Index begin = first + k * block;
-        answers[at(k)] =
-            minimiser_.minimum(asked_of(begin, std::min(block, count_ - begin)), 0).u;
+        answers[at(k)] = minimiser_.minimum(asked_of(begin, std::min(block, count_ - begin)), 0).u;
     };
     parallel_items(static_cast<Eigen::Index>(answers.size()), answer);
     for (const Eigen::MatrixXd& columns : answers)

@@ -60,7 +60,8 @@ public:
 
     //! (n, c) to live accuracy; nothing where the responses would take more memory than they are
     //! worth: solve again instead. Works them out at the first call; a second thread waits.
-    //! \throws Cancelled if the progress callback asks for it; what is done is kept for the next call
+    //! \throws Cancelled if the progress callback asks for it; what is done is kept for the next
+    //! call
     const ResponseFields* fields(const Progress& progress = Progress()) const;
 
     //! (n, 3) change of the sheet for entries rho (c, 3), where fields() were asked for.

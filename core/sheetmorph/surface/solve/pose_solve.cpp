@@ -23,9 +23,11 @@ namespace
 // Clean meshes settle after one or two; a few needles in the mesh need more.
 constexpr int most_refinements = 8;
 
-// Of form features that the energy turns, radians: what is settled, what counts as found, and how
-// often they turn on. The first time takes nearly all of it.
+// Of form features that the energy turns, radians: what is settled, what settles with the one step
+// that is taken, what counts as found, and how often they turn on. A step of so little leaves less
+// than its square, and than its share of what the responses miss: rounding.
 constexpr double settled_turn = 1e-13;
+constexpr double small_turn = 1e-8;
 constexpr double found_turn = 1e-9;
 constexpr int most_turns = 3;
 
@@ -80,9 +82,8 @@ void take_turns(const PreparedSurface& part, const Turning& turning, Solving& po
     const std::vector<BodyState>& states = turning.turned.joints.states();
     for (std::size_t k = 0; k < states.size(); ++k)
         if (const int body = part.responses->turners()[k].body; body >= 0)
-            pose.bodies.motions[at(body)] =
-                motion_of(part.roles.bodies[at(body)], states[k],
-                          turning.start.motions[at(body)].rotation_log);
+            pose.bodies.motions[at(body)] = motion_of(part.roles.bodies[at(body)], states[k],
+                                                      turning.start.motions[at(body)].rotation_log);
     pose.field.logs = turning.field.logs;
     blend_logs(*part.responses, states, pose.field.logs);
 }
@@ -94,8 +95,9 @@ void ask_turned(const PreparedSurface& part, const Turning& turning, Solving& po
     ask(part, turns, {pose.targets, pose.bodies}, pose.asked);
 }
 
-// How far the bodies move on, radians or of the size, when the slope at the answer is taken for what
-// the responses tell: these know the energy to rounding of what it would be if nothing yielded.
+// How far the bodies move on, radians or of the size, when the slope at the answer is taken for
+// what the responses tell: these know the energy to rounding of what it would be if nothing
+// yielded.
 double turn_on(const PreparedSurface& part, const ConstrainedMinimiser::Solution& found,
                const ConstrainedMinimiser::Targets& asked, Turned& turned)
 {
@@ -106,7 +108,7 @@ double turn_on(const PreparedSurface& part, const ConstrainedMinimiser::Solution
     const Eigen::MatrixXd missed = responses.slopes(asked, found) - told;
     turned.slope += missed;
     turned.energy.slope += missed;
-    turned.convergence = minimise(turned.joints, {placement, responses, turned.energy});
+    turned.convergence = minimise(turned.joints, {placement, responses, turned.energy}, small_turn);
     Eigen::MatrixXd change = entries_of(turned.joints, placement, responses) - before;
     for (const TurnerColumns& columns : responses.columns())
         if (columns.shift >= 0)
@@ -123,8 +125,8 @@ void settle(const PreparedSurface& part, Turning& turning, Solving& pose,
     {
         ++settled.rounds;
         settled.miss = turn_on(part, found, pose.asked, turning.turned);
-        settled.is_converged = settled.miss <= settled_turn;
-        if (settled.is_converged)
+        settled.is_converged = settled.miss <= small_turn;
+        if (settled.miss <= settled_turn)
             break;
         const ConstrainedMinimiser::Targets before = pose.asked;
         take_turns(part, turning, pose);
@@ -145,12 +147,12 @@ Eigen::MatrixXd turned_displacements(const PreparedSurface& part, Solving& pose)
 {
     const BodyMotions start = pose.bodies;
     const Field field = pose.field;
+    const bool is_exact = pose.exactness == Exactness::exact;
     Turning turning{start, field,
-                    turned_features(part, {pose.targets, start, field, 0}, pose.asked)};
+                    turned_features(part, {pose.targets, start, field, 0, small_turn}, pose.asked)};
     const Turned& turned = turning.turned;
     pose.join_linear(part, turned.convergence);
     take_turns(part, turning, pose);
-    const bool is_exact = pose.exactness == Exactness::exact;
     if (!is_exact)
         if (const auto change = part.responses->displacements(
                 entries_of(turned.joints, part.placement(), *part.responses)))

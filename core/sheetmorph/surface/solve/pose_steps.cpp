@@ -98,7 +98,8 @@ Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
                  {}};
     const std::vector<double> farthest = farthest_turns(responses, pose.field.logs);
     found.is_held = hold_far_turned(responses, farthest, found.joints, found.energy);
-    found.convergence = minimise(found.joints, {placement, responses, found.energy});
+    found.convergence =
+        minimise(found.joints, {placement, responses, found.energy}, pose.precision);
     return found;
 }
 

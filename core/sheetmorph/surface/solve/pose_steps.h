@@ -42,7 +42,8 @@ struct ToTurn
     const SurfaceTargets& targets;
     const BodyMotions& bodies;  //!< known ones, the others turned as the field has them
     const Field& field;
-    int refinements = 1;  //!< of the base
+    int refinements = 1;     //!< of the base
+    double precision = 0.0;  //!< minimise()
 };
 
 //! What the energy turns, at its minimum.

@@ -65,8 +65,8 @@ TEST(SparseCholesky, SolvesThePoissonProblemOnALineExactly)
         EXPECT_NEAR(x(i, 0), 0.5 * (i + 1) * (n - i), 1e-12);
 }
 
-// A few sparse columns meet few of the fronts, full ones all of them; both by groups that do not end
-// with them.
+// A few sparse columns meet few of the fronts, full ones all of them; both by groups that do not
+// end with them.
 TEST(SparseCholesky, ProductsOfSolvedColumnsAreThoseOfTheColumnsSolved)
 {
     const int n = 3000;
@@ -76,7 +76,8 @@ TEST(SparseCholesky, ProductsOfSolvedColumnsAreThoseOfTheColumnsSolved)
     {
         Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 11);
         for (int column = 0; column < right.cols(); ++column)
-            for (int row = is_full ? 0 : 250 * column; row < (is_full ? n : 250 * column + 9); ++row)
+            for (int row = is_full ? 0 : 250 * column; row < (is_full ? n : 250 * column + 9);
+                 ++row)
                 right(row, column) = std::sin(1.0 + row * (column + 1));
         const Eigen::MatrixXd expected = right.transpose() * factor.solve(right);
         const Eigen::MatrixXd found = factor.solved_product(right.sparseView());
