@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 from pathlib import Path
+from typing import NamedTuple
 
 DEFLECTION = 0.1  # mm, with 30 degrees what FreeCAD's *Create mesh from shape* offers
 UNCERTAINTY = 0.0005  # mm, the edge tolerance, which a written STEP file states
@@ -119,16 +120,23 @@ os._exit(0)
 """
 
 
-def read_in_freecad(path: Path, folder: Path, drawings: int, cut_at: float = 0.5) -> list[dict]:
+class Cut(NamedTuple):
+    """How a solid is cut. at: of its extent in x; uncertainty: mm, 0 for a plain cut."""
+
+    at: float = 0.5
+    uncertainty: float = UNCERTAINTY
+
+
+def read_in_freecad(path: Path, folder: Path, drawings: int, cut: Cut = Cut()) -> list[dict]:
     """One dict a solid of a CAD file; at most so many of its holes are drawn.
 
-    folder: where FreeCAD may write. cut_at: of its extent in x, where a solid is cut.
+    folder: where FreeCAD may write.
     """
     folder.mkdir()
     script, asked, out = (folder / name for name in ("read.py", "asked.json", "told.json"))
     script.write_text(_SCRIPT, "utf-8")
     wanted = {"file": str(path), "out": str(out), "drawings": drawings}
-    wanted |= {"deflection": DEFLECTION, "uncertainty": UNCERTAINTY, "cut_at": cut_at}
+    wanted |= {"deflection": DEFLECTION, "cut_at": cut.at, "uncertainty": cut.uncertainty}
     asked.write_text(json.dumps(wanted), "utf-8")
     settings = {**os.environ, "FREECAD_USER_HOME": str(folder), "SHEETMORPH_ASKED": str(asked)}
     settings.pop("PYTHONPATH", None)
