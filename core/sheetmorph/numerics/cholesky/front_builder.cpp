@@ -3,7 +3,6 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
-#include "sheetmorph/numerics/cholesky/large_pages.h"
 
 #include <algorithm>
 
@@ -38,10 +37,7 @@ void FrontBuilder::build(int node)
     auto front = std::make_shared<Front>();
     front->columns = static_cast<int>(elimination_.own_end(node) - elimination_.own_begin(node));
     collect_rows(node, *front);
-    const std::size_t entries = front->rows.size() * at(front->columns);
-    front->entries.reset(new double[entries]);
-    prefer_large_pages(front->entries.get(), entries);
-    std::fill_n(front->entries.get(), entries, 0.0);
+    front->entries.reset(new double[front->rows.size() * at(front->columns)]());
     Update update = zero_update(*front);
     add_entries(node, *front);
     for (const int child : children(node))
@@ -198,11 +194,6 @@ Update FrontBuilder::zero_update(const Front& front)
     {
         update.swap(*best);
         spare_.erase(best);
-    }
-    if (update.capacity() < size)
-    {
-        update.reserve(size);
-        prefer_large_pages(update.data(), size);
     }
     update.assign(size, 0.0);
     return update;
