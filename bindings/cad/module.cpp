@@ -106,6 +106,7 @@ void bind_part(py::module_& module)
         .def_readonly("angle", &CadModel::angle, "radians")
         .def_readonly("lost_faces", &CadModel::lost_faces,
                       "how many faces of the file OpenCASCADE could not make; no part has them")
+        .def_readonly("lost_in", &CadModel::lost_in, "solids of a STEP file that lack some of them")
         .def(
             "kept_mesh",
             [](const CadModel& model, std::size_t part)

@@ -98,6 +98,7 @@ struct CadModel
     double angle = 0.0;                       //!< the same
     std::shared_ptr<const CadSource> source;  //!< what was read, to be written with other shapes
     int lost_faces = 0;                       //!< faces in the file that no part has: unreadable
+    std::vector<std::string> lost_in;         //!< solids of a STEP file that lack some of them
 };
 
 }  // namespace sheetmorph

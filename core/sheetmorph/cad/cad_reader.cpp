@@ -147,7 +147,8 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
         progress.report(0.4 + 0.6 * (i - 1) / originals.Extent(), "meshing");
         made.push_back(mesh_part(originals(i), meshing));
     }
-    CadModel model{{}, meshing.edge, meshing.deflection, meshing.angle, source, source->lost_faces};
+    CadModel model{{},     meshing.edge,       meshing.deflection, meshing.angle,
+                   source, source->lost_faces, source->lost_in};
     for (const NamedShape& one : shapes)
     {
         const int index = originals.FindIndex(unplaced(one.shape));

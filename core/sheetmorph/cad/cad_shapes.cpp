@@ -179,6 +179,8 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
         return item.IsNull() || item->Name().IsNull() ? "" : trimmed(item->Name()->ToCString());
     };
     source->lost_faces = count_lost_faces(transfer);
+    if (source->lost_faces > 0)
+        source->lost_in = solids_with_lost_faces(transfer);
     const Healing healing = collect_healed(*source, name_of_body);
     FaceNames names = face_names_of(transfer);
     for (TopTools_DataMapOfShapeShape::Iterator it(healing.before()); it.More(); it.Next())

@@ -17,9 +17,10 @@ struct CadSource
 {
     std::vector<NamedShape> bodies;  //!< lengths in mm, faces that belong to no shell sewn
     CadDocument document;
-    std::string unit = "MM";  //!< of the lengths in the file, as OpenCASCADE names it
-    bool is_ap242 = false;    //!< the schema of a STEP file
-    int lost_faces = 0;       //!< faces that the file holds and OpenCASCADE could not make
+    std::string unit = "MM";           //!< of the lengths in the file, as OpenCASCADE names it
+    bool is_ap242 = false;             //!< the schema of a STEP file
+    int lost_faces = 0;                //!< faces that the file holds and OpenCASCADE could not make
+    std::vector<std::string> lost_in;  //!< solids of a STEP file that lack some: name or number
 };
 
 //! \throws InvalidInput if the file cannot be read

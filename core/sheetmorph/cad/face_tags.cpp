@@ -5,7 +5,11 @@
 #include <IGESSolid_Face.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <Quantity_Color.hxx>
+#include <StepShape_ClosedShell.hxx>
+#include <StepShape_Face.hxx>
 #include <StepShape_FaceSurface.hxx>
+#include <StepShape_HArray1OfFace.hxx>
+#include <StepShape_ManifoldSolidBrep.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -82,6 +86,33 @@ int count_lost_faces(const Handle(XSControl_TransferReader) & transfer)
             ++lost;
     }
     return lost;
+}
+
+std::vector<std::string> solids_with_lost_faces(const Handle(XSControl_TransferReader) & transfer)
+{
+    const Handle(Interface_InterfaceModel) model = transfer->Model();
+    const Handle(Transfer_TransientProcess) process = transfer->TransientProcess();
+    std::vector<std::string> found;
+    for (int i = 1; !process.IsNull() && i <= model->NbEntities(); ++i)
+    {
+        const auto solid = Handle(StepShape_ManifoldSolidBrep)::DownCast(model->Value(i));
+        if (solid.IsNull())
+            continue;
+        const auto shell = solid->Outer();
+        bool is_whole = !shell.IsNull() && !shell->CfsFaces().IsNull();
+        for (int f = 1; is_whole && f <= shell->NbCfsFaces(); ++f)
+        {
+            const Handle(StepShape_Face) face = shell->CfsFacesValue(f);
+            is_whole = !face.IsNull() && !TransferBRep::ShapeResult(process, face).IsNull();
+        }
+        if (is_whole)
+            continue;
+        const bool is_named = !solid->Name().IsNull() && !solid->Name()->IsEmpty();
+        const Handle(TCollection_HAsciiString) name =
+            is_named ? solid->Name() : model->StringLabel(solid);
+        found.emplace_back(name->ToCString());
+    }
+    return found;
 }
 
 void tag_faces(std::vector<NamedShape>& bodies, const FaceNames& names,
