@@ -15,7 +15,8 @@ import FreeCADGui as Gui
 import settling
 from desk import POLL, answered, clear_report_view, panel, press, say_yes, settled, until, view
 from freecad.sheetmorph import panels
-from hostile_acts import DELETIONS, DESTRUCTIVE, GENTLE, OF_A_PERSON, STEPS, undo_and_redo
+from hostile_acts import DELETIONS, DESTRUCTIVE, FROM_ELSEWHERE, GENTLE, OF_A_PERSON, STEPS
+from hostile_acts import undo_and_redo
 from hostile_panels import PANELS, is_shown, prepared
 from hostile_traces import Traces, left, motions
 from PySide import QtGui
@@ -142,5 +143,6 @@ def a_test(name: str, acts, title: str) -> None:
 for NAME in PANELS:
     a_test(NAME, GENTLE, "other_things")
     a_test(NAME, OF_A_PERSON, "saving_and_the_tree")
+    a_test(NAME, FROM_ELSEWHERE, "changes_from_elsewhere")
     a_test(NAME, STEPS, "undo_and_closing")
     a_test(NAME, DELETIONS, "deletions")

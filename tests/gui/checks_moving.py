@@ -7,6 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from desk import WORK, child, enter, on_screen, picture, press, press_tool, settled, until, xdotool
+from hostile_acts import with_step
 from scenes import drawn, handle_vertices, largest, new_morph, part, regions, stored
 from shapes import sheet
 
@@ -19,6 +20,7 @@ __all__ = [
     "test_the_arrows_in_the_view_drag_the_handle",
     "test_another_command_in_between_does_not_end_the_transaction",
     "test_a_field_that_an_expression_drives_is_locked_and_followed",
+    "test_a_part_that_is_put_elsewhere_under_the_panel_is_followed",
 ]
 
 
@@ -174,3 +176,26 @@ def test_a_field_that_an_expression_drives_is_locked_and_followed():
     assert np.allclose(lifted(rest, drawn()), (0, 6, 5), atol=1e-4)
     yield from press("OK")
     assert np.allclose(lifted(rest, stored()), (0, 6, 5), atol=1e-4)
+
+
+def test_a_part_that_is_put_elsewhere_under_the_panel_is_followed():
+    """By its source, in the property editor, and by a container that it lies in."""
+    yield from new_morph()
+    rest, source = stored(), part().Source
+    container = App.ActiveDocument.addObject("App::Part", "Container")
+    container.addObject(source)
+    App.ActiveDocument.recompute()
+    yield from open_panel()
+    place = lambda: child("pivot_z").value()  # noqa: E731
+    before = place()
+    for obj, height in ((source, 50.0), (container, 150.0)):
+        with_step("Edit", lambda o=obj, h=height: o.Placement.move(App.Vector(0, 0, h)))
+        wanted = before + (50.0 if obj == source else 200.0)
+        yield from until(lambda w=wanted: abs(place() - w) < 1e-3, "the pivot to follow")
+    yield from enter(child("translation_z"), "2 cm")
+    is_lifted = lambda: np.allclose(lifted(rest, drawn()), (0, 0, 20), atol=1e-4)  # noqa: E731
+    yield from until(is_lifted, "the view to follow")
+    picture("put-elsewhere")
+    yield from press("OK")
+    assert np.allclose(lifted(rest, stored()), (0, 0, 20), atol=1e-4)
+    assert App.ActiveDocument.UndoNames[0] == "Move Handle"

@@ -18,7 +18,7 @@ import vandal_acts
 from desk import POLL, WORK, clear_report_view, report_view, settled, until, view
 from freecad.sheetmorph.objects import model
 from hostile_panels import prepared
-from hostile_traces import children, child_processes, is_selecting, overlays
+from hostile_traces import children, child_processes, is_selecting, overlays, surprises
 from PySide import QtGui
 from scenes import assembly, largest, stored_of_all
 
@@ -153,12 +153,6 @@ def open_again(_chance):
 
 
 # -- what must hold
-
-
-def surprises() -> bool:
-    """Whether an error was met by nobody; FreeCAD itself tells so of a recompute that failed."""
-    errors = report_view().split("Traceback")[1:]
-    return any("objects.errors.MorphError'>: " not in error for error in errors)
 
 
 def is_calm() -> bool:

@@ -9,6 +9,7 @@ import FreeCADGui as Gui
 from desk import WORK, answered, say_yes, settled, show_docks, until, view, xdotool
 from PySide import QtCore, QtGui
 from freecad.sheetmorph import api
+from freecad.sheetmorph.objects import model
 from scenes import assembly, contacts, part, regions
 
 
@@ -269,6 +270,69 @@ def take_out_of_the_morph(_subject):
     assert not regions("fixed"), "the region is still in the morph"
 
 
+def move_source(_subject):
+    """Where a part stands, as the property editor changes it."""
+    with_step("Edit Placement", lambda: part().Source.Placement.move(App.Vector(0, 0, 5)))
+    yield from settled()
+
+
+def delete_source(_subject):
+    """The mesh a part rests on."""
+    delete(part().Source)
+    yield from settled()
+
+
+def link_to_it(subject):
+    """Links to what the panel is about, to a part, to the morph: they answer as what they link to.
+
+    Each is selected too, and commands are asked whether they would do something.
+    """
+    document = App.ActiveDocument
+    for obj in (subject, part(), assembly()):
+        link = document.addObject("App::Link", "Link")
+        link.LinkedObject = obj
+        document.recompute()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(link)
+        yield from settled()
+    for obj in (subject, part(), assembly()):
+        assert obj.Name in {one.Name for one in document.Objects}
+    assert len(model.parts(assembly())) == 3
+
+
+def copy_morph(_subject):
+    """The whole morph, into the same document and into another one, that goes again."""
+    mine = App.ActiveDocument
+    with_step("Copy", lambda: mine.copyObject(assembly(), True))
+    yield from settled()
+    other = App.newDocument("Other")
+    other.copyObject(mine.getObject(assembly_in(mine).Name), True)
+    other.recompute()
+    yield from settled()
+    App.closeDocument("Other")
+    App.setActiveDocument(mine.Name)
+    yield from settled()
+
+
+def assembly_in(document):
+    return next(o for o in document.Objects if model.kind(o) == model.ASSEMBLY)
+
+
+def with_step(title: str, action) -> None:
+    """In an undo step of its own, as in the property editor."""
+    App.ActiveDocument.openTransaction(title)
+    action()
+    App.ActiveDocument.recompute()
+    App.ActiveDocument.commitTransaction()
+
+
+def other_units(_subject):
+    """Inches, and millimetres again."""
+    for schema in (3, 0):
+        App.Units.setSchema(schema)
+        yield from settled()
+
+
 def show_tab(title: str):
     """Clicks the tab of the tree, or of the panels, where they share a window."""
     for bar in Gui.getMainWindow().findChildren(QtGui.QTabBar):
@@ -317,6 +381,7 @@ OF_A_PERSON = (
     select_in_tree,
     take_out_of_the_morph,
 )
+FROM_ELSEWHERE = (move_source, other_units, link_to_it, copy_morph, delete_source)
 STEPS = (undo, undo_all, undo_all_at_once, undo_and_redo, revert, close_document)
 DELETIONS = (
     delete_subject,

@@ -9,6 +9,7 @@ import FreeCADGui as Gui
 from desk import WORK, activate, panel, settled
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
+from hostile_acts import with_step
 from hostile_traces import child_processes
 from PySide import QtGui
 from scenes import assembly, contacts, labelled, new_assembly, part, regions
@@ -31,13 +32,6 @@ def prepared():
     with_step("Second Handle", lambda: add_second_handle(document))
     with_step("Pose", lambda: api.save_pose(assembly(), "High"))
     yield from settled()
-
-
-def with_step(title: str, action) -> None:
-    App.ActiveDocument.openTransaction(title)
-    action()
-    App.ActiveDocument.recompute()
-    App.ActiveDocument.commitTransaction()
 
 
 def add_second_handle(document) -> None:

@@ -104,10 +104,16 @@ def motions() -> dict:
     return {r.Name: motion_of(r) for r in regions("handle")}
 
 
+def surprises() -> bool:
+    """Whether an error was met by nobody; FreeCAD itself tells so of a recompute that failed."""
+    errors = report_view().split("Traceback")[1:]
+    return any("objects.errors.MorphError'>: " not in error for error in errors)
+
+
 def left(traces, before) -> list[str]:
     """What is wrong after a panel has ended."""
     faults = []
-    if "Traceback" in report_view() or "Error" in report_view():
+    if surprises() or ("Error" in report_view() and "Traceback" not in report_view()):
         faults.append(report_view())
     if Gui.Control.activeDialog():
         faults.append("the panel is still there")

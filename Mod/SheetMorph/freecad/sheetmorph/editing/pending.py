@@ -154,6 +154,19 @@ class Pending:
             self._steps.append(last)
         self._park(len(self._steps) - 2)
 
+    @property
+    def was_committed(self) -> bool:
+        """Whether the step was committed as before an undo, but no undo came: by another document
+        that had a part in it and was closed."""
+        is_there = self._document.UndoNames[:1] == [self._title] and not self._document.RedoCount
+        return self._interrupted is not None and is_there
+
+    def reclaim(self) -> None:
+        """After that: what was committed is pending again."""
+        self._document.undo()
+        transactions.forget_redos(self._document)
+        self.go_on()
+
     def go_on(self) -> None:
         """After an interruption: the pose there was."""
         last, self._interrupted = self._interrupted, None

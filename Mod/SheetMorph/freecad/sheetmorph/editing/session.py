@@ -108,7 +108,7 @@ class EditingSession(Session):
     changed = QtCore.Signal()
 
     def __init__(self, document, needed=(), *, goes_with_undo: bool = False):
-        """``needed``: the objects without which there is nothing to edit.
+        """``needed``: the objects without which there is nothing to edit, with the meshes of parts.
 
         ``goes_with_undo``: undo and redo of whatever step are changes to show, not an end.
         """
@@ -116,7 +116,9 @@ class EditingSession(Session):
         self.document = document
         self.pending = None
         self._name, self._goes_with_undo = document.Name, goes_with_undo
-        self._needed = {obj.Name for obj in needed}
+        meshes = [getattr(obj, link, None) for obj in needed for link in ("Source", "Original")]
+        self._meshes = {mesh.Name for mesh in meshes if mesh is not None}
+        self._needed = {obj.Name for obj in needed} | self._meshes
         self.view = shown_view(document)
         # Not by a signal of the view's widgets: PySide would keep their wrappers, and take a widget
         # that is made later at the same address for the one that is gone.
@@ -176,10 +178,30 @@ class EditingSession(Session):
         elif self._goes_with_undo:
             self._soon(self.changed.emit)
 
+    def on_changed(self, obj) -> None:
+        """The mesh or the placement of an object is another one: if parts rest on it, so is all
+        that a panel knows of them, or it ends."""
+        if not self._is_mesh(obj):
+            return
+        if self.pending is not None or self._goes_with_undo:
+            self._soon(self.changed.emit)
+        else:
+            self.end_soon()
+
+    def _is_mesh(self, obj) -> bool:
+        """Whether it is a mesh that a part rests on, or contains one."""
+        if obj.Name in self._meshes or not obj.hasExtension("App::GeoFeatureGroupExtension"):
+            return obj.Name in self._meshes
+        return any(inner.Name in self._meshes for inner in obj.OutListRecursive)
+
     def on_close_of_step(self, is_abort: bool) -> None:
         """An undo step is closed."""
-        if self.pending is not None and self.pending.on_close(is_abort):
+        if self.pending is None:
+            return
+        if self.pending.on_close(is_abort):
             self._soon(self._go_on)
+        elif self.pending.was_undone:
+            self._soon(self._reclaim)
 
     def on_undo(self) -> None:
         """A step was undone."""
@@ -216,6 +238,11 @@ class EditingSession(Session):
     def _go_forward(self) -> None:
         self.pending.go_forward()
         self.changed.emit()
+
+    def _reclaim(self) -> None:
+        if self.pending.was_committed:
+            self.pending.reclaim()
+            self.changed.emit()
 
     def _go_on(self) -> None:
         self.pending.go_on()

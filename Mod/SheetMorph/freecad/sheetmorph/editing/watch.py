@@ -13,7 +13,8 @@ class Watch:
     """A document observer until `stop`; it is called in the midst of changes."""
 
     def __init__(self, session):
-        """`session` has document, on_deleted, on_close_of_step, on_undo, on_redo, end_soon."""
+        """`session` has document, end_soon, and on_deleted, on_changed, on_close_of_step, on_undo
+        and on_redo, as they are called below."""
         self._session = session
         self._document = session.document
         self._is_paused = False
@@ -37,6 +38,11 @@ class Watch:
         """FreeCAD calls this before an object goes, also in undo."""
         if self._is_heard(obj.Document):
             self._session.on_deleted(obj)
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        """FreeCAD calls this after every change of a property, also in undo."""
+        if name in ("Mesh", "Placement") and self._is_heard(obj.Document):
+            self._session.on_changed(obj)
 
     def slotBeforeCloseTransaction(self, is_abort: bool) -> None:
         """FreeCAD calls this before it commits or takes back a step of whatever document."""

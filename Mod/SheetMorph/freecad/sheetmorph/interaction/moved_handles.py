@@ -33,12 +33,16 @@ class MovedHandles:
         put(handle, motion)
 
     def pivot(self, handle) -> tuple:
-        """Where a handle turns about at rest, (3,) mm; no mesh changes meanwhile."""
+        """Where a handle turns about at rest, (3,) mm; kept until ``look_again``."""
         if not handle.PivotAtCentroid:
             return tuple(handle.Pivot)
         if handle.Name not in self._centres:
             self._centres[handle.Name] = tuple(api.pivot(handle))
         return self._centres[handle.Name]
+
+    def look_again(self) -> None:
+        """A mesh may be another one, or elsewhere."""
+        self._centres = {}
 
     def at(self, grabbed):
         """The handle that has a grabbed vertex, None if none."""

@@ -208,6 +208,7 @@ class MovePanel(Panel):
     def _follow(self) -> None:
         """Shows what an undo, a redo or another command has made of the pose."""
         self._stop_timers()
+        self._handles.look_again()
         handles = self._handles.all
         if not handles:
             self.session.end()

@@ -24,12 +24,7 @@ def open_panel(part):
     with actions.waiting():
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(part)
-        return PreparePanel.opened(EditingSession(part.Document, needed_of(part)), part)
-
-
-def needed_of(part) -> list:
-    """What is needed to look at a part: itself and the meshes it is made of."""
-    return [obj for obj in (part, part.Source, part.Original) if obj is not None]
+        return PreparePanel.opened(EditingSession(part.Document, [part]), part)
 
 
 def offer(parts: list) -> None:

@@ -15,8 +15,7 @@ from freecad.sheetmorph.tools import colour_scale, words
 
 def open_panel(part):
     """Opens the panel for a part; returns the panel."""
-    needed = [obj for obj in (part, part.Source) if obj is not None]
-    session = EditingSession(part.Document, needed, goes_with_undo=True)
+    session = EditingSession(part.Document, [part], goes_with_undo=True)
     return ThicknessPanel.opened(session, part)
 
 
