@@ -97,7 +97,7 @@ void bind_feature(py::module_& module)
                       "largest distance of a vertex from the surface, mm");
 }
 
-void bind_part(py::module_& module)
+void bind_model(py::module_& module)
 {
     py::class_<CadModel>(module, "CadModel", "What a CAD file holds, in mm.")
         .def_readonly("parts", &CadModel::parts)
@@ -114,6 +114,10 @@ void bind_part(py::module_& module)
             py::arg("part"), "What kept_model needs to know of the mesh of a part.")
         .def("brep", &brep_of, py::arg("part"),
              "The shape of one part as the text of a BREP file, where it stands, at rest.");
+}
+
+void bind_part(py::module_& module)
+{
     py::class_<CadPart>(module, "CadPart", "One solid or free shell of a CAD file, meshed.")
         .def_readonly("name", &CadPart::name)
         .def_property_readonly("points", [](const py::object& self)
@@ -318,6 +322,7 @@ PYBIND11_MODULE(_cad, module)
     sheetmorph::share_errors();
     sheetmorph::bind_surface(module);
     sheetmorph::bind_feature(module);
+    sheetmorph::bind_model(module);
     sheetmorph::bind_part(module);
     sheetmorph::bind_readers(module);
     sheetmorph::bind_writer(module);

@@ -156,10 +156,8 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
                                      one.shape.Location().Transformation()));
         name(model.parts.back(), one);
     }
-    const bool has_triangles =
-        std::any_of(model.parts.begin(), model.parts.end(),
-                    [](const CadPart& part) { return part.mesh.triangle_count() > 0; });
-    if (!has_triangles)
+    if (std::none_of(model.parts.begin(), model.parts.end(),
+                     [](const CadPart& part) { return part.mesh.triangle_count() > 0; }))
         throw InvalidInput("none of its faces can be meshed; repair them in the CAD system");
     return model;
 }
