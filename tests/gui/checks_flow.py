@@ -18,6 +18,7 @@ from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.actions import DOCUMENT, call, name, record
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.qt import QtWidgets
 from scenes import assembly, contacts, drawn, labelled, largest, regions, stored, stored_of_all
 
 __all__ = [
@@ -101,11 +102,24 @@ def click_rims(part, rims: list, image: str):
     assert sorted(made) == sorted(rims)
 
 
-def pull_arrow_up(pixels: int = 48):
-    """Drags the arrow that points up on the screen, whatever stands before it, and lets go."""
+def handle_place() -> tuple[int, int]:
+    """Where the handle's arrows are, pixels of the screen."""
     handle = regions("handle")[0]
     shift = (handle.TranslationX, handle.TranslationY, handle.TranslationZ)
-    x, y = on_screen(np.array(tuple(api.pivot(handle))) + [float(s.Value) for s in shift])
+    return on_screen(np.array(tuple(api.pivot(handle))) + [float(s.Value) for s in shift])
+
+
+def bring_beside_the_panel():
+    """Zooms out until the handle is seen: since FreeCAD 1.0 a panel may lie over the 3D view."""
+    viewport = view().graphicsView().viewport()
+    while viewport != QtWidgets.QApplication.widgetAt(*handle_place()):
+        view().zoomOut()
+        yield from settled()
+
+
+def pull_arrow_up(pixels: int = 48):
+    """Drags the arrow that points up on the screen, whatever stands before it, and lets go."""
+    x, y = handle_place()
     before = child("translation_z").value()
     yield from xdotool("mousemove", x, y - 30, "mousedown", 1)
     for step in range(12, pixels + 1, 12):
@@ -123,6 +137,7 @@ def drag_arrow_up(pixels: int = 48):
 def move(words: dict, image: str):
     """Drags the triad, types numbers, OK."""
     yield from open_panel()
+    yield from bring_beside_the_panel()
     yield from drag_arrow_up()
     for field, text in words.items():
         yield from enter(child(field), text)
