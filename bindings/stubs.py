@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 """
 SIGNATURE = re.compile(r"^(?:\d+\. )?(\w+)\((.*)\) -> (.+)$", re.MULTILINE)
+NOTED = "typing.Annotated["
 BARE = {"list": "list[Any]", "tuple": "tuple[Any, ...]", "dict": "dict[str, Any]"}
 BARE |= {"numpy.ndarray": "NDArray[Any]", "handle": "Any", "function": "Callable[..., Any]"}
 
@@ -34,7 +35,7 @@ def loaded(path: Path) -> ModuleType:
 
 def plain(text: str, module: str) -> str:
     """A type as a stub writes it; Any for what is none in Python."""
-    text = re.sub(rf"{module}\.|sheetmorph::", "", text.strip())
+    text = without_notes(re.sub(rf"{module}\.|sheetmorph::", "", text.strip()))
     text = re.sub(
         r"numpy\.ndarray\[numpy\.(\w+)(\[[^]]*\])?(, flags\.\w+)?\]", r"NDArray[np.\1]", text
     )
@@ -46,6 +47,24 @@ def plain(text: str, module: str) -> str:
     except SyntaxError:
         return "Any"
     return text
+
+
+def without_notes(text: str) -> str:
+    """A type as pybind11 2 tells it; that of pybind11 3 notes what else is taken, and shapes."""
+    while NOTED in text:
+        start = text.rindex(NOTED)
+        end, depth = start + len(NOTED), 1
+        while depth > 0:
+            depth += (text[end] == "[") - (text[end] == "]")
+            end += 1
+        kind, *notes = pieces(text[start + len(NOTED) : end - 1])
+        if kind == "numpy.typing.ArrayLike":
+            kind = f"numpy.typing.NDArray[{notes[0]}]"
+        text = text[:start] + kind + text[end:]
+    text = re.sub(r"numpy\.typing\.NDArray\[numpy\.(\w+)\]", r"NDArray[np.\1]", text)
+    text = re.sub(r"typing\.SupportsInt \| typing\.SupportsIndex", "int", text)
+    text = re.sub(r"typing\.SupportsFloat \| typing\.SupportsIndex", "float", text)
+    return text.replace("collections.abc.", "")
 
 
 def given(text: str, module: str) -> str:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ast
+import importlib.util
 from pathlib import Path
 from types import ModuleType
 
@@ -13,6 +14,7 @@ import sheetmorph
 from sheetmorph import _cad, _core
 
 FOLDER = Path(sheetmorph.__file__).parent
+MAKER = Path(__file__).resolve().parents[2] / "bindings" / "stubs.py"
 
 
 MODULES = pytest.mark.parametrize("module", [_core, _cad], ids=["core", "cad"])
@@ -76,3 +78,28 @@ def test_what_is_set_has_its_type_and_what_takes_a_list_takes_a_tuple():
 def test_classes_that_nobody_makes_have_no_constructor():
     assert not functions(classes_of(_core)["CuredMesh"], "__init__")
     assert functions(classes_of(_core)["PickingTree"], "__init__")
+
+
+@pytest.mark.parametrize(
+    "told, wanted",
+    [
+        ("typing.SupportsFloat | typing.SupportsIndex", "float"),
+        ("collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex]", "Sequence[int]"),
+        ("numpy.typing.NDArray[numpy.int32]", "NDArray[np.int32]"),
+        (
+            'typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 2]", "flags.c"]',
+            "NDArray[np.float64]",
+        ),
+        (
+            "collections.abc.Sequence[typing.Annotated[collections.abc.Sequence[typing.SupportsInt"
+            ' | typing.SupportsIndex], "FixedSize(4)"]]',
+            "Sequence[Sequence[int]]",
+        ),
+        ("numpy.ndarray[numpy.float64[m, 3], flags.c_contiguous]", "NDArray[np.float64]"),
+    ],
+)
+def test_types_are_those_of_a_stub_whatever_pybind11_made_them(told: str, wanted: str):
+    spec = importlib.util.spec_from_file_location("stubs", MAKER)
+    stubs = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(stubs)
+    assert stubs.plain(told, "sheetmorph._core") == wanted
