@@ -49,6 +49,7 @@ def choose_property(obj, name: str, steps: int):
     place = editor.viewport().mapToGlobal(editor.visualRect(value).center())
     yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
     yield from until(lambda: editor.findChildren(QtGui.QComboBox), "its list")
+    yield from settled()
     (combo,) = editor.findChildren(QtGui.QComboBox)
     yield from choose_below(combo, steps)
     yield from xdotool("key", "Return")

@@ -268,8 +268,12 @@ def enter(field, text: str):
 
 
 def choose_below(combo, steps: int):
-    """Opens a combo box with the mouse and goes so many entries down, or up if negative."""
-    yield from click_widget(combo)
+    """Opens a combo box with the mouse and goes so many entries down, or up if negative.
+
+    Of a property FreeCAD 1.1 opens it by itself.
+    """
+    if not combo.view().isVisible():
+        yield from click_widget(combo)
     yield from until(combo.view().isVisible, f"the list of {combo.objectName()} to open")
     yield from xdotool("key", *["Down" if steps > 0 else "Up"] * abs(steps), "Return")
     yield from laid_out()
