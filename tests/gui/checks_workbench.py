@@ -13,14 +13,14 @@ from desk import settled, tools_called, until, xdotool
 from freecad.sheetmorph import actions, api, subject
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model, watcher
-from freecad.sheetmorph.qt import QtCore, QtWidgets, frame_of
+from freecad.sheetmorph.qt import QtCore, QtWidgets, draw, frame_of
 from pivy import coin
 from scenes import assembly, new_morph, part, regions
 
 __all__ = [
     "test_panels_open_and_close_again_and_again",
     "test_a_dialog_that_opens_late_lets_the_test_go_on",
-    "test_a_panel_is_whole_again_after_freecad_has_laid_it_out",
+    "test_a_panel_is_whole_and_stays_so_under_a_press",
     "test_every_example_opens_and_is_up_to_date",
     "test_who_watches_documents_does_not_lead_a_new_one_astray",
     "test_a_double_click_picks_a_region_anew",
@@ -57,33 +57,36 @@ def test_a_dialog_that_opens_late_lets_the_test_go_on():
     yield from settled()
 
 
-def test_a_panel_is_whole_again_after_freecad_has_laid_it_out():
+def test_a_panel_is_whole_and_stays_so_under_a_press():
     yield from new_morph()
     yield from press_tool("Mark Fixed Region…")
-    buttons = panel().findChildren(QtWidgets.QPushButton)
     docks = Gui.getMainWindow().findChildren(QtWidgets.QDockWidget)
     (dock,) = [one for one in docks if one.isAncestorOf(panel())]
-    x, y = on_screen((40, 12, 0))
-    for is_pressed in (False, True):  # a press in the view is no wish for a narrow panel
-        yield from xdotool("mousemove", x, y, *(("mousedown", 1) if is_pressed else ()))
-        lay_out(dock, 150)
-        yield from laid_out()
-        cut = [one.objectName() for one in buttons if shown_width(one) < one.width()]
-        if is_pressed:
-            yield from xdotool("mouseup", 1)
-        assert not cut, (is_pressed, cut)
-    yield from press("Cancel")
-
-
-def lay_out(dock, width: int) -> None:
-    """Gives a dock a width, px, as FreeCAD does, which may lay it over the 3D view since 1.0."""
     frame = frame_of(dock)
-    if frame is dock:
-        dock.window().resizeDocks([dock], [width], QtCore.Qt.Horizontal)
-        return
-    place = frame.geometry()
-    place.setLeft(place.right() + 1 - width)
-    frame.setGeometry(place)
+    if frame is not dock:  # beside the view no dock becomes narrower than its panel
+        draw(frame, 250)
+        yield from laid_out()
+        assert abs(frame.width() - 250) < 5, "the user wants it narrower"
+    yield from press("Cancel")
+    yield from press_tool("Mark Fixed Region…")
+    places = {"view": on_screen((40, 12, 0)), "panel": middle(child("message"))}
+    for name, place in places.items():
+        yield from xdotool("mousemove", *place, "mousedown", 1)
+        yield from laid_out()
+        buttons = panel().findChildren(QtWidgets.QPushButton)
+        cut = [one.objectName() for one in buttons if shown_width(one) < one.width()]
+        yield from xdotool("mouseup", 1)
+        assert not cut, (name, cut)
+    yield from press("Cancel")
+    if frame is not dock:
+        kept = App.ParamGet("User parameter:BaseApp/MainWindow/DockWindows/OverlayRight")
+        assert abs(kept.GetInt("Width") - 250) < 5, "the user's width comes back"
+
+
+def middle(widget) -> tuple[int, int]:
+    """Where the middle of a widget is on the screen."""
+    place = widget.mapToGlobal(widget.rect().center())
+    return place.x(), place.y()
 
 
 def shown_width(widget) -> int:

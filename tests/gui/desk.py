@@ -39,7 +39,7 @@ def parts_of(words: list[str]):
     A window manager may hold a press back for a moment; keys come straight from the screen. A click
     goes as one, and nobody knows when it has come: a list that opens under a press that lasts takes
     what is under the release. A hand is there before it presses: what lies over the 3D view since
-    FreeCAD 1.0 changes under the mouse, and lets the press of one that came just now through.
+    FreeCAD 1.0 is laid out anew when the mouse comes to it.
     """
     while words:
         place = next((k for k, word in enumerate(words) if word in (*BUTTONS, "click")), None)

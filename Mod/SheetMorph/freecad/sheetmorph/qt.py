@@ -4,6 +4,7 @@
 FreeCAD's `PySide` stands for the one it was built with; FreeCAD 0.20's lacks `QtWidgets`.
 """
 
+import FreeCAD as App
 from PySide import QtCore, QtGui
 
 try:
@@ -15,7 +16,8 @@ try:
 except ImportError:
     import shiboken2 as shiboken
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "forget", "frame_of", "number", "translate", "widen"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "draw", "forget", "frame_of", "number"]
+__all__ += ["translate", "widen"]
 
 
 def number(choice) -> int:
@@ -39,7 +41,7 @@ def forget(form) -> None:
 
 
 def frame_of(dock):
-    """What has the width that a dock of the main window is seen with: itself, or what lies round it.
+    """What has the width that a dock of the main window is seen with: itself, or what holds it.
 
     Since FreeCAD 1.0 a dock may lie over the 3D view, in a widget at the window's edge of which the
     window's layout knows nothing, and which cuts off what is wider.
@@ -50,18 +52,52 @@ def frame_of(dock):
     return dock if over is None else over
 
 
-def widen(dock, width: int) -> None:
-    """Makes a dock of the main window at least so wide, px; one that is folded away is left so."""
+def widen(dock, width: int):
+    """Makes a dock of the main window at least so wide, px; returns a function that makes one that
+    lies over the 3D view as it was, unless the user has drawn it meanwhile.
+
+    Its frame has a width of its own in mind, to which it returns whenever the mouse is pressed, and
+    what is pressed moves away under it: the frame learns another one by its grip alone.
+    """
     frame = frame_of(dock)
     if frame is dock:
         if dock.width() < width:
             dock.window().resizeDocks([dock], [width], QtCore.Qt.Horizontal)
-        return
-    place = frame.geometry()
-    if place.width() >= width or not dock.isVisible():
-        return
-    if place.right() >= dock.window().width() - 2:
-        place.setLeft(place.right() + 1 - width)
-    else:
-        place.setWidth(width)
-    frame.setGeometry(place)
+        return lambda: None
+    kept = App.ParamGet(f"User parameter:BaseApp/MainWindow/DockWindows/{frame.objectName()}")
+    before = kept.GetInt("Width")
+    if before < width:
+        draw(frame, width)
+    given = kept.GetInt("Width")
+
+    def give_back() -> None:
+        if before < given == kept.GetInt("Width"):
+            draw(frame_of(dock), before)
+
+    return give_back
+
+
+def draw(frame, width: int) -> None:
+    """Gives such a frame at a side of the window a width, px, as the mouse does that draws it."""
+    grip, room = _grip_of(frame), frame.parentWidget()
+    edges = {"OverlayRight": room.width() - width, "OverlayLeft": width - 1}
+    if grip is not None and frame.objectName() in edges:
+        edge = room.mapToGlobal(QtCore.QPoint(edges[frame.objectName()], frame.y()))
+        places = QtCore.QPointF(grip.mapFromGlobal(edge)), QtCore.QPointF(edge)
+        buttons = QtCore.Qt.NoButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier
+        move = QtGui.QMouseEvent(QtCore.QEvent.MouseMove, *places, *buttons)
+        QtCore.QCoreApplication.sendEvent(grip, move)
+
+
+def _grip_of(frame):
+    """What the mouse draws such a frame wider and narrower with; None if there is none.
+
+    Not by the children of the frame: PySide would take them, and with them the form of an open
+    panel, for deleted as soon as it forgets the frame.
+    """
+    for title in frame.window().findChildren(QtWidgets.QWidget, "OverlayTitle"):
+        if frame.isAncestorOf(title):
+            for widget in title.findChildren(QtWidgets.QWidget):
+                if widget.metaObject().className().endswith("OverlaySizeGrip"):
+                    return widget
+    return None

@@ -5,8 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
 from freecad.sheetmorph.panels.number_field import loaded
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
-from freecad.sheetmorph.qt import forget, frame_of, number, translate, widen
+from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate, widen
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
@@ -20,7 +19,6 @@ LEGEND = {
 WIDTH = 340  # px at which a panel is readable
 FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"  # any theme
 MARGINS = 110  # px of the task view around a panel, with its scroll bar
-EDGE = 12  # px beside the edge of a dock, where the mouse draws it wider and narrower
 
 
 class Panel:
@@ -131,44 +129,7 @@ class Panel:
         for dock in Gui.getMainWindow().findChildren(QtWidgets.QDockWidget):
             if self.form and dock.isAncestorOf(self.form):
                 wanted = max(self.width, self.form.minimumSizeHint().width() + MARGINS)
-                self.session.at_end(WideDock(dock, wanted).stop)
-
-
-class WideDock(QtCore.QObject):
-    """Keeps a dock wide enough until ``stop``, or until the user draws it narrower.
-
-    Where it lies over the 3D view, FreeCAD lays it out again after it has appeared, and whenever
-    the mouse comes to it or leaves it.
-    """
-
-    def __init__(self, dock, width: int):
-        super().__init__()
-        self._dock, self._width, self._frame = dock, width, frame_of(dock)
-        self._frame.installEventFilter(self)
-        self._widen()
-
-    def stop(self) -> None:
-        """Leaves the dock as it is."""
-        if self._dock is not None:
-            self._frame.removeEventFilter(self)
-            self._dock = self._frame = None
-
-    def eventFilter(self, _frame, event) -> bool:
-        """Nothing is taken from the dock."""
-        if event.type() == QtCore.QEvent.Resize:
-            QtCore.QTimer.singleShot(0, self.stop if self._is_drawn() else self._widen)
-        return False
-
-    def _is_drawn(self) -> bool:
-        """Whether the mouse has hold of an edge; pressed elsewhere it does not ask for a width."""
-        if QtWidgets.QApplication.mouseButtons() == QtCore.Qt.NoButton:
-            return False
-        at = self._frame.mapFromGlobal(QtGui.QCursor.pos()).x()
-        return min(abs(at), abs(at - self._frame.width())) <= EDGE
-
-    def _widen(self) -> None:
-        if self._dock is not None:
-            widen(self._dock, self._width)
+                self.session.at_end(widen(dock, wanted))
 
 
 def say(label, text: str, is_error: bool = False) -> None:
