@@ -176,7 +176,9 @@ def _notes(model: Any) -> list[str]:
     if model.lost_faces:
         faces = counted(model.lost_faces, "face of the file is", "faces of the file are")
         where = f", of {', '.join(model.lost_in)}" if model.lost_in else ""
-        notes.append(f"{faces} missing{where}: OpenCASCADE cannot read what it says; export it again")
+        notes.append(
+            f"{faces} missing{where}: OpenCASCADE cannot read what it says; export it again"
+        )
     for part in model.parts:
         if part.skipped_faces:
             faces = ", ".join(str(face) for face in part.skipped_faces)

@@ -63,7 +63,9 @@ def show(assembly, outcome) -> None:
         gap, deviation = found.fidelity.get(contact.Name, NO_FIDELITY)
         set_length(contact, "GapChange", gap)
         set_length(contact, "Deviation", deviation)
-        set_where_new(contact, "Kept", f"gap {words.length(gap)}, deviation {words.length(deviation)}")
+        set_where_new(
+            contact, "Kept", f"gap {words.length(gap)}, deviation {words.length(deviation)}"
+        )
         set_where_new(contact, "Warning", found.warnings.get(contact.Name, ""))
 
 
