@@ -5,6 +5,7 @@
 #include "sheetmorph/base/instructions/lane_angles.h"
 #include "sheetmorph/base/instructions/widest.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/rotations/lane_matrices.h"
 
 #include <algorithm>
 
@@ -110,25 +111,11 @@ struct Kernel : LaneAngles<width>
                  changes + (k - begin));
     }
 
-    struct Matrices
-    {
-        Lanes at[9];  // as they lie in memory: column by column
-    };
-
-    static SHEETMORPH_INLINE Matrices loaded(const Matrix3* matrices, int count)
-    {
-        Matrices m;
-        for (int k = 0; k < 9; ++k)
-            for (int lane = 0; lane < width; ++lane)
-                m.at[k][lane] = matrices[lane < count ? lane : 0].data()[k];
-        return m;
-    }
-
     // \returns lanes whose logs are told; the others are left to log_near()
     static SHEETMORPH_INLINE Bits tell(const Matrix3* rotations, const Vectors& reference,
                                        int count, Vectors& log)
     {
-        const Matrices loaded_ones = loaded(rotations, count);
+        const auto loaded_ones = LaneMatrices<width>::loaded(rotations, count);
         const auto& m = loaded_ones.at;
         const Lanes squared_cosine = 0.25 * (1.0 + m[0] + m[4] + m[8]);
         const Lanes inverse = inverse_root(squared_cosine), share = 0.25 * inverse;

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/instructions/lane_functions.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/rotations/lane_matrices.h"
 
 namespace sheetmorph
 {
@@ -20,20 +21,7 @@ struct LaneRotations : LaneFunctions<width>
     static constexpr double settled = 1e-18;       // the square of a change
     static constexpr double clearly_round = 1e-6;  // squared determinant in that of the size
 
-    struct Matrices
-    {
-        Lanes at[9];  // as they lie in memory: column by column
-    };
-
-    // Lanes beyond `count` are those of the first matrix.
-    static SHEETMORPH_INLINE Matrices loaded(const Matrix3* matrices, int count)
-    {
-        Matrices m;
-        for (int k = 0; k < 9; ++k)
-            for (int lane = 0; lane < width; ++lane)
-                m.at[k][lane] = matrices[lane < count ? lane : 0].data()[k];
-        return m;
-    }
+    using Matrices = LaneMatrices<width>;
 
     // One step of Newton's method, (m + m^-T) / 2, where it is not settled yet.
     static SHEETMORPH_INLINE void step(Matrices& m, Bits& is_open, Bits& is_lost)

@@ -159,7 +159,7 @@ struct Kernel : LaneRotations<width>
         for (int begin = 0; begin < work.batch.rings; begin += width)
         {
             const int count = std::min(width, work.batch.rings - begin);
-            Matrices map = LaneRotations<width>::loaded(work.references + begin, count), sum = {};
+            Matrices map = Matrices::loaded(work.references + begin, count), sum = {};
             Bits is_turned = unexplained(work, begin, map, sum);
             is_turned &= add_product(work.batch, begin, sum, map);
             LaneRotations<width>::store_polar(map, is_turned, work.references + begin, count);
@@ -169,8 +169,8 @@ struct Kernel : LaneRotations<width>
     static SHEETMORPH_INLINE void rotate(Matrix3* matrices, int count)
     {
         const Bits none = {};
-        LaneRotations<width>::store_polar(LaneRotations<width>::loaded(matrices, count), ~none,
-                                          matrices, count);
+        LaneRotations<width>::store_polar(Matrices::loaded(matrices, count), ~none, matrices,
+                                          count);
     }
 };
 
