@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -20,6 +21,9 @@ namespace
 
 // Frames whose memory is kept for further ones: what is shown, what is on its way, what is made.
 constexpr std::size_t frames_kept = 3;
+
+// The first frame has all cores, unless it does not come: a button that is held still.
+constexpr std::chrono::milliseconds longest_wait(100);
 
 std::string words_of(const std::exception_ptr& failure)
 {
@@ -70,7 +74,18 @@ public:
             const std::lock_guard<std::mutex> lock(mutex_);
             is_stopped_ = true;
         }
+        begun_.notify_all();
         thread_.join();
+    }
+
+    //! There is nothing more to wait for.
+    void begin()
+    {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            is_begun_ = true;
+        }
+        begun_.notify_all();
     }
 
     PartResponses ready() const
@@ -93,6 +108,7 @@ public:
 
     void wait()
     {
+        begin();
         std::unique_lock<std::mutex> lock(mutex_);
         finished_.wait(lock, [this] { return is_done_; });
         if (failure_)
@@ -109,9 +125,11 @@ private:
                 const std::lock_guard<std::mutex> lock(mutex_);
                 return !is_stopped_;
             });
+        wait_for_frame();
         std::exception_ptr failure;
         try
         {
+            progress.report(0.0, "learning");
             DragSamples samples(prepared_, dragged, start, learns);
             for (const int part : prepared_.plan.order)
                 keep(part, samples.learn(part, progress));
@@ -130,6 +148,12 @@ private:
         finished_.notify_all();
     }
 
+    void wait_for_frame()
+    {
+        std::unique_lock<std::mutex> lock(mutex_);
+        begun_.wait_for(lock, longest_wait, [this] { return is_begun_ || is_stopped_; });
+    }
+
     void keep(int part, std::shared_ptr<const Response> built)
     {
         const std::lock_guard<std::mutex> lock(mutex_);
@@ -139,9 +163,11 @@ private:
     const PreparedAssembly& prepared_;
     const Progress told_;
     mutable std::mutex mutex_;
+    std::condition_variable begun_;
     std::condition_variable finished_;
     PartResponses responses_;
     std::exception_ptr failure_;
+    bool is_begun_ = false;
     bool is_stopped_ = false;
     bool is_done_ = false;
     std::thread thread_;
@@ -180,6 +206,7 @@ std::shared_ptr<const Deformed> LiveDrag::frame(const Pose& pose)
     std::shared_ptr<Deformed> result = unheld_frame();
     answered_ =
         Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), read_, *result);
+    background_->begin();
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/operators/point_rows.h"
+#include "sheetmorph/surface/solve/pose_steps.h"
 
 #include <algorithm>
 
@@ -61,12 +62,7 @@ LearntFields::Field LearntFields::field(const KnownPose& pose) const
 // What is left to the field of how the sheet turns at every vertex, less the identity.
 std::vector<Matrix3> LearntFields::turns(const Field& field) const
 {
-    Eigen::VectorXd left = Eigen::VectorXd::Ones(field.logs.rows());
-    if (part_.responses != nullptr)
-    {
-        const SparseMatrix& weights = part_.responses->weights();
-        left -= weights * Eigen::VectorXd::Ones(weights.cols());
-    }
+    const Eigen::VectorXd left = shares_of_field(part_);
     std::vector<Matrix3> turns(at(field.logs.rows()));
     const auto turn = [&](Eigen::Index begin, Eigen::Index end)
     {

@@ -21,6 +21,7 @@ constexpr int none = -1;
 constexpr Eigen::Index block = 24;  // columns solved together
 constexpr Eigen::Index blocks_at_once = 4;
 constexpr double most_bytes = 512.0 * 1048576;  // of responses worth keeping
+constexpr Eigen::Index few_slopes = 8;  // some ten microseconds
 constexpr double few_numbers = 1e6;   // of responses that are worked out at once: milliseconds
 constexpr double miss_a_size = 5e-9;  // of the responses of live frames
 constexpr double unfelt = 1e-10;      // of the stiffness if nothing yielded: rounding leaves this
@@ -38,7 +39,8 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input,
       operators_(input.operators),
       minimiser_(minimiser),
       turners_(std::move(turners)),
-      weights_(turner_weights(input, turners_))
+      weights_(turner_weights(input, turners_)),
+      by_vertex_(weights_)
 {
     number_columns();
     offsets_ = direct_moves();
@@ -198,8 +200,15 @@ void FeatureResponses::factor_at_rest()
 Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& left) const
 {
     const Weights weighted = operators_.weights.asDiagonal() * left.residual;  // rows contiguous
-    Eigen::MatrixXd found =
-        offsets_.transpose() * left.forces - turned_rows_.transpose() * weighted;
+    Eigen::MatrixXd found(count_, left.forces.cols());
+    const auto find = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        const Eigen::Index count = end - begin;
+        found.middleRows(begin, count) =
+            offsets_.middleCols(begin, count).transpose() * left.forces
+            - turned_rows_.middleCols(begin, count).transpose() * weighted;
+    };
+    parallel_ranges(count_, few_slopes, find);
     for (const int column : unfelt_)
         found.row(column).setZero();
     return found;

@@ -22,6 +22,9 @@ struct ReducedEnergy
     Eigen::MatrixXd slope;  //!< g (c, 3)
 };
 
+//! A row a vertex.
+using WeightsByVertex = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
 //! Where a turner's entries are among the c: rotation minus identity at `turn` + 0, 1, 2 (entry
 //! [x, b] in row turn + b, column x), displacement of its centre at `shift`; -1: it has none.
 struct TurnerColumns
@@ -44,6 +47,9 @@ public:
 
     //! (n, turners) turner_weights().
     const SparseMatrix& weights() const { return weights_; }
+
+    //! The same, the turners of a vertex together.
+    const WeightsByVertex& weights_by_vertex() const { return by_vertex_; }
 
     //! \param base  the minimum of the pose with every turner unmoved, and what it was asked for
     ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
@@ -86,6 +92,7 @@ private:
     std::vector<TurnerColumns> columns_;
     int count_ = 0;  // c
     SparseMatrix weights_;
+    WeightsByVertex by_vertex_;
     SparseMatrix offsets_;      // (n, c) what the columns move directly
     SparseMatrix turned_rows_;  // (r, c)
     Weights stiffness_;         // (c, c)

@@ -18,9 +18,6 @@ namespace
 // Vertices whose turning is worth a range of its own.
 constexpr Eigen::Index least_turned = 1000;
 
-// Rows of the turners' weights: what of the sheet's turn at a vertex is theirs.
-using WeightRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 }  // namespace
 
 Field field_of(const PreparedSurface& part, const GivenRotations& given)
@@ -49,8 +46,9 @@ Eigen::VectorXd shares_of_field(const PreparedSurface& part)
 std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
                               const std::vector<BodyState>& turns)
 {
-    const WeightRows weights = part.responses ? WeightRows(part.responses->weights())
-                                              : WeightRows(part.rest.vertex_count(), 0);
+    // What of the sheet's turn at a vertex is the turners'.
+    const WeightsByVertex none(part.rest.vertex_count(), 0);
+    const WeightsByVertex& weights = part.responses ? part.responses->weights_by_vertex() : none;
     std::vector<Matrix3> turn(at(part.rest.vertex_count()));
     const bool is_tilted = !field.tilts.isZero(0.0);
     const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
@@ -63,10 +61,10 @@ std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
                 change =
                     tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
             double left = 1.0;
-            for (WeightRows::InnerIterator entry(weights, i); entry; ++entry)
+            for (WeightsByVertex::InnerIterator entry(weights, i); entry; ++entry)
                 left -= entry.value();
             change *= left;
-            for (WeightRows::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
+            for (WeightsByVertex::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
                 change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
         }
     };
