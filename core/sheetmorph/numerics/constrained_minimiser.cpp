@@ -66,9 +66,9 @@ Weights weighted_squares(const Eigen::SparseMatrix<double, Eigen::RowMajor>& row
     Weights squares = Weights::Zero(rows.cols(), rows.cols());
     for (Eigen::Index row = 0; row < rows.outerSize(); ++row)
         for (Entry one(rows, row); one; ++one)
-            for (Entry other(rows, row); other; ++other)
+            for (Entry other(rows, row); other && other.col() <= one.col(); ++other)
                 squares(one.col(), other.col()) += weights(row) * one.value() * other.value();
-    return squares;
+    return squares.selfadjointView<Eigen::Lower>();
 }
 
 QuadraticProblem with_stiffness(QuadraticProblem problem)
