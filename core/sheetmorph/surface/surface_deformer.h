@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/convergence.h"
+#include "sheetmorph/base/exactness.h"
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/constraints.h"
@@ -11,14 +12,6 @@
 
 namespace sheetmorph
 {
-
-//! How far a solve goes: `live` one substitution (1e-6 of the size or better), `exact` refined on
-//! the factored residual, for what is kept or written.
-enum class Exactness
-{
-    live,
-    exact
-};
 
 //! A part in one pose.
 struct Deformation

@@ -216,13 +216,13 @@ Points VolumeLink::control_vertices(const SourceState& state) const
 
 // How far every row of the targets is moved. What is not kept is worked out on all threads: so
 // many targets are one link's.
-Points VolumeLink::displacements(const Points& inputs) const
+Points VolumeLink::displacements(const Points& inputs, Exactness exactness) const
 {
     if (is_composed_)
-        return rows_.times(inputs);
+        return rows_.times(inputs, exactness);
     const Points control = control_displacements(inputs);
     if (coordinates_ == nullptr)
-        return rows_.times(control);
+        return rows_.times(control, exactness);
     const Eigen::Index each = options_.rotations ? 4 : 1;
     Points moved(each * targets_.rows(), 3);
     for (Eigen::Index first = 0; first < targets_.rows(); first += chunk)
@@ -238,9 +238,9 @@ Matrix3 LinkedTargets::rotation(Eigen::Index row) const
     return rotations.empty() ? rotation_from_log(logs.row(row).transpose()) : rotations[at(row)];
 }
 
-LinkedTargets VolumeLink::transfer(const SourceState& state) const
+LinkedTargets VolumeLink::transfer(const SourceState& state, Exactness exactness) const
 {
-    const Points moved = displacements(inputs(state));
+    const Points moved = displacements(inputs(state), exactness);
     LinkedTargets result{state.mean.apply(targets_), Points(), {}};
     if (!options_.rotations)
     {
@@ -286,7 +286,8 @@ LinkedRates VolumeLink::transfer_rate(const SourceState& state, const SourceRate
         const Matrix3 own = cross_matrix(rate.spins.row(i).transpose()) * state.rotations[i];
         change.row(count + i) = ((own - turning) * source_offsets_.row(i).transpose()).transpose();
     }
-    const Points moved = displacements(inputs(state)), moving = displacements(change);
+    const Points moved = displacements(inputs(state), Exactness::exact);
+    const Points moving = displacements(change, Exactness::exact);
     const Matrix3 axes = steps_.colwise().normalized();
     LinkedRates found{Points(targets_.rows(), 3), Points(targets_.rows(), 3),
                       Points(targets_.rows(), 3)};

@@ -83,7 +83,7 @@ public:
                const LinkOptions& options = {});
 
     //! \throws InvalidInput if the state has another number of points
-    LinkedTargets transfer(const SourceState& state) const;
+    LinkedTargets transfer(const SourceState& state, Exactness exactness = Exactness::exact) const;
 
     //! How it changes with the source; for links with rotations. \throws NoDerivative near whole
     //! turns
@@ -100,7 +100,7 @@ private:
     Points control_displacements(const Points& inputs) const;
     void compose(const MeanValueCoordinates& coordinates);
     Weights target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first) const;
-    Points displacements(const Points& inputs) const;
+    Points displacements(const Points& inputs, Exactness exactness) const;
 
     LinkOptions options_;
     Points source_, source_offsets_, targets_, control_rest_;

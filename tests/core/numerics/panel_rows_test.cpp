@@ -18,6 +18,8 @@ TEST(PanelRows, MultipliesAsTheMatrix)
             const Points product = PanelRows(matrix).times(right);
             ASSERT_EQ(product.rows(), rows);
             EXPECT_LT((product - matrix * right).norm(), 1e-13) << rows << " x " << columns;
+            const Points live = PanelRows(matrix).times(right, Exactness::live);
+            EXPECT_LE((live - product).norm(), 1e-7 * matrix.norm() * right.norm());
         }
 }
 

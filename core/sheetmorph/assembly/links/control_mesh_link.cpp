@@ -109,9 +109,9 @@ public:
     {
     }
 
-    LinkedTargets transfer(const Deformation& source) const override
+    LinkedTargets transfer(const Deformation& source, Exactness exactness) const override
     {
-        return link_.transfer(state_of(source));
+        return link_.transfer(state_of(source), exactness);
     }
 
     LinkedRates transfer_rate(const Deformation& source, const DeformationRate& rate) const override

@@ -28,7 +28,7 @@ public:
 
     //! \param source  the source part in one pose
     //! \returns       the targets' positions and rotations, rows in the order they were given
-    virtual LinkedTargets transfer(const Deformation& source) const = 0;
+    virtual LinkedTargets transfer(const Deformation& source, Exactness exactness) const = 0;
 
     //! How that changes, where the source part does.
     //! \throws NoDerivative where sheets are turned by about a whole turn

@@ -34,7 +34,7 @@ public:
                                    .transpose();
     }
 
-    LinkedTargets transfer(const Deformation& source) const override
+    LinkedTargets transfer(const Deformation& source, Exactness) const override
     {
         const LocalRotations turned =
             meter_.measure(source.positions, rows_of(source.rotation_logs, corners_));

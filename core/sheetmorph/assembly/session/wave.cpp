@@ -184,8 +184,8 @@ void Wave::pass_on(int index)
 
 void Wave::pass_on_link(std::size_t link)
 {
-    links_[link] =
-        prepared_.links[link].link->transfer(read_of(prepared_.planned[link].source_part));
+    const Deformation& source = read_of(prepared_.planned[link].source_part);
+    links_[link] = prepared_.links[link].link->transfer(source, exactness_);
 }
 
 void Wave::pass_on_motions(int index)

@@ -64,7 +64,7 @@ TEST(TiedLink, AFewVerticesOfAPartTurnAsTheyDoAmongAll)
     Deformation shape{motion.apply(mesh.points()),
                       motion.rotation_log.transpose().replicate(mesh.vertex_count(), 1),
                       {}};
-    const LinkedTargets found = link->transfer(shape);
+    const LinkedTargets found = link->transfer(shape, Exactness::exact);
     EXPECT_LT((found.positions - motion.apply(targets)).norm(), 1e-11);
 }
 
