@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph import generations, reporting
 from freecad.sheetmorph.bridge import faults
 from freecad.sheetmorph.editing import transactions
+from freecad.sheetmorph.objects.assembly import together
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.progress_dialog import Progress
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
@@ -50,14 +51,20 @@ def record(*lines: str, document=None) -> None:
     another one so. The imports are written every time: FreeCAD's addModule does so once a session,
     too early for a macro whose recording starts later.
     """
-    told = reporting.progress()
-    for number, line in enumerate((*IMPORTS, *lines)):
-        if told is not None and not told(number / (len(IMPORTS) + len(lines)), ""):
-            return
-        if document is not None and App.ActiveDocument != document:
-            App.setActiveDocument(document.Name)
-        with unseen() if len(line) > LONGEST_SHOWN else nullcontext():
-            Gui.doCommand(line)
+    told, every = reporting.progress(), (*IMPORTS, *lines)
+    with together():
+        for number, line in enumerate(every):
+            if told is not None and not told(number / len(every), ""):
+                return
+            do(line, document)
+
+
+def do(line: str, document=None) -> None:
+    """Runs a line and writes it to the macro being recorded."""
+    if document is not None and App.ActiveDocument != document:
+        App.setActiveDocument(document.Name)
+    with unseen() if len(line) > LONGEST_SHOWN else nullcontext():
+        Gui.doCommand(line)
 
 
 def note(*lines: str) -> None:
@@ -112,7 +119,9 @@ def run(title: str, *lines: str, document=None) -> None:
     before = faults.faults_in(document)
     try:
         with transactions.step(document, title), followed(title):
-            record(*lines, f"{DOCUMENT}.recompute()", document=document)
+            record(*lines, document=document)
+            if reporting.progress()(1.0, ""):
+                do(f"{DOCUMENT}.recompute()", document)
             refuse(faults.new_fault(document, before))
     except MorphError:
         document.recompute()  # FreeCAD counts as due what was taken back

@@ -33,6 +33,7 @@ from freecad.sheetmorph.api.poses import add_named_poses, named_poses
 from freecad.sheetmorph.api.propagations import set_mode
 from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.api.thin import set_sheet, set_thin
+from freecad.sheetmorph.objects.assembly import together
 
 
 def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, mesh=None):
@@ -105,6 +106,7 @@ def write_recipe(assembly, path: Path, *, is_placed: bool = True) -> Path:
     return written.write_recipe(assembly, morph, path, poses, is_placed=is_placed)
 
 
+@together()
 def import_recipe(document, path: str | os.PathLike):
     """Build the assembly that a recipe file describes and return it.
 

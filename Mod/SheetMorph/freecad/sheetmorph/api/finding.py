@@ -18,6 +18,7 @@ from freecad.sheetmorph.api.contacts import add_contact
 from freecad.sheetmorph.api.picking import rest_mesh
 from freecad.sheetmorph.api.regions import add_feature
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.assembly import together
 from freecad.sheetmorph.objects.region import FORM_FEATURE
 
 HOLES = ("round hole", "slotted hole", "rectangular hole", "hole")
@@ -108,6 +109,7 @@ def find_contacts(assembly, *, parts: Iterable | None = None, **options) -> list
     return [one for one in every if not alone or alone[0] in (one.part_a, one.part_b)]
 
 
+@together()
 def add_found_features(assembly, found: Iterable[FoundFeature], *, rings: int = 0) -> list:
     """Add form features for what was found, and return them; those marked already are left out.
 
@@ -120,6 +122,7 @@ def add_found_features(assembly, found: Iterable[FoundFeature], *, rings: int = 
     ]
 
 
+@together()
 def add_found_contacts(assembly, found: Iterable[FoundContact]) -> list:
     """Add contacts for what was found, and return them; those marked already are left out."""
     return [

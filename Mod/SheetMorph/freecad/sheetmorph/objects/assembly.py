@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
 import FreeCAD
 
 from freecad.sheetmorph.objects.model import (
@@ -126,13 +130,44 @@ class AssemblyProxy(ObjectProxy):
         """Do nothing: a group has no result of its own."""
 
 
+_PUT_OFF: ContextVar[set[tuple[str, str]] | None] = ContextVar("put off", default=None)
+"""Documents and names of the assemblies that `together` will look at; None outside of it."""
+
+
+@contextmanager
+def together() -> Iterator[None]:
+    """Let deformations follow at the end of this context all that came into groups and left them.
+
+    One by one, hundreds take a time that grows with their square. Nothing recomputes in it.
+    """
+    if _PUT_OFF.get() is not None:
+        yield
+        return
+    changed: set[tuple[str, str]] = set()
+    before = _PUT_OFF.set(changed)
+    try:
+        yield
+    finally:
+        _PUT_OFF.reset(before)
+        for document, name in changed:
+            assembly = None
+            if document in FreeCAD.listDocuments():
+                assembly = FreeCAD.getDocument(document).getObject(name)
+            if assembly is not None:
+                follow_group(assembly)
+
+
 def follow_group(assembly) -> None:
     """Let the deformation of `assembly` depend on the regions, contacts, sources in the group.
 
     The group itself cannot be a dependency, because it contains what depends on it.
     """
+    put_off = _PUT_OFF.get()
+    if put_off is not None:
+        put_off.add((assembly.Document.Name, assembly.Name))
+        return
     members: dict[str, list] = {}
-    for obj in assembly.Group:  # once: it is long, and this is called for each that is added
+    for obj in assembly.Group:  # once: it may be long
         members.setdefault(kind(obj), []).append(obj)
     for deformation in members.get(DEFORMATION, [])[:1]:
         update_links(deformation, "Regions", members.get(REGION, []))

@@ -3,8 +3,11 @@
 
 import unittest
 
+import FreeCAD
+
 from freecad.sheetmorph import api, objects
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.assembly import together
 from freecad.sheetmorph.objects.region import FEATURE, MOTION
 from freecad.sheetmorph.tests import support
 
@@ -234,6 +237,64 @@ class TestDeletion(support.DocumentTest):
         assembly.addObject(part)
         self.document.recompute()
         self.assert_up_to_date(self.document)
+
+
+class Follower:
+    """Document observer that counts how often a deformation gets other links, by their name."""
+
+    def __init__(self, deformation):
+        self.deformation, self.counts = deformation.Name, {}
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        if obj.Name == self.deformation and name in ("Sources", "Regions", "Contacts"):
+            self.counts[name] = self.counts.get(name, 0) + 1
+
+
+class TestTogether(support.DocumentTest):
+    """What comes in many at a time is followed once, whatever goes wrong."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        self.assembly, self.handle, self.contact = self.add_pair()
+        self.follower = Follower(objects.deformation_of(self.assembly))
+        FreeCAD.addDocumentObserver(self.follower)
+        self.addCleanup(FreeCAD.removeDocumentObserver, self.follower)
+
+    def assert_followed(self) -> None:
+        """Fail unless the deformation depends on what is in the group."""
+        deformation = objects.deformation_of(self.assembly)
+        self.assertEqual(deformation.Regions, objects.regions(self.assembly))
+        self.assertEqual(deformation.Contacts, objects.contacts(self.assembly))
+
+    def test_features_and_contacts_that_were_found(self):
+        holes = api.find_features(self.assembly, kinds=None)
+        self.assertGreater(len(api.add_found_features(self.assembly, holes)), 4)
+        self.assertEqual(self.follower.counts, {"Regions": 1})
+        api.remove(self.contact)
+        self.follower.counts.clear()
+        added = api.add_found_contacts(self.assembly, api.find_contacts(self.assembly))
+        self.assertEqual((len(added), self.follower.counts), (1, {"Contacts": 1}))
+        self.assert_followed()
+
+    def test_an_error_midway_leaves_what_was_there(self):
+        part = objects.parts(self.assembly)[0]
+        with self.assertRaises(ValueError), together():
+            api.add_follower(self.assembly, part, [70])
+            with together():
+                api.add_follower(self.assembly, part, [71])
+            self.assertEqual(self.follower.counts, {})
+            api.add_follower(self.assembly, part, [])
+        self.assertEqual(self.follower.counts, {"Regions": 1})
+        self.assert_followed()
+
+    def test_a_morph_that_is_gone_at_the_end_is_followed_by_nothing(self):
+        with together():
+            api.remove(self.handle)
+            api.remove(self.assembly)
+            other = api.create_assembly(self.new_document())
+            api.add_part(other, self.add_source(document=other.Document))
+            FreeCAD.closeDocument(self.documents.pop())
+        self.assertEqual([o.Name for o in self.document.Objects if model.kind(o)], [])
 
 
 if __name__ == "__main__":
