@@ -12,6 +12,10 @@
    <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
    <translation>Fügt dem Morph die gewählten Netze und Formen als Teile hinzu, die sich verformen</translation>
   </message>
+  <message>
+   <source>What is selected has no faces.</source>
+   <translation>Das Gewählte hat keine Flächen.</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_BlendPoses</name>
@@ -177,6 +181,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_FollowShape</name>
+  <message>
+   <source>Follow Shape</source>
+   <translation>Form folgen</translation>
+  </message>
+  <message>
+   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
+   <translation>Vernetzt den Körper oder die Form, aus der das gewählte Teil gemacht ist, so wie sie jetzt ist; was gewählt war, wird wiedergefunden, und was anders geworden ist, wird gesagt und ausgewählt</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_GroupFeatures</name>
   <message>
    <source>Group Form Features</source>
@@ -273,14 +288,6 @@
  <context>
   <name>SheetMorph_ImportPart</name>
   <message>
-   <source>Import Part…</source>
-   <translation>Teil importieren…</translation>
-  </message>
-  <message>
-   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
-   <translation>Importiert ein Netz als Teil, mit seinen genauen Koordinaten, jedes Property eines Decks, oder jeden Körper einer CAD-Datei, vernetzt</translation>
-  </message>
-  <message>
    <source>Mesh CAD Shapes</source>
    <translation>CAD-Formen vernetzen</translation>
   </message>
@@ -291,6 +298,14 @@
   <message>
    <source>“{0}” is no length; type one such as 5 mm.</source>
    <translation>„{0}“ ist keine Länge; geben Sie eine wie 5 mm ein.</translation>
+  </message>
+  <message>
+   <source>Import Part…</source>
+   <translation>Teil importieren…</translation>
+  </message>
+  <message>
+   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
+   <translation>Importiert ein Netz als Teil, mit seinen genauen Koordinaten, jedes Property eines Decks, oder jeden Körper einer CAD-Datei, vernetzt</translation>
   </message>
   <message>
    <source>Import Part</source>
@@ -442,17 +457,6 @@
   </message>
  </context>
  <context>
-  <name>SheetMorph_FollowShape</name>
-  <message>
-   <source>Follow Shape</source>
-   <translation>Form folgen</translation>
-  </message>
-  <message>
-   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
-   <translation>Vernetzt den Körper oder die Form, aus der das gewählte Teil gemacht ist, so wie sie jetzt ist; was gewählt war, wird wiedergefunden, und was anders geworden ist, wird gesagt und ausgewählt</translation>
-  </message>
- </context>
- <context>
   <name>SheetMorph_ReplaceFile</name>
   <message>
    <source>Replace File…</source>
@@ -537,16 +541,16 @@
  <context>
   <name>SheetMorph_actions</name>
   <message>
-   <source>Cancelling…</source>
-   <translation>Wird abgebrochen …</translation>
-  </message>
-  <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>Abgebrochen; nichts wurde geändert.</translation>
   </message>
   <message>
    <source>Cancel</source>
    <translation>Abbrechen</translation>
+  </message>
+  <message>
+   <source>Cancelling…</source>
+   <translation>Wird abgebrochen …</translation>
   </message>
  </context>
  <context>
@@ -818,6 +822,10 @@
    <translation>Verbirgt, was größer ist; was verborgen ist, wird nicht genommen</translation>
   </message>
   <message>
+   <source>any size</source>
+   <translation>jede Größe</translation>
+  </message>
+  <message>
    <source>What was found; what is checked is taken. What the mouse is over lights up in the view</source>
    <translation>Was gefunden wurde; Angehaktes wird genommen. Worüber die Maus steht, leuchtet in der Ansicht auf</translation>
   </message>
@@ -874,12 +882,16 @@
    <translation>Schlägt auch Ebenen, Zylinder, Flansche und Sicken vor</translation>
   </message>
   <message>
-   <source>Largest gap, 0: proposed</source>
-   <translation>Größter Abstand, 0: wie vorgeschlagen</translation>
+   <source>Largest gap</source>
+   <translation>Größter Abstand</translation>
   </message>
   <message>
    <source>Parts farther apart are not in contact; 0: as is proposed for these parts</source>
    <translation>Teile mit größerem Abstand sind nicht in Kontakt; 0: wie für diese Teile vorgeschlagen</translation>
+  </message>
+  <message>
+   <source>as proposed</source>
+   <translation>wie vorgeschlagen</translation>
   </message>
   <message>
    <source>Surfaces face within</source>
@@ -944,10 +956,6 @@
  <context>
   <name>SheetMorph_menus</name>
   <message>
-   <source>Follow Shape</source>
-   <translation>Form folgen</translation>
-  </message>
-  <message>
    <source>Do Not Use Contact</source>
    <translation>Kontakt nicht verwenden</translation>
   </message>
@@ -970,6 +978,10 @@
   <message>
    <source>Set as Primary</source>
    <translation>Zum Hauptteil machen</translation>
+  </message>
+  <message>
+   <source>Follow Shape</source>
+   <translation>Form folgen</translation>
   </message>
   <message>
    <source>Study…</source>
@@ -1278,6 +1290,14 @@
    <translation>Mitläufer</translation>
   </message>
   <message>
+   <source>1 vertex</source>
+   <translation>1 Knoten</translation>
+  </message>
+  <message>
+   <source>{0} vertices</source>
+   <translation>{0} Knoten</translation>
+  </message>
+  <message>
    <source>Open Page</source>
    <translation>Seite öffnen</translation>
   </message>
@@ -1316,14 +1336,6 @@
   <message>
    <source>Click on a part…</source>
    <translation>Auf ein Teil klicken…</translation>
-  </message>
-  <message>
-   <source>1 vertex</source>
-   <translation>1 Knoten</translation>
-  </message>
-  <message>
-   <source>{0} vertices</source>
-   <translation>{0} Knoten</translation>
   </message>
   <message>
    <source>Control mesh</source>
@@ -1418,12 +1430,12 @@
    <translation>{0} nicht sicher (?): darauf zeigen, um zu lesen, warum</translation>
   </message>
   <message>
-   <source>of the selected parts only</source>
-   <translation>nur von den gewählten Teilen</translation>
-  </message>
-  <message>
    <source>Nothing is checked; check proposals, or cancel.</source>
    <translation>Nichts ist angehakt; hake Vorschläge an oder brich ab.</translation>
+  </message>
+  <message>
+   <source>of the selected parts only</source>
+   <translation>nur von den gewählten Teilen</translation>
   </message>
   <message>
    <source>Driven by the expression {0}</source>
@@ -1482,6 +1494,10 @@
    <translation>und {0} weitere Teile</translation>
   </message>
   <message>
+   <source>Make a part of each of its {} pieces</source>
+   <translation>Ein Teil aus jedem seiner {} Stücke machen</translation>
+  </message>
+  <message>
    <source>Weld within how much? Type a length, for example 0.01 mm.</source>
    <translation>Verschweißen innerhalb welcher Länge? Gib eine an, zum Beispiel 0.01 mm.</translation>
   </message>
@@ -1492,10 +1508,6 @@
   <message>
    <source>Choose a cure first.</source>
    <translation>Wähle zuerst eine Abhilfe.</translation>
-  </message>
-  <message>
-   <source>Make a part of each of its {} pieces</source>
-   <translation>Ein Teil aus jedem seiner {} Stücke machen</translation>
   </message>
   <message>
    <source>Mark a fixed region and a handle first.</source>
@@ -1931,10 +1943,6 @@
    <translation>Bewegungen mit der Maus sind beim Einrasten Vielfache dieser Länge</translation>
   </message>
   <message>
-   <source> mm</source>
-   <translation> mm</translation>
-  </message>
-  <message>
    <source>Step of an angle</source>
    <translation>Schritt eines Winkels</translation>
   </message>
@@ -2030,12 +2038,12 @@
  <context>
   <name>SheetMorph_prepare</name>
   <message>
-   <source>Preview</source>
-   <translation>Vorschau</translation>
-  </message>
-  <message>
    <source>Prepare Mesh</source>
    <translation>Netz vorbereiten</translation>
+  </message>
+  <message>
+   <source>Preview</source>
+   <translation>Vorschau</translation>
   </message>
   <message>
    <source>What is found</source>
@@ -2252,24 +2260,24 @@
    <translation>Mitläufer</translation>
   </message>
   <message>
-   <source>What {0} has already is left out: a vertex has one of them.</source>
-   <translation>Was {0} schon hat, bleibt weg: ein Eckpunkt gehört nur einem davon.</translation>
+   <source>Nothing picked yet</source>
+   <translation>Noch nichts gewählt</translation>
   </message>
   <message>
-   <source>Nothing is picked: click on the part first.</source>
-   <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
+   <source>What {0} has already is left out: a vertex has one of them.</source>
+   <translation>Was {0} schon hat, bleibt weg: ein Eckpunkt gehört nur einem davon.</translation>
   </message>
   <message>
    <source>Picked: {0}, 1 piece</source>
    <translation>Gewählt: {0}, 1 Stück</translation>
   </message>
   <message>
-   <source>Picked: {0}, {1} pieces</source>
-   <translation>Gewählt: {0}, {1} Stücke</translation>
+   <source>Nothing is picked: click on the part first.</source>
+   <translation>Nichts ist gewählt: klicke zuerst auf das Teil.</translation>
   </message>
   <message>
-   <source>Nothing picked yet</source>
-   <translation>Noch nichts gewählt</translation>
+   <source>Picked: {0}, {1} pieces</source>
+   <translation>Gewählt: {0}, {1} Stücke</translation>
   </message>
   <message>
    <source>On {0}</source>

@@ -12,6 +12,10 @@
    <source>Adds the selected meshes and shapes to the morph as parts that deform</source>
    <translation>選択したメッシュと形状を、変形する部品としてモーフに加えます</translation>
   </message>
+  <message>
+   <source>What is selected has no faces.</source>
+   <translation>選択したものには面がありません。</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_BlendPoses</name>
@@ -177,6 +181,17 @@
   </message>
  </context>
  <context>
+  <name>SheetMorph_FollowShape</name>
+  <message>
+   <source>Follow Shape</source>
+   <translation>形状に追従</translation>
+  </message>
+  <message>
+   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
+   <translation>選択した部品の元になったボディまたは形状を現在の状態でメッシュ化します。選択していた箇所は再び見つけられ、変わったものは通知され選択されます</translation>
+  </message>
+ </context>
+ <context>
   <name>SheetMorph_GroupFeatures</name>
   <message>
    <source>Group Form Features</source>
@@ -273,14 +288,6 @@
  <context>
   <name>SheetMorph_ImportPart</name>
   <message>
-   <source>Import Part…</source>
-   <translation>部品を読み込む…</translation>
-  </message>
-  <message>
-   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
-   <translation>メッシュを正確な座標のままパーツとして、デッキの各プロパティ、または CAD ファイルの各ソリッドをメッシュ化して読み込みます</translation>
-  </message>
-  <message>
    <source>Mesh CAD Shapes</source>
    <translation>CAD 形状をメッシュ化</translation>
   </message>
@@ -291,6 +298,14 @@
   <message>
    <source>“{0}” is no length; type one such as 5 mm.</source>
    <translation>“{0}” は長さではありません。5 mm のように入力してください。</translation>
+  </message>
+  <message>
+   <source>Import Part…</source>
+   <translation>部品を読み込む…</translation>
+  </message>
+  <message>
+   <source>Imports a mesh as a part, with its exact positions, every property of a deck, or every solid of a CAD file, meshed</source>
+   <translation>メッシュを正確な座標のままパーツとして、デッキの各プロパティ、または CAD ファイルの各ソリッドをメッシュ化して読み込みます</translation>
   </message>
   <message>
    <source>Import Part</source>
@@ -442,17 +457,6 @@
   </message>
  </context>
  <context>
-  <name>SheetMorph_FollowShape</name>
-  <message>
-   <source>Follow Shape</source>
-   <translation>形状に追従</translation>
-  </message>
-  <message>
-   <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
-   <translation>選択した部品の元になったボディまたは形状を現在の状態でメッシュ化します。選択していた箇所は再び見つけられ、変わったものは通知され選択されます</translation>
-  </message>
- </context>
- <context>
   <name>SheetMorph_ReplaceFile</name>
   <message>
    <source>Replace File…</source>
@@ -537,16 +541,16 @@
  <context>
   <name>SheetMorph_actions</name>
   <message>
-   <source>Cancelling…</source>
-   <translation>中止しています…</translation>
-  </message>
-  <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>中止しました。何も変更されていません。</translation>
   </message>
   <message>
    <source>Cancel</source>
    <translation>キャンセル</translation>
+  </message>
+  <message>
+   <source>Cancelling…</source>
+   <translation>中止しています…</translation>
   </message>
  </context>
  <context>
@@ -818,6 +822,10 @@
    <translation>これより大きいものを隠します。隠れたものは採用されません</translation>
   </message>
   <message>
+   <source>any size</source>
+   <translation>制限なし</translation>
+  </message>
+  <message>
    <source>What was found; what is checked is taken. What the mouse is over lights up in the view</source>
    <translation>見つかったもの。チェックしたものを採用します。マウスを重ねるとビューで光ります</translation>
   </message>
@@ -874,12 +882,16 @@
    <translation>平面・円筒・フランジ・ビードも提案します</translation>
   </message>
   <message>
-   <source>Largest gap, 0: proposed</source>
-   <translation>最大のすき間(0: 提案値)</translation>
+   <source>Largest gap</source>
+   <translation>最大のすき間</translation>
   </message>
   <message>
    <source>Parts farther apart are not in contact; 0: as is proposed for these parts</source>
    <translation>これより離れた部品は接触しません。0: これらの部品に対する提案値</translation>
+  </message>
+  <message>
+   <source>as proposed</source>
+   <translation>提案値</translation>
   </message>
   <message>
    <source>Surfaces face within</source>
@@ -944,10 +956,6 @@
  <context>
   <name>SheetMorph_menus</name>
   <message>
-   <source>Follow Shape</source>
-   <translation>形状に追従</translation>
-  </message>
-  <message>
    <source>Do Not Use Contact</source>
    <translation>接触を使わない</translation>
   </message>
@@ -970,6 +978,10 @@
   <message>
    <source>Set as Primary</source>
    <translation>主部品にする</translation>
+  </message>
+  <message>
+   <source>Follow Shape</source>
+   <translation>形状に追従</translation>
   </message>
   <message>
    <source>Study…</source>
@@ -1278,6 +1290,14 @@
    <translation>追従領域</translation>
   </message>
   <message>
+   <source>1 vertex</source>
+   <translation>頂点 1 個</translation>
+  </message>
+  <message>
+   <source>{0} vertices</source>
+   <translation>頂点 {0} 個</translation>
+  </message>
+  <message>
    <source>Open Page</source>
    <translation>ページを開く</translation>
   </message>
@@ -1316,14 +1336,6 @@
   <message>
    <source>Click on a part…</source>
    <translation>部品をクリック…</translation>
-  </message>
-  <message>
-   <source>1 vertex</source>
-   <translation>頂点 1 個</translation>
-  </message>
-  <message>
-   <source>{0} vertices</source>
-   <translation>頂点 {0} 個</translation>
   </message>
   <message>
    <source>Control mesh</source>
@@ -1418,12 +1430,12 @@
    <translation>{0} 件は不確か（?）: 指すと理由が読めます</translation>
   </message>
   <message>
-   <source>of the selected parts only</source>
-   <translation>選択した部品のみ</translation>
-  </message>
-  <message>
    <source>Nothing is checked; check proposals, or cancel.</source>
    <translation>何もチェックされていません。提案をチェックするか、キャンセルしてください。</translation>
+  </message>
+  <message>
+   <source>of the selected parts only</source>
+   <translation>選択した部品のみ</translation>
   </message>
   <message>
    <source>Driven by the expression {0}</source>
@@ -1482,6 +1494,10 @@
    <translation>ほか {0} 部品</translation>
   </message>
   <message>
+   <source>Make a part of each of its {} pieces</source>
+   <translation>つながっていない{}個の部分をそれぞれ部品にする</translation>
+  </message>
+  <message>
    <source>Weld within how much? Type a length, for example 0.01 mm.</source>
    <translation>どの距離以内を結合しますか。長さを入力してください。例: 0.01 mm</translation>
   </message>
@@ -1492,10 +1508,6 @@
   <message>
    <source>Choose a cure first.</source>
    <translation>先に対処を選んでください。</translation>
-  </message>
-  <message>
-   <source>Make a part of each of its {} pieces</source>
-   <translation>つながっていない{}個の部分をそれぞれ部品にする</translation>
   </message>
   <message>
    <source>Mark a fixed region and a handle first.</source>
@@ -1931,10 +1943,6 @@
    <translation>刻みに合わせるとき、マウスの動きはこの長さの倍数になります</translation>
   </message>
   <message>
-   <source> mm</source>
-   <translation> mm</translation>
-  </message>
-  <message>
    <source>Step of an angle</source>
    <translation>角度の刻み</translation>
   </message>
@@ -2030,12 +2038,12 @@
  <context>
   <name>SheetMorph_prepare</name>
   <message>
-   <source>Preview</source>
-   <translation>プレビュー</translation>
-  </message>
-  <message>
    <source>Prepare Mesh</source>
    <translation>メッシュを準備</translation>
+  </message>
+  <message>
+   <source>Preview</source>
+   <translation>プレビュー</translation>
   </message>
   <message>
    <source>What is found</source>
@@ -2252,24 +2260,24 @@
    <translation>追従領域</translation>
   </message>
   <message>
-   <source>What {0} has already is left out: a vertex has one of them.</source>
-   <translation>{0} にある頂点は除かれます。1つの頂点は1つにだけ属します。</translation>
+   <source>Nothing picked yet</source>
+   <translation>まだ何も選択されていません</translation>
   </message>
   <message>
-   <source>Nothing is picked: click on the part first.</source>
-   <translation>何も選択されていません。先に部品をクリックしてください。</translation>
+   <source>What {0} has already is left out: a vertex has one of them.</source>
+   <translation>{0} にある頂点は除かれます。1つの頂点は1つにだけ属します。</translation>
   </message>
   <message>
    <source>Picked: {0}, 1 piece</source>
    <translation>選択: {0}、かたまり 1 個</translation>
   </message>
   <message>
-   <source>Picked: {0}, {1} pieces</source>
-   <translation>選択: {0}、かたまり {1} 個</translation>
+   <source>Nothing is picked: click on the part first.</source>
+   <translation>何も選択されていません。先に部品をクリックしてください。</translation>
   </message>
   <message>
-   <source>Nothing picked yet</source>
-   <translation>まだ何も選択されていません</translation>
+   <source>Picked: {0}, {1} pieces</source>
+   <translation>選択: {0}、かたまり {1} 個</translation>
   </message>
   <message>
    <source>On {0}</source>

@@ -69,6 +69,21 @@ def lit(which) -> int:
     return which.ViewObject.RootNode.getNumChildren()
 
 
+class FollowedLinks:
+    """How often the deformation is given other regions in a context."""
+
+    count = 0
+
+    def __enter__(self):
+        App.addDocumentObserver(self)
+
+    def __exit__(self, *_):
+        App.removeDocumentObserver(self)
+
+    def slotChangedObject(self, obj, name: str) -> None:
+        self.count += name == "Regions" and model.kind(obj) == model.DEFORMATION
+
+
 def test_holes_found_become_form_features_in_one_step():
     yield from new_assembly()
     before = len(regions("form feature"))
@@ -77,7 +92,7 @@ def test_holes_found_become_form_features_in_one_step():
     App.ActiveDocument.clearUndos()
     yield from press_tool("Find Features…")
     assert child("table").rowCount() == before == 2
-    nodes = lit(part())
+    nodes, links = lit(part()), FollowedLinks()
     x, y = cell_place(0)
     yield from xdotool("mousemove", x, y)
     yield from settled()
@@ -88,8 +103,9 @@ def test_holes_found_become_form_features_in_one_step():
     yield from xdotool("mousemove", away.x(), away.y())
     yield from settled()
     assert lit(part()) == nodes
-    yield from press_ok()
-    assert len(regions("form feature")) == 2
+    with links:
+        yield from press_ok()
+    assert len(regions("form feature")) == 2 and links.count == 1
     assert App.ActiveDocument.UndoNames == ["Find Features"]
     App.ActiveDocument.undo()
     assert regions("form feature") == []
@@ -171,6 +187,17 @@ def test_proposals_are_filtered_by_kind_and_size():
     yield from enter(child("smallest"), "20")
     large = rows_shown()
     assert 0 < large < everything
+    largest = child("largest")
+    for typed, text, shown in (
+        ("10", "10.00 mm", 0),
+        ("0", "any size", large),
+        ("any size", "any size", large),
+        ("10 mm", "10.00 mm", 0),
+    ):
+        yield from enter(largest, typed)
+        assert (largest.text(), rows_shown()) == (text, shown), (typed, largest.text())
+    yield from xdotool("key", "shift+Tab", "ctrl+a", "Delete", "Tab")
+    assert (largest.text(), rows_shown()) == ("any size", large), "an emptied field"
     yield from press("None")
     assert find_table.checked(child("table")) == []
     yield from press("OK")

@@ -13,14 +13,17 @@ from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
 REPLACED = ("Gui::QuantitySpinBox", "QDoubleSpinBox")
 COPIED = ("objectName", "toolTip", "minimumSize", "sizePolicy", "suffix", "singleStep")
-COPIED += ("keyboardTracking", "buttonSymbols")
+COPIED += ("keyboardTracking", "buttonSymbols", "specialValueText")
 FARTHEST = 1e15
 DIGITS = 30  # after the point: Qt rounds the number itself to them
 USUAL = 12345.67  # what there is room for
 
 
 class NumberField(QtWidgets.QDoubleSpinBox):
-    """``value()`` is exact; what is shown has a unit, or ``shown_decimals``."""
+    """``value()`` is exact; what is shown has a unit, or ``shown_decimals``.
+
+    Where the least one has a ``specialValueText``, an empty field stands for it too.
+    """
 
     def __init__(self, unit: str = "", shown_decimals: int = 2):
         """``unit``: "mm", "deg" or none."""
@@ -44,12 +47,14 @@ class NumberField(QtWidgets.QDoubleSpinBox):
 
     def valueFromText(self, text: str) -> float:
         """What was typed; of what is shown the number itself."""
+        if self._is_special(text):
+            return self.minimum()
         found = None if text == self._shown[0] + self.suffix() else self._typed(text)
         return self.value() if found is None else found
 
     def validate(self, text: str, place: int):
         """Everything may be typed on the way; what says no number is not taken."""
-        is_said = self._typed(text) is not None
+        is_said = self._is_special(text) or self._typed(text) is not None
         states = QtGui.QValidator
         return (states.Acceptable if is_said else states.Intermediate, text, place)
 
@@ -60,12 +65,16 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         room, ends = self.fontMetrics().horizontalAdvance, (self.minimum(), self.maximum())
         usual = (min(max(end, -USUAL), USUAL) for end in ends)
         width = max(room(f"{self._said(value)[0]}{self.suffix()} ") for value in usual)
+        width = max(width, room(f"{self.specialValueText()} "))
         size = QtCore.QSize(width, self.lineEdit().sizeHint().height())
         return self.style().sizeFromContents(QtWidgets.QStyle.CT_SpinBox, option, size, self)
 
     def minimumSizeHint(self):
         """As much."""
         return self.sizeHint()
+
+    def _is_special(self, text: str) -> bool:
+        return bool(self.specialValueText()) and text.strip() in ("", self.specialValueText())
 
     def _typed(self, text: str):
         """A number without a unit is one of the unit that is shown; None if it says nothing."""
