@@ -13,7 +13,7 @@ MAY_IMPORT = {
     "objects": {"doors", "kinds", "tools"},
     "bridge": {"kinds", "objects", "reporting", "tools"},
     "scene": {"bridge", "generations", "preferences", "qt", "tools"},
-    "editing": {"qt"},
+    "editing": {"kinds", "qt"},
     "interaction": {"actions", "api", "bridge", "garbage", "objects", "qt", "scene", "tools"},
 }
 """By room, a folder or a file at the top of the workbench. The others only stand in no circle."""

@@ -9,6 +9,7 @@ from desk import child, enter, on_screen, panel, picture, press, press_tool, set
 from desk import xdotool
 from freecad.sheetmorph import api
 from hostile_panels import is_shown, with_step
+from hostile_traces import open_steps
 from scenes import assembly, drawn, handle_vertices, largest, new_morph, part, regions, stored
 
 __all__ = [
@@ -20,6 +21,7 @@ __all__ = [
     "test_undo_goes_back_inside_the_blend_panel",
     "test_a_panel_in_which_nothing_changed_leaves_no_step_open",
     "test_what_another_command_interrupts_is_still_taken_back_by_cancel",
+    "test_changes_in_another_document_are_no_part_of_what_is_moved",
     "test_a_panel_opened_from_a_spreadsheet_shows_the_3d_view",
     "test_a_panel_opened_without_a_view_makes_one",
 ]
@@ -104,7 +106,7 @@ def test_undo_and_redo_go_to_and_fro_inside_the_move_panel():
     for tool, place in (("Undo", 1), ("Undo", 0), ("Redo", 1), ("Redo", 2)):
         yield from goes_to(tool, place)
     yield from press("Cancel")
-    assert np.array_equal(stored(), rest) and App.getActiveTransaction() is None
+    assert np.array_equal(stored(), rest) and not open_steps()
     assert App.ActiveDocument.UndoNames == App.ActiveDocument.RedoNames == []
 
 
@@ -140,7 +142,7 @@ def test_undo_of_the_creation_of_a_handle_ends_its_panel():
     yield from undo_with_the_tool()
     yield from xdotool("type", "7")
     yield from until(lambda: not Gui.Control.activeDialog(), "the end of the panel")
-    assert len(regions("handle")) == 1 and App.getActiveTransaction() is None
+    assert len(regions("handle")) == 1 and not open_steps()
 
 
 def add_handle_at_the_other_end() -> None:
@@ -176,7 +178,7 @@ def test_a_panel_in_which_nothing_changed_leaves_no_step_open():
     for button in ("Cancel", "OK"):
         yield from open_panel()
         yield from press(button)
-        assert App.getActiveTransaction() is None
+        assert not open_steps()
         App.ActiveDocument.addObject("App::FeaturePython", "Other")
         assert App.ActiveDocument.UndoNames == []
 
@@ -195,8 +197,69 @@ def test_what_another_command_interrupts_is_still_taken_back_by_cancel():
     assert regions("handle")[0].TranslationX.Value == regions("handle")[0].TranslationZ.Value == 0.0
     App.ActiveDocument.recompute()
     assert np.array_equal(stored()[handle_vertices()], rest[handle_vertices()])
-    assert App.getActiveTransaction() is None
+    assert not open_steps()
     assert "Add a part" in App.ActiveDocument.UndoNames
+
+
+class Other:
+    """Another document that has a step to redo; it is changed as scripts and its view do it."""
+
+    def __init__(self, mine):
+        self.document = App.newDocument("Other")
+        for name in ("Changed", "Hidden", "Removed"):
+            self.document.addObject("App::FeaturePython", name)
+        self.document.clearUndos()
+        with_step("Undone", lambda: self.document.addObject("App::FeaturePython", "Undone"))
+        self.document.undo()
+        App.setActiveDocument(mine.Name)
+
+    def change(self) -> None:
+        self.document.Changed.Label += " again"
+        self.document.Hidden.ViewObject.Visibility = not self.document.Hidden.Visibility
+        self.document.addObject("App::FeaturePython", "Added")
+        self.document.removeObject(self.document.Objects[2].Name)
+        self.document.recompute()
+
+    def state(self) -> tuple:
+        objects = [(one.Name, one.Label, one.Visibility) for one in self.document.Objects]
+        return objects, self.document.UndoNames, self.document.RedoNames
+
+
+def test_changes_in_another_document_are_no_part_of_what_is_moved():
+    """Whichever of the two is the active one when something is moved."""
+    yield from new_morph()
+    mine, handle = App.ActiveDocument, regions("handle")[0]
+    other = Other(mine)
+    yield from settled()
+    for end, steps in (("Cancel", ([], [])), ("Undo", ([], ["Move Handle"])), ("OK", None)):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(handle)
+        yield from open_panel()
+        App.setActiveDocument(other.document.Name)
+        yield from enter(child("translation_z"), "9")
+        yield from settled()
+        other.change()
+        changed = other.state()
+        assert changed[1:] == ([], ["Undone"]), changed
+        yield from enter(child("translation_x"), "4")
+        other.document.Changed.Label = f"before {end}"
+        App.setActiveDocument(mine.Name)
+        changed = other.state()
+        if end == "Undo":
+            yield from undo_with_the_tool()
+            yield from until(lambda: fields() == (0.0, 0.0, 9.0), "the first number alone")
+            yield from undo_with_the_tool()
+            yield from until(lambda: fields() == (0.0, 0.0, 0.0), "rest")
+        else:
+            yield from press(end)
+        assert other.state() == changed, end
+        assert (mine.UndoNames, mine.RedoNames) == (steps or (["Move Handle"], [])), end
+        if Gui.Control.activeDialog():
+            yield from press("Cancel")
+    assert (handle.TranslationX.Value, handle.TranslationZ.Value) == (4.0, 9.0)
+    yield from undo_with_the_tool()
+    assert (handle.TranslationX.Value, handle.TranslationZ.Value) == (0.0, 0.0)
+    assert other.state() == changed and not open_steps(), open_steps()
 
 
 def test_a_panel_opened_from_a_spreadsheet_shows_the_3d_view():

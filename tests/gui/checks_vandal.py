@@ -18,7 +18,8 @@ import vandal_acts
 from desk import POLL, WORK, clear_report_view, report_view, settled, until, view
 from freecad.sheetmorph.objects import model
 from hostile_panels import prepared
-from hostile_traces import children, child_processes, is_selecting, overlays, surprises
+from hostile_traces import children, child_processes, is_selecting, open_steps, overlays
+from hostile_traces import surprises
 from PySide import QtGui
 from scenes import assembly, largest, stored_of_all
 
@@ -166,8 +167,7 @@ def left(clean: list[str]) -> list[str]:
     faults = []
     if surprises():
         faults.append(report_view())
-    if App.getActiveTransaction() is not None:
-        faults.append(f"an open transaction: {App.getActiveTransaction()}")
+    faults += open_steps()
     if not gc.isenabled():
         faults.append("garbage is not collected any more")
     if QtGui.QApplication.overrideCursor() is not None:

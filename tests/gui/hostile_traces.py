@@ -110,6 +110,18 @@ def surprises() -> bool:
     return any("objects.errors.MorphError'>: " not in error for error in errors)
 
 
+def open_steps() -> list[str]:
+    """The undo steps that are open, of the program and of documents, in words.
+
+    FreeCAD itself leaves one open, called Delete, when a script removes an object.
+    """
+    opened = App.getActiveTransaction()
+    faults = [] if opened is None else [f"an open step: {opened}"]
+    documents = [one for one in App.listDocuments().values() if one.HasPendingTransaction]
+    titles = [(one.Name, one.UndoNames[0]) for one in documents]
+    return faults + [f"{name} has an open step: {t}" for name, t in titles if t != "Delete"]
+
+
 def left(traces, before) -> list[str]:
     """What is wrong after a panel has ended."""
     faults = []
@@ -118,9 +130,8 @@ def left(traces, before) -> list[str]:
     if Gui.Control.activeDialog():
         faults.append("the panel is still there")
         Gui.Control.closeDialog()
-    if App.getActiveTransaction() is not None:
-        faults.append(f"an open transaction: {App.getActiveTransaction()}")
-        App.closeActiveTransaction(True)
+    faults += open_steps()
+    App.closeActiveTransaction(True)
     faults += [f"a process is left: {line}" for line in child_processes()]
     if not gc.isenabled():
         faults.append("garbage is not collected any more")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pose that a document has while a panel is open: seen everywhere, kept only by OK.
 
-It stands in an open undo step, the way back from it in a snapshot: FreeCAD commits what is open as
-soon as somebody else opens a step, and undoes all of it at once. After an undo of a part of it, it
-is parked in two steps of the document: what is left, and what a redo brings back.
+It stands in an undo step of its document alone, the way back from it in a snapshot: FreeCAD commits
+the step as soon as somebody else opens one, and undoes all of it at once. After an undo of a part
+of it, it is parked in two steps of the document: what is left, and what a redo brings back.
 """
 
 from __future__ import annotations
@@ -12,8 +12,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
-
-import FreeCAD
 
 from freecad.sheetmorph.editing import transactions
 
@@ -25,7 +23,8 @@ class Pending:
         """`title`: of the undo step; `read()` a snapshot, `write(snapshot)` where it differs."""
         self._document, self._title = document, title
         self._read, self._write = read, write
-        self._is_open = self._is_closing = self._lost_something = False
+        self._is_open = self._is_undone = self._lost_something = False
+        self._number = transactions.NOBODYS
         self._made: dict[str, Callable] = {}
         self._begin()
 
@@ -101,18 +100,17 @@ class Pending:
             self._take(wanted)
 
     def abandon(self) -> None:
-        """The document is gone: nothing may stay open."""
-        self._close(transactions.take_back)
+        """The document is gone, and the step with it."""
+        self._is_open = False
 
     def _open(self) -> None:
-        transactions.begin(self._document, self._title)
+        self._number = transactions.begin_alone(self._document, self._title)
         self._is_open = True
 
     def _close(self, way) -> None:
         if self._is_open:
-            self._is_open, self._is_closing = False, True
-            way()
-            self._is_closing = False
+            self._is_open = False
+            way(self._number)
 
     # -- what others do to the document
 
@@ -126,53 +124,49 @@ class Pending:
 
         Nothing half done is committed by others: the document gets its beginning before.
         """
-        if self._is_closing or not self._is_open:
+        if not self._is_open:
             return False
         self._is_open = False
         self._interrupted = self._read()
-        is_undo = FreeCAD.getActiveTransaction() is not None
-        if not is_abort and not is_undo:
+        if not is_abort:
             for name in [name for name in self._made if self._document.getObject(name)]:
                 self._document.removeObject(name)
             self._write(self._steps[0])
-        return not is_undo
+        return True
 
-    @property
-    def was_undone(self) -> bool:
-        """Whether an undo has just taken what was pending, or a part of it."""
+    def on_undo(self) -> bool:
+        """A step was undone; returns whether it was what was pending, or a part of it."""
         parked = self._parked
-        is_mine = parked is not None and parked.place > 0
-        return self._interrupted is not None or (is_mine and parked.is_undone(self._document))
+        is_parked = parked is not None and parked.place > 0 and parked.is_undone(self._document)
+        is_mine = not self._is_undone and (self._interrupted is not None or is_parked)
+        self._is_undone = self._is_undone or is_mine
+        return is_mine
 
-    def go_back(self) -> None:
-        """After that undo: the pose of the step before the last one; a redo goes on from it."""
+    def resume(self) -> bool:
+        """Go on after that; returns whether there was anything."""
+        if self._is_undone:
+            self._go_back()
+        elif self._interrupted is not None:
+            transactions.keep()  # what the other left open
+            self._take(self._uninterrupted())
+        else:
+            return False
+        return True
+
+    def _go_back(self) -> None:
+        """The pose of the step before the last one; a redo goes on from it."""
+        self._is_undone = False
         if self._parked is not None:
             self._park(self._parked.place - 1)
             return
-        last, self._interrupted = self._interrupted, None
+        last = self._uninterrupted()
         if last != self._steps[-1]:
             self._steps.append(last)
         self._park(len(self._steps) - 2)
 
-    @property
-    def was_committed(self) -> bool:
-        """Whether the step was committed as before an undo, but no undo came: by another document
-        that had a part in it and was closed."""
-        is_there = self._document.UndoNames[:1] == [self._title] and not self._document.RedoCount
-        return self._interrupted is not None and is_there
-
-    def reclaim(self) -> None:
-        """After that: what was committed is pending again."""
-        self._document.undo()
-        transactions.forget_redos(self._document)
-        self.go_on()
-
-    def go_on(self) -> None:
-        """After an interruption: the pose there was."""
+    def _uninterrupted(self) -> Any:
         last, self._interrupted = self._interrupted, None
-        transactions.keep()  # what the other left open
-        if last is not None:
-            self._take(last)
+        return last
 
     @property
     def can_go_forward(self) -> bool:
@@ -203,9 +197,8 @@ class Pending:
             return
         if place > 0:
             self._one_step(self._steps[place])
-        if place > 0 or len(self._steps) > 2 or not self._document.RedoCount:
-            self._one_step(self._steps[place + 1])
-            self._document.undo()
+        self._one_step(self._steps[place + 1])
+        self._document.undo()
         self._parked = _Parked(place, self._document.UndoCount, self._document.RedoCount)
 
     def _one_step(self, wanted: Any) -> None:

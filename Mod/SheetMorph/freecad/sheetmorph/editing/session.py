@@ -196,17 +196,13 @@ class EditingSession(Session):
 
     def on_close_of_step(self, is_abort: bool) -> None:
         """An undo step is closed."""
-        if self.pending is None:
-            return
-        if self.pending.on_close(is_abort):
-            self._soon(self._go_on)
-        elif self.pending.was_undone:
-            self._soon(self._reclaim)
+        if self.pending is not None and self.pending.on_close(is_abort):
+            self._soon(self._resume)
 
     def on_undo(self) -> None:
         """A step was undone."""
-        if self.pending is not None and self.pending.was_undone:
-            self._soon(self._go_back)
+        if self.pending is not None and self.pending.on_undo():
+            self._soon(self._resume)
         else:
             self._show_or_end()
 
@@ -231,19 +227,10 @@ class EditingSession(Session):
 
         self.later(act)
 
-    def _go_back(self) -> None:
-        self.pending.go_back()
-        self.changed.emit()
+    def _resume(self) -> None:
+        if self.pending.resume():
+            self.changed.emit()
 
     def _go_forward(self) -> None:
         self.pending.go_forward()
-        self.changed.emit()
-
-    def _reclaim(self) -> None:
-        if self.pending.was_committed:
-            self.pending.reclaim()
-            self.changed.emit()
-
-    def _go_on(self) -> None:
-        self.pending.go_on()
         self.changed.emit()
