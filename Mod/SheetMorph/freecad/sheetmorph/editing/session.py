@@ -85,8 +85,13 @@ class Session(QtCore.QObject):
 
     def is_busy(self) -> bool:
         """Whether something is under way that handles events in between: FreeCAD asks a question
-        in the midst of a command, whose undo step must not be taken for one of ours."""
-        return QtWidgets.QApplication.activeModalWidget() is not None
+        in the midst of a command, whose undo step must not be taken for one of ours.
+
+        When the question is gone the rest of the command, and its step, are yet to come.
+        """
+        is_within = QtCore.QThread.currentThread().loopLevel() > 1
+        is_asked = QtWidgets.QApplication.activeModalWidget() is not None
+        return is_asked or (is_within and App.getActiveTransaction() is not None)
 
     def _announce(self) -> None:
         if not self.is_ending:
