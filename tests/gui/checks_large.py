@@ -78,9 +78,10 @@ def twenty_sheets():
 def test_picking_on_20_parts_of_50000_facets_is_measured():
     yield from twenty_sheets()
     with Stopwatch() as watch:
-        begin = time.monotonic()
+        begin = time.monotonic(), time.process_time()
         Gui.runCommand("SheetMorph_MarkFixed")
-        told = [f"open {1000.0 * (time.monotonic() - begin):.0f}"]
+        wall, own = time.monotonic() - begin[0], time.process_time() - begin[1]
+        told = [f"open {1000.0 * wall:.0f} (of processor {1000.0 * own:.0f})"]
         yield from settled()
         places = [on_screen((4.0 * k + 5.0, 45.0, 0.0)) for k in range(20)]
         for tool in ("face", "rim", "facet"):
