@@ -225,8 +225,8 @@
    <translation>Der Morph hat noch kein Teil: importiere eine Datei oder füge ein Netz hinzu.</translation>
   </message>
   <message>
-   <source>{count} part(s); “{primary}” is deformed first.</source>
-   <translation>{count} Teil(e); „{primary}“ wird zuerst verformt.</translation>
+   <source>Parts: {count}; “{primary}” is deformed first.</source>
+   <translation>Teile: {count}; „{primary}“ wird zuerst verformt.</translation>
   </message>
   <message>
    <source>“{source}” was edited: Follow Shape lets “{part}” follow.</source>
@@ -237,16 +237,16 @@
    <translation>Noch hält nichts: markiere, was bleibt, wo es ist.</translation>
   </message>
   <message>
-   <source>{count} fixed region(s).</source>
-   <translation>{count} feste Region(en).</translation>
+   <source>Fixed regions: {count}.</source>
+   <translation>Feste Regionen: {count}.</translation>
   </message>
   <message>
    <source>No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.</source>
    <translation>Noch behält kein Loch seine Form: finde alle, oder wähle die wichtigen. Oder mach ohne weiter.</translation>
   </message>
   <message>
-   <source>{count} form feature(s) keep their shape exactly.</source>
-   <translation>{count} Formelement(e) behalten ihre Form exakt.</translation>
+   <source>Form features that keep their shape exactly: {count}.</source>
+   <translation>Formelemente, die ihre Form exakt behalten: {count}.</translation>
   </message>
   <message>
    <source>One part only: there is nothing to connect.</source>
@@ -261,16 +261,16 @@
    <translation>Nicht mit „{primary}“ verbunden, sie würden also nicht folgen: {parts}.</translation>
   </message>
   <message>
-   <source>{count} contact(s) reach every part.</source>
-   <translation>{count} Kontakt(e) erreichen jedes Teil.</translation>
+   <source>Contacts, reaching every part: {count}.</source>
+   <translation>Kontakte, die jedes Teil erreichen: {count}.</translation>
   </message>
   <message>
    <source>Nothing can be moved yet: mark what you want to move.</source>
    <translation>Noch lässt sich nichts bewegen: markiere, was du bewegen willst.</translation>
   </message>
   <message>
-   <source>{count} handle(s).</source>
-   <translation>{count} Griff(e).</translation>
+   <source>Handles: {count}.</source>
+   <translation>Griffe: {count}.</translation>
   </message>
   <message>
    <source>Comes when there is a fixed region and a handle.</source>

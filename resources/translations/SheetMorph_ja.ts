@@ -225,7 +225,7 @@
    <translation>モーフに部品がまだありません。ファイルを読み込むかメッシュを追加してください。</translation>
   </message>
   <message>
-   <source>{count} part(s); “{primary}” is deformed first.</source>
+   <source>Parts: {count}; “{primary}” is deformed first.</source>
    <translation>部品 {count} 個。「{primary}」が最初に変形します。</translation>
   </message>
   <message>
@@ -237,7 +237,7 @@
    <translation>まだ何も固定されていません。動かない所を指定してください。</translation>
   </message>
   <message>
-   <source>{count} fixed region(s).</source>
+   <source>Fixed regions: {count}.</source>
    <translation>固定領域 {count} 個。</translation>
   </message>
   <message>
@@ -245,7 +245,7 @@
    <translation>形を保つ穴がまだありません。すべて探すか、必要な穴を選んでください。なしで進むこともできます。</translation>
   </message>
   <message>
-   <source>{count} form feature(s) keep their shape exactly.</source>
+   <source>Form features that keep their shape exactly: {count}.</source>
    <translation>形状特徴 {count} 個の形が正確に保たれます。</translation>
   </message>
   <message>
@@ -261,7 +261,7 @@
    <translation>「{primary}」とつながっていないため追従しません: {parts}。</translation>
   </message>
   <message>
-   <source>{count} contact(s) reach every part.</source>
+   <source>Contacts, reaching every part: {count}.</source>
    <translation>接触 {count} 個ですべての部品に届きます。</translation>
   </message>
   <message>
@@ -269,7 +269,7 @@
    <translation>まだ動かせるものがありません。動かしたい所を指定してください。</translation>
   </message>
   <message>
-   <source>{count} handle(s).</source>
+   <source>Handles: {count}.</source>
    <translation>ハンドル {count} 個。</translation>
   </message>
   <message>

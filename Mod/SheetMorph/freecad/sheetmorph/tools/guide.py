@@ -29,22 +29,20 @@ MANY_MORPHS = QT_TRANSLATE_NOOP(
 NO_PARTS = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "The morph has no part yet: import a file or add a mesh."
 )
-SOME_PARTS = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "{count} part(s); “{primary}” is deformed first."
-)
+SOME_PARTS = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Parts: {count}; “{primary}” is deformed first.")
 EDITED = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "“{source}” was edited: Follow Shape lets “{part}” follow."
 )
 NO_FIXED = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "Nothing is held yet: mark what stays where it is."
 )
-SOME_FIXED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "{count} fixed region(s).")
+SOME_FIXED = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Fixed regions: {count}.")
 NO_FEATURES = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide",
     "No hole keeps its shape yet: find them all, or pick those that matter. Or go on without.",
 )
 SOME_FEATURES = QT_TRANSLATE_NOOP(
-    "SheetMorph_Guide", "{count} form feature(s) keep their shape exactly."
+    "SheetMorph_Guide", "Form features that keep their shape exactly: {count}."
 )
 ONE_PART = QT_TRANSLATE_NOOP("SheetMorph_Guide", "One part only: there is nothing to connect.")
 ONE_FOR_ALL = QT_TRANSLATE_NOOP(
@@ -53,11 +51,11 @@ ONE_FOR_ALL = QT_TRANSLATE_NOOP(
 UNREACHED = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "Not connected with “{primary}”, so they would not follow: {parts}."
 )
-SOME_CONTACTS = QT_TRANSLATE_NOOP("SheetMorph_Guide", "{count} contact(s) reach every part.")
+SOME_CONTACTS = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Contacts, reaching every part: {count}.")
 NO_HANDLE = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "Nothing can be moved yet: mark what you want to move."
 )
-SOME_HANDLES = QT_TRANSLATE_NOOP("SheetMorph_Guide", "{count} handle(s).")
+SOME_HANDLES = QT_TRANSLATE_NOOP("SheetMorph_Guide", "Handles: {count}.")
 NOT_READY = QT_TRANSLATE_NOOP(
     "SheetMorph_Guide", "Comes when there is a fixed region and a handle."
 )
