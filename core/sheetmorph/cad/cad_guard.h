@@ -11,6 +11,7 @@
 
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <OSD_Signal.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
 #include <string>
@@ -35,7 +36,8 @@ private:
 };
 
 //! Does work of OpenCASCADE in silence; what it throws becomes an InvalidInput with these words
-//! around its own. So does memory that it reaches for in vain: what it held then is lost.
+//! around its own. So does memory that is reached for in vain, which may be our own fault as well
+//! as OpenCASCADE's, and says so: what was held then is lost.
 template <typename Work>
 auto guarded(const std::string& what, const std::string& todo, Work&& work)
 {
@@ -49,8 +51,10 @@ auto guarded(const std::string& what, const std::string& todo, Work&& work)
     catch (const Standard_Failure& failure)
     {
         const char* text = failure.GetMessageString();
+        const bool is_signal = failure.DynamicType()->SubType(STANDARD_TYPE(OSD_Signal));
         throw InvalidInput(what + " (" + (text && *text ? text : failure.DynamicType()->Name())
-                           + "); " + todo);
+                           + (is_signal ? ": a fault of OpenCASCADE or of SheetMorph" : "") + "); "
+                           + todo);
     }
 }
 

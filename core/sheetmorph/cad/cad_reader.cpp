@@ -162,7 +162,7 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
     return model;
 }
 
-constexpr const char* unreadable = "OpenCASCADE cannot read it";
+constexpr const char* unreadable = "it cannot be read";
 constexpr const char* repair = "repair it in the CAD system and export it again";
 
 }  // namespace

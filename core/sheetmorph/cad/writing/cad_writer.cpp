@@ -212,7 +212,7 @@ std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Poin
     const CarryTolerances tolerances{
         writing.tolerance, writing.edge_tolerance,
         decimal_grain(writing.edge_tolerance, millimetres_in(model.source->unit))};
-    return guarded("OpenCASCADE cannot write it", "repair the part in the CAD system",
+    return guarded("it cannot be written", "repair the part in the CAD system",
                    [&]
                    {
                        progress.report(0.0, "carrying shapes");
