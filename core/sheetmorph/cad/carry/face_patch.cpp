@@ -3,6 +3,7 @@
 #include "sheetmorph/cad/occt_surface.h"
 
 #include <Geom2dAdaptor_Curve.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <algorithm>
 #include <cmath>
 
@@ -118,6 +119,26 @@ bool has_seam(const Ranges& low, const Ranges& high, double least)
     return false;
 }
 
+// The knots of a curve that shall lie on a straight border along which one parameter changes.
+void add_knots(const FaceBorder& border, SurfacePatch& patch)
+{
+    constexpr double exact = 1e-9;
+    const Handle(Geom_BSplineCurve) spline = Handle(Geom_BSplineCurve)::DownCast(border.target);
+    if (spline.IsNull() || Geom2dAdaptor_Curve(border.curve).GetType() != GeomAbs_Line)
+        return;
+    const gp_Pnt2d from = border.curve->Value(border.low), to = border.curve->Value(border.high);
+    const Vector2 way(to.X() - from.X(), to.Y() - from.Y());
+    for (int k = 0; k < 2; ++k)
+        for (int i = 2; i < spline->NbKnots() && std::abs(way(1 - k)) < exact * way.norm(); ++i)
+        {
+            const double spacing = std::min(spline->Knot(i) - spline->Knot(i - 1),
+                                            spline->Knot(i + 1) - spline->Knot(i));
+            patch.knots[static_cast<std::size_t>(k)].push_back(
+                {border.curve->Value(spline->Knot(i)).Coord(k + 1),
+                 spacing * way.norm() / (border.high - border.low)});
+        }
+}
+
 }  // namespace
 
 SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
@@ -125,6 +146,8 @@ SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
 {
     SurfacePatch patch;
     patch.surface = surface;
+    for (const FaceBorder& border : borders)
+        add_knots(border, patch);
     const bool is_straight = put_around(patch, borders);
     const std::array<Ranges, 4> along = borders_along(patch, borders);
     const Vector2 middle = 0.5 * (patch.low + patch.high);

@@ -4,6 +4,7 @@
 #include "sheetmorph/cad/splines/face_spline.h"
 
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 
 namespace sheetmorph
 {
@@ -14,6 +15,7 @@ struct FaceBorder
     Handle(Geom2d_Curve) curve;
     double low = 0.0, high = 0.0;
     bool is_degenerated = false;  //!< one point in space
+    Handle(Geom_Curve) target;    //!< in space, where the face shall meet it; may be none
 };
 
 //! The part of a surface that lies between borders; a bit more where they are curved.

@@ -341,7 +341,12 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge)
             return point_of(edge.rest->Value(t)) + edge.shift->at(place) + bent_by(edge, place);
         };
     const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
-    SplineCurve spline = curve_near(target, start, 0.2 * tolerances_.edge);
+    // Slopes of short ones count: faces that go on smoothly across follow them.
+    constexpr double of_tolerance = 0.5, of_length = 3e-6;
+    const double whole =
+        edge.length ? edge.length->whole() : ArcLength(edge.rest, edge.low, edge.high).whole();
+    SplineCurve spline =
+        curve_near(target, start, std::min(of_tolerance * tolerances_.edge, of_length * whole));
     spline.poles = tolerances_.grain * (spline.poles / tolerances_.grain).array().round();
     edge.curve = spline.curve();
 }
@@ -418,7 +423,8 @@ SurfacePatch ShapeCarrier::patch_of(int face) const
     for (const CarriedEdge& edge : edges_)
         for (const EdgeOnFace& use : edge.uses)
             if (use.face == face)
-                borders.push_back({use.curve, edge.low, edge.high, edge.is_degenerated});
+                borders.push_back({use.curve, edge.low, edge.high, edge.is_degenerated,
+                                   edge.motion ? Handle(Geom_Curve)() : edge.curve});
     return surface_patch(faces_[static_cast<std::size_t>(face)].rest, borders);
 }
 

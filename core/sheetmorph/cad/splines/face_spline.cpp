@@ -42,6 +42,32 @@ Vector2 scale_of(const SurfacePatch& patch)
     return length.cwiseMax(1e-12);
 }
 
+// The knots of a surface and of curves on it, of those with long spans first; none that is so near
+// to others that it would make short spans of long ones.
+CubicBasis basis_of(const SurfacePatch& patch, int direction)
+{
+    constexpr double nearest = 0.6;
+    const double low = patch.low(direction), high = patch.high(direction);
+    std::vector<CubicBasis::Break> breaks = surface_breaks(patch, direction);
+    std::vector<CurveKnot> knots = patch.knots[static_cast<std::size_t>(direction)];
+    std::stable_sort(knots.begin(), knots.end(),
+                     [](const CurveKnot& one, const CurveKnot& other)
+                     { return one.spacing > other.spacing; });
+    for (const CurveKnot& knot : knots)
+    {
+        const double least = nearest * knot.spacing;
+        const bool is_apart = std::none_of(breaks.begin(), breaks.end(),
+                                           [&](const CubicBasis::Break& one)
+                                           { return std::abs(one.at - knot.at) < least; });
+        if (is_apart && knot.at > low + least && knot.at < high - least)
+            breaks.push_back({knot.at, 1});
+    }
+    std::sort(breaks.begin(), breaks.end(),
+              [](const CubicBasis::Break& one, const CubicBasis::Break& other)
+              { return one.at < other.at; });
+    return {low, high, breaks};
+}
+
 // The products of a derivative of the splines of a basis, summed up at two places of every span
 // with the square of its length.
 PlateSystem::Band band_of(const CubicBasis& basis, int derivative)
@@ -77,10 +103,7 @@ void add_plate(PlateSystem& system, const CubicBasis& u, const CubicBasis& v, co
 }  // namespace
 
 FaceSpline::FaceSpline(const SurfacePatch& patch)
-    : patch_(patch),
-      u_(patch.low(0), patch.high(0), surface_breaks(patch, 0)),
-      v_(patch.low(1), patch.high(1), surface_breaks(patch, 1)),
-      scale_(scale_of(patch))
+    : patch_(patch), u_(basis_of(patch, 0)), v_(basis_of(patch, 1)), scale_(scale_of(patch))
 {
     interpolate();
     poles_ = base_;

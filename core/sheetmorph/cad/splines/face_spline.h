@@ -52,6 +52,13 @@ struct SplineTargets
     std::vector<SurfaceTrack> tracks;
 };
 
+//! A knot of a curve along which one parameter of a surface changes alone.
+struct CurveKnot
+{
+    double at = 0.0;
+    double spacing = 0.0;  //!< to the nearer of its neighbours
+};
+
 //! The part of a surface that a face lies on.
 struct SurfacePatch
 {
@@ -61,6 +68,9 @@ struct SurfacePatch
     std::array<bool, 4> is_pole = {};
     //! Whether both borders in u, in v, are one curve, with a seam of the face on it.
     std::array<bool, 2> is_closed = {};
+    //! Of curves that it shall meet, by the parameter that changes along them: with the same knots
+    //! it meets them exactly.
+    std::array<std::vector<CurveKnot>, 2> knots;
 };
 
 //! A cubic spline surface: a surface and a displacement of it, over the same parameters.
