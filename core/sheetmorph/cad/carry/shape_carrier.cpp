@@ -39,11 +39,6 @@ Handle(Geom_Curve) placed_curve(const TopoDS_Edge& edge)
                : Handle(Geom_Curve)::DownCast(curve->Transformed(place.Transformation()));
 }
 
-bool is_line(const Handle(Geom_Curve) & curve)
-{
-    return GeomAdaptor_Curve(curve).GetType() == GeomAbs_Line;
-}
-
 // The parameters of the mesh, and more where it has few.
 std::vector<double> samples_between(const std::vector<double>& parameters)
 {
@@ -273,8 +268,9 @@ void ShapeCarrier::find_edge(int index)
     if (!found.motion)
     {
         const VertexIds vertices = distinct(known.vertices);
-        found.motion = rigid_fit(rows_of(vertices, mesh_.rest), rows_of(vertices, result_),
-                                 rigid_tolerance_, is_line(found.rest));
+        found.motion =
+            rigid_fit(rows_of(vertices, mesh_.rest), rows_of(vertices, result_), rigid_tolerance_,
+                      GeomAdaptor_Curve(found.rest).GetType() == GeomAbs_Line);
     }
     if (!found.motion)
         find_shift(found, known);
@@ -342,11 +338,8 @@ void ShapeCarrier::carry_edge(CarriedEdge& edge)
         };
     const CubicBasis start(edge.low, edge.high, curve_breaks(edge.rest, edge.low, edge.high));
     // Slopes of short ones count: faces that go on smoothly across follow them.
-    constexpr double of_tolerance = 0.5, of_length = 3e-6;
-    const double whole =
-        edge.length ? edge.length->whole() : ArcLength(edge.rest, edge.low, edge.high).whole();
-    SplineCurve spline =
-        curve_near(target, start, std::min(of_tolerance * tolerances_.edge, of_length * whole));
+    const double whole = ArcLength(edge.rest, edge.low, edge.high).whole();
+    SplineCurve spline = curve_near(target, start, std::min(0.5 * tolerances_.edge, 3e-6 * whole));
     spline.poles = tolerances_.grain * (spline.poles / tolerances_.grain).array().round();
     edge.curve = spline.curve();
 }
