@@ -7,6 +7,14 @@
 namespace sheetmorph
 {
 
+//! How far an answer goes: `live` one substitution, and weights of control meshes in 24 bits (1e-6
+//! of the size or better), `exact` refined on the factored residual, for what is kept or written.
+enum class Exactness
+{
+    live,
+    exact
+};
+
 //! How a computation in rounds ended. None gives up in silence: what it returns goes on to the
 //! answer it is part of.
 struct Convergence

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/base/exactness.h"
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/numerics/dense_products.h"
 
 #include <vector>

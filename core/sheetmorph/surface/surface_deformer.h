@@ -2,7 +2,6 @@
 #pragma once
 
 #include "sheetmorph/base/convergence.h"
-#include "sheetmorph/base/exactness.h"
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/constraints.h"
