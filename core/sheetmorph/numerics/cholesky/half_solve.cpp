@@ -180,7 +180,7 @@ private:
     static Eigen::Index least_groups(const Front& own)
     {
         constexpr double least_entries = 1e5;
-        return static_cast<Eigen::Index>(least_entries / own.count()) + 1;
+        return static_cast<Eigen::Index>(least_entries / (own.count() + 1.0)) + 1;
     }
 
     Weights sum() const
