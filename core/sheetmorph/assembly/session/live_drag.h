@@ -12,8 +12,8 @@ struct PreparedAssembly;
 
 //! Live frames while some handles are dragged. After the first frame, or a moment without one, it
 //! learns in the background how the parts answer (response.h). A frame takes what is ready and
-//! substitutes the rest, so none waits. Either way it is within 1e-6 of the size of the exact shape. One thread at a time
-//! asks for frames.
+//! substitutes the rest, so none waits. Either way it is within 1e-6 of the size of the exact
+//! shape. One thread at a time asks for frames.
 class LiveDrag
 {
 public:
