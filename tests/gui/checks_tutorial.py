@@ -6,8 +6,8 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from desk import WORK, activate, child, click_point, click_widget, enter, picture, press, settled
-from desk import until, view, xdotool
+from desk import WORK, activate, child, click_point, click_widget, enter, offered, picture, press
+from desk import settled, until, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.objects import model
 from PySide import QtCore, QtGui
@@ -143,9 +143,11 @@ def export():
 def undo_and_redo(before, moved):
     """Ctrl+Z and Ctrl+Shift+Z bring back both to the bit."""
     view().graphicsView().setFocus()
+    yield from offered("Std_Undo")
     yield from xdotool("key", "ctrl+z")
     yield from settled()
     assert np.array_equal(stored(), before)
+    yield from offered("Std_Redo")
     yield from xdotool("key", "ctrl+shift+z")
     yield from settled()
     assert np.array_equal(stored(), moved)

@@ -5,8 +5,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 from checks_moving import lifted, open_panel
-from desk import child, enter, on_screen, panel, picture, press, press_tool, settled, until, view
-from desk import xdotool
+from desk import child, enter, offered, on_screen, panel, picture, press, press_tool, settled
+from desk import until, view, xdotool
 from freecad.sheetmorph import api
 from hostile_panels import is_shown, with_step
 from hostile_traces import open_steps
@@ -41,6 +41,7 @@ def undo_with_the_key():
     x, y = on_screen((20.0, 30.0, 0.0))
     yield from xdotool("mousemove", x, y)
     view().graphicsView().setFocus()
+    yield from offered("Std_Undo")
     yield from xdotool("key", "ctrl+z")
     yield from settled()
 

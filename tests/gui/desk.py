@@ -178,6 +178,13 @@ def until(condition, what: str):
         yield POLL
 
 
+def offered(command: str):
+    """Waits until FreeCAD offers a command: it looks at times whether one can be chosen, and its
+    keys do nothing before."""
+    action = Gui.getMainWindow().findChild(QtGui.QAction, command)
+    yield from until(action.isEnabled, f"{command} to be offered")
+
+
 def view():
     """The active 3D view."""
     return Gui.activeDocument().activeView()
