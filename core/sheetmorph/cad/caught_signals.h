@@ -8,8 +8,9 @@ namespace sheetmorph
 
 //! While it lives, memory that is reached for in vain (damaged files make OpenCASCADE follow null
 //! pointers and endless circles; it may be our own fault, too) raises an OSD_Signal where
-//! OCC_CATCH_SIGNALS stands in the same thread, instead of ending the process. Any number may live, in any threads; afterwards
-//! signals are handled as before. What the user sends (Ctrl+C) stays with who handles it.
+//! OCC_CATCH_SIGNALS stands in the same thread, instead of ending the process. Any number may live,
+//! in any threads; afterwards signals are handled as before. What the user sends (Ctrl+C) stays
+//! with who handles it.
 class CaughtSignals
 {
 public:
