@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/instructions/widest.h"
 
+#include <algorithm>
 #include <cstring>
 
 // Fused multiply-adds where the processor has them.
@@ -79,16 +80,32 @@ struct Substitution
         }
     }
 
-    template <int together>
-    static SHEETMORPH_INLINE void forward_below(const Front& front, int first, double* w)
+    // Where the rows below go.
+    struct Target
     {
-        const Rows<together> row(front, first);
-        Lanes sums[together];
+        double* x;
+        const int* top_row;
+        double* above;
+
+        SHEETMORPH_INLINE double* of(int slot) const
+        {
+            const int top = above != nullptr ? top_row[slot] : -1;
+            return top >= 0 ? above + sides * static_cast<long>(top)
+                            : x + sides * static_cast<long>(slot);
+        }
+    };
+
+    template <int together>
+    static SHEETMORPH_INLINE void forward_below(const Front& front, int first, const double* w,
+                                                const Target& target)
+    {
+        Lanes sums[together] = {};
+        take_off(Rows<together>(front, first), front.columns, w, sums);
         for (int r = 0; r < together; ++r)
-            sums[r] = load(w, first + r);
-        take_off(row, front.columns, w, sums);
-        for (int r = 0; r < together; ++r)
-            store(sums[r], w, first + r);
+        {
+            double* const to = target.of(front.rows[static_cast<std::size_t>(first + r)]);
+            store(load(to, 0) + sums[r], to, 0);
+        }
     }
 
     // Takes the part of some rows, known, off the columns before `columns`.
@@ -106,11 +123,12 @@ struct Substitution
     }
 
     template <int together>
-    static SHEETMORPH_INLINE void backward_below(const Front& front, int first, double* w)
+    static SHEETMORPH_INLINE void backward_below(const Front& front, int first, const double* x,
+                                                 double* w)
     {
         Lanes known[together];
         for (int r = 0; r < together; ++r)
-            known[r] = load(w, first + r);
+            known[r] = load(x, front.rows[static_cast<std::size_t>(first + r)]);
         spread(Rows<together>(front, first), front.columns, known, w);
     }
 
@@ -131,37 +149,74 @@ struct Substitution
         spread(row, first, x, w);
     }
 
-    static SHEETMORPH_INLINE void forward(const Front& front, double* w)
+    // Own rows of x, in their order.
+    static SHEETMORPH_INLINE void gather(const Front& front, const double* x, double* w)
     {
+        for (int row = 0; row < front.columns; ++row)
+            store(load(x, front.rows[static_cast<std::size_t>(row)]), w, row);
+    }
+
+    static SHEETMORPH_INLINE void scatter(const Front& front, const double* w, double* x)
+    {
+        for (int row = 0; row < front.columns; ++row)
+            store(load(w, row), x, front.rows[static_cast<std::size_t>(row)]);
+    }
+
+    static SHEETMORPH_INLINE void forward(const Front& front, const Target& target, double* w)
+    {
+        gather(front, target.x, w);
+        const double* const end = w + sides * front.columns;
+        if (std::all_of(static_cast<const double*>(w), end,
+                        [](double side) { return side == 0.0; }))
+            return;  // local right sides reach few fronts
         int row = 0;
         for (; row + 4 <= front.columns; row += 4)
             forward_own<4>(front, row, w);
         for (; row < front.columns; ++row)
             forward_own<1>(front, row, w);
+        scatter(front, w, target.x);
         const int height = front.height();
         for (; row + 8 <= height; row += 8)
-            forward_below<8>(front, row, w);
+            forward_below<8>(front, row, w, target);
         for (; row + 2 <= height; row += 2)
-            forward_below<2>(front, row, w);
+            forward_below<2>(front, row, w, target);
         if (row < height)
-            forward_below<1>(front, row, w);
+            forward_below<1>(front, row, w, target);
     }
 
-    static SHEETMORPH_INLINE void backward(const Front& front, double* w)
+    static SHEETMORPH_INLINE void backward(const Front& front, double* x, double* w)
     {
+        gather(front, x, w);
         const int height = front.height();
         int row = front.columns;
         for (; row + 8 <= height; row += 8)
-            backward_below<8>(front, row, w);
+            backward_below<8>(front, row, x, w);
         for (; row + 2 <= height; row += 2)
-            backward_below<2>(front, row, w);
+            backward_below<2>(front, row, x, w);
         if (row < height)
-            backward_below<1>(front, row, w);
+            backward_below<1>(front, row, x, w);
         int end = front.columns;
         for (; end % 4 != 0; --end)
             backward_own<1>(front, end - 1, w);
         for (; end > 0; end -= 4)
             backward_own<4>(front, end - 4, w);
+        scatter(front, w, x);
+    }
+
+    static SHEETMORPH_INLINE void forward(const FrontRun& run)
+    {
+        for (const int node : run.nodes)
+            for (std::size_t g = 0; g < run.x.size(); ++g)
+                forward(*run.factor.fronts[static_cast<std::size_t>(node)],
+                        {run.x[g], run.top_row, run.above.empty() ? nullptr : run.above[g]},
+                        run.scratch);
+    }
+
+    static SHEETMORPH_INLINE void backward(const FrontRun& run)
+    {
+        for (auto node = run.nodes.rbegin(); node != run.nodes.rend(); ++node)
+            for (double* const x : run.x)
+                backward(*run.factor.fronts[static_cast<std::size_t>(*node)], x, run.scratch);
     }
 };
 
@@ -182,16 +237,16 @@ bool has_many_sides()
     return instructions() == Instructions::avx512;
 }
 
-void run_forward(const Front& front, int sides, double* w)
+void run_forward(const FrontRun& run)
 {
-    const auto forward = [&](auto kernel) SHEETMORPH_INLINED { kernel.forward(front, w); };
-    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(sides, forward); });
+    const auto forward = [&](auto kernel) SHEETMORPH_INLINED { kernel.forward(run); };
+    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(run.sides, forward); });
 }
 
-void run_backward(const Front& front, int sides, double* w)
+void run_backward(const FrontRun& run)
 {
-    const auto backward = [&](auto kernel) SHEETMORPH_INLINED { kernel.backward(front, w); };
-    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(sides, backward); });
+    const auto backward = [&](auto kernel) SHEETMORPH_INLINED { kernel.backward(run); };
+    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(run.sides, backward); });
 }
 
 }  // namespace sheetmorph

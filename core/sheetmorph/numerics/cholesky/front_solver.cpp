@@ -25,23 +25,17 @@ constexpr int share_count = 4;
 // A subtree is split until it is at most this part of all entries.
 constexpr double largest_subtree = 0.26;
 
-template <int sides>
-using FixedSides = Eigen::Matrix<double, Eigen::Dynamic, sides, Eigen::RowMajor>;
-
-template <int sides>
-Eigen::Map<FixedSides<sides>> fixed(FrontSolver::RightSides& x, const FixedSides<sides>&)
+int sides_of(const FrontSolver::Groups& groups)
 {
-    return Eigen::Map<FixedSides<sides>>(x.data(), x.rows(), sides);
+    return static_cast<int>(groups.front().cols());
 }
 
-// Calls run(w) with scratch (rows, sides) whose width the compiler knows.
-template <class Run>
-void with_width(const FrontSolver::Groups& groups, int rows, const Run& run)
+std::vector<double*> places_of(FrontSolver::Groups& groups)
 {
-    if (groups.front().cols() == many_sides)
-        run(FixedSides<many_sides>(rows, many_sides));
-    else
-        run(FixedSides<few_sides>(rows, few_sides));
+    std::vector<double*> places;
+    for (FrontSolver::RightSides& group : groups)
+        places.push_back(group.data());
+    return places;
 }
 
 }  // namespace
@@ -50,7 +44,7 @@ FrontSolver::FrontSolver(FrontList factor)
     : factor_(std::move(factor)), top_row_(at(factor_.slots), -1)
 {
     for (const auto& own : factor_.fronts)
-        widest_ = std::max(widest_, own->height());
+        widest_ = std::max(widest_, own->columns);
     if (factor_.count() >= fewest_entries)
     {
         share_subtrees();
@@ -100,53 +94,28 @@ void FrontSolver::share_subtrees()
     }
 }
 
-// What a front takes off rows above all shares goes to `above`, if there is one.
+// What fronts take off rows above all shares goes to `above`, if there is one.
 void FrontSolver::forward(const Nodes& nodes, Groups& groups, Groups* above) const
 {
-    const auto run = [&](auto w)
+    std::vector<double> scratch(room_of(groups));
+    FrontRun run{factor_, nodes, sides_of(groups), places_of(groups), scratch.data(), {}, {}};
+    if (above != nullptr && !top_rows_.empty())
     {
-        for (const int s : nodes)
-            for (std::size_t g = 0; g < groups.size(); ++g)
-            {
-                auto x = fixed(groups[g], w);
-                const Front& own = front(s);
-                const int* rows = own.rows.data();
-                for (int k = 0; k < own.columns; ++k)
-                    w.row(k) = x.row(rows[k]);
-                if (w.topRows(own.columns).isZero(0.0))
-                    continue;  // local right sides reach few fronts
-                w.middleRows(own.columns, own.below()).setZero();
-                run_forward(own, static_cast<int>(w.cols()), w.data());
-                for (int k = 0; k < own.columns; ++k)
-                    x.row(rows[k]) = w.row(k);
-                for (int k = own.columns; k < own.height(); ++k)
-                    if (const int top = top_row_[at(rows[k])]; top >= 0 && above != nullptr)
-                        fixed((*above)[g], w).row(top) += w.row(k);
-                    else
-                        x.row(rows[k]) += w.row(k);
-            }
-    };
-    with_width(groups, widest_, run);
+        run.top_row = top_row_.data();
+        run.above = places_of(*above);
+    }
+    run_forward(run);
 }
 
 void FrontSolver::backward(const Nodes& nodes, Groups& groups) const
 {
-    const auto run = [&](auto w)
-    {
-        for (auto s = nodes.rbegin(); s != nodes.rend(); ++s)
-            for (RightSides& group : groups)
-            {
-                auto x = fixed(group, w);
-                const Front& own = front(*s);
-                const int* rows = own.rows.data();
-                for (int k = 0; k < own.height(); ++k)
-                    w.row(k) = x.row(rows[k]);
-                run_backward(own, static_cast<int>(w.cols()), w.data());
-                for (int k = 0; k < own.columns; ++k)
-                    x.row(rows[k]) = w.row(k);
-            }
-    };
-    with_width(groups, widest_, run);
+    std::vector<double> scratch(room_of(groups));
+    run_backward({factor_, nodes, sides_of(groups), places_of(groups), scratch.data(), {}, {}});
+}
+
+std::size_t FrontSolver::room_of(const Groups& groups) const
+{
+    return at(widest_) * at(groups.front().cols());
 }
 
 void FrontSolver::solve(Groups& x) const

@@ -30,6 +30,7 @@ private:
     const Front& front(int index) const { return *factor_.fronts[static_cast<std::size_t>(index)]; }
     void forward(const Nodes& nodes, Groups& x, Groups* above) const;
     void backward(const Nodes& nodes, Groups& x) const;
+    std::size_t room_of(const Groups& groups) const;
     void share_subtrees();
 
     FrontList factor_;
@@ -37,7 +38,7 @@ private:
     Nodes top_;                  // above all shares
     std::vector<int> top_rows_;  // slots of the fronts above
     std::vector<int> top_row_;   // (slots) row among these or -1
-    int widest_ = 0;             // most rows of a front
+    int widest_ = 0;             // most columns of a front
 };
 
 }  // namespace sheetmorph
