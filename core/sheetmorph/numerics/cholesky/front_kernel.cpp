@@ -80,22 +80,31 @@ struct Substitution
         }
     }
 
-    // Where the rows below go.
-    struct Target
+    // Where the rows of a front are, by their place in it.
+    struct InPlace
     {
+        double* x;
+
+        SHEETMORPH_INLINE double* of(int row) const { return x + sides * static_cast<long>(row); }
+    };
+
+    struct InSlots
+    {
+        const int* rows;
         double* x;
         const int* top_row;
         double* above;
 
-        SHEETMORPH_INLINE double* of(int slot) const
+        SHEETMORPH_INLINE double* of(int row) const
         {
+            const int slot = rows[row];
             const int top = above != nullptr ? top_row[slot] : -1;
             return top >= 0 ? above + sides * static_cast<long>(top)
                             : x + sides * static_cast<long>(slot);
         }
     };
 
-    template <int together>
+    template <int together, class Target>
     static SHEETMORPH_INLINE void forward_below(const Front& front, int first, const double* w,
                                                 const Target& target)
     {
@@ -103,7 +112,7 @@ struct Substitution
         take_off(Rows<together>(front, first), front.columns, w, sums);
         for (int r = 0; r < together; ++r)
         {
-            double* const to = target.of(front.rows[static_cast<std::size_t>(first + r)]);
+            double* const to = target.of(first + r);
             store(load(to, 0) + sums[r], to, 0);
         }
     }
@@ -162,19 +171,20 @@ struct Substitution
             store(load(w, row), x, front.rows[static_cast<std::size_t>(row)]);
     }
 
-    static SHEETMORPH_INLINE void forward(const Front& front, const Target& target, double* w)
+    static SHEETMORPH_INLINE void forward_own(const Front& front, double* w)
     {
-        gather(front, target.x, w);
-        const double* const end = w + sides * front.columns;
-        if (std::all_of(static_cast<const double*>(w), end,
-                        [](double side) { return side == 0.0; }))
-            return;  // local right sides reach few fronts
         int row = 0;
         for (; row + 4 <= front.columns; row += 4)
             forward_own<4>(front, row, w);
         for (; row < front.columns; ++row)
             forward_own<1>(front, row, w);
-        scatter(front, w, target.x);
+    }
+
+    template <class Target>
+    static SHEETMORPH_INLINE void forward_below(const Front& front, const double* w,
+                                                const Target& target)
+    {
+        int row = front.columns;
         const int height = front.height();
         for (; row + 8 <= height; row += 8)
             forward_below<8>(front, row, w, target);
@@ -182,6 +192,18 @@ struct Substitution
             forward_below<2>(front, row, w, target);
         if (row < height)
             forward_below<1>(front, row, w, target);
+    }
+
+    static SHEETMORPH_INLINE void forward(const Front& front, const InSlots& target, double* w)
+    {
+        gather(front, target.x, w);
+        const double* const end = w + sides * front.columns;
+        if (std::all_of(static_cast<const double*>(w), end,
+                        [](double side) { return side == 0.0; }))
+            return;  // local right sides reach few fronts
+        forward_own(front, w);
+        scatter(front, w, target.x);
+        forward_below(front, w, target);
     }
 
     static SHEETMORPH_INLINE void backward(const Front& front, double* x, double* w)
@@ -207,9 +229,11 @@ struct Substitution
     {
         for (const int node : run.nodes)
             for (std::size_t g = 0; g < run.x.size(); ++g)
-                forward(*run.factor.fronts[static_cast<std::size_t>(node)],
-                        {run.x[g], run.top_row, run.above.empty() ? nullptr : run.above[g]},
-                        run.scratch);
+            {
+                const Front& front = *run.factor.fronts[static_cast<std::size_t>(node)];
+                double* const above = run.above.empty() ? nullptr : run.above[g];
+                forward(front, {front.rows.data(), run.x[g], run.top_row, above}, run.scratch);
+            }
     }
 
     static SHEETMORPH_INLINE void backward(const FrontRun& run)
@@ -241,6 +265,17 @@ void run_forward(const FrontRun& run)
 {
     const auto forward = [&](auto kernel) SHEETMORPH_INLINED { kernel.forward(run); };
     run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(run.sides, forward); });
+}
+
+void run_forward(const Front& front, int sides, double* w)
+{
+    const auto forward = [&](auto kernel) SHEETMORPH_INLINED
+    {
+        using Kernel = decltype(kernel);
+        Kernel::forward_own(front, w);
+        Kernel::forward_below(front, w, typename Kernel::InPlace{w});
+    };
+    run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(sides, forward); });
 }
 
 void run_backward(const FrontRun& run)

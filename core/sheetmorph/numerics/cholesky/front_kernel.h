@@ -29,6 +29,9 @@ struct FrontRun
 //! Solves for the own rows of one front after the other and takes their part off those below.
 void run_forward(const FrontRun& run);
 
+//! The same of one front whose rows are w (rows, sides), row by row.
+void run_forward(const Front& front, int sides, double* w);
+
 //! Solves for the own rows of the transposed, from the last front to the first.
 void run_backward(const FrontRun& run);
 

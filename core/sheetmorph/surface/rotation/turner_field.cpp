@@ -3,14 +3,26 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
+#include "sheetmorph/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace sheetmorph
 {
 
 namespace
 {
+
+// Fewest for which another thread is worth its start.
+constexpr Eigen::Index least_turners = 16;
+constexpr Eigen::Index least_blended = 2048;
+
+bool turns_sheet(const Turner& turner)
+{
+    return turner.turns && !turner.vertices.empty();
+}
 
 // How much a feature is held at the field's rotation, by the largest turn of the field between it
 // and what lies around it.
@@ -26,18 +38,25 @@ double hold(double angle)
 
 std::vector<double> farthest_turns(const FeatureResponses& responses, const Points& logs)
 {
-    std::vector<double> farthest(responses.turners().size(), 0.0);
-    for (std::size_t k = 0; k < farthest.size(); ++k)
+    const auto farthest = [&](std::size_t k)
     {
-        const Turner& turner = responses.turners()[k];
-        if (!turner.turns || turner.vertices.empty())
-            continue;
-        const Eigen::RowVector3d own = logs.row(turner.vertices.front());
+        double square = 0.0;
+        if (!turns_sheet(responses.turners()[k]))
+            return square;
+        const Eigen::RowVector3d own = logs.row(responses.turners()[k].vertices.front());
         for (SparseMatrix::InnerIterator entry(responses.weights(), static_cast<Eigen::Index>(k));
              entry; ++entry)
-            farthest[k] = std::max(farthest[k], (logs.row(entry.row()) - own).norm());
-    }
-    return farthest;
+            square = std::max(square, (logs.row(entry.row()) - own).squaredNorm());
+        return std::sqrt(square);
+    };
+    std::vector<double> all(responses.turners().size());
+    const auto take = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (std::size_t k = at(begin); k < at(end); ++k)
+            all[k] = farthest(k);
+    };
+    parallel_ranges(responses.weights().cols(), least_turners, take);
+    return all;
 }
 
 bool hold_far_turned(const FeatureResponses& responses, const std::vector<double>& farthest,
@@ -63,18 +82,25 @@ bool hold_far_turned(const FeatureResponses& responses, const std::vector<double
 void blend_logs(const FeatureResponses& responses, const std::vector<BodyState>& states,
                 Points& logs)
 {
-    const Points field = logs;
-    const SparseMatrix& weights = responses.weights();
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
+    std::vector<std::optional<Eigen::RowVector3d>> turned(states.size());
+    for (std::size_t k = 0; k < turned.size(); ++k)
+        if (const Turner& turner = responses.turners()[k]; turns_sheet(turner))
+        {
+            const Vector3 field = logs.row(turner.vertices.front()).transpose();
+            turned[k] = log_near(states[k].rotation, field).transpose();
+        }
+    const WeightsByVertex& weights = responses.weights_by_vertex();
+    const auto blend = [&](Eigen::Index begin, Eigen::Index end)
     {
-        const Turner& turner = responses.turners()[at(k)];
-        if (!turner.turns || turner.vertices.empty())
-            continue;
-        const Vector3 reference = field.row(turner.vertices.front()).transpose();
-        const Vector3 log = log_near(states[at(k)].rotation, reference);
-        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
-            logs.row(entry.row()) += entry.value() * (log.transpose() - field.row(entry.row()));
-    }
+        for (Eigen::Index i = begin; i < end; ++i)
+        {
+            const Eigen::RowVector3d field = logs.row(i);
+            for (WeightsByVertex::InnerIterator entry(weights, i); entry; ++entry)
+                if (const auto& log = turned[at(entry.col())])
+                    logs.row(i) += entry.value() * (*log - field);
+        }
+    };
+    parallel_ranges(weights.rows(), least_blended, blend);
 }
 
 }  // namespace sheetmorph
