@@ -69,7 +69,7 @@ struct SurfacePatch
     //! Whether both borders in u, in v, are one curve, with a seam of the face on it.
     std::array<bool, 2> is_closed = {};
     //! Of curves that it shall meet, by the parameter that changes along them: with the same knots
-    //! it meets them exactly.
+    //! it can meet them exactly.
     std::array<std::vector<CurveKnot>, 2> knots;
 };
 
