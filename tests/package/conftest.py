@@ -7,9 +7,16 @@ import signal
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 from part_samples import samples
 from plates import plate, recipe_of, save_recipe, write_plate
+
+# What is drawn is not timed, however loaded the machine is, and leaves no file behind.
+settings.register_profile(
+    "sheetmorph", database=None, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("sheetmorph")
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -117,7 +117,7 @@ def recipes(draw: Any) -> dict[str, Any]:
 
 
 @settings(
-    max_examples=DRAWN, deadline=None, derandomize=True,
+    max_examples=DRAWN, derandomize=True,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
 )  # fmt: skip
 @given(recipe=recipes())

@@ -62,7 +62,7 @@ def test_flanges_at_any_fineness_are_tied(times: int):
     assert proposals(fine) == coarse
 
 
-@settings(database=None, deadline=None, max_examples=4)
+@settings(max_examples=4)
 @given(st.sets(st.sampled_from(sorted(pairs().parts)), min_size=3))
 def test_pairs_of_which_some_parts_are_finer_touch_in_the_same_places(finer: set[str]):
     parts = pairs().parts

@@ -50,7 +50,7 @@ def written(deck: Deck, positions: np.ndarray) -> bytes:
 
 
 @pytest.mark.parametrize("name", sorted(SAMPLES))
-@hypothesis.settings(max_examples=60, deadline=None, derandomize=True, database=None)
+@hypothesis.settings(max_examples=60, derandomize=True)
 @hypothesis.given(edits=EDITS)
 def test_a_mutated_deck_is_read_or_refused(name: str, edits: list):
     data = mutated(SAMPLES[name], edits)

@@ -257,7 +257,7 @@ def grids(sizes: list[int]) -> dict[str, PartMesh]:
     return found
 
 
-@settings(database=None, deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(st.data())
 def test_parts_that_nothing_reaches_change_nothing(data: st.DataObject):
     """Whatever the order and the sizes of the parts, and whatever is joined rigidly to what."""

@@ -22,8 +22,6 @@ from thin_plates import thin_plate
 
 CALM = settings(
     max_examples=30,
-    deadline=None,
-    database=None,
     derandomize=True,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
 )

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from plates import save_recipe
@@ -24,7 +24,6 @@ VALUES = st.recursive(
 )
 
 
-@settings(database=None)
 @given(VALUES)
 def test_comments_and_last_commas_change_nothing(value: object):
     text = json.dumps(value, indent=1)
