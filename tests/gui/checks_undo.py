@@ -271,10 +271,11 @@ def test_a_panel_opened_from_a_spreadsheet_shows_the_3d_view():
         yield from settled()
         assert not hasattr(view(), "getSceneGraph")
         Gui.runCommand(f"SheetMorph_{command}")
-        yield from until(is_shown, "the panel")
-        assert panel().objectName() == name and view().getSceneGraph()
+        yield from until(lambda: is_shown() and panel().objectName() == name, "the panel")
+        yield from until(lambda: hasattr(view(), "getSceneGraph"), "the 3D view")
         picture(f"from-spreadsheet-{name}")
         yield from press("Cancel")
+        yield from until(lambda: not is_shown(), "the panel's end")
 
 
 def test_a_panel_opened_without_a_view_makes_one():
