@@ -112,6 +112,10 @@ class Suites:
             self.build / "sanitize" / "thread", "sanitize-threads", **THREAD_SANITIZER
         )
 
+    def cases(self) -> Count:
+        """Inputs on which the program once failed, each with its right result."""
+        return self._pytest("cases", ["tests/cases"], self.staged)
+
     def workbench(self) -> Count:
         """The staged tests, inside FreeCAD without a window."""
         if not (self.staged / "freecad" / "sheetmorph" / "tests" / "all.py").is_file():
@@ -398,7 +402,7 @@ def run_one(suites: Suites, name: str) -> Count:
 
 def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
-    default = ["core", "python", "workbench", "gui", "style"]
+    default = ["core", "python", "cases", "workbench", "gui", "style"]
     names = [*default, "tidy", "scale", "pictures", "real", "sanitize", "slurm", "vandal"]
     names += ["decks", "fuzz", "million", "shapes"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
