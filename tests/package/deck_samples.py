@@ -150,7 +150,7 @@ nodes
          1         2
 /RBODY/1
 body
-         3         0         0         0         4
+         3         0         0         0                   0         4
 /SKEW/FIX/2
 skew
                    0                   0                   0

@@ -91,7 +91,8 @@ def test_nastran_nodes_stand_in_chains_of_systems():
     assert point(deck, 4) == [0, 1, 0]
     assert point(deck, 6) == [2, 1, 0] and point(deck, 7) == [1.5, 1, 0.25]
     assert point(deck, 8) == [2.5, 1.5, 0.5]
-    assert elements(deck, "rigid") == [[8, 1, 3], [8, 1, 3, 4, 6]]
+    assert elements(deck, "rigid") == [[8, 1, 3]]
+    assert elements(deck, "constraint") == [[8, 1, 3, 4, 6]]
     assert elements(deck, "mass") == [[8]]
     assert elements(deck, "frame") == [[1, 2, 3]]
     assert (deck.ids < 0).sum() == 1
@@ -182,7 +183,8 @@ def test_the_last_definition_of_a_node_counts():
     assert b"\n2,1,0,0\n" in data and b"\n2,1.5,0,0\n" not in data
     assert max(len(word) for line in data.split(b"\n")[1:5] for word in line.split(b",")) <= 20
     assert "*NGEN makes nodes of others" in deck.notes[0]
-    assert elements(deck, "rigid") == [[3, 1, 2], [1, 2], [1, 2]]
+    assert elements(deck, "rigid") == [[3, 1, 2], [1, 2]]
+    assert elements(deck, "constraint") == [[1, 2]]
 
 
 def test_radioss_columns_touch():

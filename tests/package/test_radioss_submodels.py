@@ -23,7 +23,7 @@ PLATE = "".join(
         "/PART/5\nplate\n         7         1\n/PROP/SHELL/7\nsheet\n         1\n#\n",
         "                   0\n         0         0                 1.3\n",
         "/GRNOD/NODE/4\nends\n         1         2\n/RBODY/1\nbody\n",
-        "         3         0         0         0         4\n",
+        "         3         0         0         0                   0         4\n",
     ]
 )  # fmt: skip
 HEAD = "#RADIOSS STARTER\n/BEGIN\nplates\n      2022         0\n"

@@ -65,7 +65,7 @@ class _Copy:
             with files.named(temporary):
                 with temporary.open("wb") as written:
                     self._deck.save(self._deck.points, number, written)
-                same = same and _holds(temporary, self._deck.texts[number].data)
+                same = same and _holds(temporary, self._deck.texts[number].whole)
         if not same:
             what = "it did not come out as it went in"
             raise FileError(self.read[0], what, "please report it with this deck")
@@ -108,6 +108,7 @@ _WORDS = {
     "solid": "solids",
     "line": "beams and springs",
     "rigid": "rigid elements",
+    "constraint": "constraints",
     "mass": "masses",
     "weld": "welds",
     "frame": "systems by nodes",

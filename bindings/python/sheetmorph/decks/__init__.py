@@ -14,6 +14,7 @@ from .abaqus import SUFFIXES as ABAQUS
 from .abaqus import read_abaqus
 from .dyna import SUFFIXES as DYNA
 from .dyna import read_dyna
+from .forms import require_form
 from .gmsh import SUFFIXES as GMSH
 from .gmsh import read_gmsh
 from .heap import give_back_large_arrays
@@ -28,33 +29,42 @@ __all__ = [
     "sheet_of", "suffixes",
 ]  # fmt: skip
 
-_READERS: dict[str, Callable[[Path, Opener], Deck]] = {
-    **dict.fromkeys(NASTRAN, read_nastran),
-    **dict.fromkeys(DYNA, read_dyna),
-    **dict.fromkeys(ABAQUS, read_abaqus),
-    **dict.fromkeys(RADIOSS, read_radioss),
-    **dict.fromkeys(GMSH, read_gmsh),
+_FORMATS: dict[str, tuple[str, Callable[[Path, Opener], Deck]]] = {
+    **dict.fromkeys(NASTRAN, ("Nastran", read_nastran)),
+    **dict.fromkeys(DYNA, ("LS-DYNA", read_dyna)),
+    **dict.fromkeys(ABAQUS, ("Abaqus", read_abaqus)),
+    **dict.fromkeys(RADIOSS, ("Radioss", read_radioss)),
+    **dict.fromkeys(GMSH, ("Gmsh", read_gmsh)),
 }
 
 
 def suffixes() -> list[str]:
     """The file name endings that read_deck() takes."""
-    return sorted(_READERS)
+    return sorted(_FORMATS)
 
 
 def is_deck(path: Path) -> bool:
     """Whether a file's name is that of a deck."""
-    return path.suffix.lower() in _READERS
+    return path.suffix.lower() in _FORMATS
 
 
 def read_deck(path: Path, opener: Opener | None = None) -> Deck:
     """A deck with all that it includes. opener: the bytes of a file, another way than from disk.
 
-    Raises FileError.
+    Raises FileError, also where it is in another format than its name says.
     """
     give_back_large_arrays()
+    form, reader = _FORMATS[path.suffix.lower()]
+    opened = opener or read_bytes
+
+    def checked(file: Path) -> bytes:
+        data = opened(file)
+        if file == path:
+            require_form(path, data.removeprefix(b"\xef\xbb\xbf"), form)
+        return data
+
     try:
-        deck = _READERS[path.suffix.lower()](path, opener or read_bytes)
+        deck = reader(path, checked)
     except RecursionError:
         what = "cards refer to one another in a chain that does not end"
         raise FileError(path, what, "correct the deck") from None

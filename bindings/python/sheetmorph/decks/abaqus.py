@@ -14,19 +14,23 @@ from ..errors import FileError
 from .abaqus_joints import Sets, add_joint
 from .abaqus_lines import AbaqusLines, Keyword
 from .abaqus_sets import NamedSets
-from .abaqus_types import element_type
+from .abaqus_table import FIELDS, SECTIONS, element_type
 from .commas import comma_nodes, comma_places, integers
 from .cut import small
 from .deck import Deck
 from .frames import Frame
 from .includes import Included
 from .model import Elements, Opener, Place, Raw
-from .numbers import parse_real
 from .placing import note_placing
 
 SUFFIXES = (".inp",)
 # CalculiX reads no more characters of a number.
 _ROOM = 20
+_BLOCKS = ("PART", "ASSEMBLY", "INSTANCE", "STEP")
+_FILLED = frozenset(
+    ("NODE", "ELEMENT", *SECTIONS, "NSET", "ELSET", "ORIENTATION", "ELASTIC", "DENSITY", "NGEN")
+    + ("MPC", "EQUATION", "KINEMATIC COUPLING")
+)
 _MADE = ("NGEN", "NFILL")
 _STALE = {
     "ORIENTATION": "local directions by coordinates are kept as they are",
@@ -45,6 +49,17 @@ _STALE = {
 def read_abaqus(path: Path, opener: Opener) -> Deck:
     """An input file with its includes. Raises FileError."""
     return _Reader(Raw("Abaqus", wins="last"), path, opener).read()
+
+
+@dataclass(frozen=True)
+class _Section:
+    """A shell section: the number of its part, the name of its set as it stands, what it says."""
+
+    part: int
+    name: str
+    thickness: float
+    material: str
+    place: tuple[int, int]
 
 
 @dataclass
@@ -74,14 +89,22 @@ class _Reader:
         self._sets = Sets(raw)
         self._names = NamedSets()
         self._instances: dict[str, _Part] = {}
-        self._elsets: dict[str, int] = {}
+        self._elsets: dict[tuple[int, str], int] = {}
+        self._sections: list[_Section] = []
         self._material_name = ""
+        self._open_blocks: dict[str, tuple[int, int]] = {}
 
     def read(self) -> Deck:
         self._file(self._included.first(self._path))
+        for name, (file, line) in self._open_blocks.items():
+            self.raw.miss(file, f"*{name} has no *END {name}: the end may be missing", line)
+        for part in self._parts:
+            if part.blocks and not part.placed:
+                file = self.raw.blocks[part.blocks[0]].file
+                self.raw.miss(file, f"no *INSTANCE places the part {part.name}")
         self._sets.finish()
         owners = self._number_parts()
-        self._names.finish(self.raw, owners)
+        self._names.finish(self.raw, owners, self._give_sections())
         frames = dict(self._frames)
         for part in self._parts:
             if part.frame is not None:
@@ -101,6 +124,11 @@ class _Reader:
 
     def _keyword(self, lines: AbaqusLines, keyword: Keyword) -> None:
         name = keyword.name
+        if name in _BLOCKS:
+            self._open_blocks[name] = (lines.file, keyword.line)
+        self._open_blocks.pop(name.removeprefix("END "), None) if name[:4] == "END " else None
+        if name in _FILLED and not len(keyword.rows) and not keyword.options.get("INPUT"):
+            self.raw.miss(lines.file, f"*{name} has no lines", keyword.line)
         if name == "INCLUDE":
             name_of = keyword.options.get("INPUT", "")
             self._file(self._included.add(name_of, (lines.file, keyword.line)))
@@ -111,20 +139,15 @@ class _Reader:
         elif name == "SYSTEM":
             self._system = self._define(lines, keyword)
         elif name in _MADE:
-            place = f"{lines.text.path.name}, line {keyword.line + 1}"
+            place = f"{lines.text.name}, line {keyword.line + 1}"
             told = f"{place}: *{name} makes nodes of others; they are not written and follow"
             self.raw.notes.append(f"{told} only as the solver makes them")
         elif note_placing(self.raw, name, (lines.file, keyword.line)):
             pass
         elif name in ("PART", "END PART", "INSTANCE", "END INSTANCE"):
             self._scope(lines, keyword)
-        elif name == "SHELL SECTION" and len(keyword.rows):
-            number = self._elsets.get(keyword.options.get("ELSET", "").upper())
-            shown = lines.text.line(int(keyword.rows[0])).split(",")[0]
-            if number is not None:
-                self.raw.thickness[number] = parse_real(shown) or 0.0
-                material = keyword.options.get("MATERIAL", "").upper()
-                self.raw.materials.of_property[number] = material
+        elif name in SECTIONS and len(keyword.rows):
+            self._section(lines, keyword)
         elif name in ("MATERIAL", "ELASTIC", "DENSITY"):
             self._material(lines, keyword)
         else:
@@ -137,19 +160,69 @@ class _Reader:
         if _STALE.get(name) and not is_left:
             self.raw.stale.append(Place(f"*{name}", 0, lines.file, keyword.line, _STALE[name]))
 
+    def _section(self, lines: AbaqusLines, keyword: Keyword) -> None:
+        options = keyword.options
+        line, first, end = FIELDS["SHELL SECTION"]["thickness"]
+        is_layered = "COMPOSITE" in options
+        rows = keyword.rows if is_layered else keyword.rows[line : line + 1]
+        layers = [lines.reals(int(row))[first:end] for row in rows]
+        thickness = sum(value or 0.0 for layer in layers for value in layer)
+        material = options.get("MATERIAL", "").upper()
+        name, place = options.get("ELSET", ""), (lines.file, keyword.line)
+        self._sections.append(_Section(self._owner().number, name, thickness, material, place))
+
+    def _give_sections(self) -> dict[int, tuple[list[int], Ints]]:
+        """Give the elements of every section its number.
+
+        Returns by the number that *ELEMENT gave some of them, where a section took some away, the
+        blocks and the ids of all of its elements.
+        """
+        before: dict[int, tuple[list[int], Ints]] = {}
+        blocks_of = {part.number: part.elements for part in [self._model, *self._parts]}
+        elements = self.raw.elements
+        for section in self._sections:
+            key = (section.part, section.name.upper())
+            own = self._elsets.get(key)
+            number = len(self._elsets) + 1 if own is None else own
+            ids, numbers = self._names.elements_of(*key)
+            numbers = [one for one in numbers if one != own]
+            count = 0
+            for k in blocks_of[section.part] if len(ids) or numbers else ():
+                old = elements[k]
+                inside = np.isin(old.ids, ids) | np.isin(old.properties, numbers)
+                inside &= old.properties != number
+                for lost in np.unique(old.properties[inside]).tolist():
+                    same = [
+                        j for j in blocks_of[section.part] if (elements[j].properties == lost).any()
+                    ]
+                    found = [elements[j].ids[elements[j].properties == lost] for j in same]
+                    before.setdefault(lost, (same, np.concatenate(found)))
+                if inside.any():
+                    count += int(inside.sum())
+                    properties = np.where(inside, np.int32(number), old.properties)
+                    elements[k] = replace(old, properties=properties)
+            if own is None and not count:
+                what = f'a section is given to the ELSET "{section.name}", which has no elements'
+                self.raw.miss(section.place[0], what, section.place[1])
+                continue
+            self._elsets[key] = number
+            self.raw.thickness[number] = section.thickness
+            self.raw.names[number] = section.name
+            self.raw.materials.of_property[number] = section.material
+        return before
+
     def _material(self, lines: AbaqusLines, keyword: Keyword) -> None:
         found = self.raw.materials
         if keyword.name == "MATERIAL":
             self._material_name = keyword.options.get("NAME", "").upper()
             found.names[self._material_name] = f"*MATERIAL {self._material_name}"
         elif len(keyword.rows):
-            values = [value or 0.0 for value in lines.reals(int(keyword.rows[0]))]
             is_elastic = keyword.name == "ELASTIC"
             if is_elastic and keyword.options.get("TYPE", "ISOTROPIC").upper()[:3] != "ISO":
                 return
-            tables = (found.young, found.poisson) if is_elastic else (found.density,)
-            for table, value in zip(tables, values):
-                table[self._material_name] = value
+            for table, (line, first, end) in FIELDS[keyword.name].items():
+                values = lines.reals(int(keyword.rows[line]))[first:end]
+                getattr(found, table).update({self._material_name: v or 0.0 for v in values})
 
     def _scope(self, lines: AbaqusLines, keyword: Keyword) -> None:
         name = keyword.options.get("NAME", "").upper()
@@ -174,11 +247,13 @@ class _Reader:
         rows = [lines.reals(int(line)) for line in keyword.rows[:2]]
         for line, values in zip(keyword.rows.tolist(), rows):
             if None in values:
-                raise self.raw.error((lines.file, line), "*INSTANCE: what is here is no number")
-        shift = np.array(([*rows[0], 0, 0, 0] if rows else [0, 0, 0])[:3], dtype=float)
+                what = "*INSTANCE: a value is not a number"
+                raise self.raw.error((lines.file, line), what)
+        at, first, end = FIELDS["INSTANCE"]["shift"]
+        shift = np.array(([*rows[at], 0, 0, 0] if rows else [0, 0, 0])[first:end], dtype=float)
         if len(rows) < 2:
             return _frame(np.eye(3), shift, 0)
-        told = np.array([*rows[1], *[0.0] * 7][:7], dtype=float)
+        told = np.array([*rows[FIELDS["INSTANCE"]["axis"][0]], *[0.0] * 7][:7], dtype=float)
         start, axis = told[:3], told[3:6] - told[:3]
         if not np.linalg.norm(axis) > 0.0:
             line = int(keyword.rows[1])
@@ -247,7 +322,8 @@ class _Reader:
         name = keyword.options.get("TYPE", "").upper()
         kind, count = element_type(name)
         group = keyword.options.get("ELSET", "").upper()
-        number = self._elsets.setdefault(group, len(self._elsets) + 1)
+        key = (self._owner().number, group)
+        number = self._elsets.setdefault(key, len(self._elsets) + 1)
         self._names.add_section(group, number)
         self.raw.names[number] = keyword.options.get("ELSET", "")
         for heads, table in self._tables(source, rows, count):
@@ -307,6 +383,11 @@ class _Reader:
             is_open = missing and (count > 0 or shown.endswith(","))
             if is_open and count and not shown.endswith(",") and len(numbers) < 16:
                 is_open = False
+        for head, numbers in zip(heads, found):
+            if count and len(numbers) <= count:
+                what = f"*ELEMENT {numbers[0]} has {len(numbers) - 1} of its {count} nodes"
+                self.raw.miss(lines.file, what, head)
+                break
         width = max(map(len, found), default=1)
         table = np.zeros((len(found), max(width, 2)), dtype=np.int64)
         for row, nodes in zip(table, found):

@@ -8,8 +8,13 @@ import numpy as np
 from ..arrays import Ints
 from .abaqus_lines import AbaqusLines, Keyword
 from .abaqus_sets import members_of
+from .abaqus_table import FIELDS
 from .model import Elements, Raw
 from .numbers import parse_integer
+
+
+# Multi-point constraints that keep the distance between two nodes.
+_RIGID = ("BEAM", "LINK")
 
 
 class Sets:
@@ -18,25 +23,28 @@ class Sets:
     def __init__(self, raw: Raw):
         self._raw = raw
         self._sets: dict[str, list[Ints]] = {}
-        self._joints: list[tuple[str, list[str], int, int]] = []
+        self._joints: list[tuple[str, str, list[str], int, int]] = []
 
     def add_nodes(self, name: str, ids: Ints) -> None:
         """Put nodes into a set, if it has a name."""
         if name:
             self._sets.setdefault(name.upper(), []).append(ids)
 
-    def add_joint(self, name: str, members: list[str], file: int, line: int) -> None:
+    def add_joint(
+        self, name: str, members: list[str], file: int, line: int, *, is_rigid: bool = True
+    ) -> None:
         """A joint of nodes and sets of nodes, by number and name."""
-        self._joints.append((name, members, file, line))
+        kind = "rigid" if is_rigid else "constraint"
+        self._joints.append((name, kind, members, file, line))
 
     def finish(self) -> None:
         """Add the joints to what was read."""
-        for name, members, file, line in self._joints:
+        for name, kind, members, file, line in self._joints:
             nodes = list(dict.fromkeys(self._resolved(members)))
             if len(nodes) > 1:
                 self._raw.elements.append(
                     Elements(
-                        f"*{name}", "rigid", np.zeros(1, np.int64), np.zeros(1, np.int64),
+                        f"*{name}", kind, np.zeros(1, np.int64), np.zeros(1, np.int64),
                         np.array([nodes]), file, np.array([line], np.int32),
                     )
                 )  # fmt: skip
@@ -65,11 +73,15 @@ def add_joint(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
         sets.add_joint(name, [one for one in members if one], lines.file, keyword.line)
     elif name == "KINEMATIC COUPLING":
         members = [options.get("REF NODE", "")]
-        members += [lines.words(int(line))[0] for line in keyword.rows]
+        at = FIELDS[name]["node"][1]
+        members += [lines.words(int(line))[at] for line in keyword.rows]
         sets.add_joint(name, members, lines.file, keyword.line)
     elif name == "MPC":
         for line in keyword.rows.tolist():
-            sets.add_joint(name, lines.words(line)[1:], lines.file, line)
+            _, first, end = FIELDS[name]["nodes"]
+            words = lines.words(line)
+            is_rigid = words[0] in _RIGID
+            sets.add_joint(name, words[first:end], lines.file, line, is_rigid=is_rigid)
     elif name == "EQUATION":
         _equations(sets, lines, keyword)
 
@@ -83,8 +95,10 @@ def _equations(sets: Sets, lines: AbaqusLines, keyword: Keyword) -> None:
         if missing <= 0:
             missing, members, start = parse_integer(words[0]) or 0, [], line
             continue
-        terms = [word for word in words if word][::3]
+        terms = [word for word in words if word][:: FIELDS["EQUATION"]["term"][2]]
         members += terms
         missing -= len(terms)
         if missing <= 0:
-            sets.add_joint(keyword.name, members, lines.file, start)
+            sets.add_joint(keyword.name, members, lines.file, start, is_rigid=False)
+    if missing > 0:
+        lines.raw.miss(lines.file, f"*EQUATION: {missing} terms are missing", start)

@@ -14,6 +14,7 @@ from .numbers import parse_integer
 
 _MOST = 10**7
 # Of a part by its number: the blocks of its elements, and how far its numbers are shifted.
+Before = Mapping[int, tuple[Sequence[int], Ints]]
 Owners = Mapping[int, tuple[Sequence[int], int]]
 
 
@@ -22,7 +23,7 @@ class NamedSets:
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str], list[tuple[int, Ints]]] = {}
-        self._sections: dict[str, int] = {}
+        self._sections: dict[str, list[int]] = {}
 
     def add(self, kind: str, name: str, owner: int, ids: Ints) -> None:
         """Put nodes ("NSET") or elements ("ELSET") of a part, by its number, into a set."""
@@ -32,7 +33,7 @@ class NamedSets:
     def add_section(self, name: str, number: int) -> None:
         """A name that *ELEMENT gives all its elements, which have this property."""
         if name:
-            self._sections[name.upper()] = number
+            self._sections.setdefault(name.upper(), []).append(number)
 
     def read(self, lines: AbaqusLines, keyword: Keyword, owner: int) -> None:
         """Take *NSET or *ELSET with what its lines list: numbers, ranges, names of other sets."""
@@ -43,13 +44,29 @@ class NamedSets:
         for other in names:
             found = list(self._found.get((kind, other), []))
             if kind == "ELSET" and other in self._sections:
-                found.append((_OF_PROPERTY, np.array([self._sections[other]])))
+                found.append((_OF_PROPERTY, np.array(self._sections[other])))
             self._found.setdefault((kind, name), []).extend(found)
 
-    def finish(self, raw: Raw, owners: Owners) -> None:
-        """Add them to what was read."""
-        for name, number in self._sections.items():
-            raw.sets.append(NamedSet(f"ELSET {name}", "properties", [number]))
+    def elements_of(self, owner: int, name: str) -> tuple[Ints, list[int]]:
+        """The ids of the elements of a part in a set, and the numbers that *ELEMENT gave others."""
+        pieces = self._found.get(("ELSET", name), [])
+        ids = [ids for of, ids in pieces if of == owner]
+        numbers = [number for of, some in pieces if of == _OF_PROPERTY for number in some.tolist()]
+        return np.concatenate([np.empty(0, dtype=np.int64), *ids]), numbers
+
+    def finish(self, raw: Raw, owners: Owners, before: Before) -> None:
+        """Add them to what was read; before: of numbers of *ELEMENT that sections took elements
+        away from, the blocks and ids of all that had them."""
+
+        def add_numbers(name: str, numbers: Sequence[int]) -> None:
+            raw.sets.append(NamedSet(f"ELSET {name}", "properties", list(numbers)))
+            for number in numbers:
+                if number in before:
+                    blocks, ids = before[number]
+                    raw.sets.append(NamedSet(f"ELSET {name}", "elements", ids, tuple(blocks)))
+
+        for name, own in self._sections.items():
+            add_numbers(name, own)
         for (kind, name), pieces in self._found.items():
             for owner, ids in pieces:
                 blocks, shift = owners.get(owner, ((), 0))
@@ -58,7 +75,7 @@ class NamedSets:
                         NamedSet(f"NSET {name}", "nodes", ids + shift if shift else ids)
                     )
                 elif owner == _OF_PROPERTY:
-                    raw.sets.append(NamedSet(f"ELSET {name}", "properties", ids))
+                    add_numbers(name, ids.tolist())
                 else:
                     raw.sets.append(NamedSet(f"ELSET {name}", "elements", ids, tuple(blocks)))
 

@@ -13,7 +13,7 @@ from .shells import Sheet
 
 # Places nearer than this part of the largest coordinate are one.
 _SAME = 1e-7
-_JOINING = ("line", "rigid", "mass", "weld", "solid", "frame")
+_JOINING = ("line", "rigid", "constraint", "mass", "weld", "solid", "frame")
 
 
 @dataclass(frozen=True)

@@ -14,11 +14,15 @@ from ..blocks import CHUNK, chunks
 from ..errors import FileError, list_ids
 from .frames import Frame, FrameError, Frames
 from .model import BINARY, FIXED, PADDED, Block, Elements, Raw, table_of
-from .numbers import format_reals, parse_real
+from .numbers import format_reals, last_digit, parse_real
 from .text import Edit, write_edited
 from .wide import is_small_grid, wide_grid
 
 _EIGHT = 8
+# Nodes of elements that are looked for when a deck is read; and elements that may have scalar
+# points, which have no place, in place of nodes.
+_MOST_CHECKED = 2_000_000
+_SCALAR = ("CELAS", "CDAMP", "CMASS", "MPC", "*EQUATION")
 
 
 class Deck:
@@ -35,12 +39,23 @@ class Deck:
         self.texts = raw.texts
         self.elements: list[Elements] = raw.elements
         self.frames = frames or {}
-        self.notes = list(raw.notes)
         table = table_of(raw)
         self.ids, self._values, self._systems = table.ids, table.values, table.systems
         self._files, self._lines, self._rows = table.files, table.lines, table.rows
         self._order: Ints | None = None
         self.points = self._basic()
+        self._note_missing_nodes()
+        self.notes = [*raw.notes, *raw.cut]
+
+    def _note_missing_nodes(self) -> None:
+        """What hangs on nodes that are not there; of shells, sheet_of() refuses it."""
+        if sum(block.nodes.size for block in self.elements) > _MOST_CHECKED:
+            return
+        for block in self.elements:
+            if block.kind != "shell" and not block.name.startswith(_SCALAR):
+                error = missing_nodes(self, block)
+                if error is not None:
+                    self.raw.miss(block.file, error.what, (error.line or 1) - 1)
 
     @property
     def form(self) -> str:
@@ -72,6 +87,15 @@ class Deck:
             if wanted[rows[rows >= 0]].any()
         ]
         return min(rooms, default=0)
+
+    def digit(self, nodes: Ints, points: Floats) -> float:
+        """The last digit, mm, that the file keeps of the largest of the coordinates (k, 3) of some
+        nodes (k,); that of a double where the fields are wide enough for more."""
+        size, width = float(np.abs(points).max(initial=0.0)), self.width_of(nodes)
+        if not self._systems[nodes].any():
+            return last_digit(size, width)
+        # Angles are in degrees: the last digit of one moves a node by its distance from the axis.
+        return last_digit(max(size, 360.0), width) * max(1.0, float(np.radians(size)))
 
     def _basic(self) -> Floats:
         if not self._systems.any():

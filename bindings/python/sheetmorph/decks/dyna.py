@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +17,7 @@ from .dyna_cards import DynaCards, Section
 from .dyna_elements import ELEMENTS, add_elements
 from .dyna_joints import JOINTS, Joints
 from .dyna_stale import stale_of
+from .dyna_table import CARDS, LONG, NODE, STANDARD, TEN, Widths
 from .includes import Included
 from .model import FREE, WORD, Block, Opener, Raw
 from .numbers import parse_integer, parse_real
@@ -55,18 +55,6 @@ def read_dyna(path: Path, opener: Opener) -> Deck:
 _OddNode = tuple[int, int, list[float], list[tuple[str, int, int]]]
 
 
-@dataclass(frozen=True)
-class _Widths:
-    """Widths of the fields of a keyword: of ids in nodes and elements, of other ids, of numbers."""
-
-    label: int
-    other: int
-    real: int
-
-
-_STANDARD, _TEN, _LONG = _Widths(8, 10, 16), _Widths(10, 10, 16), _Widths(20, 20, 20)
-
-
 # As if it stood behind the *KEYWORD of every deck: a solver may get it on its command line instead.
 _assumed: ContextVar[str] = ContextVar("assumed", default="")
 
@@ -88,16 +76,19 @@ class _Reader:
         self.raw = raw
         self._path = path
         self._included = Included(raw, path, opener)
-        self._widths = _STANDARD
+        self._widths = STANDARD
         self._take_options(_assumed.get())
         self._parameters: dict[str, float] = {}
         self._joints = Joints(raw)
         self._parts: dict[int, int] = {}
         self._sections: dict[int, float] = {}
         self._ended = False
+        self._is_whole = False
 
     def read(self) -> Deck:
         self._file(self._included.first(self._path))
+        if not self._is_whole:
+            self.raw.miss(0, "there is no *END: the end of the file may be missing")
         self._joints.finish()
         for part, section in self._parts.items():
             if self._sections.get(section):
@@ -122,10 +113,11 @@ class _Reader:
     def _section(self, cards: DynaCards, section: Section) -> None:
         """Take a keyword with its cards."""
         name = section.name
-        widths = {"%": _TEN, "+": _LONG, "-": _STANDARD}.get(section.suffix, self._widths)
+        widths = {"%": TEN, "+": LONG, "-": STANDARD}.get(section.suffix, self._widths)
         cards.parameters, cards.width = self._parameters, widths.other
         if name == "END":
             self._ended = True
+            self._is_whole = self._is_whole or cards.file == 0
         elif name == "KEYWORD":
             self._keyword(section)
         elif name.startswith("INCLUDE"):
@@ -151,16 +143,16 @@ class _Reader:
 
     def _take_options(self, options: str) -> None:
         if kind := re.search(r"long\s*=\s*(y|s|k)", options):
-            self._widths = _STANDARD if kind.group(1) == "s" else _LONG
+            self._widths = STANDARD if kind.group(1) == "s" else LONG
         if re.search(r"i10\s*=\s*y", options):
-            self._widths = _TEN
+            self._widths = TEN
 
     def _include(self, cards: DynaCards, section: Section) -> None:
         names = cards.names(section)
         option = section.name[len("INCLUDE") :]
         if option.startswith("_PATH"):
-            folders = [self._path.parent / name for _, name in names]
-            self._included.folders += folders
+            for _, name in names:
+                self._included.add_folder(name)
             return
         if option.startswith("_TRANSFORM"):
             names = names[:1]
@@ -168,7 +160,7 @@ class _Reader:
                 remember_placing(self.raw, section.name, (cards.file, section.line))
         elif option:
             what = f"*{section.name}: what it includes is not read, and stays as it is"
-            self.raw.notes.append(f"{cards.text.path.name}, line {section.line + 1}: {what}")
+            self.raw.notes.append(f"{cards.text.name}, line {section.line + 1}: {what}")
             return
         for line, name in names:
             file = self._included.add(name, (cards.file, line))
@@ -186,7 +178,7 @@ class _Reader:
                 if key and value.strip() and number is not None:
                     self._parameters[key.lower()] = number
 
-    def _nodes(self, cards: DynaCards, section: Section, widths: _Widths) -> None:
+    def _nodes(self, cards: DynaCards, section: Section, widths: Widths) -> None:
         is_model = _NODES[section.name]
         rows = cards.filled(section.rows)
         if section.name == "AIRBAG_REFERENCE_GEOMETRY_RDT":
@@ -195,13 +187,13 @@ class _Reader:
         blocks = []
         if plain.any():
             cut = Cut(self.raw, cards.file, rows[plain], cards.stops, f"*{section.name}")
-            blocks.append(cut.nodes(widths.label, widths.real))
+            blocks.append(cut.nodes(widths.label * NODE["point"].at, widths.real))
         odd = [self._odd_node(cards, line, widths) for line in rows[~plain].tolist()]
         blocks += _joined(cards.file, [one for one in odd if one], widths.real)
         if is_model:
             self.raw.blocks += blocks
 
-    def _odd_node(self, cards: DynaCards, line: int, widths: _Widths) -> _OddNode | None:
+    def _odd_node(self, cards: DynaCards, line: int, widths: Widths) -> _OddNode | None:
         """A node in free fields, or with parameters."""
         fields = cards.places(line, [widths.label] + [widths.real] * 3)
         number = parse_integer(cards.value(fields[0][0]))
@@ -223,27 +215,35 @@ class _Reader:
         rows = section.rows.tolist()[1 if section.name.endswith("_TITLE") else 0 :]
         if not rows:
             return
-        key, *values = cards.fields(rows[0], cards.width)[:4]
-        found, key = self.raw.materials, key.strip()
-        tables = (found.density, found.young, found.poisson)
-        for table, value in zip(tables, values):
-            table[key] = parse_real(value) or 0.0
+        fields, layout = cards.fields(rows[0], cards.width), CARDS["MAT"]
+        found, key = self.raw.materials, fields[layout["id"].at].strip()
+        for name in ("density", "young", "poisson"):
+            getattr(found, name)[key] = parse_real(fields[layout[name].at]) or 0.0
         found.names[key] = f"*{section.name} {key}"
 
     def _properties(self, cards: DynaCards, section: Section) -> None:
         rows = section.rows.tolist()
         if section.name == "PART":
+            layout = CARDS["PART"]
             for title, line in zip(rows[::2], rows[1::2]):
                 fields = cards.fields(line, cards.width)
-                number = parse_integer(fields[0]) or 0
-                self._parts[number] = parse_integer(fields[1]) or 0
+                number = parse_integer(fields[layout["id"].at]) or 0
+                self._parts[number] = parse_integer(fields[layout["section"].at]) or 0
                 self.raw.names[number] = cards.text.line(title).strip()
-                self.raw.materials.of_property[number] = fields[2].strip()
+                material = fields[layout["material"].at].strip()
+                self.raw.materials.of_property[number] = material
             return
-        rows = rows[1:] if section.name.endswith("TITLE") else rows
-        for one, two in zip(rows[::2], rows[1::2]):
-            number = parse_integer(cards.fields(one, cards.width)[0]) or 0
-            self._sections[number] = parse_real(cards.fields(two, cards.width)[0]) or 0.0
+        layout, titles = CARDS["SECTION_SHELL"], int(section.name.endswith("TITLE"))
+        at = titles
+        while at + layout["thickness"].card < len(rows):
+            fields = cards.fields(rows[at], cards.width)
+            number = parse_integer(fields[layout["id"].at]) or 0
+            second = cards.fields(rows[at + layout["thickness"].card], cards.width)
+            self._sections[number] = parse_real(second[layout["thickness"].at]) or 0.0
+            # Angles of a layered shell, eight a card, for each of its integration points.
+            is_layered = parse_integer(fields[layout["angles"].at]) == 1
+            points = int(parse_real(fields[layout["points"].at]) or 0.0)
+            at += 2 + titles + (-(-points // 8) if is_layered else 0)
 
 
 def _is_plain(cards: DynaCards, section: Section) -> bool:

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..arrays import Ints
 from .cut import Cut, small
 from .dyna_cards import DynaCards, Section
+from .dyna_table import ELEMENTS as KINDS
+from .dyna_table import SHARED, SOLID_NODES, Element
 from .model import Elements
 from .numbers import parse_integer
 
@@ -19,39 +19,13 @@ ELEMENTS = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class _Kind:
-    """What an element is, in which of its fields its nodes stand, how many lines options add."""
-
-    kind: str
-    nodes: tuple[int, int]
-    options: dict[str, int]
-    has_part: bool = True
-
-
-_ONE = {"THICKNESS": 1, "BETA": 1, "MCID": 1}
-_KINDS = {
-    "SHELL": _Kind("shell", (2, 8), {**_ONE, "OFFSET": 1, "DOF": 1, "SHL4_TO_SHL8": 0}),
-    "TSHELL": _Kind("solid", (2, 8), {"BETA": 1}),
-    "SOLID": _Kind("solid", (2, 8), {"ORTHO": 2, "DOF": 2, "TET4TOTET10": 0, "H8TOH20": 0}),
-    "BEAM": _Kind(
-        "line", (2, 3),
-        {"THICKNESS": 1, "SECTION": 1, "SCALAR": 1, "SCALR": 1, "PID": 1, "OFFSET": 1,
-         "ORIENTATION": 1},
-    ),
-    "MASS": _Kind("mass", (1, 1), {}, has_part=False),
-    "INERTIA": _Kind("mass", (1, 1), {"OFFSET": 1}, has_part=False),
-    "DISCRETE": _Kind("line", (2, 2), {"LCO": 1}),
-    "SEATBELT": _Kind("line", (2, 2), {}),
-    "PLOTEL": _Kind("line", (1, 2), {}, has_part=False),
-}  # fmt: skip
 _MORE_NODES = {"H20": 20, "H27": 27, "T15": 15, "T20": 20, "P21": 21, "P40": 40, "H64": 64}
 
 
 def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> None:
     """Add the elements of a keyword to what was read. Raises FileError."""
     name, _, options = section.name[len("ELEMENT_") :].partition("_")
-    known = _KINDS.get(name)
+    known = KINDS.get(name)
     if known is None:
         return
     words = [word for word in options.split("_") if word] if options != "SHL4_TO_SHL8" else []
@@ -59,17 +33,17 @@ def add_elements(cards: DynaCards, section: Section, width: int, _real: int) -> 
     rows = cards.filled(section.rows)
     if strange or not len(rows):
         if strange:
-            told = f"{cards.text.path.name}, line {section.line + 1}: *{section.name} is not read"
+            told = f"{cards.text.name}, line {section.line + 1}: *{section.name} is not read"
             cards.raw.notes.append(told)
         return
     extra = sum(known.options.get(word, 0) for word in words)
     # Thickness, angle and material system stand in one line.
-    extra -= max(0, sum(word in _ONE for word in words) - 1) if name == "SHELL" else 0
+    extra -= max(0, sum(word in SHARED for word in words) - 1) if name == "SHELL" else 0
     extra += 2 if name == "INERTIA" else 0
     if name == "SOLID":
         _solids(cards, section, rows, (width, extra, words))
         return
-    if name == "SHELL" and extra and any(word in _ONE for word in words):
+    if name == "SHELL" and extra and any(word in SHARED for word in words):
         heads = _shells_with_more(cards, section, rows, (width, extra))
     else:
         heads = _heads(cards, section, rows, 1 + extra)
@@ -103,22 +77,24 @@ def _shells_with_more(
     return np.array(heads)
 
 
-def _add(cards: DynaCards, section: Section, heads: Ints, layout: tuple[_Kind, int]) -> None:
+def _add(cards: DynaCards, section: Section, heads: Ints, layout: tuple[Element, int]) -> None:
     known, width = layout
     plain = cards.plain(heads)
     cut = Cut(cards.raw, cards.file, heads[plain], cards.stops, f"*{section.name}")
-    first, most = known.nodes
+    first, most = known.nodes.at, known.nodes.count
     size = cards.stops[cut.rows] - cards.text.begins[cut.rows]
     there = int(-(-int(size.max(initial=0)) // width)) - first
     count = max(1, min(most, there))
     ids = cut.integers(0, width)
-    parts = cut.integers(width, width, 0) if known.has_part else np.zeros_like(ids)
+    has_part = known.part is not None
+    at = known.part.at if known.part else 0
+    parts = cut.integers(at * width, width, 0) if has_part else np.zeros_like(ids)
     nodes = cut.table(first * width, width, count)
     blocks = [(ids, parts, nodes, cut.rows)] if len(cut.rows) else []
     odd = heads[~plain]
     if len(odd):
         numbers = np.array([_numbers(cards, section, line, (width, most + first)) for line in odd])
-        parts = numbers[:, 1] if known.has_part else np.zeros(len(odd), np.int64)
+        parts = numbers[:, at] if has_part else np.zeros(len(odd), np.int64)
         blocks.append((numbers[:, 0], parts, numbers[:, first : first + most], odd))
     for ids, parts, nodes, rows in blocks:
         nodes = np.maximum(nodes, 0)
@@ -149,7 +125,8 @@ def _solids(
     """Solids: nodes behind the part in one line, or in lines of their own."""
     width, extra, words = layout
     most = max([_MORE_NODES.get(word, 0) for word in words] or [0])
-    lines = -(-most // 10) if most else 1
+    each_line = SOLID_NODES.count
+    lines = -(-most // each_line) if most else 1
     size = cards.text.ends[rows] - cards.text.begins[rows]
     single = bool(size[0] > 2 * width) and not most
     if single and cards.plain(rows[:1])[0]:
@@ -157,16 +134,20 @@ def _solids(
         single = bool(shown[2 * width :].strip())
     if single:
         heads = _heads(cards, section, rows, 1 + extra)
-        _add(cards, section, heads, (_KINDS["SOLID"], width))
+        _add(cards, section, heads, (KINDS["SOLID"], width))
         return
     heads = _heads(cards, section, rows, 1 + lines + extra)
     each = 1 + lines + extra
     cut = Cut(cards.raw, cards.file, heads, cards.stops, f"*{section.name}")
     ids, parts = cut.integers(0, width), cut.integers(width, width, 0)
     tables = [
-        Cut(cards.raw, cards.file, rows[1 + k :: each], cards.stops, f"*{section.name}").table(
-            0, width, 10
-        )
+        Cut(
+            cards.raw,
+            cards.file,
+            rows[SOLID_NODES.card + k :: each],
+            cards.stops,
+            f"*{section.name}",
+        ).table(0, width, each_line)
         for k in range(lines)
     ]
     nodes = np.maximum(np.concatenate(tables, axis=1), 0)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from .dyna_cards import DynaCards, Section
+from .dyna_table import CARDS, Field
 from .model import Elements, NamedSet, Raw
 from .numbers import parse_integer, parse_real
 
@@ -15,6 +16,20 @@ JOINTS = (
     "CONSTRAINED_JOINT", "DEFINE_COORDINATE_NODES", "SET_NODE", "SET_PART", "SET_SHELL",
 )  # fmt: skip
 _LARGEST = 1e15
+# By the beginning of a keyword: what its joint is; those of a set are in the second table.
+_OF_NODES = {
+    "CONSTRAINED_SPOTWELD": "weld",
+    "CONSTRAINED_RIVET": "weld",
+    "CONSTRAINED_JOINT": "constraint",
+    "DEFINE_COORDINATE_NODES": "frame",
+    "CONSTRAINED_EXTRA_NODES_NODE": "rigid",
+}
+_OF_SETS = {
+    "CONSTRAINED_NODAL_RIGID_BODY": "rigid",
+    "CONSTRAINED_EXTRA_NODES_SET": "rigid",
+    "CONSTRAINED_GENERALIZED_WELD": "weld",
+    "CONSTRAINED_NODE_SET": "constraint",
+}
 # What the numbers of a set are of.
 _SETS = {"SET_NODE": "nodes", "SET_PART": "properties", "SET_SHELL": "elements"}
 
@@ -26,7 +41,7 @@ class Joints:
         self._raw = raw
         self._sets: dict[int, list[int]] = {}  # of nodes
         self._named: dict[str, tuple[str, list[int]]] = {}
-        self._by_set: list[tuple[str, int, int, int, int, int]] = []
+        self._by_set: list[tuple[str, str, tuple[int, int, int], int, int]] = []
 
     def add(self, cards: DynaCards, section: Section) -> None:
         """Take a keyword."""
@@ -35,32 +50,41 @@ class Joints:
             if name.startswith(word):
                 self._set(cards, section, (word, of))
                 return
-        each = 2 if name.endswith(("_FILTERED_FORCE", "_FILTERED_FORCE_ID")) else 1
-        rows = rows[1:] if name.endswith(("_ID", "_TITLE")) and rows else rows
-        if name.startswith(("CONSTRAINED_SPOTWELD", "CONSTRAINED_RIVET")):
-            self._pairs(cards, section, rows[::each], ("weld", 0, 2))
-        elif name.startswith("CONSTRAINED_JOINT"):
-            self._pairs(cards, section, rows[:1], ("rigid", 0, 6))
-        elif name.startswith("DEFINE_COORDINATE_NODES"):
-            self._pairs(cards, section, rows, ("frame", 1, 4))
-        elif name.startswith("CONSTRAINED_EXTRA_NODES_NODE"):
-            self._pairs(cards, section, rows, ("rigid", 1, 2))
-        elif rows:
-            at = {"CONSTRAINED_NODAL": 2, "CONSTRAINED_EXTRA": 1}.get(name[:17], 0)
-            fields = cards.fields(rows[0], cards.width)
-            owner, group = _number(fields[0]), _number(fields[at])
-            lead = _number(fields[3]) if at == 2 else 0
-            self._by_set.append((name, owner, group, lead, cards.file, rows[0]))
+        rows = _cards_of(name, rows)
+        for begin, kind in _OF_NODES.items():
+            if name.startswith(begin):
+                self._of_nodes(cards, section, rows, (kind, CARDS[begin]))
+                return
+        for begin, kind in _OF_SETS.items():
+            if name.startswith(begin):
+                # Options of a rigid body have cards of their own; without them, each is a body.
+                plain = name.removesuffix("_ID").removesuffix("_TITLE") == begin
+                for line in rows if plain else rows[:1]:
+                    self._of_set(cards, section, line, (kind, CARDS[begin]))
 
-    def _pairs(
-        self, cards: DynaCards, section: Section, rows: list[int], place: tuple[str, int, int]
+    def _of_nodes(
+        self,
+        cards: DynaCards,
+        section: Section,
+        rows: list[int],
+        what: tuple[str, dict[str, Field]],
     ) -> None:
-        kind, first, end = place
+        kind, layout = what
+        place = layout["nodes"]
         for line in rows:
             fields = cards.fields(line, cards.width)
-            nodes = [_number(text) for text in fields[first:end]]
-            number = _number(fields[0]) if first else 0
+            nodes = [_number(text) for text in fields[place.at : place.at + place.count]]
+            number = _number(fields[layout["id"].at]) if "id" in layout else 0
             self._joint(f"*{section.name}", kind, number, (nodes, cards.file, line))
+
+    def _of_set(
+        self, cards: DynaCards, section: Section, line: int, what: tuple[str, dict[str, Field]]
+    ) -> None:
+        kind, layout = what
+        fields = cards.fields(line, cards.width)
+        owner, group = _number(fields[layout["id"].at]), _number(fields[layout["set"].at])
+        main = _number(fields[layout["main"].at]) if "main" in layout else 0
+        self._by_set.append((section.name, kind, (owner, group, main), cards.file, line))
 
     def _joint(self, name: str, kind: str, number: int, what: tuple[list[int], int, int]) -> None:
         nodes, file, line = what
@@ -83,14 +107,15 @@ class Joints:
         kind = name[len(word) :]
         if not rows or kind not in ("", "_LIST", "_LIST_GENERATE", "_COLUMN", "_LIST_SMOOTH"):
             return
-        number = _number(cards.fields(rows[0], cards.width)[0])
+        number = _number(cards.fields(rows[0], cards.width)[CARDS["SET"]["id"].at])
         members = self._named.setdefault(f"{word} {number}", (of, []))[1]
         if word == "SET_NODE":
             self._sets[number] = members
         if title:
             self._named.setdefault(f"{word} {title}", (of, members))
-        for line in rows[1:]:
-            numbers = [_number(text) for text in cards.fields(line, cards.width)[:8]]
+        most = CARDS["SET"]["members"].count
+        for line in rows[CARDS["SET"]["members"].card :]:
+            numbers = [_number(text) for text in cards.fields(line, cards.width)[:most]]
             if kind == "_COLUMN":
                 members.append(numbers[0])
             elif kind == "_LIST_GENERATE":
@@ -103,10 +128,22 @@ class Joints:
         """Add what joins sets of nodes, and the sets themselves."""
         for title, (of, members) in self._named.items():
             self._raw.sets.append(NamedSet(title, of, members))
-        for name, owner, group, lead, file, line in self._by_set:
+        for name, kind, (owner, group, main), file, line in self._by_set:
             members = self._sets.get(group, [])
-            nodes = ([lead] if lead > 0 else []) + members
-            self._joint(f"*{name}", "rigid", owner, (nodes, file, line))
+            nodes = ([main] if main > 0 else []) + members
+            self._joint(f"*{name}", kind, owner, (nodes, file, line))
+
+
+def _cards_of(name: str, rows: list[int]) -> list[int]:
+    """The cards that say what is joined: without ids, titles and what options add to them."""
+    words = name.split("_")
+    first = int("ID" in words or "TITLE" in words)
+    if name.startswith("CONSTRAINED_SPOTWELD"):
+        # Each weld has its id, and its filter, in cards of its own.
+        return rows[first :: 1 + first + int("FILTERED" in words)]
+    if name.startswith("CONSTRAINED_RIVET"):
+        return rows[first :: 1 + first]
+    return rows[first:][:1] if name.startswith("CONSTRAINED_JOINT") else rows[first:]
 
 
 def _number(text: str) -> int:

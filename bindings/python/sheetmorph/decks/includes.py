@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -52,6 +53,10 @@ class Included:
             raise self._raw.error(place, what, "include it once: a node has one place")
         return self._read(path)
 
+    def add_folder(self, name: str) -> None:
+        """Look for includes in a folder too, named from that of the deck."""
+        self.folders += [self._root / one for one in _names_of(name.strip().replace("\\", "/"))]
+
     def enter(self, file: int) -> None:
         """What is added from here on stands in this file, until leave()."""
         self._stack.append(self._raw.texts[file].path.resolve())
@@ -68,14 +73,38 @@ class Included:
         shown = name.strip()
         if not shown or "\0" in shown:
             raise self._raw.error(place, "an include names no file", "name one")
-        wanted = Path(shown.replace("\\", "/"))
+        names = _names_of(shown.replace("\\", "/"))
         here = self._raw.texts[place[0]].path.parent
-        for folder in dict.fromkeys([here, self._root, *self.folders]):
-            path = folder / wanted
-            if _is_file(path):
-                return path
-        what = f'the include "{shown}" is not there'
+        for name in names:
+            for folder in dict.fromkeys([here, self._root, *self.folders]):
+                path = folder / name
+                if _is_file(path):
+                    return path
+        what = f'the include "{names[0]}" is not there'
         raise self._raw.error(place, what, "put the file beside the deck, or correct its name")
+
+
+def _names_of(name: str) -> list[str]:
+    """What a name in a deck may stand for; its bytes were read as Latin-1.
+
+    Text in UTF-8 counts first, then Latin-1; the disk may have the name in either, and in UTF-8
+    with accents apart from their letters.
+    """
+    found = [name]
+    raw = name.encode("latin-1", "replace")
+    try:
+        found.insert(0, raw.decode("utf-8"))
+    except UnicodeDecodeError:
+        pass
+    forms = [unicodedata.normalize(form, one) for one in found for form in ("NFC", "NFD")]
+    found += [one for one in forms if one not in found]
+    found += [os.fsdecode(one.encode("latin-1")) for one in found if _is_latin(one)]
+    found.append(os.fsdecode(raw))
+    return list(dict.fromkeys(found))
+
+
+def _is_latin(name: str) -> bool:
+    return all(ord(letter) < 256 for letter in name)
 
 
 def _is_file(path: Path) -> bool:
@@ -95,7 +124,7 @@ def output_places(texts: Sequence[DeckText], out: Path) -> list[Path]:
     for text in texts[1:]:
         relative = os.path.relpath(text.path.absolute(), root)
         if relative.startswith("..") or os.path.isabs(relative):
-            what = f"this include of {texts[0].path.name} lies outside of its folder"
+            what = f"this include of {texts[0].name} lies outside of its folder"
             raise FileError(text.path, what, "put it into or below the folder of the deck")
         places.append(out.parent / relative)
     return places

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,20 +15,24 @@ from .model import Elements, Place
 from .shells import Sheet
 from .welds import WeldGaps, weld_gaps
 
-_JOINTS = ("line", "rigid", "weld")
+_JOINTS = ("line", "rigid", "constraint", "weld")
 # A joint is broken by half its gap, by half the thickness of the sheet, or by this part of the
-# middle length of its edges, whichever is most.
+# middle length of its edges, whichever is most. A rigid body is broken by what rounding to the
+# digits of its file cannot explain.
 _HALF, _OF_EDGE = 0.5, 0.1
+# By how much rounding both its ends changes a distance at most, in units of the last digit.
+_OF_ROUNDING = 3.0**0.5
 
 
 @dataclass(frozen=True)
 class Joint:
     """A joint whose nodes changed their distance: where it stands, by how much (mm), and by how
-    much it may."""
+    much it may; is_rigid: whether it is a rigid body, which may not stretch at all."""
 
     place: Place
     change: float
     limit: float
+    is_rigid: bool = False
 
     @property
     def is_broken(self) -> bool:
@@ -54,19 +59,68 @@ def joints_of(deck: Deck, sheet: Sheet, positions: Floats, limit: float | None =
     moved = (positions != deck.points).any(axis=1)
     least = _least(deck, sheet)
 
-    def joint(place: Place, change: float, gap: float) -> Joint:
-        return Joint(place, change, max(_HALF * gap, least) if limit is None else limit)
+    def joint(place: Place, change: float, allowed: float, is_rigid: bool = False) -> Joint:
+        return Joint(place, change, allowed if limit is None else limit, is_rigid)
 
-    found = [
-        joint(_place(block, int(row)), float(change), float(gap))
-        for block in deck.elements
-        if block.kind in _JOINTS
-        for row, change, gap in zip(*_changes(deck, block, positions, moved))
-    ]
+    found: dict[tuple[int, int, str, int], Joint] = {}
+
+    def add(one: Joint) -> None:
+        # A weld between two nodes is both an element and a gap: it is one joint.
+        key = (one.place.file, one.place.line, one.place.card, one.place.number)
+        old = found.get(key)
+        if old is None or one.change * old.limit > old.change * one.limit:
+            found[key] = one
+
+    for block in deck.elements:
+        if block.kind == "rigid":
+            for row, change, allowed in _stretches(deck, block, positions, moved):
+                add(joint(_place(block, row), change, allowed, True))
+        elif block.kind in _JOINTS:
+            for row, change, gap in zip(*_changes(deck, block, positions, moved)):
+                allowed = max(_HALF * float(gap), least)
+                add(joint(_place(block, int(row)), float(change), allowed))
     welds = weld_gaps(deck, sheet, positions) if moved.any() else []
-    found += [joint(weld.place, weld.change, sum(weld.before)) for weld in welds]
-    worst = max(found, key=lambda one: one.change / max(one.limit, 1e-30), default=None)
-    return Joints(len(found), worst, [one for one in found if one.is_broken], welds)
+    for weld in welds:
+        add(joint(weld.place, weld.change, max(_HALF * sum(weld.before), least)))
+    joints = list(found.values())
+    worst = max(joints, key=lambda one: one.change / max(one.limit, 1e-30), default=None)
+    return Joints(len(joints), worst, [one for one in joints if one.is_broken], welds)
+
+
+def _stretches(
+    deck: Deck, block: Elements, positions: Floats, moved: Bools
+) -> Iterator[tuple[int, float, float]]:
+    """Rows of rigid bodies with a node that moved, the largest change of a distance between two
+    of its nodes, and by how much rounding may change it, mm."""
+    index = np.where(block.nodes == 0, -1, deck.find(block.nodes))
+    there = index >= 0
+    is_moved = (moved[np.maximum(index, 0)] & there).any(axis=1) & (there.sum(axis=1) > 1)
+    for row in np.flatnonzero(is_moved).tolist():
+        nodes = np.unique(index[row][there[row]])
+        before, after = deck.points[nodes], positions[nodes]
+        change = 0.0
+        for anchor in _anchors(before):
+            was = np.linalg.norm(before - before[anchor], axis=1)
+            now = np.linalg.norm(after - after[anchor], axis=1)
+            change = max(change, float(np.abs(now - was).max()))
+        yield row, change, _OF_ROUNDING * max(deck.digit(nodes, at) for at in (before, after))
+
+
+def _anchors(points: Floats) -> list[int]:
+    """Up to four of some points (n, 3) as far apart as can be: a body that keeps its distances
+    from them keeps its shape."""
+    anchors = [0]
+    away = points - points[0]
+    for _ in range(3):
+        size = np.linalg.norm(away, axis=1)
+        far = int(size.argmax())
+        if far in anchors or not size[far] > 0.0:
+            break
+        anchors.append(far)
+        # What is left is the part across the line, then the plane, through the anchors so far.
+        axis = away[far] / size[far]
+        away = away - np.outer(away @ axis, axis)
+    return anchors
 
 
 def _place(block: Elements, row: int) -> Place:

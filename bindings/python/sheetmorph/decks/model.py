@@ -24,9 +24,9 @@ Opener = Callable[[Path], bytes]
 class Elements:
     """Elements of one kind of card.
 
-    name: of the card; kind: "shell", "solid", "line", "rigid", "mass", "weld" or "frame"; ids,
-    properties: (m,); nodes: (m, k) node ids, 0 where there is none; file: index of the deck's text;
-    lines: (m,) from 0.
+    name: of the card; kind: "shell", "solid", "line", "rigid", "constraint" (equations between
+    nodes, which are no rigid body), "mass", "weld" or "frame"; ids, properties: (m,); nodes:
+    (m, k) node ids, 0 where there is none; file: index of the deck's text; lines: (m,) from 0.
     """
 
     name: str
@@ -91,7 +91,8 @@ class Raw:
     mark: before exponents; wins: "last" where the last definition of a node counts, "same" where
     several must be equal; locked: nodes that are not to be moved, with the reason; thickness: of
     shells by property; names: of properties, as people know them; materials: of these; placing:
-    cards that change where nodes are once they are read.
+    cards that change where nodes are once they are read; cut: sentences on what is missing, as if
+    the file ended too early.
     """
 
     form: str
@@ -103,11 +104,17 @@ class Raw:
     stale: list[Place] = field(default_factory=list)
     placing: list[Place] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    cut: list[str] = field(default_factory=list)
     locked: dict[int, str] = field(default_factory=dict)
     thickness: dict[int, float] = field(default_factory=dict)
     names: dict[int, str] = field(default_factory=dict)
     materials: Materials = field(default_factory=Materials)
     sets: list[NamedSet] = field(default_factory=list)
+
+    def miss(self, file: int, what: str, line: int | None = None) -> None:
+        """Remember that something is missing, in a file or at one of its lines from 0."""
+        place = self.texts[file].name + ("" if line is None else f", line {line + 1}")
+        self.cut.append(f"{place}: {what}")
 
     def error(self, place: tuple[int, int], what: str, todo: str = "correct the card") -> FileError:
         """A FileError at (file, line)."""
@@ -203,7 +210,7 @@ def _without_doubles(raw: Raw, found: tuple[Array, ...], order: Ints) -> tuple[I
         if not same.all():
             bad = int(order[np.flatnonzero(~same)[0]])
             other = int(first[np.flatnonzero(~same)[0]])
-            name = raw.texts[files[other]].path.name
+            name = raw.texts[files[other]].name
             what = f"node {ids[bad]} is defined twice, differently"
             what += f" (first in {name}, line {lines[other] + 1})"
             raise raw.error((int(files[bad]), int(lines[bad])), what, "remove one of the cards")

@@ -17,17 +17,20 @@ from .frames import Frame
 from .includes import Included
 from .model import FIXED, Block, Elements, Opener, Raw
 from .nastran_cards import Card, Lines, cards, sorted_lines
-from .nastran_elements import ELEMENTS, add_weld_points, elements_of
+from .nastran_elements import add_weld_points, elements_of
 from .nastran_points import Points
 from .nastran_sets import card_sets, comment_names, control_sets
 from .nastran_stale import STALE, stale_of
+from .nastran_table import CARDS, ELEMENTS, GRID, place_of
 from .numbers import parse_integer, parse_integers, parse_real, parse_reals
 from .placing import NASTRAN as PLACING
 from .placing import note_placing
+from .text import DeckText
 
 SUFFIXES = (".nas", ".bdf", ".dat", ".fem", ".blk", ".bulk", ".pch")
 # Shells in one line: how many nodes.
-PLAIN_SHELLS = {"CTRIA3": 3, "CTRIAR": 3, "CQUAD4": 4, "CQUADR": 4}
+PLAIN_SHELLS = {name: len(ELEMENTS[name][1]) for name in ("CTRIA3", "CTRIAR", "CQUAD4", "CQUADR")}
+_LAST = 72  # the column, from 0, of the field that names the line to go on in
 _FRAMES = frozenset(f"CORD{k}{kind}" for k in "12" for kind in "RCS")
 _KNOWN = frozenset({"GRID", "GRDSET", "MAT1", "PSHELL", "SET1", "SET3", *PLAIN_SHELLS, *_FRAMES})
 _OTHER = frozenset({*_KNOWN, *ELEMENTS, *STALE, *PLACING})
@@ -59,6 +62,26 @@ class _Reader:
         begins = self.raw.texts[first].matches(rb"^[ \t]*BEGIN\b")
         self._in_bulk = not begins
         self._file(first)
+        if not self._ended:
+            what = (
+                "there is no ENDDATA: if this is not an include of another deck, its end is missing"
+            )
+            self.raw.miss(0, what)
+        for file, text in enumerate(self.raw.texts):
+            self._check_last_card(file, text)
+
+    def _check_last_card(self, file: int, text: DeckText) -> None:
+        """A card whose tenth field names a line to go on in, as the last line of a file."""
+        for line in range(len(text) - 1, max(len(text) - 20, -1), -1):
+            body = text.line(line).split("$", 1)[0].rstrip()
+            if not body:
+                continue
+            last = (
+                body.split(",")[-1] if "," in body[:10] else body.expandtabs(8)[_LAST : _LAST + 8]
+            )
+            if last.strip()[:1] in ("+", "*") and (last.strip() or "," in body[:10]):
+                self.raw.miss(file, "the last card goes on in a line that is not there", line)
+            return
 
     def deck(self) -> Deck:
         """The deck, once all is read."""
@@ -150,9 +173,9 @@ class _Reader:
         rows = rows[lines.stops[rows + lines.first] - text.begins[rows + lines.first] >= 48]
         if not len(rows):
             return
-        ids = self._integers(file, lines, rows, (8, 8))
-        systems = self._integers(file, lines, rows, (16, 8), -1)
-        columns = np.array([24, 32, 40])
+        ids = self._integers(file, lines, rows, (GRID["id"], 8))
+        systems = self._integers(file, lines, rows, (GRID["system"], 8), -1)
+        columns = np.array([place_of(GRID["point"] + k, 8)[1] for k in range(3)])
         self._add(file, rows + lines.first, (ids, systems), (columns, 8))
         taken[rows] = True
 
@@ -168,10 +191,11 @@ class _Reader:
         rows, at = rows[sound], at[sound]
         if not len(rows):
             return
-        ids = self._integers(file, lines, rows, (8, 16))
-        systems = self._integers(file, lines, rows, (24, 16), -1)
+        ids = self._integers(file, lines, rows, (GRID["id"], 16))
+        systems = self._integers(file, lines, rows, (GRID["system"], 16), -1)
         below = text.begins[at + 1].astype(np.int64) - text.begins[at]
-        columns = np.stack([np.full(len(at), 40), np.full(len(at), 56), below + 8], axis=1)
+        places = [place_of(GRID["point"] + k, 16) for k in range(3)]
+        columns = np.stack([column + line * below for line, column in places], axis=1)
         self._add(file, at, (ids, systems), (columns, 16))
         taken[rows] = taken[rows + 1] = True
 
@@ -195,8 +219,9 @@ class _Reader:
     def _integers(
         self, file: int, lines: Lines, rows: Ints, field: tuple[int, int], *blank: int
     ) -> Ints:
-        """Whole numbers in (column, width) of lines; blank ones are refused or stand for one."""
-        text, (column, width) = self.raw.texts[file], field
+        """Whole numbers in (position, width) of lines; blank ones are refused or stand for one."""
+        text, (position, width) = self.raw.texts[file], field
+        column = place_of(position, width)[1]
         found = np.empty(len(rows), dtype=np.int64)
         for part in chunks(len(rows)):
             at = rows[part] + lines.first
@@ -208,8 +233,7 @@ class _Reader:
                 bad = int(np.flatnonzero(~sound)[0])
                 shown = bytes(codes[bad]).decode("latin-1").strip()
                 name = lines.heads[rows[part][bad]].decode("latin-1").rstrip("*")
-                number = (column - 8) // width + 2
-                what = f'{name}: "{shown}" in field {number} is not a whole number'
+                what = f'{name}: "{shown}" in field {position + 2} is not a whole number'
                 raise self.raw.error((file, int(at[bad])), what)
             if blank:
                 found[part][empty] = blank[0]
@@ -217,9 +241,9 @@ class _Reader:
 
     def _plain_shells(self, file: int, lines: Lines, rows: Ints, kind: tuple[str, int]) -> Elements:
         name, count = kind
-        ids = self._integers(file, lines, rows, (8, 8))
-        properties = self._integers(file, lines, rows, (16, 8), 0)
-        some = (self._integers(file, lines, rows, (24 + 8 * k, 8)) for k in range(count))
+        ids = self._integers(file, lines, rows, (0, 8))
+        properties = self._integers(file, lines, rows, (1, 8), 0)
+        some = (self._integers(file, lines, rows, (k, 8)) for k in ELEMENTS[name][1])
         nodes = side_by_side(some, (len(rows), count))
         properties = np.where(properties == 0, ids, properties)
         numbers = small(ids), small(properties), nodes
@@ -244,7 +268,7 @@ class _Reader:
             for card in found:
                 self._odd_grid(file, card, points)
         elif name == "GRDSET":
-            self._default_system = self._whole(file, found[0], 1) or 0
+            self._default_system = self._whole(file, found[0], CARDS[name]["system"][0]) or 0
         elif name in _FRAMES:
             for card in found:
                 self._frame(file, card)
@@ -252,8 +276,9 @@ class _Reader:
             self.raw.sets += card_sets(found)
         elif name == "PSHELL":
             for card in found:
-                self.raw.thickness[card.number(0)] = card.real(2)
-                self.raw.materials.of_property[card.number(0)] = card.text(1)
+                number, material, thickness = (k for (k,) in CARDS[name].values())
+                self.raw.thickness[card.number(number)] = card.real(thickness)
+                self.raw.materials.of_property[card.number(number)] = card.text(material)
         elif name == "MAT1":
             for card in found:
                 self._material(card)
@@ -268,11 +293,12 @@ class _Reader:
         self.raw.stale += stale_of(file, name, found)
 
     def _material(self, card: Card) -> None:
-        found, key = self.raw.materials, card.text(0)
-        young, shear = card.real(1), card.real(2)
-        found.young[key], found.density[key] = young, card.real(4)
-        is_given = card.text(3) or not (shear > 0.0 and young > 0.0)
-        found.poisson[key] = card.real(3) if is_given else young / (2.0 * shear) - 1.0
+        number, of_young, of_shear, of_poisson, of_density = (k for (k,) in CARDS["MAT1"].values())
+        found, key = self.raw.materials, card.text(number)
+        young, shear = card.real(of_young), card.real(of_shear)
+        found.young[key], found.density[key] = young, card.real(of_density)
+        is_given = card.text(of_poisson) or not (shear > 0.0 and young > 0.0)
+        found.poisson[key] = card.real(of_poisson) if is_given else young / (2.0 * shear) - 1.0
         found.names[key] = f"MAT1 {key}"
 
     def _whole(self, file: int, card: Card, position: int) -> int | None:
@@ -286,19 +312,20 @@ class _Reader:
 
     def _odd_grid(self, file: int, card: Card, points: Points) -> None:
         """A GRID card in free fields, with tabs, with a comment, or cut short."""
-        node = self._whole(file, card, 0)
+        node = self._whole(file, card, GRID["id"])
         if node is None:
             raise self.raw.error((file, card.line), "GRID: a node without an id")
-        if len(card.fields) < 5:
+        if len(card.fields) < GRID["point"] + 3:
             what = f"node {node}: GRID* without its second line"
             raise self.raw.error((file, card.line), what, "add the line with its third coordinate")
-        system = self._whole(file, card, 1)
-        points.add(card, node, -1 if system is None else system, card.fields[2:5])
+        system = self._whole(file, card, GRID["system"])
+        first = GRID["point"]
+        points.add(card, node, -1 if system is None else system, card.fields[first : first + 3])
 
     def _frame(self, file: int, card: Card) -> None:
         kind = card.name[-1]
         if card.name[4] == "1":
-            for at in (0, 4):
+            for at in CARDS["CORD1"]["id"]:
                 if card.text(at):
                     told = [self._whole(file, card, at + k) for k in range(4)]
                     ids = [number for number in told if number is not None]
@@ -308,11 +335,11 @@ class _Reader:
                     self._define(file, card, ids[0], Frame(kind, (ids[1], ids[2], ids[3])))
             return
         number = self._whole(file, card, 0) or 0
-        values = [parse_real(card.text(k)) for k in range(2, 11)]
+        values = [parse_real(card.text(k)) for k in CARDS["CORD2"]["points"]]
         if None in values:
             what = f"{card.name} {number}: a coordinate is not a number"
             raise self.raw.error((file, card.line), what)
-        reference = self._whole(file, card, 1) or 0
+        reference = self._whole(file, card, CARDS["CORD2"]["system"][0]) or 0
         points = np.array(values).reshape(3, 3)
         self._define(file, card, number, Frame(kind, None, points, reference))
 

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 from .model import NamedSet
 from .nastran_cards import Card
+from .nastran_table import CARDS
 from .text import DeckText
 
 _SET = re.compile(r"^\s*SET\s+(\d+)\s*=\s*(.*)$", re.IGNORECASE)
@@ -53,10 +54,10 @@ def control_sets(text: DeckText, end: int) -> Iterator[NamedSet]:
 def card_sets(cards: Sequence[Card]) -> Iterator[NamedSet]:
     """The sets of SET1 and SET3 cards."""
     for card in cards:
-        skipped = 2 if card.name == "SET3" else 1
-        kind = _KINDS.get(card.text(1).upper(), "") if skipped == 2 else ""
-        if skipped == 1 or kind:
-            fields = [card.text(k) for k in range(skipped, len(card.fields))]
+        layout = CARDS[card.name]
+        kind = _KINDS.get(card.text(layout["kind"][0]).upper(), "") if "kind" in layout else ""
+        if "kind" not in layout or kind:
+            fields = [card.text(k) for k in range(layout["members"][0], len(card.fields))]
             yield NamedSet(f"SET {card.text(0)}", kind, _listed(fields))
 
 

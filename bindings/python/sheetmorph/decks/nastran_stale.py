@@ -24,7 +24,9 @@ STALE = {
     "INITS": "an initial stress of the shape before",
 }
 # From which field on something stands that a moved node makes wrong.
-_FROM = {"CTRIA3": 5, "CQUAD4": 6, "CONM2": 4, "CBEAM": 9, "CBAR": 9}
+_FROM = {"CTRIA3": 5, "CQUAD4": 6, "CONM2": 4, "CBEAM": 10, "CBAR": 10}
+# Bars: a vector of orientation in three fields; in the first, the number of a node moves along.
+_ORIENTED = {"CBEAM": 4, "CBAR": 4}
 
 
 def stale_of(file: int, name: str, cards: list[Card]) -> list[Place]:
@@ -36,6 +38,7 @@ def stale_of(file: int, name: str, cards: list[Card]) -> list[Place]:
         Place(name, card.number(0), file, card.line, STALE[name])
         for card in cards
         if any(_says_something(card, k) for k in range(first, len(card.fields)))
+        or (card.name in _ORIENTED and _has_vector(card, _ORIENTED[card.name]))
     ]
 
 
@@ -44,3 +47,7 @@ def _says_something(card: Card, position: int) -> bool:
     if card.name in ("CTRIA3", "CQUAD4"):
         return bool(text.strip("0.+- ")) and position < 8
     return bool(text.strip("0.+- "))
+
+
+def _has_vector(card: Card, at: int) -> bool:
+    return "." in card.text(at) or any(card.text(at + k) for k in (1, 2))

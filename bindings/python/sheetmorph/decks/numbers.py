@@ -14,6 +14,8 @@ from ..arrays import Bools, Codes, Floats, Ints
 _REAL = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))(?:[ED]([+-]?\d+)|([+-]\d+))?", re.IGNORECASE)
 # Beyond it, squares of coordinates overflow.
 LARGEST = 1e100
+# Of a double.
+_DIGITS = 15
 
 _IN_REAL = np.zeros(256, dtype=bool)
 _IN_REAL[np.frombuffer(b" +-.0123456789eEdD", np.uint8)] = True
@@ -139,6 +141,15 @@ def format_real(value: float, width: int, mark: str = "") -> str:
     if not candidates:
         raise ValueError(f"{value!r} does not fit a field of {width} characters")
     return min(candidates, key=lambda text: (abs((parse_real(text) or 0.0) - value), len(text)))
+
+
+def last_digit(size: float, width: int) -> float:
+    """The last decimal place that a field of some width keeps of numbers up to a size; not less
+    than that of a double with its 15 digits. Width 0: the number is stored as a double."""
+    whole = len(str(int(size))) if size >= 1.0 else 0
+    # A sign and a point take a character each.
+    digits = min(width - 2, _DIGITS) if width else _DIGITS
+    return float(10.0 ** (whole - digits))
 
 
 def _fixed(value: float, width: int) -> str | None:

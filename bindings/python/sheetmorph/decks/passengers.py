@@ -119,7 +119,8 @@ class Passengers:
                 return self._rules.given[node]
         if not len(group.held):
             return "nearest"
-        return "rigid" if "rigid" in group.kinds and "solid" not in group.kinds else "blend"
+        is_rigid = not group.kinds.isdisjoint(("rigid", "constraint"))
+        return "rigid" if is_rigid and "solid" not in group.kinds else "blend"
 
     def _places(
         self, motion: Motion, group: Group, rule: str, hits: list[_core.Hit | None] | None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Radioss starter files: /NODE and the elements, in columns of 10 and 20."""
+"""Radioss starter files: nodes, elements, and the rigid bodies of groups of nodes."""
 
 from __future__ import annotations
 
@@ -10,22 +10,17 @@ import numpy as np
 
 from ..arrays import Bools, Ints
 from .cut import Cut, small
+from ..words import counted
 from .deck import Deck
 from .includes import Included
-from .model import Elements, NamedSet, Opener, Place, Raw
+from .model import Elements, Opener, Place, Raw
 from .numbers import parse_integer, parse_real
 from .placing import note_placing
+from .radioss_groups import Groups
 from .radioss_submodels import Shift, Submodels, shifted
+from .radioss_table import ALIASES, BLOCKS, ELEMENTS, Field, field, texts
 
 SUFFIXES = (".rad",)
-# Elements: what they are, in which column of 10 their first node stands, how many there are.
-_ELEMENTS = {
-    "SHELL": ("shell", 4), "SH3N": ("shell", 3), "QUAD": ("solid", 4), "TRIA": ("solid", 3),
-    "BRICK": ("solid", 8), "TETRA4": ("solid", 4), "PENTA6": ("solid", 6), "SPRING": ("line", 3),
-    "BEAM": ("line", 3), "TRUSS": ("line", 2), "XELEM": ("line", 2), "SHEL16": ("solid", 16),
-    "TETRA10": ("solid", 10), "BRIC20": ("solid", 20),
-}  # fmt: skip
-_ON_MORE_LINES = {"TETRA10": (1, 10), "BRIC20": (3, 8), "SHEL16": (2, 8)}
 _STALE = {
     "INIBRI": "an initial state of the shape before",
     "INISHE": "an initial state of the shape before",
@@ -55,25 +50,18 @@ class _Reader:
         self.raw = raw
         self._path = path
         self._included = Included(raw, path, opener)
-        self._groups: dict[int, list[int]] = {}
-        self._bodies: list[tuple[int, int, int, int, int]] = []
+        self._groups = Groups(raw)
         self._part_property: dict[int, int] = {}
         self._thickness: dict[int, float] = {}
         self._parameters: dict[str, float] = {}
         self._shift = Shift()
+        self._is_whole = False
 
     def read(self) -> Deck:
         self._file(self._included.first(self._path))
-        for number, lead, group, file, line in self._bodies:
-            nodes = [lead, *self._groups.get(group, [])]
-            self.raw.elements.append(
-                Elements(
-                    "/RBODY", "rigid", np.array([number]), np.zeros(1, np.int64),
-                    np.array([nodes]), file, np.array([line], np.int32),
-                )
-            )  # fmt: skip
-        for number, nodes in self._groups.items():
-            self.raw.sets.append(NamedSet(f"GRNOD {number}", "nodes", nodes))
+        if not self._is_whole:
+            self.raw.miss(0, "there is no /END: the end of the file may be missing")
+        self._groups.finish()
         for part, number in self._part_property.items():
             if self._thickness.get(number):
                 self.raw.thickness[part] = self._thickness[number]
@@ -127,54 +115,67 @@ class _Reader:
         """Take one block; whether the file ends with it."""
         line, rows = at
         name = words[0]
-        number = (parse_integer(words[-1]) or 0) if len(words) > 1 else 0
+        # Behind the number of a block may stand that of its units.
+        number = next((n for n in map(parse_integer, words[1:]) if n is not None), 0)
         if name == "END":
+            self._is_whole = self._is_whole or file == 0
             return True
-        if name == "BEGIN" and len(rows) > 1:
-            self._version(file, int(rows[1]))
+        if name == "BEGIN":
+            self._version(file, rows)
         elif name == "NODE":
             self._nodes(file, at)
-        elif name in _ELEMENTS and len(words) > 1:
+        elif name in ELEMENTS and len(words) > 1:
             self._elements(file, name, (number, rows))
         elif note_placing(self.raw, "/".join(words), (file, line)):
             pass
-        elif name == "RBODY" and len(rows) > 1:
+        elif name == "RBODY":
             self._body(file, words, (line, rows))
-        elif name == "GRNOD" and words[1:2] == ["NODE"]:
-            nodes = np.array(self._numbers(file, rows[1:]), dtype=np.int64)
-            self._groups[number + self._shift.other] = shifted(nodes, self._shift.node).tolist()
-        elif name == "PART" and len(rows) > 1:
-            number += self._shift.part
-            self._part_property[number] = self._numbers(file, rows[1:2])[0] + self._shift.property
-            self.raw.names[number] = self.raw.texts[file].line(int(rows[0])).strip()
-        elif name == "PROP" and words[1:2] in (["SHELL"], ["TYPE1"]) and len(rows) > 3:
-            fields = self._fields(file, int(rows[3]), (10, 10, 20))
-            self._thickness[number + self._shift.property] = parse_real(fields[2]) or 0.0
+        elif name == "GRNOD" and len(words) > 2:
+            members = self._numbers(file, rows[field("GRNOD", "members").line :])
+            self._groups.add(words[1], number, members, self._shift)
+        elif name == "PART":
+            self._part(file, number + self._shift.part, rows)
+        elif name == "PROP" and len(words) > 2:
+            block = f"PROP/{ALIASES.get(words[1], words[1])}"
+            if block in BLOCKS:
+                shown = self._field(file, rows, field(block, "thickness"))
+                self._thickness[number + self._shift.property] = parse_real(shown) or 0.0
         for key, reason in _STALE.items():
             if "/".join(words).startswith(key):
                 self.raw.stale.append(Place(f"/{'/'.join(words)}", number, file, line, reason))
         return False
 
-    def _version(self, file: int, line: int) -> None:
-        version = parse_integer(self._fields(file, line, (10,))[0]) or 0
-        if version < _OLDEST:
+    def _version(self, file: int, rows: Ints) -> None:
+        place = field("BEGIN", "version")
+        version = parse_integer(self._field(file, rows, place))
+        if version is not None and version < _OLDEST:
             what = f"version {version} of the format writes nodes in other columns"
+            line = int(rows[place.line])
             raise self.raw.error((file, line), what, "write the deck in version 51 or later")
 
-    def _fields(self, file: int, line: int, widths: tuple[int, ...]) -> list[str]:
-        shown, at, found = self.raw.texts[file].line(line), 0, []
-        for width in widths:
-            found.append(shown[at : at + width])
-            at += width
-        return found
+    def _part(self, file: int, number: int, rows: Ints) -> None:
+        shown = self._field(file, rows, field("PART", "property"))
+        self._part_property[number] = (parse_integer(shown) or 0) + self._shift.property
+        self.raw.names[number] = (
+            self.raw.texts[file].line(int(rows[0])).strip() if len(rows) else ""
+        )
+        thickness = parse_real(self._field(file, rows, field("PART", "thickness")))
+        if thickness:
+            self.raw.thickness[number] = thickness
+
+    def _field(self, file: int, rows: Ints, place: Field) -> str:
+        """The text of a field of a block, "" if the block ends before its line."""
+        if place.line >= len(rows):
+            return ""
+        return texts(self.raw.texts[file].line(int(rows[place.line])), place)[0]
 
     def _numbers(self, file: int, rows: Ints) -> list[int]:
-        found = []
-        for line in rows.tolist():
-            for text in self._fields(file, line, (10,) * 10):
-                number = parse_integer(text)
-                found += [number] if number is not None else []
-        return found or [0]
+        """All whole numbers of the lines of a group."""
+        text, place = self.raw.texts[file], field("GRNOD", "members")
+        found = (
+            parse_integer(shown) for row in rows.tolist() for shown in texts(text.line(row), place)
+        )
+        return [number for number in found if number is not None]
 
     def _nodes(self, file: int, at: tuple[int, Ints]) -> None:
         line, rows = at
@@ -183,7 +184,7 @@ class _Reader:
         self._require_no_parameters(file, rows, "/NODE")
         text = self.raw.texts[file]
         cut = Cut(self.raw, file, rows, text.ends, "/NODE")
-        block = cut.nodes(10, 20)
+        block = cut.nodes(field("NODE", "id").width, field("NODE", "point").width)
         self.raw.blocks.append(replace(block, ids=shifted(block.ids, self._shift.node)))
 
     def _require_no_parameters(self, file: int, rows: Ints, card: str) -> None:
@@ -198,39 +199,46 @@ class _Reader:
         part, rows = given
         if not len(rows):
             return
-        kind, count = _ELEMENTS[name]
-        text = self.raw.texts[file]
+        text, layout = self.raw.texts[file], BLOCKS[name]
         card = f"/{name}/{part}"
-        if name in _ON_MORE_LINES:
-            more, each = _ON_MORE_LINES[name]
-            if len(rows) % (more + 1):
-                what = f"{card}: the cards are no whole number of elements"
-                raise self.raw.error((file, int(rows[0])), what)
-            heads = rows[:: more + 1]
-            tables = [
-                Cut(self.raw, file, rows[1 + k :: more + 1], text.ends, card).table(0, 10, each)
-                for k in range(more)
-            ]
-            nodes = np.concatenate(tables, axis=1)[:, :count]
-        else:
-            heads = rows
-            nodes = Cut(self.raw, file, rows, text.ends, card).table(10, 10, count)
-        ids = small(Cut(self.raw, file, heads, text.ends, card).integers(0, 10))
-        ids = shifted(ids, self._shift.element)
+        places = [*layout["id"], *layout.get("nodes", ()), *layout.get("group", ())]
+        each = 1 + max(place.line for place in places)
+        if len(rows) % each:
+            what = f"{card}: an element needs {each} lines, and the last one has "
+            what += counted(len(rows) % each, "line", "lines")
+            raise self.raw.error((file, int(rows[-1])), what, "complete the element")
+
+        def numbers(place: Field) -> Ints:
+            cut = Cut(self.raw, file, rows[place.line :: each], text.ends, card)
+            return cut.table(place.begin, place.width, place.count)
+
+        heads, of_id = rows[::each], layout["id"][0]
+        cut = Cut(self.raw, file, heads, text.ends, card)
+        ids = shifted(small(cut.integers(of_id.begin, of_id.width)), self._shift.element)
+        if "group" in layout:
+            groups = numbers(layout["group"][0])[:, 0].tolist()
+            for number, group, line in zip(ids.tolist(), groups, heads.tolist()):
+                self._groups.add_line(number, (part, group), self._shift, (file, line))
+            return
+        nodes = np.concatenate([numbers(place) for place in layout["nodes"]], axis=1)
         parts = np.full(len(ids), part + self._shift.part, ids.dtype)
         nodes = shifted(np.maximum(nodes, 0), self._shift.node)
         self.raw.elements.append(
-            Elements(f"/{name}", kind, ids, parts, nodes, file, heads.astype(np.int32))
+            Elements(f"/{name}", ELEMENTS[name], ids, parts, nodes, file, heads.astype(np.int32))
         )
 
     def _body(self, file: int, words: list[str], at: tuple[int, Ints]) -> None:
         line, rows = at
-        fields = self._fields(file, int(rows[1]), (10,) * 5)
+        if len(words) > 1 and parse_integer(words[1]) is None:
+            what = f"/{'/'.join(words)} is not read: its nodes are not checked as a rigid body"
+            self.raw.notes.append(f"{self.raw.texts[file].name}, line {line + 1}: {what}")
+            return
         number = parse_integer(words[1]) or 0 if len(words) > 1 else 0
-        lead, group = parse_integer(fields[0]) or 0, parse_integer(fields[4]) or 0
-        shift = self._shift
-        lead += shift.node if lead else 0
-        self._bodies.append((number + shift.other, lead, group + shift.other, file, line))
+        main, group = (
+            parse_integer(self._field(file, rows, field("RBODY", name))) or 0
+            for name in ("main", "group")
+        )
+        self._groups.add_body((number, main, group), self._shift, (file, line))
 
 
 def _is_head(shown: str) -> bool:

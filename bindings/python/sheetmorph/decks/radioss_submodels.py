@@ -11,10 +11,10 @@ from ..arrays import Ints
 from .model import Raw
 from .numbers import parse_integer
 from .placing import remember_placing
+from .radioss_table import field, texts
 from .text import DeckText
 
 _OLDEST = 51
-_WIDTH = 10
 
 
 @dataclass(frozen=True)
@@ -71,9 +71,9 @@ def _numbers(text: DeckText, line: int) -> list[int]:
         if shown.startswith("/"):
             break
         cards += [] if shown.startswith("#") else [shown]
-    row = cards[1] if len(cards) > 1 else ""
-    fields = (row[k * _WIDTH : (k + 1) * _WIDTH] for k in range(6))
-    return [parse_integer(field) or 0 for field in fields]
+    place = field("//SUBMODEL", "offsets")
+    row = cards[place.line] if len(cards) > place.line else ""
+    return [parse_integer(shown) or 0 for shown in texts(row, place)]
 
 
 def shifted(numbers: Ints, shift: int) -> Ints:

@@ -20,7 +20,7 @@ def stale_report(deck: Deck) -> list[dict[str, Any]]:
         {
             "card": card,
             "what": what,
-            "file": deck.texts[file].path.name,
+            "file": deck.texts[file].name,
             "count": len(rows),
             "ids": [number for number, _ in rows[:_SHOWN]],
             "lines": [line for _, line in rows[:_SHOWN]],

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable
 from pathlib import Path
@@ -15,18 +16,24 @@ from ..blocks import chunks
 from ..errors import FileError
 
 _BLANK = 32
+_UTF_8, _UTF_16 = b"\xef\xbb\xbf", (b"\xff\xfe", b"\xfe\xff")
 
 
 class DeckText:
     """A file of a deck.
 
-    path: the place people know; data: its bytes; codes: the same as (n,) uint8; begins, ends: (l,)
-    offsets of its lines, their ends (LF, CR LF or CR) left out.
+    path: the place people know; mark: a byte order mark in front of it, or nothing; data: its bytes
+    behind that; codes: the same as (n,) uint8; begins, ends: (l,) offsets in them of its lines,
+    their ends (LF, CR LF or CR) left out. Raises FileError for text in UTF-16.
     """
 
     def __init__(self, path: Path, data: bytes):
         self.path = path
-        self.data = data
+        if data[:2] in _UTF_16:
+            what = "the file is text in UTF-16, which no solver reads"
+            raise FileError(path, what, "save it as UTF-8 or ASCII")
+        self.mark = _UTF_8 if data.startswith(_UTF_8) else b""
+        data = self.data = data[len(self.mark) :]
         self.codes = np.frombuffer(data, np.uint8)
         newline = 10 if b"\n" in data else 13
         kind = np.int32 if len(data) < 2**31 - 1 else np.int64
@@ -44,6 +51,16 @@ class DeckText:
 
     def __len__(self) -> int:
         return len(self.begins)
+
+    @property
+    def name(self) -> str:
+        """The file's name as it can be shown, whatever bytes the disk has for it."""
+        return os.fsencode(self.path.name).decode("utf-8", "backslashreplace")
+
+    @property
+    def whole(self) -> bytes:
+        """All bytes of the file."""
+        return self.mark + self.data
 
     def line(self, number: int) -> str:
         """The line with an index, without its end."""
@@ -101,6 +118,7 @@ def write_edited(text: DeckText, out: BinaryIO, blocks: Iterable[Edit]) -> None:
     of the offsets.
     """
     done = 0
+    out.write(text.mark)
     for begins, widths, texts in blocks:
         pieces = []
         for begin, width, new in zip(begins.tolist(), widths.tolist(), texts):

@@ -26,6 +26,7 @@ from .part_file import PartFile
 
 SUFFIXES = suffixes()
 _SHOWN = 20
+_KEEP = ", what rounding explains: make a form feature of its nodes, which keeps them rigid"
 
 
 class DeckFile(PartFile):
@@ -184,7 +185,10 @@ class DeckFile(PartFile):
         joints = joints_of(self.deck, self.sheet, carried.positions, wanted.get("limit"))
         moved = (carried.positions != self.deck.points).any(axis=1)
         broken = [self._joint(joint) for joint in joints.broken]
-        texts = [_broken_text(joint) for joint in broken[:_SHOWN]]
+        texts = [
+            _broken_text(told) + (_KEEP if joint.is_rigid else "")
+            for told, joint in zip(broken[:_SHOWN], joints.broken)
+        ]
         if len(broken) > _SHOWN:
             texts.append(f"{len(broken) - _SHOWN} more joints came apart")
         is_refused = wanted.get("broken", "refuse") == "refuse"
@@ -213,7 +217,7 @@ class DeckFile(PartFile):
         return {**self._at(joint.place), "change": joint.change, "limit": joint.limit}
 
     def _at(self, place: Place) -> dict[str, Any]:
-        name = self.deck.texts[place.file].path.name
+        name = self.deck.texts[place.file].name
         return {"card": place.card, "id": place.number, "file": name, "line": place.line + 1}
 
     def stored_positions(self, path: Path) -> Floats:

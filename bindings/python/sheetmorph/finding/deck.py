@@ -13,7 +13,7 @@ from ..files.deck_file import DeckFile
 from ..part_mesh import PartMesh
 from ..recipe.parts import Source
 
-_JOINING = ("line", "rigid", "weld")
+_JOINING = ("line", "rigid", "constraint", "weld")
 _Pair = tuple[str, int, str, int]
 
 
