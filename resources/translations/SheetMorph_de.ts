@@ -190,6 +190,10 @@
    <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
    <translation>Vernetzt den Körper oder die Form, aus der das gewählte Teil gemacht ist, so wie sie jetzt ist; was gewählt war, wird wiedergefunden, und was anders geworden ist, wird gesagt und ausgewählt</translation>
   </message>
+  <message>
+   <source>“{0}” was {1}. Which one is it now?</source>
+   <translation>„{0}“ war {1}. Welches ist es jetzt?</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_GroupFeatures</name>

@@ -190,6 +190,10 @@
    <source>Meshes the body or shape that the selected part was made from as it is now; what was picked is found again, and what came out different is told and selected</source>
    <translation>選択した部品の元になったボディまたは形状を現在の状態でメッシュ化します。選択していた箇所は再び見つけられ、変わったものは通知され選択されます</translation>
   </message>
+  <message>
+   <source>“{0}” was {1}. Which one is it now?</source>
+   <translation>「{0}」は{1}でした。現在はどれですか？</translation>
+  </message>
  </context>
  <context>
   <name>SheetMorph_GroupFeatures</name>

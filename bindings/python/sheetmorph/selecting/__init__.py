@@ -1,8 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Regions that say what they are: selectors, and the one place that turns them into vertices."""
 
-from .resolving import has_selectors, resolved, selected
+from .following import Following
 from .part_shape import PartShape
+from .questions import Question
+from .resolving import has_selectors, resolved, selected
 from .words import Selector
 
-__all__ = ["PartShape", "Selector", "has_selectors", "resolved", "selected"]
+__all__ = [
+    "Following",
+    "PartShape",
+    "Question",
+    "Selector",
+    "has_selectors",
+    "resolved",
+    "selected",
+]

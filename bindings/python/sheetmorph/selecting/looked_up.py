@@ -26,7 +26,8 @@ FAR = 0.02
 _ON_EDGE = 1e-9
 # A wall is narrower than the face on the other side of its rim by so much.
 _WALL = 0.3
-_RIMMED = (*HOLES, "round edge")
+RIMMED = (*HOLES, "round edge")
+"""The kinds of features that are rims."""
 
 Told = Mapping[str, Any]
 
@@ -70,16 +71,13 @@ def rim_at(shape: PartShape, told: Told) -> Chosen:
 
     alone: its loop without walls and other rims.
     """
-    loops, whole = _loops(shape, told) if told.get("alone") else _rims(shape)
+    loops, rows = rim_loops(shape, told)
     if not loops:
         todo = "use face_at, or a box around the place"
         raise SelectorError(f'"{shape.name}" has no rim', todo, ("rim_at",))
-    loop, distance = nearest_loop(shape, loops, told["rim_at"], len(whole))
+    loop, distance = nearest_loop(shape, loops, told["rim_at"], len(rows))
     number = next(k for k, other in enumerate(loops) if other is loop)
-    if told.get("alone"):
-        vertices = loop
-    else:
-        vertices = whole[number] if number < len(whole) else _with_wall(shape, loop)
+    vertices = rim_vertices(shape, told, loop, rows[number] if number < len(rows) else None)
     rings = int(told.get("rings", 0))
     if rings:
         vertices = np.asarray(shape.near.grown(np.unique(vertices).astype(np.int32), rings))
@@ -195,26 +193,30 @@ def _line_distance(points: Floats, place: Floats) -> float:
     return segments_distance(np.stack([points, np.roll(points, -1, axis=0)], axis=1), place)
 
 
-def _rims(shape: PartShape) -> tuple[list[Ints], list[Ints]]:
-    """Loops, first those of features; of these the vertices with walls and other rims."""
+def rim_loops(shape: PartShape, told: Told) -> tuple[list[Ints], list[int]]:
+    """The loops that rim_at looks among; the first ones belong to these rows of the features."""
+    if told.get("alone"):
+        return [*shape.border_loops, *shape.loops_at(told.get("crease_angle", CREASE))], []
     loops: list[Ints] = []
-    whole: list[Ints] = []
-    for entry in shape.features:
-        for rim in entry.get("rims", ()) if entry["kind"] in _RIMMED else ():
+    rows: list[int] = []
+    for row, entry in enumerate(shape.features):
+        for rim in entry.get("rims", ()) if entry["kind"] in RIMMED else ():
             loops.append(np.array(rim))
-            whole.append(np.array(entry["vertices"]))
+            rows.append(row)
     known = {frozenset(loop.tolist()) for loop in loops}
     others = [
         loop
         for loop in (*shape.border_loops, *shape.loops_at(CREASE))
         if frozenset(loop.tolist()) not in known
     ]
-    return [*loops, *others], whole
+    return [*loops, *others], rows
 
 
-def _loops(shape: PartShape, told: Told) -> tuple[list[Ints], list[Ints]]:
-    """The borders, and the loops at which the part bends by the crease angle."""
-    return [*shape.border_loops, *shape.loops_at(told.get("crease_angle", CREASE))], []
+def rim_vertices(shape: PartShape, told: Told, loop: Ints, row: int | None) -> Ints:
+    """What rim_at takes with a loop, of a feature or not, before any ring."""
+    if row is not None:
+        return np.array(shape.features[row]["vertices"])
+    return loop if told.get("alone") else _with_wall(shape, loop)
 
 
 def _with_wall(shape: PartShape, loop: Ints) -> Ints:

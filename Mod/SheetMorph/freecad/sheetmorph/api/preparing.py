@@ -7,25 +7,24 @@ import json
 import os
 import shutil
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from freecad.sheetmorph import reporting
-from freecad.sheetmorph.bridge import conversion, kernel, selecting
+from freecad.sheetmorph.bridge import conversion, kernel
+from freecad.sheetmorph.api import following
 from freecad.sheetmorph.api.assemblies import remove, set_primary
 from freecad.sheetmorph.api.checks import number, require_kind
 from freecad.sheetmorph.api.files import add_mesh
 from freecad.sheetmorph.objects import assembly_of, model
 from freecad.sheetmorph.objects.assembly import follow_group
-from freecad.sheetmorph.tools import sentences
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.bridge.rest import Kept, read_kept, read_original, write_rest_data
 
 MOST_PIECES = 500
 
 
-def prepare(part, **cures) -> dict:
+def prepare(part, bindings: dict | None = None, **cures) -> dict:
     """Cure the mesh of a part and mesh it anew, and return what was done.
 
     Cures, all by name: `weld`: vertices nearer than this are one, mm; `edge`: length of the new
@@ -36,8 +35,8 @@ def prepare(part, **cures) -> dict:
     split, turned, and in `remesh` edge, rims, rims_on_circles, flats, deviation and
     flat_deviation (mm, from the old facets); in `unsettled` what did not end, else None. Regions
     that say what they are, are resolved on the new mesh; `told` has a sentence for each that became
-    another one by more than 3 % of its area, `different` their names. Raises ValueError; then
-    nothing has changed.
+    another one by more than 3 % of its area, `different` their names. `bindings`: as for
+    `replace_file`. Raises ValueError; then nothing has changed.
     """
     original = read_original(checked(part))
     made = preparation(part, **cures)
@@ -51,11 +50,12 @@ def prepare(part, **cures) -> dict:
     else:
         placed = made
     told: dict[str, str] = {}
-    moved = moved_vertices(part, (placed, made, scale / old_scale), told)
+    change = following.Change(placed, made, scale / old_scale, bindings or {})
+    moved = following.moved_vertices(part, change, told)
     features = moved_features(before.features, placed, scale / old_scale)
     extras = moved_extras(part, placed)
     exchange(part, original, made, (scale, features))
-    keep_moved(moved)
+    following.keep_moved(moved)
     if extras is not None:
         assembly_of(part).Extras = extras
     done = {**made.preparation, "told": list(told.values()), "different": list(told)}
@@ -195,65 +195,6 @@ def package_mesh(points: np.ndarray, triangles: np.ndarray):
 def scale_of(part) -> float:
     """Return the scale a part was prepared with, 1 if it was not."""
     return json.loads(part.Preparation)["scale"] if part.Preparation else 1.0
-
-
-def moved_vertices(
-    part, meshes: tuple, told: dict[str, str]
-) -> list[tuple[Any, str, np.ndarray, str]]:
-    """Return what is picked on a part on its new mesh: object, side, vertices, selector.
-
-    `meshes`: what finds the vertices of the old mesh on the new one, that mesh in file coordinates,
-    how many times as large it is; told: gets, by its name, a sentence on each that became another
-    one.
-    Raises ValueError if something would have none left.
-    """
-    assembly = assembly_of(part)
-    found = [(region, "") for region in model.regions(assembly, part)]
-    for contact in model.contacts(assembly, part):
-        sides = (("a", contact.PartA), ("b", contact.PartB))
-        found += [(contact, side) for side, owner in sides if owner == part]
-    moved = []
-    for owner, side in found:
-        vertices, where = said_again((owner, side, part), meshes, told)
-        if vertices is None:
-            old = model.contact_vertices(owner, side) if side else model.vertices(owner)
-            vertices, _ = meshes[0].find(old)
-        if len(vertices) == 0:
-            raise ValueError(f"'{owner.Label}' has no place on the new mesh; delete it first.")
-        moved.append((owner, side, vertices, where))
-    return moved
-
-
-def keep_moved(moved: list) -> None:
-    """Give regions and sides of contacts what `moved_vertices` returned."""
-    for owner, side, vertices, where in moved:
-        if side:
-            model.set_contact_vertices(owner, side, vertices, where)
-        else:
-            model.set_vertices(owner, vertices, where)
-
-
-def said_again(picked: tuple, meshes: tuple, told: dict[str, str]) -> tuple[np.ndarray | None, str]:
-    """Return the vertices and the selector of what says what it is; None, "" without.
-
-    `picked`: a region, or a contact with a side, and the part.
-    """
-    (owner, side, part), (placed, made, scale) = picked, meshes
-    sentence = selecting.sentence_of(owner, side)
-    if sentence is None:
-        return None, ""
-    frame = replace(read_kept(part).frame, origin=conversion.near_origin(made.points))
-    labels = made.with_indices().labels
-    kept = Kept(made.points, made.triangles, None, frame, [], True, labels)
-
-    def new_ids(ids: list) -> list:
-        return placed.find(ids)[0].tolist()
-
-    said = sentences.scaled(sentence, scale)
-    where = sentences.with_moved_ids(said, new_ids)
-    vertices, text = selecting.resolved_again(picked, kept, where, scale)
-    told |= {owner.Name: text} if text else {}
-    return vertices, "" if vertices is None else json.dumps(where)
 
 
 def moved_features(features: list[dict], placed, scale: float) -> list[dict]:

@@ -11,7 +11,7 @@ from pathlib import Path
 import FreeCAD
 
 from freecad.sheetmorph import reporting
-from freecad.sheetmorph.api import preparing
+from freecad.sheetmorph.api import following, preparing
 from freecad.sheetmorph.api.cad import check_shape, read_shape
 from freecad.sheetmorph.bridge import conversion, kernel
 from freecad.sheetmorph.bridge.reading import read_file
@@ -21,7 +21,12 @@ from freecad.sheetmorph.objects import assembly_of, model, shape_source
 from freecad.sheetmorph.objects.assembly import follow_group
 
 
-def replace_file(part, path: str | os.PathLike, mesh: dict | None = None) -> dict:
+def replace_file(
+    part,
+    path: str | os.PathLike,
+    mesh: dict | None = None,
+    bindings: dict | None = None,
+) -> dict:
     """Let a part rest on a file, another state of the one it came from, and return what is told.
 
     `mesh`: how finely a CAD file is meshed, as for `import_cad`; of its solids the one called as
@@ -34,17 +39,17 @@ def replace_file(part, path: str | os.PathLike, mesh: dict | None = None) -> dic
     preparing.checked(part)
     if getattr(part, "Deck", None) is not None:
         raise ValueError(f"'{part.Label}' is a part of a deck; import the changed deck anew.")
-    found = replaced(part, Read(part, Path(path), mesh))
+    found = replaced(part, Read(part, Path(path), mesh), bindings)
     part.ShapeSource, part.ShapeRead, part.SourceChanged = None, "", False
     return found
 
 
-def follow_shape(part) -> dict:
+def follow_shape(part, bindings: dict | None = None) -> dict:
     """Let a part that `add_shape` made rest on the shape of its source as that is now.
 
     It is meshed as it was then, and stays where it stands. Regions and sides of contacts follow,
-    and what became different is returned, as by `replace_file`. Raises ValueError; then nothing has
-    changed.
+    and what became different is returned, as by `replace_file`, which explains `bindings` too.
+    Raises ValueError; then nothing has changed.
     """
     source = preparing.checked(part).ShapeSource
     if source is None:
@@ -61,12 +66,12 @@ def follow_shape(part) -> dict:
             f"'{source.Label}' has {len(model_now.parts)} solids now and had {how['of']}: which of "
             f"them is '{part.Label}' is not known; add the shape again."
         )
-    found = replaced(part, ReadShape(model_now, how["number"]))
+    found = replaced(part, ReadShape(model_now, how["number"]), bindings)
     shape_source.remember(part, source, {k: v for k, v in how.items() if k != "look"})
     return found
 
 
-def replaced(part, read) -> dict:
+def replaced(part, read, bindings: dict | None = None) -> dict:
     """Let a part rest on what was read; what was picked on it is found again, or told."""
     if len(read.mesh.triangles) == 0:
         raise ValueError(f"{read.name}: there are no triangles; choose another one.")
@@ -75,12 +80,14 @@ def replaced(part, read) -> dict:
     old = preparing.package_mesh(before.points, before.triangles)
     placed = preparing.prepared_module().placed_on(kernel.core(), made, old)
     told: dict[str, str] = {}
-    moved = preparing.moved_vertices(part, (placed, made, 1.0), told)
+    moved = following.moved_vertices(
+        part, following.Change(placed, made, 1.0, bindings or {}), told
+    )
     tell_guessed(part, moved, told)
     tell_of_shape(part, told)
     extras = preparing.moved_extras(part, placed)
     exchange(part, original, read, (made, scale))
-    preparing.keep_moved(moved)
+    following.keep_moved(moved)
     if extras is not None:
         assembly_of(part).Extras = extras
     found = {"told": list(told.values()), "different": list(told)}

@@ -134,22 +134,24 @@ def sentence_of(owner, side: str = "") -> Any:
     return json.loads(said) if said else None
 
 
-def resolved_again(picked: tuple, kept: Kept, where: Any, scale: float) -> tuple[Any, str]:
-    """Return the vertices (k,) of a region, or a side of a contact, on another mesh of its part,
-    and what became different.
+def following_of(part, kept: Kept, scale: float):
+    """Return the two states of a part, a sheetmorph.selecting.Following: the mesh that it rests on,
+    and the mesh that it is about to rest on, which is `scale` times as large."""
+    return kernel.selecting_module().Following(shape_of(part), shape_of(part, kept), scale)
 
-    `picked`: the object, the side ("" of a region), the part; `where`: what it says, with the ids
-    and the lengths of that mesh; `scale`: how many times as large that is. None where it cannot be
-    resolved there; then the text tells why.
-    """
-    owner, side, part = picked
-    try:
-        old, new = shape_of(part), shape_of(part, kept)
-        before = old.area_of(chosen_on(old, sentence_of(owner, side)))
-        found = chosen_on(new, where)
-    except ValueError as error:
-        return None, f"'{owner.Label}' keeps its vertices alone: {error}."
-    return found.vertices, told_difference(owner.Label, scale**2 * before, new.area_of(found))
+
+def question_type() -> type[ValueError]:
+    """Return the class of the questions that `Following` raises."""
+    return kernel.selecting_module().Question
+
+
+def followed_text(label: str, following, before: Any, followed) -> str:
+    """Return a sentence on what became different of a region that was followed; "" if nothing."""
+    old = following.old
+    area = following.scale**2 * old.area_of(chosen_on(old, before))
+    told = told_difference(label, area, following.new.area_of(followed.chosen))
+    moved = "; ".join(followed.told)
+    return " ".join(text for text in (told, moved and f"'{label}': {moved}.") if text)
 
 
 LEAST = 0.03

@@ -3,12 +3,14 @@
 
 import json
 import math
+from collections.abc import Callable
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import actions, subject
 from freecad.sheetmorph.actions import DOCUMENT, call, name
+from freecad.sheetmorph.api import following
 from freecad.sheetmorph.bridge.units import number_in
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
@@ -176,8 +178,11 @@ class ReplaceFile(Command):
         edge = ask_edge() if file.lower().endswith(CAD) else 0.0
         if not file or edge is None:
             return
-        line = call("replace_file", name(part), repr(file), **meshed(edge))
-        if actions.attempt("Replace File", line, document=part.Document):
+
+        def line(answers: dict[str, str]) -> str:
+            return call("replace_file", name(part), repr(file), **meshed(edge), **answers)
+
+        if attempt_bound("Replace File", part, line):
             tell_differences(part)
 
 
@@ -200,9 +205,50 @@ class FollowShape(Command):
     def execute(self) -> None:
         """One undo step."""
         part = subject.part()
-        line = call("follow_shape", name(part))
-        if actions.attempt("Follow Shape", line, document=part.Document):
+        if attempt_bound(
+            "Follow Shape", part, lambda answers: call("follow_shape", name(part), **answers)
+        ):
             tell_differences(part)
+
+
+def attempt_bound(title: str, part, line: Callable[[dict[str, str]], str]) -> bool:
+    """Runs a line that changes the shape of a part, and asks which hole or face is meant where
+    that is not certain; False if nothing has changed."""
+    bindings: dict[str, list[float]] = {}
+    while True:
+        answers = {"bindings": repr(bindings)} if bindings else {}
+        following.forget()
+        try:
+            actions.run(title, line(answers), document=part.Document)
+        except actions.Cancelled:
+            return False
+        except actions.FAULTS as error:
+            asked = {k: v for k, v in following.asked().items() if k not in bindings}
+            if not asked or not all(one["candidates"] for one in asked.values()):
+                actions.tell(title, error)
+                return False
+            given = ask_bindings(title, asked)
+            if given is None:
+                return False
+            bindings |= given
+        else:
+            return True
+
+
+def ask_bindings(title: str, asked: dict[str, dict]) -> dict[str, list[float]] | None:
+    """Asks for each uncertain region which hole or face it is now; None to stop."""
+    wanted = translate("SheetMorph_FollowShape", "“{0}” was {1}. Which one is it now?")
+    found = {}
+    for key, one in asked.items():
+        texts = [candidate["text"] for candidate in one["candidates"]]
+        label = wanted.format(one["label"], one["was"])
+        text, is_given = QtWidgets.QInputDialog.getItem(
+            Gui.getMainWindow(), title, label, texts, 0, False
+        )
+        if not is_given:
+            return None
+        found[key] = one["candidates"][texts.index(text)]["place"]
+    return found
 
 
 def tell_differences(part) -> None:

@@ -148,6 +148,61 @@ class TestFollowing(DocumentTest):
             finally:
                 FreeCAD.closeDocument(restored.Name)
 
+    def drilled(self, *places):
+        """A plate of 160 x 40 x 2 mm as a shape of the document, with holes of 9 mm along x."""
+        shape = Part.makeBox(160, 40, 2)
+        for x in places:
+            shape = shape.cut(Part.makeCylinder(4.5, 4, Vector(x, 20, -1)))
+        return shape
+
+    def drilled_part(self, *places):
+        """The object, its part, and the second of its holes as a form feature."""
+        source = self.document.addObject("Part::Feature", "Drilled")
+        source.Shape = self.drilled(*places)
+        (part,) = api.add_shape(self.assembly, source, "plate", SIZES)
+        hole = api.add_feature(
+            self.assembly, part, {"rim_at": [places[1], 20, 2], "rings": 1}, "second hole"
+        )
+        return source, part, hole
+
+    def middle(self, part, region) -> float:
+        """Where the middle of a region is along x."""
+        points = api.rest_mesh(part)[0][api.vertices(region), 0]
+        return float(points.min() + points.max()) / 2
+
+    def test_a_pattern_of_holes_is_followed_as_a_whole(self):
+        source, part, hole = self.drilled_part(20, 50, 80, 110)
+        source.Shape = self.drilled(36, 66, 96, 126)
+        found = api.follow_shape(part)
+        self.assertAlmostEqual(self.middle(part, hole), 66.0, delta=1.0)
+        self.assertIn("'second hole': the round hole of 9 mm at (50, 20", found["told"][0])
+        self.assertIn("moved by 16 mm", found["told"][0])
+        self.assertEqual(api.vertices(hole), api.select(part, api.where(hole)))
+
+    def test_a_hole_that_may_be_another_one_is_a_question_with_candidates(self):
+        source, part, hole = self.drilled_part(20, 50, 80, 110)
+        before, ids = api.rest_mesh(part)[0], api.vertices(hole)
+        source.Shape = self.drilled(20, 66, 80, 110)
+        with self.assertRaisesRegex(
+            api.Unbound, "second hole' was the round hole of 9 mm"
+        ) as asked:
+            api.follow_shape(part)
+        (one,) = asked.exception.unbound.values()
+        self.assertEqual([round(place["place"][0]) for place in one["candidates"]], [66, 20])
+        np.testing.assert_array_equal(api.rest_mesh(part)[0], before)
+        self.assertEqual(api.vertices(hole), ids)
+        api.follow_shape(part, bindings={hole.Name: one["candidates"][0]["place"]})
+        self.assertAlmostEqual(self.middle(part, hole), 66.0, delta=1.0)
+
+    def test_a_removed_hole_of_which_only_vertices_are_known_is_a_question(self):
+        source, part, hole = self.drilled_part(20, 50, 80, 110)
+        api.set_vertices(hole, api.vertices(hole))
+        source.Shape = self.drilled(20, 80, 110)
+        with self.assertRaises(api.Unbound):
+            api.follow_shape(part)
+        api.follow_shape(part, bindings={hole.Label: {"rim_at": [80, 20, 2]}})
+        self.assertAlmostEqual(self.middle(part, hole), 80.0, delta=1.0)
+
     def test_what_cannot_be_followed_is_told_and_changes_nothing(self):
         source = self.document.addObject("Part::Feature", "Shape")
         source.Shape = Part.makeBox(20, 20, 2)

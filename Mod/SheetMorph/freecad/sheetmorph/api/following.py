@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Regions and sides of contacts on a changed mesh of their part: followed, or a question."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from freecad.sheetmorph.bridge import conversion, selecting
+from freecad.sheetmorph.bridge.rest import Kept, read_kept
+from freecad.sheetmorph.objects import assembly_of, model
+from freecad.sheetmorph.tools import sentences
+
+MOST_SHOWN = 4
+_asked: dict[str, dict] = {}  # of the last Unbound: FreeCAD keeps only the text of an error
+
+
+class Unbound(ValueError):
+    """Regions whose hole or face has no certain match on the changed part.
+
+    `unbound`: by name of the object (of a side of a contact with `.a` or `.b`) a dict with `label`,
+    `was`, a sentence, and `candidates`, each with `text` and `place` (mm, of the part's file). A
+    place, or a selector, is the answer that `bindings` takes.
+    """
+
+    def __init__(self, part, unbound: dict[str, dict]):
+        self.unbound = unbound
+        _asked.update(unbound)
+        told = [spoken(one) for one in unbound.values()][:MOST_SHOWN]
+        more = len(unbound) - len(told)
+        told += [f"{more} more"] if more else []
+        names = ", ".join(f"'{name}': [x, y, z]" for name in list(unbound)[:MOST_SHOWN])
+        super().__init__(
+            f"'{part.Label}' changed too much for a certain match: {'; '.join(told)}. "
+            f"Pass bindings={{{names}}} with the place that is meant, or delete the region first."
+        )
+
+
+def asked() -> dict[str, dict]:
+    """Return what was not certain since `forget`, as `Unbound.unbound`."""
+    return dict(_asked)
+
+
+def forget() -> None:
+    """Forget what was not certain."""
+    _asked.clear()
+
+
+def spoken(asked: dict) -> str:
+    """Return one question as a sentence."""
+    texts = [one["text"] for one in asked["candidates"]]
+    if not texts:
+        return f"'{asked['label']}' was {asked['was']}, which is gone"
+    return f"'{asked['label']}' was {asked['was']}; it may be {' or '.join(texts)} now"
+
+
+@dataclass(frozen=True)
+class Change:
+    """Another mesh of a part: what finds old vertices on it, itself in file coordinates, how many
+    times as large it is, and the answers of the user by name of the object."""
+
+    placed: Any
+    made: Any
+    scale: float = 1.0
+    bindings: dict[str, Any] = field(default_factory=dict)
+
+
+def moved_vertices(
+    part, change: Change, told: dict[str, str]
+) -> list[tuple[Any, str, np.ndarray, str]]:
+    """Return what is picked on a part on its new mesh: object, side, vertices, selector.
+
+    `told` gets, by its name, a sentence on each that became another one. Raises Unbound, a
+    ValueError, if the match of one is not certain, ValueError if one would have no vertex left.
+    """
+    assembly = assembly_of(part)
+    found = [(region, "") for region in model.regions(assembly, part)]
+    for contact in model.contacts(assembly, part):
+        sides = (("a", contact.PartA), ("b", contact.PartB))
+        found += [(contact, side) for side, owner in sides if owner == part]
+    follower = Follower(part, change)
+    moved, unbound = [], {}
+    for owner, side in found:
+        try:
+            vertices, where, text = follower.followed(owner, side)
+        except follower.question as asked:
+            candidates = [{"text": one.text, "place": one.place} for one in asked.candidates]
+            entry = {"label": owner.Label, "was": asked.was, "candidates": candidates}
+            unbound[name_of(owner, side)] = entry
+            continue
+        if len(vertices) == 0:
+            raise ValueError(f"'{owner.Label}' has no place on the new mesh; delete it first.")
+        told |= {owner.Name: text} if text else {}
+        moved.append((owner, side, vertices, where))
+    if unbound:
+        raise Unbound(part, unbound)
+    return moved
+
+
+def keep_moved(moved: list) -> None:
+    """Give regions and sides of contacts what `moved_vertices` returned."""
+    for owner, side, vertices, where in moved:
+        if side:
+            model.set_contact_vertices(owner, side, vertices, where)
+        else:
+            model.set_vertices(owner, vertices, where)
+
+
+def name_of(owner, side: str) -> str:
+    """Return the key of an object, or of a side of it, in `bindings`."""
+    return f"{owner.Name}.{side}" if side else owner.Name
+
+
+class Follower:
+    """Finds what is picked on a part on a changed mesh."""
+
+    def __init__(self, part, change: Change):
+        self.change = change
+        frame = replace(read_kept(part).frame, origin=conversion.near_origin(change.made.points))
+        labels = change.made.with_indices().labels
+        kept = Kept(change.made.points, change.made.triangles, None, frame, [], True, labels)
+        self.states = selecting.following_of(part, kept, change.scale)
+        self.question = selecting.question_type()
+
+    def followed(self, owner, side: str) -> tuple[np.ndarray, str, str]:
+        """Return vertices, selector and what differs of one; Question of the package."""
+        before = selecting.sentence_of(owner, side)
+        answer = self.answer(owner, side)
+        if isinstance(answer, (dict, list)) and selecting.is_selector(answer):
+            return selecting.chosen_on(self.states.new, answer).vertices, json.dumps(answer), ""
+        answer = None if answer is None else place_of(answer, owner)
+        if before is None:
+            return self.nearest(owner, side, answer)
+        said = sentences.scaled(before, self.change.scale)
+        where = sentences.with_moved_ids(said, lambda ids: self.change.placed.find(ids)[0].tolist())
+        try:
+            found = self.states.followed(before, where, answer)
+            text = selecting.followed_text(owner.Label, self.states, before, found)
+        except self.question:
+            raise
+        except ValueError as error:
+            vertices, where, _ = self.nearest(owner, side, answer)
+            return vertices, where, f"'{owner.Label}' keeps its vertices alone: {error}."
+        return found.chosen.vertices, json.dumps(found.where), text
+
+    def answer(self, owner, side: str) -> Any:
+        """Return what the user says that an object is now; None if nothing."""
+        bindings = self.change.bindings
+        return bindings.get(name_of(owner, side), bindings.get(owner.Label))
+
+    def nearest(self, owner, side: str, answer) -> tuple[np.ndarray, str, str]:
+        """Return the same of an object whose vertices alone are known: the nearest ones, if they
+        hold the same holes."""
+        old = model.contact_vertices(owner, side) if side else model.vertices(owner)
+        vertices, _ = self.change.placed.find(old)
+        if answer is not None:
+            where = self.states.hole_at(answer)
+            return selecting.chosen_on(self.states.new, where).vertices, json.dumps(where), ""
+        told = self.states.check(old, vertices)
+        return vertices, "", f"'{owner.Label}': {'; '.join(told)}." if told else ""
+
+
+def place_of(answer, owner) -> np.ndarray:
+    """Return the place that a user gave as an answer, or raise ValueError."""
+    place = np.asarray(answer, dtype=float)
+    if place.shape != (3,) or not np.isfinite(place).all():
+        raise ValueError(f"The binding of '{owner.Label}' is no place [x, y, z] and no selector.")
+    return place

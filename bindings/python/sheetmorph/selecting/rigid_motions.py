@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rigid motions that put several places of one state of a part onto those of another state."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arrays import Bools, Floats
+
+# Bounds on the work: pairs of places that fix a motion, and motions that are tried.
+_ANCHORS, _TRIED, _MOST_TURNED = 3, 40, 250
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """x -> turn x + shift: turn (3, 3), shift (3,) mm."""
+
+    turn: Floats
+    shift: Floats
+
+    def applied(self, places: Floats) -> Floats:
+        """Return places (n, 3) after the motion."""
+        found: Floats = places @ self.turn.T + self.shift
+        return found
+
+    def length(self, places: Floats) -> float:
+        """Return how far it moves places (n, 3) in the mean, mm."""
+        return float(np.linalg.norm(self.applied(places) - places, axis=1).mean())
+
+
+def proposed_motions(
+    places: tuple[Floats, Floats], axes: tuple[Floats, Floats], allowed: Bools, slack: float
+) -> list[Motion]:
+    """Return the motions between two sets of places, each with axes (n, 3) of length 1.
+
+    allowed: (n, m) which place may become which; slack: mm, within which two motions are the same.
+    """
+    if min(len(places[0]), len(places[1])) < 2:
+        return []
+    slack = max(slack, 1e-9)
+    shifts = _shifts(places, allowed, slack)
+    turned: list[Motion] = []
+    if max(len(places[0]), len(places[1])) <= _MOST_TURNED:
+        turned = list(_turned(places, axes, allowed, slack))
+        turned.sort(key=lambda motion: motion.length(places[0]))
+    return [*shifts, *_distinct(turned, places[0], slack)[:_TRIED]]
+
+
+def _shifts(places: tuple[Floats, Floats], allowed: Bools, slack: float) -> list[Motion]:
+    """The shifts that most pairs of places agree on."""
+    rows, columns = np.nonzero(allowed)
+    shifts = places[1][columns] - places[0][rows]
+    cells, first, counts = np.unique(
+        np.round(shifts / (4.0 * slack)), axis=0, return_index=True, return_counts=True
+    )
+    order = np.lexsort((np.linalg.norm(cells, axis=1), -counts))[:_TRIED]
+    return [Motion(np.eye(3), shifts[k]) for k in first[order]]
+
+
+def _turned(
+    places: tuple[Floats, Floats], axes: tuple[Floats, Floats], allowed: Bools, slack: float
+) -> Iterator[Motion]:
+    """Motions that put two far places, with the axis of one, onto two as far from each other."""
+    between = [np.linalg.norm(p[:, None, :] - p[None, :, :], axis=2) for p in places]
+    for a, b in _anchors(between[0]):
+        fits = np.abs(between[1] - between[0][a, b]) <= 2.0 * slack
+        fits &= allowed[a][:, None] & allowed[b][None, :]
+        for c, d in np.argwhere(fits)[: 8 * _TRIED]:
+            for sign in (1.0, -1.0):
+                start = _frame(places[0][b] - places[0][a], axes[0][a])
+                end = _frame(places[1][d] - places[1][c], sign * axes[1][c])
+                if start is None or end is None:
+                    continue
+                turn = end @ start.T
+                yield Motion(turn, places[1][c] - turn @ places[0][a])
+
+
+def _anchors(between: Floats) -> list[tuple[int, int]]:
+    """Pairs of places, the farthest ones first, none of them twice."""
+    order = np.argsort(-between, axis=None, kind="stable")
+    found: list[tuple[int, int]] = []
+    used: set[int] = set()
+    for a, b in zip(*np.unravel_index(order, between.shape)):
+        if a < b and not {int(a), int(b)} & used:
+            found.append((int(a), int(b)))
+            used |= {int(a), int(b)}
+        if len(found) == _ANCHORS:
+            break
+    return found
+
+
+def _frame(along: Floats, axis: Floats) -> Floats | None:
+    """Columns: a direction, across it, and the axis made square to it; None without any."""
+    length = float(np.linalg.norm(along))
+    if not length > 0.0:
+        return None
+    first = along / length
+    third = axis - (axis @ first) * first
+    size = float(np.linalg.norm(third))
+    if size < 0.1:
+        return None
+    third = third / size
+    return np.column_stack([first, np.cross(third, first), third])
+
+
+def _distinct(motions: list[Motion], places: Floats, slack: float) -> list[Motion]:
+    """Motions that put the first and the farthest place elsewhere."""
+    far = places[[0, int(np.linalg.norm(places - places[0], axis=1).argmax())]]
+    seen: set[bytes] = set()
+    found = []
+    for motion in motions:
+        key = np.round(motion.applied(far) / (4.0 * slack)).astype(np.int64).tobytes()
+        if key not in seen:
+            seen.add(key)
+            found.append(motion)
+    return found
