@@ -10,6 +10,8 @@ from .words import counted
 
 # Shares of the longest edge from which the mesh is too coarse to bend round its features.
 _COARSE = 0.05
+# Of the triangles, %: fewer slivers that do not fold are no reason to give up the file's own mesh.
+_MANY_SLIVERS = 5.0
 
 
 def findings_of(diagnosis: dict[str, Any]) -> list[dict[str, Any]]:
@@ -111,8 +113,13 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     if counts["slivers"]:
         share = 100.0 * counts["slivers"] / diagnosis["triangles"]
         text = counted(counts["slivers"], "sliver", "slivers")
-        text += f" ({share:.0f} % of the triangles): the mesh folds there"
-        yield "slivers", counts["slivers"], text, "remesh", remesh
+        text += f" ({share:.2g} % of the triangles)"
+        folds = counts["folded_slivers"]
+        if folds:
+            text += f": the mesh folds at {folds} of them"
+        is_cured = folds > 0 or share >= _MANY_SLIVERS
+        cure = ("remesh", remesh) if is_cured else (None, None)
+        yield "slivers", counts["slivers"], text, *cure
     if edges["longest"] > _COARSE * diagnosis["size"] > 0.0:
         text = f"edges up to {edges['longest']:.3g} {unit}: too coarse to bend"
         if rims["count"] and rims["smallest_radius"] < edges["longest"]:

@@ -10,6 +10,8 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from .advice import findings_of, part_entry
 from .files import read_part, unpacked_name
 from .kernel import load_kernel
@@ -17,6 +19,8 @@ from .part_mesh import PartMesh
 
 # Vertices nearer than this share of the size are one place, unless the caller says otherwise.
 _NEAR = 1e-6
+# Longest edge over height of a sliver, as in the kernel; cosine between two triangles of a fold.
+_SLIVER, _FOLDED = 25.0, -0.9
 
 
 def schema() -> dict[str, Any]:
@@ -61,7 +65,10 @@ def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
         "edge_lengths": dict(zip(("shortest", "median", "longest"), found.edge_lengths)),
         "round_rims": _rims(found),
         "components": [_piece(piece) for piece in found.pieces],
-        "counts": {name: getattr(found, name) for name in _COUNTS},
+        "counts": {
+            **{name: getattr(found, name) for name in _COUNTS},
+            "folded_slivers": _folded_slivers(mesh) if found.slivers else 0,
+        },
         "is_one_sided": found.is_one_sided,
         "suggested_edge": _in_mm(_suggested_edge(found), _unit(found.size)["scale"]),
     }
@@ -83,6 +90,25 @@ _COUNTS = (
     "non_manifold_edges",
     "non_manifold_edges_welded",
 )
+
+
+def _folded_slivers(mesh: PartMesh) -> int:
+    """How many slivers lie folded back onto a neighbour."""
+    corners = mesh.points[mesh.triangles]
+    sides = np.roll(corners, -1, axis=1) - corners
+    doubled = np.cross(sides[:, 0], sides[:, 1])
+    twice = np.linalg.norm(doubled, axis=1)
+    longest = np.linalg.norm(sides, axis=2).max(axis=1)
+    is_sliver = longest**2 > _SLIVER * twice
+    normals = doubled / np.maximum(twice, np.finfo(float).tiny)[:, None]
+    ends = np.sort(np.stack([mesh.triangles, np.roll(mesh.triangles, -1, axis=1)], axis=2), axis=2)
+    ends = ends.reshape(-1, 2)
+    order = np.lexsort(ends.T)
+    is_same = (ends[order[1:]] == ends[order[:-1]]).all(axis=1)
+    pairs = np.column_stack([order[:-1], order[1:]])[is_same] // 3
+    is_folded = np.einsum("ij,ij->i", normals[pairs[:, 0]], normals[pairs[:, 1]]) < _FOLDED
+    folded = np.unique(pairs[is_folded & is_sliver[pairs].any(axis=1)])
+    return int(is_sliver[folded].sum())
 
 
 def _kind(pieces: list[Any]) -> str:

@@ -5,21 +5,24 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from .arrays import Ints
 from .doctor import diagnose
-from .errors import RecipeError
+from .errors import Fault, RecipeError
 from .files import is_cad, read_part, unpacked_name
 from .finding import FindOptions, find
 from .finding.findings import Findings
 from .finding.options import USUAL_FEATURES
 from .finding.reading import connections_of, find_parts
+from .kernel import load_kernel
 from .part_mesh import PartMesh
 from .progress import Progress
 from .recipe.model import model_of
@@ -27,7 +30,7 @@ from .recipe.parts import Parts, read_parts
 from .words import counted
 
 # Shares of the length: of the two ends that are held and moved, and of the first lift.
-_END, _LIFT = 0.05, 0.05
+_END, _SMALL_END, _LIFT = 0.05, 0.01, 0.05
 
 
 @dataclass(frozen=True)
@@ -38,18 +41,46 @@ class Entry:
     remark: str
 
 
-def starting_recipe(
-    files: Sequence[str | Path], folder: str | Path, progress: Progress | None = None
-) -> str:
-    """The text of a recipe with comments for mesh, deck or CAD files, to be put into a folder.
+@dataclass(frozen=True)
+class Key:
+    """A key of the recipe with the comments above it; remarks: one per entry of a list, or none."""
 
-    progress(fraction, task) returns whether to go on. Raises FileError, RecipeError, KernelError.
+    comments: list[str]
+    name: str
+    value: Any
+    remarks: list[str] = field(default_factory=list)
+
+
+def starting_recipe(
+    files: Sequence[str | Path],
+    folder: str | Path,
+    progress: Progress | None = None,
+    *,
+    is_toml: bool = False,
+) -> str:
+    """Return the text of a recipe with comments for mesh, deck or CAD files.
+
+    Parameters
+    ----------
+    files
+        The files of the parts.
+    folder
+        Where the recipe will be: paths in it are relative to this folder.
+    progress
+        ``progress(fraction, task)`` returns whether to go on.
+    is_toml
+        Write TOML in place of JSON.
+
+    Raises
+    ------
+    FileError, RecipeError, KernelError
     """
     entries = [_entry(str(file)) for file in files]
     parts = _read([entry.keys for entry in entries], progress)
     found = find(find_parts(parts), FindOptions(), connections_of(parts), progress)
     beside = [_beside(entry, Path(folder)) for entry in entries]
-    return _text(beside, parts, found)
+    keys = _keys(beside, parts, found)
+    return _toml_text(keys) if is_toml else _json_text(keys)
 
 
 def _entry(file: str) -> Entry:
@@ -80,56 +111,133 @@ def _beside(entry: Entry, folder: Path) -> Entry:
     return Entry({**entry.keys, "file": file}, entry.remark)
 
 
-def _text(entries: list[Entry], parts: Parts, found: Findings) -> str:
+def _keys(entries: list[Entry], parts: Parts, found: Findings) -> list[Key]:
+    """The keys of the recipe in their order."""
     primary = next((name for name in found.primary if len(parts.meshes[name].triangles)), None)
-    lines = [
-        "// What is in the files, as `init` understood it. Look at it with `show`, edit it,",
-        "// and `run` it. Lengths in mm, angles in degrees; all keys: resources/docs/recipe.md",
-        "{",
-        '  "sheetmorph": 1,',
-        '  "parts": [',
+    heading = [
+        "What is in the files, as `init` understood it. Look at it with `show`, edit it,",
+        "and `run` it. Lengths in mm, angles in degrees; all keys: resources/docs/recipe.md",
     ]
-    for k, entry in enumerate(entries):
-        lines.append(f"    // {' '.join(entry.remark.split())}")
-        lines.append(f"    {_json(entry.keys)}{',' if k + 1 < len(entries) else ''}")
-    lines.append("  ],")
-    if len(parts.meshes) > 1:
-        lines.append("  // the part that you drag; this one touches most of the others")
-        lines.append(f'  "primary": {_json(primary)},')
+    remarks = [" ".join(entry.remark.split()) for entry in entries]
+    keys = [
+        Key(heading, "sheetmorph", 1),
+        Key([], "parts", [entry.keys for entry in entries], remarks),
+    ]
+    is_assembly = len(parts.meshes) > 1
+    if is_assembly:
+        text = "the part that you drag; this one touches most of the others"
+        keys.append(Key([text], "primary", primary))
     if primary is not None:
-        lines += _ends(primary, parts.meshes[primary])
-    lines.append(f"  // found: {_counts(found.features, USUAL_FEATURES)}")
-    lines.append('  "features": "auto"' + ("," if len(parts.meshes) > 1 else ""))
-    if len(parts.meshes) > 1:
+        keys += _ends(primary, parts, found)
+    keys.append(Key([f"found: {_counts(found.features, USUAL_FEATURES)}"], "features", "auto"))
+    if is_assembly:
         number = counted(len(found.contacts), "place", "places")
-        lines.append(f"  // found: {number} where parts touch, up to {found.gap:.3g} mm apart")
-        lines.append('  "contacts": "auto"')
+        text = f"found: {number} where parts touch, up to {found.gap:.3g} mm apart"
+        keys.append(Key([text], "contacts", "auto"))
+    return keys
+
+
+def _json_text(keys: list[Key]) -> str:
+    """The recipe as JSON with comments; the first comments stand before it."""
+    lines = [f"// {text}" for text in keys[0].comments] + ["{"]
+    for number, key in enumerate(keys):
+        lines += [f"  // {text}" for text in key.comments if number]
+        lines += _value_lines(key, f'  "{key.name}": ', "//", _json)
+        lines[-1] += "," if number + 1 < len(keys) else ""
     return "\n".join([*lines, "}"]) + "\n"
 
 
-def _ends(part: str, mesh: PartMesh) -> list[str]:
-    """Fixed at one end of the longest axis, moved at the other, across the flattest direction."""
-    used = mesh.points[np.unique(mesh.triangles)]
-    size = np.ptp(used, axis=0)
-    axis = int(size.argmax())
-    low, high = float(used[:, axis].min()), float(used[:, axis].max())
-    length = high - low
-    shift = np.zeros(3)
-    shift[min(set(range(3)) - {axis}, key=lambda k: float(size[k]))] = _LIFT * length
+def _toml_text(keys: list[Key]) -> str:
+    """The recipe as TOML."""
+    lines = []
+    for key in keys:
+        lines += [f"# {text}" for text in key.comments]
+        lines += _value_lines(key, f"{key.name} = ", "#", _toml)
+    return "\n".join(lines) + "\n"
 
-    def half_space(place: float, sign: float) -> dict[str, Any]:
+
+def _value_lines(key: Key, start: str, mark: str, text_of: Callable[[Any], str]) -> list[str]:
+    """A key with its value, in one line unless its entries have remarks."""
+    if not key.remarks:
+        return [f"{start}{text_of(key.value)}"]
+    lines = [f"{start}["]
+    for number, (remark, value) in enumerate(zip(key.remarks, key.value)):
+        lines.append(f"    {mark} {remark}")
+        lines.append(f"    {text_of(value)}{',' if number + 1 < len(key.value) else ''}")
+    return [*lines, f"{start[: len(start) - len(start.lstrip())]}]"]
+
+
+def _ends(part: str, parts: Parts, found: Findings) -> list[Key]:
+    """Fixed at one end of the part, moved at the other, across the flattest direction.
+
+    The ends are those of the longest axis at which no rigid shape reaches from one to the other.
+    Raises RecipeError if there are none.
+    """
+    mesh = parts.meshes[part]
+    size = np.ptp(mesh.points[np.unique(mesh.triangles)], axis=0)
+    bodies = _rigid_bodies(part, parts, found)
+    axes = sorted(range(3), key=lambda k: -float(size[k]))[:2]
+    ends = [_End(mesh, axis, share) for axis in axes for share in (_END, _SMALL_END)]
+    good = [end for end in ends if not any(end.tears(body) for body in bodies)]
+    if not good:
+        what = f'a rigid shape of "{part}", such as a rib, reaches from each end to the other'
+        todo = "write a recipe by hand that fixes and moves places which no rib joins"
+        raise RecipeError([Fault(part, what, todo)])
+    end = good[0]
+    shift = np.zeros(3)
+    flattest = min(set(range(3)) - {end.axis}, key=lambda k: float(size[k]))
+    shift[flattest] = _LIFT * end.length
+    text = f"the two ends along {'xyz'[end.axis]}, {end.length:.4g} mm apart: one stays, one moves"
+    handle = {"name": "end", "part": part, "where": end.half_space(1.0)}
+    return [
+        Key([text], "fixed", [{"part": part, "where": end.half_space(-1.0)}]),
+        Key([], "handles", [handle]),
+        Key([], "pose", {"end": {"translation": [_rounded(x) for x in shift]}}),
+    ]
+
+
+class _End:
+    """Both ends of a mesh along an axis, each a share of the length."""
+
+    def __init__(self, mesh: PartMesh, axis: int, share: float):
+        self.axis, self.places = axis, mesh.points[:, axis]
+        used = self.places[np.unique(mesh.triangles)]
+        low, self.length = float(used.min()), float(np.ptp(used))
+        self.limits = (
+            _rounded(low + share * self.length),
+            _rounded(low + (1.0 - share) * self.length),
+        )
+
+    def tears(self, body: Ints) -> bool:
+        """Whether some vertices reach both ends."""
+        places = self.places[body]
+        return bool((places <= self.limits[0]).any() and (places >= self.limits[1]).any())
+
+    def half_space(self, sign: float) -> dict[str, Any]:
+        """The selector of the end: the lower one for a sign of -1."""
         point, normal = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
-        point[axis], normal[axis] = _rounded(place), sign
+        point[self.axis], normal[self.axis] = self.limits[int(sign > 0.0)], sign
         return {"half_space": {"point": point, "normal": normal}}
 
-    fixed = {"part": part, "where": half_space(low + _END * length, -1.0)}
-    handle = {"name": "end", "part": part, "where": half_space(high - _END * length, 1.0)}
-    return [
-        f"  // the two ends along {'xyz'[axis]}, {length:.4g} mm apart: one stays, one moves",
-        f'  "fixed": [{_json(fixed)}],',
-        f'  "handles": [{_json(handle)}],',
-        f'  "pose": {_json({"end": {"translation": [_rounded(x) for x in shift]}})},',
-    ]
+
+def _rigid_bodies(part: str, parts: Parts, found: Findings) -> list[Ints]:
+    """Vertices that move as one: lumps of a thin solid, with the form features that share some."""
+    mesh = parts.meshes[part]
+    entry = next(one for one in parts.entries if one.name == part)
+    if not entry.thin:
+        return []
+    core = load_kernel()
+    solid, _ = core.find_thin_solid(core.TriangleMesh(mesh.points, mesh.triangles), entry.thickness)
+    bodies = [] if solid is None else [set(lump.tolist()) for lump in map(np.asarray, solid.lumps)]
+    for feature in found.features if bodies else []:
+        if feature["part"] != part or feature["kind"] not in USUAL_FEATURES:
+            continue
+        vertices = set(mesh.find(feature["vertices"])[0].tolist())
+        touched = [body for body in bodies if body & vertices]
+        if touched:
+            bodies = [body for body in bodies if not body & vertices]
+            bodies.append(vertices.union(*touched))
+    return [np.array(sorted(body)) for body in bodies]
 
 
 def _rounded(value: float) -> float:
@@ -140,6 +248,19 @@ def _counts(features: list[dict[str, Any]], kinds: Sequence[str]) -> str:
     counts = Counter(entry["kind"] for entry in features)
     told = [counted(counts[kind], kind, f"{kind}s") for kind in kinds if counts[kind]]
     return ", ".join(told) or "no holes"
+
+
+def _toml(value: Any) -> str:
+    """A value as TOML has it: tables within a line."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{_bare(key)} = {_toml(one)}" for key, one in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(_toml, value)) + "]"
+    return _json(value).replace("\x7f", "\\u007f")
+
+
+def _bare(key: str) -> str:
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else _json(key)
 
 
 def _json(value: Any) -> str:
