@@ -317,7 +317,7 @@ class Writer:
                 file.output_name,
                 stored[vertices],
                 file.precision,
-                list(file.notes),
+                [*file.notes, *file.missing],
                 None if shapes is None else shapes.of_part(name),
             )  # fmt: skip
             for name, vertices in source.members.items()

@@ -45,7 +45,7 @@ def read_criteria(name: str | Path | None) -> Criteria:
         return _criteria(Path(key), key, sets[key])
     path = Path(name)
     try:
-        found = json.loads(plain_json(path.read_text("utf-8")))
+        found = json.loads(plain_json(path.read_text("utf-8-sig")))
     except OSError as error:
         todo = f"name a file, or one of the sets {', '.join(sets)}"
         raise FileError(path, f"cannot be read ({error.strerror or error})", todo) from None

@@ -17,7 +17,7 @@ from ..arrays import Floats
 from ..errors import FileError
 from ..part_mesh import PartMesh
 from .part_file import PartFile
-from .polygons import triangulate
+from .polygons import SPLIT_IT, triangulate
 from .text import check_points, read_bytes
 
 # Formats of one file each whose coordinates meshio both reads and writes without loss.
@@ -27,6 +27,7 @@ SUFFIXES = {
     ".avs": "avsucd",
     ".mesh": "medit",
 }
+_VTK_CELLS = re.compile(rb"^CELL_TYPES[ \t]+(\d+)", re.MULTILINE)
 _CURVED = frozenset({"triangle6", "triangle7", "quad8", "quad9"})
 
 
@@ -42,6 +43,8 @@ class MeshioFile(PartFile):
         space = np.zeros((len(points), 3))
         space[:, : points.shape[1]] = points
         super().__init__(path, _part_mesh(path, space, self._mesh.cells), precision)
+        if path.suffix.lower() == ".mesh" and not read_bytes(path).rstrip().endswith(b"End"):
+            self.missing.append("the closing End is missing: check that the file is complete")
         self.notes.append("written through meshio: comments and sections unknown to it are lost")
 
     def save(self, path: Path, positions: Floats) -> None:
@@ -88,13 +91,19 @@ def _reason(error: BaseException) -> str:
 def _read(path: Path) -> Any:
     import meshio
 
-    read_bytes(path)
+    data = read_bytes(path)
     try:
         with _quiet():
-            return meshio.read(path, file_format=SUFFIXES[path.suffix.lower()])
+            mesh = meshio.read(path, file_format=SUFFIXES[path.suffix.lower()])
     except (Exception, SystemExit) as error:  # it also exits the interpreter on a bad file
         what = f"meshio cannot read it ({_reason(error)})"
         raise FileError(path, what, "check the file, or export it as VTU or PLY") from error
+    wanted = _VTK_CELLS.search(data) if path.suffix.lower() == ".vtk" else None
+    count = sum(len(block.data) for block in mesh.cells)
+    if wanted and count != int(wanted.group(1)):
+        what = f"meshio reads {count} of the {wanted.group(1).decode()} cells of the file"
+        raise FileError(path, what, "copy or export it again")
+    return mesh
 
 
 def _part_mesh(path: Path, points: Floats, blocks: list[Any]) -> PartMesh:
@@ -111,7 +120,11 @@ def _part_mesh(path: Path, points: Floats, blocks: list[Any]) -> PartMesh:
     numbers = [index for face in faces for index in face]
     if min(numbers) < 0 or max(numbers) >= len(points) or min(map(len, faces)) < 3:
         raise FileError(path, "a cell names vertices that do not exist", "export it again")
-    return PartMesh(points, triangulate(points, faces), name=path.stem)
+
+    def refusal(number: int, what: str) -> FileError:
+        return FileError(path, f"cell {number}: {what}", SPLIT_IT)
+
+    return PartMesh(points, triangulate(points, faces, refusal), name=path.stem)
 
 
 def _write_all_digits(path: Path, points: Floats) -> None:

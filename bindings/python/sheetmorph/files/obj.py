@@ -4,27 +4,44 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 
 import numpy as np
 
 from ..labels import Labels
 from ..part_mesh import PartMesh
+from ..words import counted
 from .polygons import triangulate
-from .text import CoordinateText, Source, TextPartFile, TOKEN, show
+from .text import CUT_LINE, CoordinateText, Source, TextPartFile, TOKEN, show
 
-_COMMENT_OR_JOIN = re.compile(rb"^[ \t]*#[^\r\n]*|\\(?:\r\n|\n|\r)", re.MULTILINE)
-_STATEMENT = re.compile(rb"^[ \t]*(v|f|g|o|usemtl)(?=[ \t\n]|\Z)([^\n#]*)", re.MULTILINE)
+_COMMENT_OR_JOIN = re.compile(rb"#[^\r\n]*|\\(?:\r\n|\n|\r)")
+_NEXT = re.compile(rb"[ \t]*[vf][ \t]")
+_STATEMENT = re.compile(rb"^[^\S\n]*([^\s#]+)([^\n#]*)", re.MULTILINE)
+_CORNER = re.compile(rb"([+-]?\d+)(/([+-]?\d+)?)?(/([+-]?\d+)?)?")
+# Statements of the format besides those of a polygon mesh: the first ones say nothing of its shape,
+# the others are surfaces, curves and files that are not read.
+_WITHOUT_SHAPE = frozenset(
+    b"vt vn vp l p s mg mtllib cstype deg bmat step parm trim hole scrv sp end con bevel c_interp "
+    b"d_interp lod usemap maplib shadow_obj trace_obj ctech stech csh".split()
+)
+_NOT_READ = frozenset(b"curv curv2 surf fo call bsp bzp cdc cdp res".split())
+_NAMES = (b"g", b"o", b"usemtl")
 
 
-def _blank_join(match: re.Match[bytes]) -> bytes:
-    found = match.group()
-    return b" " * len(found) if found.startswith(b"\\") else found
-
-
-def _logical_lines(data: bytes) -> bytes:
+def _logical_lines(source: Source) -> bytes:
     """The same text, offset for offset, continued lines joined and every line end a \\n."""
-    joined = _COMMENT_OR_JOIN.sub(_blank_join, data) if b"\\" in data else data
-    return joined.replace(b"\r", b"\n")
+
+    def joined(match: re.Match[bytes]) -> bytes:
+        found = match.group()
+        if not found.startswith(b"\\"):
+            return found
+        if _NEXT.match(source.data, match.end()):
+            what = "a line is continued, and what follows is a statement of its own"
+            raise source.error(match.start(), what, "remove the backslash")
+        return b" " * len(found)
+
+    data = source.data
+    return (_COMMENT_OR_JOIN.sub(joined, data) if b"\\" in data else data).replace(b"\r", b"\n")
 
 
 class _Groups:
@@ -64,21 +81,31 @@ class ObjFile(TextPartFile):
     """An OBJ file: groups, normals, colours, comments and continued lines come back untouched."""
 
     @classmethod
-    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText]:
-        text = _logical_lines(source.data)
+    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
+        text = _logical_lines(source)
         spans: list[tuple[int, ...]] = []
         faces: list[list[int]] = []
         offsets: list[int] = []
         groups = _Groups()
+        rows = _Rows(source)
+        unread: Counter[bytes] = Counter()
         for statement in _STATEMENT.finditer(text):
-            tokens = list(TOKEN.finditer(text, *statement.span(2)))
-            if statement.group(1) == b"v":
-                spans.append(_vertex_span(source, tokens, statement.start()))
-            elif statement.group(1) == b"f":
-                faces.append(_face(source, tokens, len(spans), statement.start()))
-                offsets.append(statement.start())
-            else:
-                groups.begin(statement.group(1), statement.group(2), len(faces))
+            word, begin = statement.group(1), statement.start(1)
+            if word == b"v":
+                tokens = list(TOKEN.finditer(text, *statement.span(2)))
+                spans.append(rows.vertex_span(tokens, begin))
+            elif word == b"f":
+                tokens = list(TOKEN.finditer(text, *statement.span(2)))
+                faces.append(_face(source, tokens, len(spans), begin))
+                offsets.append(begin)
+            elif word in _NAMES:
+                groups.begin(word, statement.group(2), len(faces))
+            elif word in _NOT_READ:
+                unread[word] += 1
+            elif word not in _WITHOUT_SHAPE:
+                what = f'"{show(word)}" is not a statement of an OBJ file'
+                raise source.error(begin, what, "correct the line or remove it")
+        rows.check()
         if not spans or not faces:
             missing = "vertices" if not spans else "faces"
             raise source.error(
@@ -88,29 +115,73 @@ class ObjFile(TextPartFile):
         where = np.array(spans, dtype=np.int64).reshape(-1, 3, 2)
         numbers = [source.number(text[b:e], b) for b, e in where.reshape(-1, 2).tolist()]
         points = np.array(numbers).reshape(-1, 3)
-        mesh = PartMesh(
-            points, triangulate(points, faces), name=source.path.stem, labels=groups.labels(faces)
-        )
-        return mesh, CoordinateText(source.data, where, points)
+        triangles = triangulate(points, faces, lambda k, what: source.error(offsets[k], what))
+        mesh = PartMesh(points, triangles, name=source.path.stem, labels=groups.labels(faces))
+        return mesh, CoordinateText(source.data, where, points), _missing(source, mesh, unread)
 
 
-def _vertex_span(source: Source, tokens: list[re.Match[bytes]], offset: int) -> tuple[int, ...]:
-    if len(tokens) < 3:
-        raise source.error(offset, f"a vertex with {len(tokens)} coordinates instead of 3")
-    return tokens[0].span() + tokens[1].span() + tokens[2].span()
+class _Rows:
+    """Checks of the `v` lines: how many numbers they have, and that they are numbers."""
+
+    def __init__(self, source: Source):
+        self._source = source
+        self._weighted: int | None = None
+        self._has_plain = False
+
+    def vertex_span(self, tokens: list[re.Match[bytes]], offset: int) -> tuple[int, ...]:
+        """Where the three coordinates of a vertex stand; a weight and a colour may follow."""
+        count = len(tokens)
+        if count not in (3, 4, 6, 7):
+            what = f"a vertex with {count} coordinates instead of 3"
+            raise self._source.error(offset, what)
+        more = [self._source.number(token.group(), token.start()) for token in tokens[3:]]
+        if count % 3 == 0:
+            self._has_plain = True
+        elif more[0] != 1.0 and self._weighted is None:
+            self._weighted = offset
+        return tokens[0].span() + tokens[1].span() + tokens[2].span()
+
+    def check(self) -> None:
+        """A number that was torn apart looks like a weight on this line alone. Raises FileError."""
+        if self._has_plain and self._weighted is not None:
+            what = "a vertex with a fourth number that is not 1, which other vertices lack"
+            raise self._source.error(self._weighted, what)
+
+
+def _missing(source: Source, mesh: PartMesh, unread: Counter[bytes]) -> list[str]:
+    """What the file has besides its polygons, and what it seems to have lost.
+
+    An OBJ file has no count and no last line: one that is cut off behind a face is another OBJ
+    file. Its vertices come first, so most of the lost faces leave vertices without a face.
+    """
+    found = []
+    for word, count in sorted(unread.items()):
+        lines = counted(count, "statement", "statements")
+        found.append(f'{lines} "{word.decode()}" cannot be read: the mesh lacks what they describe')
+    unused = len(mesh.points) - len(np.unique(mesh.triangles))
+    if unused:
+        text = counted(unused, "vertex has", "vertices have")
+        found.append(f"{text} no face: check that the file is complete")
+    return found + ([CUT_LINE] if source.ends_within_a_line else [])
 
 
 def _face(source: Source, tokens: list[re.Match[bytes]], count: int, offset: int) -> list[int]:
     if len(tokens) < 3:
         raise source.error(offset, f"a face with {len(tokens)} vertices; it needs 3 or more")
     face = []
+    forms = set()
     for token in tokens:
-        number = source.integer(token.group().split(b"/", 1)[0], token.start())
+        corner = _CORNER.fullmatch(token.group())
+        forms.add(corner and tuple(map(bool, corner.groups())))
+        number = source.integer(corner.group(1) if corner else token.group(), token.start())
         # Negative indices count back from the last vertex before this line.
         index = number - 1 if number > 0 else count + number
         if number == 0 or index < 0:
             raise source.error(offset, f"a face names vertex {show(token.group())}, there is none")
         face.append(index)
+    if len(forms) > 1:
+        what = "the corners of a face have different forms, like 1/2 and 1//2"
+        raise source.error(offset, what)
     return face
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..part_mesh import PartMesh
 from .polygons import triangulate
-from .text import CoordinateText, Source, TextPartFile, TOKEN, show
+from .text import CUT_LINE, CoordinateText, Source, TextPartFile, TOKEN, show
 
 _LINE = re.compile(rb"[^\n]*\S[^\n]*")
 _COMMENT = re.compile(rb"#[^\n]*")
@@ -31,7 +31,7 @@ class OffFile(TextPartFile):
     """An OFF file: colours, normals, comments and blank lines come back untouched."""
 
     @classmethod
-    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText]:
+    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
         lines = _lines(source.data)
         vertex_count, face_count = _counts(source, lines)
         spans, numbers = [], []
@@ -41,19 +41,26 @@ class OffFile(TextPartFile):
                 raise source.error(tokens[0].start(), "a vertex with fewer than 3 coordinates")
             spans += [token.span() for token in tokens[:3]]
             numbers += [source.number(token.group(), token.start()) for token in tokens[:3]]
-        faces = []
+        faces, offsets = [], []
         for _ in range(face_count):
             tokens = _next(source, lines, f"{face_count} faces")
             face = _face(source, tokens, vertex_count)
             # Vertices and edges may stand in the list of faces; they have no area.
             if len(face) > 2:
                 faces.append(face)
+                offsets.append(tokens[0].start())
+        more = next(lines, None)
+        if more is not None:
+            what = f"the file goes on after its {vertex_count} vertices and {face_count} faces"
+            raise source.error(more[0].start(), what, "correct the counts in the header")
         if not faces:
             raise source.error(0, "the file has no faces", "export a surface mesh")
         points = np.array(numbers).reshape(-1, 3)
-        mesh = PartMesh(points, triangulate(points, faces), name=source.path.stem)
+        triangles = triangulate(points, faces, lambda k, what: source.error(offsets[k], what))
+        mesh = PartMesh(points, triangles, name=source.path.stem)
         where = np.array(spans, dtype=np.int64).reshape(-1, 3, 2)
-        return mesh, CoordinateText(source.data, where, points)
+        missing = [CUT_LINE] if source.ends_within_a_line else []
+        return mesh, CoordinateText(source.data, where, points), missing
 
 
 def _next(source: Source, lines: Iterator[Tokens], wanted: str) -> Tokens:

@@ -19,7 +19,8 @@ class PartFile(ABC):
     """A part as it stands in a file.
 
     path; mesh: PartMesh; precision: how the file stores a coordinate ("double", "float32",
-    "8 characters", "16 characters"); notes: what a user should know, for the report; properties:
+    "8 characters", "16 characters"); notes: what a user should know, for the report; missing: a sentence for everything that stands in
+    the file and not in the mesh, or that the file seems to have lost; properties:
     (m,) property id of every triangle of a deck, None for other formats; bodies: (k,) indices of
     the triangles of every part of a CAD file by name, None for other formats; origin: the file of
     the user, another than path where it was unpacked into the folder unpacked_in; is_wide: numbers
@@ -33,6 +34,7 @@ class PartFile(ABC):
         self.mesh = mesh
         self.precision = precision
         self.notes: list[str] = []
+        self.missing: list[str] = []
         self.properties: Ints | None = None
         self.bodies: dict[str, Ints] | None = None
         self.is_wide = False

@@ -12,12 +12,23 @@ import numpy as np
 
 from ..arrays import Floats, Ints
 from ..part_mesh import PartMesh
+from ..words import counted
 from .part_file import PartFile
 from .ply_header import Element, Header, check_faces, checked_elements, parse_header, scalar_dtype
 from .polygons import triangulate
-from .text import CoordinateText, Source, TextPartFile, TOKEN, check_points, read_bytes
+from .text import (
+    CUT_LINE,
+    CoordinateText,
+    Source,
+    TextPartFile,
+    TOKEN,
+    check_points,
+    read_bytes,
+    without_mark,
+)
 
 _LINE = re.compile(rb"[^\n]*\S[^\n]*")
+_IS_TEXT = re.compile(rb"[\r\n]format\s+ascii\s")
 
 Tokens = list[re.Match[bytes]]
 
@@ -26,7 +37,7 @@ class AsciiPlyFile(TextPartFile):
     """A text PLY: colours, normals, comments and other elements come back untouched."""
 
     @classmethod
-    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText]:
+    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
         header = parse_header(source)
         vertex, face = checked_elements(source, header)
         lines = _lines(source.data, header.begin)
@@ -42,12 +53,21 @@ class AsciiPlyFile(TextPartFile):
                     spans += _vertex_spans(source, element, tokens)
                 elif element is face:
                     faces.append(_ascii_face(source, element, tokens))
+        more = next(lines, None)
+        if more is not None:
+            what = "the file goes on after all elements of its header"
+            raise source.error(more[0].start(), what, "correct the counts in the header")
         check_faces(source, faces, vertex.size)
         text = source.data
         points = np.array([source.number(text[b:e], b) for b, e in spans]).reshape(-1, 3)
-        mesh = PartMesh(points, triangulate(points, faces), name=source.path.stem)
+        mesh = PartMesh(points, _triangles(source, points, faces), name=source.path.stem)
         where = np.array(spans, dtype=np.int64).reshape(-1, 3, 2)
-        return mesh, CoordinateText(source.data, where, points)
+        missing = [CUT_LINE] if source.ends_within_a_line else []
+        return mesh, CoordinateText(source.data, where, points), missing
+
+
+def _triangles(source: Source, points: Floats, faces: list[list[int]]) -> Ints:
+    return triangulate(points, faces, lambda k, what: source.error(0, f"face {k}: {what}"))
 
 
 def _lines(data: bytes, begin: int) -> Iterator[Tokens]:
@@ -59,7 +79,7 @@ def _lines(data: bytes, begin: int) -> Iterator[Tokens]:
 def _vertex_spans(source: Source, element: Element, tokens: Tokens) -> list[tuple[int, int]]:
     if any(entry.count for entry in element.properties):
         raise source.error(tokens[0].start(), "vertices with lists are not read")
-    if len(tokens) < len(element.properties):
+    if len(tokens) != len(element.properties):
         what = f"a vertex with {len(tokens)} numbers instead of {len(element.properties)}"
         raise source.error(tokens[0].start(), what)
     return [tokens[element.index(name)].span() for name in "xyz"]
@@ -67,6 +87,7 @@ def _vertex_spans(source: Source, element: Element, tokens: Tokens) -> list[tupl
 
 def _ascii_face(source: Source, element: Element, tokens: Tokens) -> list[int]:
     wanted = element.index("vertex_indices", "vertex_index")
+    face: list[int] = []
     at = 0
     for k, entry in enumerate(element.properties):
         if at >= len(tokens):
@@ -76,9 +97,11 @@ def _ascii_face(source: Source, element: Element, tokens: Tokens) -> list[int]:
             raise source.error(tokens[0].start(), "a face with too few numbers")
         if k == wanted:
             chosen = tokens[at + 1 : at + 1 + size]
-            return [source.integer(token.group(), token.start()) for token in chosen]
+            face = [source.integer(token.group(), token.start()) for token in chosen]
         at += 1 + size
-    return []
+    if at < len(tokens):
+        raise source.error(tokens[0].start(), "a face with too many numbers")
+    return face
 
 
 class BinaryPlyFile(PartFile):
@@ -87,6 +110,7 @@ class BinaryPlyFile(PartFile):
     def __init__(self, source: Source, header: Header):
         vertex, face = checked_elements(source, header)
         blocks = {e.name: block for e, block in _blocks(source, header, (vertex, face))}
+        extra = len(source.data) - blocks.pop("")
         self._data = source.data
         self._record = scalar_dtype(vertex, header.order)
         self._begin = blocks["vertex"]
@@ -98,8 +122,11 @@ class BinaryPlyFile(PartFile):
         faces = blocks["face"]
         check_faces(source, faces, vertex.size)
         is_single = any(self._record[name].itemsize == 4 for name in self._fields)
-        mesh = PartMesh(points, triangulate(points, faces), name=source.path.stem)
+        mesh = PartMesh(points, _triangles(source, points, faces), name=source.path.stem)
         super().__init__(source.path, mesh, "float32" if is_single else "double")
+        if extra:
+            what = counted(extra, "byte follows", "bytes follow")
+            self.missing.append(f"{what} the elements that the header counts, and cannot be read")
 
     def save(self, path: Path, positions: Floats) -> None:
         data = bytearray(self._data)
@@ -116,7 +143,10 @@ class BinaryPlyFile(PartFile):
 def _blocks(
     source: Source, header: Header, wanted: tuple[Element, Element]
 ) -> Iterator[tuple[Element, Any]]:
-    """For vertex its byte offset, for face the lists of vertex indices; others are stepped over."""
+    """For vertex its byte offset, for face the lists of vertex indices; others are stepped over.
+
+    Last, for an element without a name, the offset behind all.
+    """
     vertex, face = wanted
     offset = header.begin
     for element in header.elements:
@@ -141,6 +171,7 @@ def _blocks(
         lists, offset = _walk(source, element, header.order, (begin, column))
         if element is face:
             yield element, lists
+    yield Element("", 0), offset
 
 
 def _ends_early(source: Source, element: Element) -> Exception:
@@ -193,7 +224,9 @@ def _equal_lists(source: Source, element: Element, order: str, begin: int) -> In
 
 def read_ply(path: Path) -> PartFile:
     """A text or binary PLY file. Raises FileError."""
-    source = Source(path, read_bytes(path))
+    source = Source(path, without_mark(read_bytes(path)))
+    if _IS_TEXT.search(source.data, 0, 1000):
+        source = Source.of_text(path, source.data)
     if parse_header(source).order == "":
         return AsciiPlyFile(path, *AsciiPlyFile.parse(source))
     return BinaryPlyFile(source, parse_header(source))

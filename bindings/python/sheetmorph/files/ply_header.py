@@ -75,6 +75,9 @@ def parse_header(source: Source) -> Header:
             elements.append(_element(source, words, offset))
         elif words[:1] == [b"property"]:
             _add_property(source, elements, words, offset)
+        elif words and words[0] not in (b"ply", b"comment", b"obj_info"):
+            what = f'"{show(words[0])}" is not a line of a PLY header'
+            raise source.error(offset, what, "correct the line or remove it")
         offset = following
     if order is None:
         raise source.error(0, "the header names no format")

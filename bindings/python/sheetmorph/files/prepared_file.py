@@ -28,6 +28,7 @@ class PreparedFile(PartFile):
         super().__init__(file.path, mesh)
         self.origin, self.unpacked_in = file.origin, file.unpacked_in
         self.notes = [*file.notes, *_notes(mesh.preparation or {})]
+        self.missing = list(file.missing)
         if file.properties is not None:
             self.properties = file.properties[triangle_of]
         if file.bodies is not None:

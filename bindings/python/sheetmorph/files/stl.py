@@ -11,8 +11,9 @@ import numpy as np
 
 from ..arrays import Bools, Floats, Ints
 from ..part_mesh import PartMesh
+from ..words import counted
 from .part_file import PartFile
-from .text import CoordinateText, Source, check_points, read_bytes, show
+from .text import CoordinateText, Source, check_points, read_bytes, show, without_mark
 
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEADER_SIZE = 84
@@ -24,7 +25,11 @@ _FACET = re.compile(
     re.IGNORECASE,
 )
 _NAME_LINE = re.compile(rb"\s*((end)?solid\b.*)?", re.IGNORECASE)
-_LAST = re.compile(rb"\s*endsolid\b.*", re.IGNORECASE | re.DOTALL)
+# How much of the last facet's attribute, which says nothing of the shape, a file may lack.
+_ATTRIBUTE_SIZE = 2
+_NO_END = (
+    "the closing endsolid is missing: check that the {0} facets that the file has are all of them"
+)
 
 
 @dataclass(frozen=True)
@@ -75,8 +80,13 @@ class BinaryStlFile(StlFile):
     """Binary STL; header and attributes are kept, coordinates are float32."""
 
     def __init__(self, source: Source):
-        self._data = source.data
-        super().__init__(source, _binary_corners(source), "float32")
+        count = int.from_bytes(source.data[80:84], "little")
+        short = _HEADER_SIZE + count * _RECORD.itemsize - len(source.data)
+        self._data = source.data + bytes(short)
+        super().__init__(source, _binary_corners(Source(source.path, self._data)), "float32")
+        if short:
+            what = counted(short, "byte is", "bytes are")
+            self.missing.append(f"{what} missing at the end of the file; all {count} facets are there")
 
     def save(self, path: Path, positions: Floats) -> None:
         data = bytearray(self._data)
@@ -91,10 +101,12 @@ class AsciiStlFile(StlFile):
     """Text STL; names and layout are kept, a facet that did not move keeps its text."""
 
     def __init__(self, source: Source):
-        spans, numbers = _ascii_facets(source)
+        spans, numbers, is_ended = _ascii_facets(source)
         self._text = CoordinateText(source.data, spans, numbers)
         corners = numbers.reshape(-1, 4, 3)[:, 1:].reshape(-1, 3)
         super().__init__(source, corners, "double")
+        if not is_ended:
+            self.missing.append(_NO_END.format(len(corners) // 3))
 
     def save(self, path: Path, positions: Floats) -> None:
         moved, corners, normals = self._changes(positions)
@@ -104,8 +116,11 @@ class AsciiStlFile(StlFile):
         path.write_bytes(self._text.rewritten(rows.reshape(-1, 3)))
 
 
-def _ascii_facets(source: Source) -> tuple[Ints, Floats]:
-    """Spans (4 m, 3, 2) and values (4 m, 3) of the normal and the three corners of every facet."""
+def _ascii_facets(source: Source) -> tuple[Ints, Floats, bool]:
+    """Spans (4 m, 3, 2) and values (4 m, 3) of the normal and the three corners of every facet.
+
+    Also whether the last solid is closed.
+    """
     spans: list[tuple[int, int]] = []
     done = 0
     for facet in _FACET.finditer(source.data):
@@ -114,10 +129,23 @@ def _ascii_facets(source: Source) -> tuple[Ints, Floats]:
         done = facet.end()
     if not spans:
         raise source.error(0, "no facet was found", "check that it is an STL file")
-    if not _LAST.fullmatch(source.data, done):
-        raise source.error(done, "a facet or the closing endsolid is incomplete")
+    is_ended = _is_ended(source, done)
     numbers = [source.number(source.data[b:e], b) for b, e in spans]
-    return np.array(spans, dtype=np.int64).reshape(-1, 3, 2), np.array(numbers).reshape(-1, 3)
+    where = np.array(spans, dtype=np.int64).reshape(-1, 3, 2)
+    return where, np.array(numbers).reshape(-1, 3), is_ended
+
+
+def _is_ended(source: Source, done: int) -> bool:
+    """Whether the text behind the last facet closes its solid. Raises FileError for other text."""
+    lines = [line.strip().lower() for line in source.data[done:].splitlines() if line.strip()]
+    if lines and b"endsolid".startswith(lines[-1]):
+        lines.pop()  # what is left of it, or all of it without a name
+        is_ended = source.data.rstrip().lower().endswith(b"endsolid")
+    else:
+        is_ended = bool(lines) and lines[-1].startswith(b"endsolid")
+    if not all(_NAME_LINE.fullmatch(line) for line in lines):
+        raise source.error(done, "a facet or the closing endsolid is incomplete")
+    return is_ended
 
 
 def _check_between(source: Source, begin: int, end: int) -> None:
@@ -140,11 +168,12 @@ def _is_binary(source: Source) -> bool:
     if len(data) < _HEADER_SIZE:
         return False
     count = int.from_bytes(data[80:84], "little")
-    if count > 0 and len(data) == _HEADER_SIZE + count * _RECORD.itemsize:
-        return True
-    if data.lstrip()[:5].lower() == b"solid":
-        return False
     expected = _HEADER_SIZE + count * _RECORD.itemsize
+    if count > 0 and expected - _ATTRIBUTE_SIZE <= len(data) <= expected:
+        return True
+    head = without_mark(data[:1000]).lower()
+    if head.lstrip().startswith(b"solid") and (b"facet" in head or b"\0" not in data):
+        return False
     what = f"{count} facets need {expected} bytes, the file has {len(data)}"
     raise source.error(0, what, "copy or export it again")
 
@@ -154,10 +183,13 @@ def read_corners(path: Path) -> Floats:
     source = Source(path, read_bytes(path))
     if _is_binary(source):
         return _binary_corners(source)
-    return _ascii_facets(source)[1].reshape(-1, 4, 3)[:, 1:].reshape(-1, 3)
+    text = Source.of_text(path, source.data)
+    return _ascii_facets(text)[1].reshape(-1, 4, 3)[:, 1:].reshape(-1, 3)
 
 
 def read_stl(path: Path) -> StlFile:
     """A text or binary STL file. Raises FileError."""
     source = Source(path, read_bytes(path))
-    return BinaryStlFile(source) if _is_binary(source) else AsciiStlFile(source)
+    if _is_binary(source):
+        return BinaryStlFile(source)
+    return AsciiStlFile(Source.of_text(path, source.data))

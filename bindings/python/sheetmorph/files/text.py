@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -19,6 +20,10 @@ from .part_file import PartFile
 TOKEN = re.compile(rb"[^\s]+")
 # Beyond it, squares of coordinates overflow.
 LARGEST = 1e100
+_MARK = b"\xef\xbb\xbf"
+_NO_TEXT = re.compile(_MARK + rb"|\0")
+# What a text without its last line break may have lost.
+CUT_LINE = "the file ends without a line break: check that its last line is complete"
 _NUMBER = re.compile(rb"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
@@ -36,12 +41,40 @@ def read_bytes(path: Path) -> bytes:
     return data
 
 
+def without_mark(data: bytes) -> bytes:
+    """The bytes without the byte order mark that some editors put in front of a text."""
+    return data[len(_MARK) :] if data.startswith(_MARK) else data
+
+
 @dataclass(frozen=True)
 class Source:
     """The bytes of a text file, for parsers that need the line number of an offset."""
 
     path: Path
     data: bytes
+
+    @classmethod
+    def of_text(cls, path: Path, data: bytes | None = None) -> Source:
+        """A text file without its byte order mark. Raises FileError if it is not one text.
+
+        data: the bytes of the file, read from `path` if None.
+        """
+        found = cls(path, without_mark(read_bytes(path) if data is None else data))
+        if found.data.startswith((b"\xff\xfe", b"\xfe\xff")):
+            raise found.error(0, "the file is text in UTF-16", "save it as UTF-8")
+        bad = _NO_TEXT.search(found.data)
+        if bad and bad.group() == _MARK:
+            what = "a byte order mark stands in the middle of the file"
+            todo = "remove it; files that were put together have one at every seam"
+            raise found.error(bad.start(), what, todo)
+        if bad:
+            raise found.error(bad.start(), "the text has a byte that is 0")
+        return found
+
+    @property
+    def ends_within_a_line(self) -> bool:
+        """Whether the text lacks its last line break, as a text that was cut short does."""
+        return not self.data.endswith((b"\n", b"\r"))
 
     def line(self, offset: int) -> int:
         """Line number (from 1) of a byte offset."""
@@ -149,9 +182,10 @@ class CoordinateText:
 class TextPartFile(PartFile):
     """A text format whose coordinates are separate tokens: OBJ, OFF, ASCII PLY."""
 
-    def __init__(self, path: Path, mesh: PartMesh, text: CoordinateText):
+    def __init__(self, path: Path, mesh: PartMesh, text: CoordinateText, missing: Iterable[str]):
         super().__init__(path, mesh)
         self._text = text
+        self.missing += missing
 
     def save(self, path: Path, positions: Floats) -> None:
         path.write_bytes(self._text.rewritten(positions))
@@ -164,10 +198,12 @@ class TextPartFile(PartFile):
     @classmethod
     def read(cls, path: Path) -> TextPartFile:
         """Read a file of this format. Raises FileError."""
-        source = Source(path, read_bytes(path))
-        return cls(path, *cls.parse(source))
+        return cls(path, *cls.parse(Source.of_text(path)))
 
     @classmethod
     @abstractmethod
-    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText]:
-        """The mesh of a file and where its coordinates stand. Raises FileError."""
+    def parse(cls, source: Source) -> tuple[PartMesh, CoordinateText, list[str]]:
+        """The mesh of a file, where its coordinates stand, and PartFile.missing.
+
+        Raises FileError.
+        """

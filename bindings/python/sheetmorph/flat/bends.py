@@ -37,7 +37,7 @@ class KTable:
     def read(cls, path: str | Path) -> KTable:
         """From a text file with a ratio and a K-factor a line. Raises FileError, OSError."""
         place, rows = Path(path), []
-        for number, line in enumerate(place.read_text("utf-8", "replace").splitlines(), 1):
+        for number, line in enumerate(place.read_text("utf-8-sig", "replace").splitlines(), 1):
             words = line.split("#")[0].replace(",", " ").split()
             if words:
                 rows.append(_row(place, number, words))
