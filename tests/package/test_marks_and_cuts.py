@@ -124,7 +124,13 @@ def test_what_a_file_lacks_is_said_with_its_count(tmp_path: Path):
 
     obj = samples()["part.obj"]
     assert missing("a.obj", obj) == ""
-    assert "1 vertex has no face" in missing("a.obj", obj.replace(b"v -1 0 0", b"v -1 0 0\nv 9 9 9").replace(b"-5/", b"-6/").replace(b"-2/", b"-3/").replace(b"-1/", b"-2/"))
+    assert "1 vertex has no face" in missing(
+        "a.obj",
+        obj.replace(b"v -1 0 0", b"v -1 0 0\nv 9 9 9")
+        .replace(b"-5/", b"-6/")
+        .replace(b"-2/", b"-3/")
+        .replace(b"-1/", b"-2/"),
+    )
     assert '2 statements "surf"' in missing("a.obj", obj + b"surf 0 1 0 1\nsurf 0 1 0 1 1\n")
     assert "without a line break" in missing("a.off", samples()["part.off"].rstrip())
     stl = samples()["binary.stl"]

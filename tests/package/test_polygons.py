@@ -89,9 +89,7 @@ def edge_points(outline: Outline) -> Outline:
 
 
 def shoelace(outline: Outline) -> float:
-    return 0.5 * sum(
-        a[0] * b[1] - b[0] * a[1] for a, b in zip(outline, outline[1:] + outline[:1])
-    )
+    return 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(outline, outline[1:] + outline[:1]))
 
 
 def in_space(noise: random.Random, outline: Outline, is_shared: bool) -> tuple:
@@ -127,7 +125,7 @@ def test_random_polygons_keep_their_area_and_no_triangle_is_turned_over(kind: st
         areas = 0.5 * np.cross(b - a, c - a) @ normal / scale**2
         assert areas.min() > -1e-9
         assert areas.sum() == pytest.approx(area, rel=1e-9)
-        # Every side of the polygon is one of the triangles', all others have two, against each other.
+        # The sides of the polygon have one triangle, all others two, against each other.
         sides = Counter((t[k], t[(k + 1) % 3]) for t in triangles.tolist() for k in range(3))
         border = Counter(zip(polygon, polygon[1:] + polygon[:1]))
         assert border - sides == Counter()

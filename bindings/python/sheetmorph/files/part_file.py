@@ -18,13 +18,13 @@ from .atomic import FileSet
 class PartFile(ABC):
     """A part as it stands in a file.
 
-    path; mesh: PartMesh; precision: how the file stores a coordinate ("double", "float32",
-    "8 characters", "16 characters"); notes: what a user should know, for the report; missing: a sentence for everything that stands in
-    the file and not in the mesh, or that the file seems to have lost; properties:
-    (m,) property id of every triangle of a deck, None for other formats; bodies: (k,) indices of
-    the triangles of every part of a CAD file by name, None for other formats; origin: the file of
-    the user, another than path where it was unpacked into the folder unpacked_in; is_wide: numbers
-    get the longest fields that the format has.
+    path; mesh: PartMesh; precision: how the file stores a coordinate ("double", "float32", "8
+    characters", "16 characters"); notes: what a user should know, for the report; missing: a
+    sentence for everything that stands in the file and not in the mesh, or that the file seems to
+    have lost; properties: (m,) property id of every triangle of a deck, None for other formats;
+    bodies: (k,) indices of the triangles of every part of a CAD file by name, None for other
+    formats; origin: the file of the user, another than path where it was unpacked into the folder
+    unpacked_in; is_wide: numbers get the longest fields that the format has.
     """
 
     def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):

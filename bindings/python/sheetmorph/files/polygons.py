@@ -80,8 +80,7 @@ def _split_quads(points: Floats, quads: Ints) -> Ints:
     first = np.linalg.norm(points[quads[:, 0]] - points[quads[:, 2]], axis=1)
     second = np.linalg.norm(points[quads[:, 1]] - points[quads[:, 3]], axis=1)
     ways = [
-        quads[:, columns].reshape(-1, 2, 3)
-        for columns in ([0, 1, 2, 0, 2, 3], [0, 1, 3, 1, 2, 3])
+        quads[:, columns].reshape(-1, 2, 3) for columns in ([0, 1, 2, 0, 2, 3], [0, 1, 3, 1, 2, 3])
     ]
     is_sound = [_are_sound(points, quads, way) for way in ways]
     turned = second < first * (1.0 - 1e-6)

@@ -86,7 +86,9 @@ class BinaryStlFile(StlFile):
         super().__init__(source, _binary_corners(Source(source.path, self._data)), "float32")
         if short:
             what = counted(short, "byte is", "bytes are")
-            self.missing.append(f"{what} missing at the end of the file; all {count} facets are there")
+            self.missing.append(
+                f"{what} missing at the end of the file; all {count} facets are there"
+            )
 
     def save(self, path: Path, positions: Floats) -> None:
         data = bytearray(self._data)

@@ -38,10 +38,12 @@ def find_in_files(
     """
     parts = parts_of_files(paths, split, meshing)
     found = find_in_parts(parts, options)
+    files = [source.file for source in parts.sources]
     return {
         "sheetmorph_find": 1,
         "options": {**options.as_dict(), "gap": found.gap},
         "parts": [_entry(source.file.origin, source.members, meshing) for source in parts.sources],
+        "notes": [f"{file.origin}: {text}" for file in files for text in file.missing],
         **asdict(found),
     }
 

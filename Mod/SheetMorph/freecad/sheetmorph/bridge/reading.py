@@ -20,6 +20,6 @@ def read_file(path: str | os.PathLike, mesh: dict | None = None):
     """
     path, package = Path(path), kernel.load()
     file = reporting.waited_for(lambda told: package.read_part(path, mesh, told))
-    for note in file.notes:
+    for note in [*file.missing, *file.notes]:
         FreeCAD.Console.PrintMessage(f"SheetMorph: {path.name}: {note}\n")
     return file
