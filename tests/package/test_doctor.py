@@ -13,6 +13,7 @@ import pytest
 from plates import plate, write_plate
 from sheetmorph import PartMesh, diagnose
 from sheetmorph.doctor import diagnose_files, schema
+from sheetmorph.file_unit import UNITS
 from test_command_line import run_module
 from test_real_files import real_file
 
@@ -91,5 +92,60 @@ def test_the_other_sets_are_found_as_their_readme_says(name: str, components: in
     assert found["counts"]["slivers"] == slivers
     assert found["counts"]["open_edges"] == 0
     cures = {entry["cure"] for entry in found["findings"]}
-    assert {"remesh", "scale"} <= cures
+    assert "remesh" in cures
     assert ("split" in cures) == (components > 1)
+    # Only the covers have a thickness that is a usual gauge in one unit, 1.5 mm in metres.
+    assert ("scale" in cures) == (name == "summit_xl_covers")
+    assert found["unit"]["guess"] == ("m" if name == "summit_xl_covers" else "unknown")
+    assert "m" in found["unit"]["plausible"] and "unit" in findings(found)
+
+
+def sheet(size: tuple[float, float], thickness: float) -> PartMesh:
+    """A closed plate with two skins, 12 x 12 squares each."""
+    grid = np.linspace(0.0, 1.0, 13)
+    x, y = (a.ravel() for a in np.meshgrid(size[0] * grid, size[1] * grid, indexing="ij"))
+    low = np.array(
+        [[13 * i + j, 13 * i + j + 14, 13 * i + j + 13] for i in range(12) for j in range(12)]
+    )
+    low = np.concatenate([low, low[:, [0, 1, 1]] + [0, -13, 0]])
+    rim = [13 * i for i in range(13)] + [156 + j for j in range(1, 13)]
+    rim += [13 * i + 12 for i in range(11, -1, -1)] + list(range(11, 0, -1))
+    walls = [(a, b, b + 169, a, b + 169, a + 169) for a, b in zip(rim, rim[1:] + rim[:1])]
+    points = np.column_stack([np.tile(x, 2), np.tile(y, 2), np.repeat([0.0, thickness], 169)])
+    return PartMesh(points, np.concatenate([low, low[:, ::-1] + 169, np.reshape(walls, (-1, 3))]))
+
+
+def test_the_true_unit_is_named_and_no_wrong_scale_is_written_in_silence():
+    noise = np.random.default_rng(8)
+    wrong = 0
+    for unit, scale in UNITS.items():
+        for _ in range(25):
+            thickness = noise.choice(
+                [0.5, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, noise.uniform(0.5, 6)]
+            )
+            long = np.exp(noise.uniform(np.log(max(20.0, 12 * thickness)), np.log(2000.0)))
+            part = sheet((long / scale, noise.uniform(0.5, 1.0) * long / scale), thickness / scale)
+            found = diagnose(part)
+            assert found["kind"] == "thin solid"
+            assert unit in found["unit"]["plausible"], (unit, thickness, long)
+            written = found["part"].get("scale", 1.0)
+            if written != scale:
+                (text,) = [f["text"] for f in found["findings"] if f["finding"] == "unit"]
+                assert unit in text
+                wrong += written != 1.0
+    assert wrong <= 3  # by a thickness that is a usual gauge in another unit, by chance
+
+
+def test_the_unit_of_a_usual_part_in_mm_is_no_question():
+    for thickness in (0.8, 1.0, 2.0, 3.0):
+        found = diagnose(sheet((300.0, 200.0), thickness))
+        assert found["unit"]["is_certain"] and found["unit"]["guess"] == "mm"
+        assert "unit" not in findings(found)
+
+
+def test_what_a_file_lacks_is_the_first_finding(tmp_path: Path):
+    file = write_plate(plate(), tmp_path / "plate.obj", "obj")
+    file.write_bytes(file.read_bytes()[:-1])
+    (found,) = diagnose_files([file])["files"]
+    assert found["findings"][0]["finding"] == "not read whole"
+    jsonschema.validate(diagnose_files([file]), schema())

@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from .words import counted
+from .file_unit import UNITS
+from .words import counted, either
 
 # Shares of the longest edge from which the mesh is too coarse to bend round its features.
 _COARSE = 0.05
@@ -25,6 +26,12 @@ def findings_of(diagnosis: dict[str, Any]) -> list[dict[str, Any]]:
         {"finding": name, "count": count, "text": text, "cure": cure, "recipe": recipe}
         for name, count, text, cure, recipe in found
     ]
+
+
+def missing_findings(missing: list[str]) -> list[dict[str, Any]]:
+    """The findings of a file that was not read whole; see PartFile.missing."""
+    keys = {"finding": "not read whole", "count": 1, "cure": None, "recipe": None}
+    return [{**keys, "text": text} for text in missing]
 
 
 def part_entry(findings: list[dict[str, Any]]) -> dict[str, Any]:
@@ -106,9 +113,15 @@ def _facets(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         yield "facing inwards", inverted, text, None, None
 
 
+def unit_word(diagnosis: dict[str, Any]) -> str:
+    """What to write behind a length of the file."""
+    guess: str = diagnosis["unit"]["guess"]
+    return "units" if guess == "unknown" else guess
+
+
 def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     counts, edges, rims = (diagnosis[key] for key in ("counts", "edge_lengths", "round_rims"))
-    unit = diagnosis["unit"]["guess"]
+    unit = unit_word(diagnosis)
     remesh = _in_mm(diagnosis, {"remesh": {"edge": diagnosis["suggested_edge"], "rims": "polygon"}})
     if counts["slivers"]:
         share = 100.0 * counts["slivers"] / diagnosis["triangles"]
@@ -140,3 +153,7 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
     if guess["scale"] != 1.0:
         text = f"the unit seems to be {unit}: {guess['reason']}"
         yield "unit", 1, text, "scale", {"scale": guess["scale"]}
+    elif not guess["is_certain"]:
+        scales = either([f"{UNITS[name]:g} for {name}" for name in guess["plausible"]])
+        text = f'the unit is not certain: {guess["reason"]}; give "scale": {scales}'
+        yield "unit", 1, text, None, None

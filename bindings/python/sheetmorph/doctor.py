@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from .advice import findings_of, part_entry
+from .advice import findings_of, missing_findings, part_entry
+from .file_unit import unit_of
 from .files import read_part, unpacked_name
 from .kernel import load_kernel
 from .part_mesh import PartMesh
@@ -37,7 +38,9 @@ def diagnose_files(files: list[str | Path], tolerance: float | None = None) -> d
     """
     found = []
     for file in map(str, files):
-        told = diagnose(read_part(file).mesh, tolerance)
+        read = read_part(file)
+        told = diagnose(read.mesh, tolerance)
+        told["findings"] = missing_findings(read.missing) + told["findings"]
         name = {} if "split" in told["part"] else {"name": unpacked_name(file).stem}
         found.append({"file": file, **told, "part": {**name, "file": file, **told["part"]}})
     return {"sheetmorph_doctor": 1, "files": found}
@@ -54,14 +57,16 @@ def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
     if tolerance is None:
         tolerance = _NEAR * kernel_mesh.size
     found = core.diagnose(kernel_mesh, tolerance)
+    thickness = _thickness(found.pieces)
+    unit = unit_of(found.size, thickness)
     diagnosis = {
         "vertices": len(mesh.points),
         "triangles": len(mesh.triangles),
         "size": found.size,
         "tolerance": found.tolerance,
         "kind": _kind(found.pieces),
-        "thickness": _thickness(found.pieces),
-        "unit": _unit(found.size),
+        "thickness": thickness,
+        "unit": unit,
         "edge_lengths": dict(zip(("shortest", "median", "longest"), found.edge_lengths)),
         "round_rims": _rims(found),
         "components": [_piece(piece) for piece in found.pieces],
@@ -70,7 +75,7 @@ def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
             "folded_slivers": _folded_slivers(mesh) if found.slivers else 0,
         },
         "is_one_sided": found.is_one_sided,
-        "suggested_edge": _in_mm(_suggested_edge(found), _unit(found.size)["scale"]),
+        "suggested_edge": _in_mm(_suggested_edge(found), unit["scale"]),
     }
     findings = findings_of(diagnosis)
     return {**diagnosis, "findings": findings, "part": part_entry(findings)}
@@ -144,15 +149,6 @@ def _thickness(pieces: list[Any]) -> float | None:
         (piece.thickness for piece in thin), key=lambda t: abs(float(t) - most)
     )
     return found
-
-
-def _unit(size: float) -> dict[str, Any]:
-    """Sheet-metal parts are centimetres to metres large: what unit makes this one so?"""
-    if 0.0 < size < 10.0:
-        reason = f"{size:.3g} mm would be tiny for a sheet-metal part, {size:.3g} m is usual"
-        return {"guess": "m", "scale": 1000.0, "reason": reason}
-    reason = f"{size:.4g} mm is a usual size" if size else "it has no extent"
-    return {"guess": "mm", "scale": 1.0, "reason": reason}
 
 
 def _rims(found: Any) -> dict[str, Any]:

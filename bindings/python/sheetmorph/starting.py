@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from .advice import unit_word
 from .arrays import Ints
 from .doctor import diagnose
 from .errors import Fault, RecipeError
@@ -88,14 +89,19 @@ def _entry(file: str) -> Entry:
     name = unpacked_name(file).stem
     if is_cad(file):
         return Entry({"file": file, "split": True, "thin": "auto"}, "every solid is a part")
-    told = diagnose(read_part(file).mesh)
+    read = read_part(file)
+    told = diagnose(read.mesh)
     keys = {} if "split" in told["part"] else {"name": name}
-    cures = [finding["text"] for finding in told["findings"] if finding["cure"]]
-    remark = f"{told['triangles']} triangles, {told['size']:.4g} {told['unit']['guess']} large"
+    cures = [
+        finding["text"]
+        for finding in told["findings"]
+        if finding["cure"] or finding["finding"] == "unit"
+    ]
+    remark = f"{told['triangles']} triangles, {told['size']:.4g} {unit_word(told)} large"
     cure = told["part"]
     if "weld" in cure:
         cure = {**cure, "weld": float(f"{cure['weld']:.2g}")}
-    return Entry({**keys, "file": file, **cure}, "; ".join([remark, *cures]))
+    return Entry({**keys, "file": file, **cure}, "; ".join([remark, *read.missing, *cures]))
 
 
 def _read(entries: list[dict[str, Any]], progress: Progress | None) -> Parts:

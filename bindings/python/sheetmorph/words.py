@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 
 def counted(number: int, one: str, many: str) -> str:
     """`1 vertex stands`, `2 vertices stand`."""
     return f"{number} {one if number == 1 else many}"
+
+
+def either(words: Sequence[str]) -> str:
+    """`mm`, `mm or cm`, `mm, cm or inch`."""
+    *others, last = words
+    return f"{', '.join(others)} or {last}" if others else last
 
 
 def folds(number: int, where: str = "") -> str:

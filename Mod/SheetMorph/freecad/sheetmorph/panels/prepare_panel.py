@@ -92,7 +92,7 @@ class PreparePanel(Panel):
     def _offer(self) -> None:
         """Ticks the cures that the diagnosis offers."""
         form, wish = self.form, cures.offered(self._found)
-        form.scale.setChecked(wish.scale != 1.0)
+        form.scale.setChecked(wish.scale == 1000.0)
         form.weld.setChecked(wish.weld is not None)
         form.remesh.setChecked(wish.edge is not None)
         form.thin.setChecked(self._part.Thin != "no" or wish.is_thin)

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The unit of a mesh file, which says nothing of it: the units that make it a usual sheet part."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .words import either
+
+UNITS = {"mm": 1.0, "cm": 10.0, "inch": 25.4, "foot": 304.8, "m": 1000.0}
+
+# What sheet-metal parts usually are, mm. Files are usually in mm, so there the ranges are wider.
+_SIZES, _SIZES_IN_MM = (15.0, 4000.0), (10.0, 1e5)
+_THICKNESSES, _THICKNESSES_IN_MM = (0.45, 6.5), (0.3, 20.0)
+# What is thicker may still be a frame or a plate, where it is no usual part in mm.
+_THICKEST = 40.0
+# Without a thickness, parts smaller than this in mm may as well be in inches.
+_LARGE = 80.0
+
+
+def unit_of(size: float, thickness: float | None) -> dict[str, Any]:
+    """The unit of a part, for the diagnosis: guess, scale, reason, plausible, is_certain.
+
+    size: the diagonal in the unit of the file; thickness: of the sheet, None if it is not known.
+    guess: "unknown" where several units are plausible and none of them is mm; scale is 1 then.
+    is_certain: whether no other unit is plausible, or only this one makes the sheet a usual gauge.
+    """
+    if not size > 0.0:
+        return _unit("mm", "it has no extent", ["mm"], True)
+    plausible = [name for name in UNITS if _is_plausible(name, size, thickness)]
+    usual = [name for name in plausible if thickness and _is_gauge(UNITS[name] * thickness)]
+    if "mm" not in plausible:
+        plausible = [name for name in UNITS if _is_plausible(name, size, thickness, _THICKEST)]
+    sizes = either([f"{name} ({_described(name, size, thickness)})" for name in plausible])
+    if not plausible:
+        return _unit("mm", "no unit makes it a usual sheet-metal part", ["mm"], True)
+    if len(plausible) == 1 or len(usual) == 1:
+        (name,) = plausible if len(plausible) == 1 else usual
+        reason = f"{_described(name, size, thickness)} is usual for a sheet-metal part"
+        if name != "mm":
+            reason += f", {_described('mm', size, thickness)} is not"
+        others = [other for other in plausible if other != name]
+        if others and name != "mm":
+            reason += f"; if it is {either(others)}, give another scale"
+        return _unit(name, reason, plausible, True)
+    is_certain = "mm" in plausible and thickness is None and size >= _LARGE
+    reason = f"{size:.4g} mm is a usual size" if is_certain else f"it may be {sizes}"
+    return _unit("mm" if "mm" in plausible else "unknown", reason, plausible, is_certain)
+
+
+def _unit(guess: str, reason: str, plausible: list[str], is_certain: bool) -> dict[str, Any]:
+    scale = UNITS.get(guess, 1.0)
+    found = {"guess": guess, "scale": scale, "reason": reason}
+    return {**found, "plausible": plausible, "is_certain": is_certain}
+
+
+def _is_plausible(
+    name: str, size: float, thickness: float | None, thickest: float = _THICKNESSES[1]
+) -> bool:
+    is_mm, scale = name == "mm", UNITS[name]
+    low, high = _SIZES_IN_MM if is_mm else _SIZES
+    if not low <= scale * size <= high:
+        return False
+    thin, thick = _THICKNESSES_IN_MM if is_mm else (_THICKNESSES[0], thickest)
+    return not thickness or thin <= scale * thickness <= thick
+
+
+def _is_gauge(thickness: float) -> bool:
+    """Whether a thickness in mm is a whole number of 0.05 mm, 0.005 inches or 1/64 inch."""
+    steps = (thickness / step for step in (0.05, 0.005 * 25.4, 25.4 / 64.0))
+    return any(abs(number - round(number)) < 1e-4 * number for number in steps)
+
+
+def _described(name: str, size: float, thickness: float | None) -> str:
+    scale = UNITS[name]
+    thick = f"{scale * thickness:.3g} mm thick and " if thickness else ""
+    return f"{thick}{scale * size:.4g} mm large"
