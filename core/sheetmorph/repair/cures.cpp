@@ -49,22 +49,34 @@ double height(const Points& points, const Facet& facet)
     return longest > 0.0 ? a.cross(b).norm() / longest : 0.0;
 }
 
-// Leaves out facets without height and those over the corners of an earlier one.
+// Leaves out the facets over the corners of an earlier one.
+Facets without_doubles(const Facets& facets)
+{
+    Facets found;
+    std::set<std::array<int, 3>> seen;
+    for (const Facet& facet : facets)
+    {
+        std::array<int, 3> key = facet.corners;
+        std::sort(key.begin(), key.end());
+        if (seen.insert(key).second)
+            found.push_back(facet);
+    }
+    return found;
+}
+
+// Leaves out facets without height and doubled ones.
 Facets sound_facets(const TriangleMesh& mesh, const std::vector<int>& first, double tolerance)
 {
     Facets facets;
-    std::set<std::array<int, 3>> seen;
     for (int t = 0; t < mesh.triangle_count(); ++t)
     {
         Facet facet{{}, t};
         for (int k = 0; k < 3; ++k)
             facet.corners[k] = first[mesh.triangles()(t, k)];
-        std::array<int, 3> key = facet.corners;
-        std::sort(key.begin(), key.end());
-        if (height(mesh.points(), facet) > least_height * tolerance && seen.insert(key).second)
+        if (height(mesh.points(), facet) > least_height * tolerance)
             facets.push_back(facet);
     }
-    return facets;
+    return without_doubles(facets);
 }
 
 using Cuts = std::map<std::pair<int, int>, std::set<int>>;
@@ -202,6 +214,13 @@ CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds)
     if (const int inner = open_inner_walls(found.mesh, facets); inner > 0)
     {
         found.removed += inner;
+        put_together(mesh.points(), facets, places.first, found);
+    }
+    // Cuts may have made a triangle that was there already.
+    if (Facets once = without_doubles(facets); once.size() < facets.size())
+    {
+        found.removed += static_cast<int>(facets.size() - once.size());
+        facets = std::move(once);
         put_together(mesh.points(), facets, places.first, found);
     }
     return found;

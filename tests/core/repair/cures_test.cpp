@@ -124,5 +124,19 @@ TEST(Cures, RefuseATolerancesThatLeavesNothing)
     EXPECT_THROW(cured(shapes::box(1, Vector3(1, 1, 1)), -1.0), InvalidInput);
 }
 
+// Cuts at T-junctions may make the triangle that is there already.
+TEST(Cures, LeaveNoTriangleTwiceWhereCutsMakeTheSame)
+{
+    Points points(4, 3);
+    points << 0, 0, 0, 2, 0, 0, 1, 0, 0, 1, 1, 0;
+    Triangles triangles(3, 3);
+    triangles << 0, 1, 3, 0, 2, 3, 0, 2, 3;
+    const CuredMesh found = cured(TriangleMesh(points, triangles), 1e-6);
+    EXPECT_EQ(found.split, 1);
+    EXPECT_EQ(found.mesh.triangle_count(), 2);
+    EXPECT_EQ(diagnose(found.mesh, 1e-6).duplicate_triangles, 0);
+    EXPECT_EQ(found.removed, 2);
+}
+
 }  // namespace
 }  // namespace sheetmorph

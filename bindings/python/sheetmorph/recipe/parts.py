@@ -145,6 +145,8 @@ def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> Pa
         return PreparedFile(file, entry.wanted, progress)
     except ValueError as error:
         what, _, todo = str(error).rpartition("; ")
+        if not what:
+            what, todo = todo, "look at what `doctor` finds in it"
         raise FileError(file.path, f"it cannot be prepared: {what}", todo) from error
 
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/topology/editable_triangles.h"
 
+#include "sheetmorph/base/vertex_sets.h"
+
 #include <algorithm>
+#include <iterator>
 
 namespace sheetmorph
 {
@@ -112,6 +115,55 @@ int EditableTriangles::split(int t, int k)
     return m;
 }
 
+// Whether a vertex of a triangle has more than three triangles around it, or more than one at a
+// border: one of them may go.
+bool EditableTriangles::keeps_three(int t, int v) const
+{
+    int here = t, count = 0;
+    do
+    {
+        ++count;
+        here = across(here, corner_of(here, v) + 2);
+    } while (here != t && here >= 0);
+    return here == t ? count > 3 : fan(t, v).size() > 1;
+}
+
+std::vector<int> EditableTriangles::neighbours(int t, int v) const
+{
+    std::vector<int> found;
+    for (const int one : fan(t, v))
+        for (const int other : triangle(one).corner)
+            if (other != v)
+                found.push_back(other);
+    make_set(found);
+    return found;
+}
+
+bool EditableTriangles::may_flip(int t, int k) const
+{
+    const int left = corner(t, k + 2), right = opposite(t, k);
+    if (left == right || !keeps_three(t, corner(t, k)) || !keeps_three(t, corner(t, k + 1)))
+        return false;
+    const std::vector<int> beside = neighbours(t, left);
+    return !std::binary_search(beside.begin(), beside.end(), right);
+}
+
+bool EditableTriangles::may_collapse(int t, int k) const
+{
+    const int a = corner(t, k), b = corner(t, k + 1), other = across(t, k);
+    const int left = corner(t, k + 2), right = opposite(t, k);
+    int both = 0;
+    for (const int one : fan(t, a))
+        both += corner_of(one, b) >= 0;
+    if (left == right || both != 2 || !keeps_three(t, left) || !keeps_three(other, right))
+        return false;
+    const std::vector<int> beside_a = neighbours(t, a), beside_b = neighbours(t, b);
+    std::vector<int> common;
+    std::set_intersection(beside_a.begin(), beside_a.end(), beside_b.begin(), beside_b.end(),
+                          std::back_inserter(common));
+    return common.size() == 2;
+}
+
 void EditableTriangles::flip(int t, int k)
 {
     const auto [o, a, b, c, d, bc, ca, ad, db] = diamond(t, k);
@@ -144,6 +196,33 @@ void EditableTriangles::collapse(int v, int to)
         triangles_[index(t)].corner.fill(-1);
     }
     triangle_at_[index(v)] = -1;
+}
+
+std::string EditableTriangles::fault() const
+{
+    for (int t = 0; t < count(); ++t)
+        for (int k = 0; k < 3 && triangle(t).is_alive(); ++k)
+        {
+            const int a = corner(t, k), b = corner(t, k + 1), other = across(t, k);
+            const std::string place =
+                "side " + std::to_string(k) + " of triangle " + std::to_string(t);
+            if (a < 0 || a >= vertex_count() || a == b)
+                return place + " has no two vertices";
+            if (triangle_at(a) < 0 || corner_of(triangle_at(a), a) < 0)
+                return "vertex " + std::to_string(a) + " has lost its triangle";
+            if (other < 0)
+                continue;
+            if (other == t || other >= count() || !triangle(other).is_alive()
+                || corner_of(other, a) < 0 || corner_of(other, b) < 0)
+                return place + " has a neighbour that is not there";
+            const auto& back = triangle(other).across;
+            if (std::count(back.begin(), back.end(), t) == 0)
+                return place + " has a neighbour that has another one";
+        }
+    for (int v = 0; v < vertex_count(); ++v)
+        if (triangle_at(v) >= 0 && corner_of(triangle_at(v), v) < 0)
+            return "vertex " + std::to_string(v) + " is at a triangle without it";
+    return {};
 }
 
 }  // namespace sheetmorph

@@ -4,6 +4,7 @@
 #include "sheetmorph/mesh/topology/edges.h"
 
 #include <array>
+#include <string>
 #include <utility>
 
 namespace sheetmorph
@@ -54,15 +55,31 @@ public:
     std::vector<int> fan(int t, int v) const;
     std::vector<int> around(int v) const { return fan(triangle_at(v), v); }
 
+    //! The vertices beside one, of the triangles of fan(), sorted.
+    std::vector<int> neighbours(int t, int v) const;
+
     //! Puts a vertex on a free side; two triangles come last. \returns its index
     int split(int t, int k);
 
-    //! Exchanges a free side for the other diagonal of its two triangles.
+    //! Whether flip() keeps a surface: the other diagonal is no side yet, and the ends of this one
+    //! keep three triangles each.
+    bool may_flip(int t, int k) const;
+
+    //! Exchanges a free side for the other diagonal of its two triangles, which may_flip() allows.
     void flip(int t, int k);
 
-    //! Removes vertex `v`, around which triangles close, by moving it onto its neighbour `to`;
-    //! triangles die.
+    //! Whether collapse() over side k of a triangle keeps a surface: its ends have no neighbours in
+    //! common but the vertices opposite that side, no triangles in common but those beside it, and
+    //! the vertices opposite keep three triangles, or two at a border (Dey et al. 1999).
+    bool may_collapse(int t, int k) const;
+
+    //! Removes vertex `v`, around which triangles close, by moving it onto its neighbour `to`,
+    //! which may_collapse() allows; triangles die.
     void collapse(int v, int to);
+
+    //! What is wrong with the neighbours of the triangles, empty if nothing: for tests, which check
+    //! it after every step.
+    std::string fault() const;
 
     //! work(t, k) for every side once, for those without neighbour from either triangle.
     template <typename Work>
@@ -83,6 +100,7 @@ private:
     };
 
     static std::size_t index(int k) { return static_cast<std::size_t>(k); }
+    bool keeps_three(int t, int v) const;
     Diamond diamond(int t, int k) const;
     void set_triangle(int t, const Triangle& triangle);
     void relink(int t, int before, int after);

@@ -48,16 +48,13 @@ bool flip_if_better(WorkingMesh& work, int t, int k)
     const Vector3 &a = work.at(t, k), &b = work.at(t, k + 1);
     const Vector3 &c = work.point[left], &d = work.point[right];
     // Two angles sum up to more than pi where their cotangents sum up to less than 0.
-    if (!(cotangent_at(c, a, b) + cotangent_at(d, a, b) < -1e-7) || left == right)
+    if (!(cotangent_at(c, a, b) + cotangent_at(d, a, b) < -1e-7) || !work.may_flip(t, k))
         return false;
     // The pair as one area: its triangles may be thin, and a thin one has no side of its own.
     const Vector3 pair = WorkingMesh::area_vector(a, b, c) + WorkingMesh::area_vector(b, a, d);
     if (!is_sound(pair, WorkingMesh::area_vector(a, d, c))
         || !is_sound(pair, WorkingMesh::area_vector(d, b, c)))
         return false;
-    for (const int other : work.fan(t, left))
-        if (work.corner_of(other, right) >= 0)
-            return false;
     work.flip(t, k);
     return true;
 }
@@ -94,18 +91,6 @@ bool grows_too_long(const WorkingMesh& work, int v, const std::vector<int>& ring
                        });
 }
 
-// The neighbours of a vertex but one, sorted.
-std::vector<int> neighbours(const WorkingMesh& work, const std::vector<int>& fan, int v, int but)
-{
-    std::vector<int> found;
-    for (const int t : fan)
-        for (const int other : work.triangle(t).corner)
-            if (other != v && other != but)
-                found.push_back(other);
-    make_set(found);
-    return found;
-}
-
 // One end of a side goes onto the other, or both to the middle, if nothing speaks against it.
 void collapse_if_sound(WorkingMesh& work, int t, int k)
 {
@@ -114,14 +99,9 @@ void collapse_if_sound(WorkingMesh& work, int t, int k)
         return;
     if (work.is_frozen[b])
         std::swap(a, b);
-    const std::vector<int> beside_a = neighbours(work, work.fan(t, a), a, b);
-    const std::vector<int> beside_b = neighbours(work, work.fan(t, b), b, a);
-    std::vector<int> common;
-    std::set_intersection(beside_a.begin(), beside_a.end(), beside_b.begin(), beside_b.end(),
-                          std::back_inserter(common));
-    // Else the triangles would no longer be a surface.
-    if (common.size() != 2 || (beside_a == common && beside_b == common))
+    if (!work.may_collapse(t, k))
         return;
+    const std::vector<int> beside_a = work.neighbours(t, a), beside_b = work.neighbours(t, b);
     const auto is_sound_at = [&](const Vector3& place)
     {
         return may_move(work, b, a, place) && (work.is_frozen[a] || may_move(work, a, b, place))

@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace sheetmorph
 {
@@ -225,6 +226,90 @@ TEST(Remeshing, RefusesEdgesThatMakeNoSense)
     const TriangleMesh box = shapes::box(1, Vector3(60, 40, 3));
     EXPECT_THROW(remeshed(box, edges_of(0.0)), InvalidInput);
     EXPECT_THROW(remeshed(box, edges_of(1e-4)), InvalidInput);
+}
+
+// A strip some 10,000 times as long as wide, its two sides cut at places of their own: many of its
+// triangles have no height, some stand twice, and some of its sides have three.
+TriangleMesh degenerate_strip(std::mt19937& random)
+{
+    const auto share = [&] { return std::uniform_real_distribution<double>(0.0, 1.0)(random); };
+    const double length = 10.0, width = std::pow(10.0, -6.0 + 4.0 * share());
+    std::vector<double> below{0.0, length}, above{0.0, length};
+    for (std::vector<double>* side : {&below, &above})
+    {
+        for (int k = static_cast<int>(12 * share()); k > 0; --k)
+            side->push_back(length * share());
+        std::sort(side->begin(), side->end());
+    }
+    const auto count = static_cast<int>(below.size() + above.size());
+    Points points(count, 3);
+    for (int v = 0; v < count; ++v)
+    {
+        const bool is_below = v < static_cast<int>(below.size());
+        points.row(v) << (is_below ? below[static_cast<std::size_t>(v)]
+                                   : above[static_cast<std::size_t>(v) - below.size()]),
+            is_below ? 0.0 : width, 0.01 * width * share();
+    }
+    std::vector<std::array<int, 3>> made;
+    int a = 0, b = static_cast<int>(below.size());
+    const int last_a = b - 1, last_b = count - 1;
+    while (a < last_a || b < last_b)
+    {
+        const bool is_a = b == last_b || (a < last_a && points(a + 1, 0) < points(b + 1, 0));
+        made.push_back({a, is_a ? a + 1 : b + 1, b});
+        (is_a ? a : b) += 1;
+    }
+    const auto pick = [&] { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+    for (std::size_t k = made.size(); k > 0; --k)
+        if (share() < 0.2)
+            made.push_back({made[k - 1][1], made[k - 1][0], made[k - 1][2]});
+        else if (std::array<int, 3> one{made[k - 1][0], made[k - 1][1], pick()};
+                 share() < 0.1 && one[2] != one[0] && one[2] != one[1])
+            made.push_back(one);
+    Triangles triangles(static_cast<Eigen::Index>(made.size()), 3);
+    for (std::size_t t = 0; t < made.size(); ++t)
+        triangles.row(static_cast<Eigen::Index>(t)) << made[t][0], made[t][1], made[t][2];
+    return TriangleMesh(points, triangles);
+}
+
+TEST(Remeshing, OfDegenerateStripsStaysAmongItsVertices)
+{
+    std::mt19937 random(27);
+    int refused = 0;
+    constexpr int rounds = 150;
+    for (int round = 0; round < rounds; ++round)
+    {
+        const TriangleMesh strip = degenerate_strip(random);
+        std::vector<double> sizes(static_cast<std::size_t>(strip.vertex_count()), 0.2);
+        const std::vector<int> patch(static_cast<std::size_t>(strip.triangle_count()), 0);
+        WorkingMesh work({strip, {}, patch, sizes, {1}, 0.2, 3000});
+        for (int step = 0; step < 3; ++step)
+        {
+            split_long_edges(work, 5);
+            ASSERT_EQ(work.fault(), "") << "split, round " << round;
+            collapse_short_edges(work, 3);
+            ASSERT_EQ(work.fault(), "") << "collapsed, round " << round;
+            flip_to_delaunay(work, 4);
+            ASSERT_EQ(work.fault(), "") << "flipped, round " << round;
+            smooth(work);
+        }
+        for (const Vector3& point : work.point)
+            ASSERT_TRUE(point.allFinite());
+        if (round % 20 > 0)
+            continue;  // each makes tens of thousands of triangles
+        try
+        {
+            const RemeshedMesh found = remeshed(strip, edges_of(0.2));
+            ASSERT_TRUE(found.mesh.points().allFinite());
+            ASSERT_GE(found.mesh.triangles().minCoeff(), 0);
+            ASSERT_LT(found.mesh.triangles().maxCoeff(), found.mesh.vertex_count());
+        }
+        catch (const InvalidInput&)
+        {
+            ++refused;
+        }
+    }
+    EXPECT_LT(refused, rounds / 40);
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A strip 0.00004 mm wide that is welded and remeshed."""
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import sheetmorph
+
+
+@pytest.mark.parametrize("recipe", ["recipe.json", "welded.json", "smaller.json"])
+def test_the_remesher_ends_with_a_mesh_or_with_words(
+    recipe: str, case: Callable[[str], Path]
+) -> None:
+    done = sheetmorph("check", recipe, folder=case("27"))
+    assert done.status in (0, 2), done.said
+    assert "prepared: ;" not in done.err
