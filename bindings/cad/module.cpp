@@ -107,6 +107,8 @@ void bind_model(py::module_& module)
         .def_readonly("lost_faces", &CadModel::lost_faces,
                       "how many faces of the file OpenCASCADE could not make; no part has them")
         .def_readonly("lost_in", &CadModel::lost_in, "solids of a STEP file that lack some of them")
+        .def_readonly("unread", &CadModel::unread,
+                      "entities of a STEP file with values that make no sense: number, and why")
         .def(
             "kept_mesh",
             [](const CadModel& model, std::size_t part)
@@ -189,6 +191,21 @@ CadMeshing meshing_from(const py::dict& sizes)
     return meshing;
 }
 
+// Reports to a callable; without one it lets Python act on Ctrl+C all the same.
+Progress interruptible(const py::object& callback)
+{
+    if (!callback.is_none())
+        return progress_from(callback);
+    return Progress(
+        [](double, const std::string&)
+        {
+            const py::gil_scoped_acquire gil;
+            if (PyErr_CheckSignals() != 0)
+                throw py::error_already_set();
+            return true;
+        });
+}
+
 void bind_readers(py::module_& module)
 {
     module.def(
@@ -196,7 +213,7 @@ void bind_readers(py::module_& module)
         [](const std::string& path, const py::dict& sizes, const py::object& progress)
         {
             const CadMeshing meshing = meshing_from(sizes);
-            const Progress reported = progress_from(progress);
+            const Progress reported = interruptible(progress);
             const py::gil_scoped_release released;
             return read_cad(path, meshing, reported);
         },
@@ -210,8 +227,9 @@ void bind_readers(py::module_& module)
         [](const std::string& text, const std::string& name, const py::dict& sizes)
         {
             const CadMeshing meshing = meshing_from(sizes);
+            const Progress reported = interruptible(py::none());
             const py::gil_scoped_release released;
-            return read_brep(text, name, meshing);
+            return read_brep(text, name, meshing, reported);
         },
         py::arg("text"), py::arg("name"), py::arg("sizes") = py::dict(),
         "The same for the text of a BREP file; its parts are called name, or name.1, name.2, ...");

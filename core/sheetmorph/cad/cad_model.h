@@ -99,6 +99,8 @@ struct CadModel
     std::shared_ptr<const CadSource> source;  //!< what was read, to be written with other shapes
     int lost_faces = 0;                       //!< faces in the file that no part has: unreadable
     std::vector<std::string> lost_in;         //!< solids of a STEP file that lack some of them
+    std::vector<std::string> unread;  //!< entities of a STEP file with values that make no sense:
+                                      //!< the number of each, and why
 };
 
 }  // namespace sheetmorph

@@ -4,7 +4,9 @@
 #include "sheetmorph/cad/cad_guard.h"
 #include "sheetmorph/cad/cad_shapes.h"
 #include "sheetmorph/cad/meshing/edge_discretisation.h"
+#include "sheetmorph/cad/meshing/mesh_estimate.h"
 #include "sheetmorph/cad/meshing/part_mesher.h"
+#include "sheetmorph/cad/meshing/stoppable.h"
 #include "sheetmorph/cad/occt_surface.h"
 
 #include <BRepBndLib.hxx>
@@ -21,6 +23,9 @@ namespace sheetmorph
 
 namespace
 {
+
+constexpr const char* unreadable = "it cannot be read";
+constexpr const char* repair = "repair it in the CAD system and export it again";
 
 void check(const CadMeshing& meshing)
 {
@@ -51,9 +56,11 @@ CadMeshing with_defaults(CadMeshing meshing, const std::vector<NamedShape>& shap
         meshing.edge = rounded(size / edges_along_the_diagonal);
     if (meshing.deflection == 0.0)
         meshing.deflection = rounded(meshing.edge / edge_over_deflection);
-    constexpr double smallest = 1e-5;
-    if (meshing.edge < smallest * size || meshing.deflection < 1e-3 * smallest * size)
-        throw InvalidInput("the meshing is too fine for what is in the file; give a longer edge");
+    constexpr double smallest = 1e-7;
+    if (meshing.deflection < smallest * size)
+        throw InvalidInput("a deflection of " + short_number(meshing.deflection)
+                           + " mm is too small for what is in the file; give "
+                           + short_number(1.1 * smallest * size) + " mm or more");
     return meshing;
 }
 
@@ -122,6 +129,37 @@ TopoDS_Shape unplaced(const TopoDS_Shape& shape)
     return shape.Located(TopLoc_Location());
 }
 
+// The mesh of every shape.
+std::vector<CadPart> mesh_all(const TopTools_IndexedMapOfShape& shapes, const CadMeshing& meshing,
+                              const Progress& progress)
+{
+    TopoDS_Compound all;
+    BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (int i = 1; i <= shapes.Extent(); ++i)
+        builder.Add(all, shapes(i));
+    progress.report(0.0, "triangulating");
+    MeshEstimate(all).check(meshing);
+    const auto in_thread = [&](double fraction, const char* task, const auto& work)
+    {
+        const auto in_silence = [&](const StopFlag& flag)
+        { return guarded(unreadable, repair, [&] { return work(flag); }); };
+        return stoppable(progress, fraction, task, in_silence);
+    };
+    in_thread(0.0, "triangulating",
+              [&](const StopFlag& flag) { triangulate(all, meshing, &flag); });
+    std::vector<CadPart> made;
+    for (int i = 1; i <= shapes.Extent(); ++i)
+    {
+        const double fraction = 0.4 + 0.6 * (i - 1) / shapes.Extent();
+        progress.report(fraction, "meshing");
+        made.push_back(in_thread(fraction, "meshing",
+                                 [&](const StopFlag& flag)
+                                 { return mesh_part(shapes(i), meshing, &flag); }));
+    }
+    return made;
+}
+
 CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& wanted,
                 const Progress& progress)
 {
@@ -130,25 +168,11 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
         throw InvalidInput("it holds no solid and no surface; export solids or surfaces");
     const CadMeshing meshing = with_defaults(wanted, shapes);
     TopTools_IndexedMapOfShape originals;  // a part that is used often is meshed once
-    TopoDS_Compound all;
-    BRep_Builder builder;
-    builder.MakeCompound(all);
     for (const NamedShape& one : shapes)
-        if (const TopoDS_Shape original = unplaced(one.shape); !originals.Contains(original))
-        {
-            originals.Add(original);
-            builder.Add(all, original);
-        }
-    progress.report(0.0, "triangulating");
-    triangulate(all, meshing);
-    std::vector<CadPart> made;
-    for (int i = 1; i <= originals.Extent(); ++i)
-    {
-        progress.report(0.4 + 0.6 * (i - 1) / originals.Extent(), "meshing");
-        made.push_back(mesh_part(originals(i), meshing));
-    }
+        originals.Add(unplaced(one.shape));
+    const std::vector<CadPart> made = mesh_all(originals, meshing, progress);
     CadModel model{{},     meshing.edge,       meshing.deflection, meshing.angle,
-                   source, source->lost_faces, source->lost_in};
+                   source, source->lost_faces, source->lost_in,    source->unread};
     for (const NamedShape& one : shapes)
     {
         const int index = originals.FindIndex(unplaced(one.shape));
@@ -161,9 +185,6 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
         throw InvalidInput("none of its faces can be meshed; repair them in the CAD system");
     return model;
 }
-
-constexpr const char* unreadable = "it cannot be read";
-constexpr const char* repair = "repair it in the CAD system and export it again";
 
 }  // namespace
 
@@ -179,11 +200,12 @@ CadModel read_cad(const std::string& path, const CadMeshing& meshing, const Prog
                    });
 }
 
-CadModel read_brep(const std::string& text, const std::string& name, const CadMeshing& meshing)
+CadModel read_brep(const std::string& text, const std::string& name, const CadMeshing& meshing,
+                   const Progress& progress)
 {
     check(meshing);
     return guarded(unreadable, repair,
-                   [&] { return meshed(source_of_brep_text(text, name), meshing, Progress()); });
+                   [&] { return meshed(source_of_brep_text(text, name), meshing, progress); });
 }
 
 }  // namespace sheetmorph

@@ -25,6 +25,7 @@ struct CadMeshing
 CadModel read_cad(const std::string& path, const CadMeshing& meshing, const Progress& progress);
 
 //! The same for one shape in OpenCASCADE's BREP format, its parts called `name`, `name 2`, ...
-CadModel read_brep(const std::string& text, const std::string& name, const CadMeshing& meshing);
+CadModel read_brep(const std::string& text, const std::string& name, const CadMeshing& meshing,
+                   const Progress& progress = {});
 
 }  // namespace sheetmorph

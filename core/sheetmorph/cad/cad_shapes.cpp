@@ -3,11 +3,14 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/face_tags.h"
 #include "sheetmorph/cad/healing/healing.h"
+#include "sheetmorph/cad/step_text.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Reader.hxx>
+#include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepRepr_RepresentationItem.hxx>
@@ -25,6 +28,7 @@
 #include <cctype>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace sheetmorph
@@ -129,6 +133,75 @@ std::string unit_of(STEPControl_Reader& reader)
     return found;
 }
 
+std::string content_of(const std::string& path)
+{
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+// Whether the last line of an IGES file is there, with a T in column 73: OpenCASCADE reads files
+// that are cut off, too, as far as they go.
+bool has_iges_end(const std::string& text)
+{
+    const std::size_t last = text.find_last_not_of(" \t\r\n\x1A" + std::string(1, '\0'));
+    if (last == std::string::npos)
+        return false;
+    const std::size_t before = text.find_last_of("\r\n", last);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    constexpr std::size_t column = 72;
+    return last >= begin + column && text[begin + column] == 'T';
+}
+
+void read_step(STEPCAFControl_Reader& reader, const std::string& path)
+{
+    use_millimetres(reader);
+    reader.SetColorMode(true);
+    reader.SetLayerMode(true);
+    reader.SetNameMode(true);
+    IFSelect_ReturnStatus status = IFSelect_RetVoid;
+    if (const std::optional<std::string> text = standard_step_text(content_of(path)))
+    {
+        std::istringstream stream(*text);
+        status = reader.ChangeReader().ReadStream(path.c_str(), stream);
+    }
+    else
+        status = reader.ReadFile(path.c_str());
+    if (status != IFSelect_RetDone)
+        throw InvalidInput("it is no STEP file, or a damaged one; export it again");
+}
+
+// The entities of a STEP file that lost values when it was read; those that lost a text alone have
+// their shape. Throws where the text itself could not be understood.
+std::vector<std::string> unread_entities(const Interface_InterfaceModel& model)
+{
+    const Handle(Interface_Check) all = model.GlobalCheck(true);
+    if (const int fails = all.IsNull() ? 0 : all->NbFails(); fails > 0)
+    {
+        const std::string first = all->CFail(1);
+        if (first.find("yntax") != std::string::npos || first.find("Parsing") != std::string::npos)
+            throw InvalidInput("OpenCASCADE finds " + std::to_string(fails)
+                               + " syntax errors and would leave out what they say; export it "
+                                 "again (the first: " + first + ")");
+    }
+    std::vector<std::string> found;
+    for (int i = 1; i <= model.NbEntities(); ++i)
+    {
+        if (!model.IsErrorEntity(i))
+            continue;
+        const Handle(Interface_Check) check = model.Check(i, true);
+        for (int k = 1; k <= check->NbFails(); ++k)
+            if (const std::string why = check->CFail(k);
+                why.find("not a quoted String") == std::string::npos)
+            {
+                found.push_back(std::string(model.StringLabel(model.Value(i))->ToCString()) + ": "
+                                + why);
+                break;
+            }
+    }
+    return found;
+}
+
 bool names_ap242(const std::string& path)
 {
     std::string head(4096, ' ');
@@ -158,12 +231,8 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
 {
     const auto source = std::make_shared<CadSource>();
     STEPCAFControl_Reader reader;
-    use_millimetres(reader);
-    reader.SetColorMode(true);
-    reader.SetLayerMode(true);
-    reader.SetNameMode(true);
-    if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-        throw InvalidInput("it is no STEP file, or a damaged one; export it again");
+    read_step(reader, path);
+    source->unread = unread_entities(*reader.Reader().Model());
     source->unit = unit_of(reader.ChangeReader());
     source->is_ap242 = names_ap242(path);
     Handle(TDocStd_Document) document = source->document.handle();
@@ -192,6 +261,8 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
 
 std::shared_ptr<CadSource> source_of_iges(const std::string& path)
 {
+    if (!has_iges_end(content_of(path)))
+        throw InvalidInput("it ends before the last line of an IGES file; copy or export it again");
     const auto source = std::make_shared<CadSource>();
     IGESCAFControl_Reader reader;
     use_millimetres(reader);
@@ -209,9 +280,7 @@ std::shared_ptr<CadSource> source_of_iges(const std::string& path)
 
 std::shared_ptr<CadSource> source_of_brep(const std::string& path, const std::string& name)
 {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return source_of_brep_text(text.str(), name);
+    return source_of_brep_text(content_of(path), name);
 }
 
 std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const std::string& name)

@@ -21,6 +21,7 @@ struct CadSource
     bool is_ap242 = false;             //!< the schema of a STEP file
     int lost_faces = 0;                //!< faces that the file holds and OpenCASCADE could not make
     std::vector<std::string> lost_in;  //!< solids of a STEP file that lack some: name or number
+    std::vector<std::string> unread;   //!< entities of a STEP file with values that make no sense
 };
 
 //! \throws InvalidInput if the file cannot be read

@@ -242,7 +242,8 @@ TEST(CadReader, refuses_sizes_out_of_range)
     const std::string path = folder.file("plate.brep");
     EXPECT_THAT(complaint(path, {-1.0, 0.0, 0.35}), testing::HasSubstr("length"));
     EXPECT_THAT(complaint(path, {1.0, 0.1, 3.0}), testing::HasSubstr("angle"));
-    EXPECT_THAT(complaint(path, {1e-9, 0.1, 0.35}), testing::HasSubstr("too fine"));
+    EXPECT_THAT(complaint(path, {1e-9, 0.1, 0.35}),
+                testing::HasSubstr("million triangles; give a longer edge"));
 }
 
 TEST(CadReader, can_be_cancelled)
@@ -251,6 +252,28 @@ TEST(CadReader, can_be_cancelled)
     write_plate_brep(folder.file("plate.brep"));
     const Progress stop([](double, const std::string&) { return false; });
     EXPECT_THROW(read_cad(folder.file("plate.brep"), {}, stop), Cancelled);
+    // Also while OpenCASCADE triangulates, and while a face is refined: both report from outside.
+    for (const int reports : {4, 8, 12})
+    {
+        int left = reports;
+        const Progress later([&](double, const std::string&) { return --left > 0; });
+        EXPECT_THROW(read_cad(folder.file("plate.brep"), {0.08, 0.0, 0.35}, later), Cancelled);
+    }
+}
+
+TEST(CadReader, refuses_an_iges_file_that_is_cut_off)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("plate.igs");
+    write_plate_iges(path);
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    for (const std::size_t lost : {2, 90, 500, 3000, 10000})
+    {
+        std::ofstream(path) << text.str().substr(0, text.str().size() - lost);
+        if (lost > 2)
+            EXPECT_THAT(complaint(path), testing::HasSubstr("; ")) << lost;
+    }
 }
 
 }  // namespace sheetmorph::test

@@ -48,6 +48,7 @@ class CadFile(PartFile):
         ends = np.cumsum([0, *(len(part.triangles) for part in parts)])
         self.bodies = {p.name: np.arange(ends[k], ends[k + 1]) for k, p in enumerate(parts)}
         self.notes += _notes(self.model)
+        self.missing += _missing(self.model)
 
     @property
     def output_name(self) -> str:
@@ -173,16 +174,7 @@ def _notes(model: Any) -> list[str]:
         f"angle {angle:.4g} degrees; at most {deviation:.2g} mm from the CAD surfaces; written as "
         "OBJ"
     ]
-    if model.lost_faces:
-        faces = counted(model.lost_faces, "face of the file is", "faces of the file are")
-        where = f", of {', '.join(model.lost_in)}" if model.lost_in else ""
-        notes.append(
-            f"{faces} missing{where}: OpenCASCADE cannot read what it says; export it again"
-        )
     for part in model.parts:
-        if part.skipped_faces:
-            faces = ", ".join(str(face) for face in part.skipped_faces)
-            notes.append(f"faces {faces} of {part.name} are broken and left out")
         if part.healed:
             why, within = "; ".join(part.healed), part.healed_within
             notes.append(
@@ -194,3 +186,25 @@ def _notes(model: Any) -> list[str]:
         if part.unsettled:
             notes.append(f"{part.name}: {part.unsettled}")
     return notes
+
+
+def _missing(model: Any) -> list[str]:
+    """What the file holds and the meshes lack."""
+    missing = []
+    if model.unread:
+        entities = counted(len(model.unread), "entity", "entities")
+        missing.append(
+            f"OpenCASCADE cannot read the values of {entities} of the file (the first is "
+            f"{model.unread[0]}); export it again"
+        )
+    if model.lost_faces:
+        faces = counted(model.lost_faces, "face of the file is", "faces of the file are")
+        where = f", of {', '.join(model.lost_in)}" if model.lost_in else ""
+        missing.append(
+            f"{faces} missing{where}: OpenCASCADE cannot read what it says; export it again"
+        )
+    for part in model.parts:
+        if part.skipped_faces:
+            faces = ", ".join(str(face) for face in part.skipped_faces)
+            missing.append(f"faces {faces} of {part.name} are broken and left out")
+    return missing

@@ -9,7 +9,6 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from ..arrays import Bools, Floats, Ints
-from ..errors import FileError
 
 SPLIT_IT = "split it into triangles, or into polygons that do not cross themselves"
 # Shares of the square of a polygon's longest side: what counts as no area, and how far a triangle
@@ -20,8 +19,14 @@ _NO_AREA, _ROUNDING = 1e-12, 1e-6
 _Entry = tuple[float, int, int, int]
 
 
+def _refused(number: int, what: str) -> ValueError:
+    return ValueError(f"face {number}: {what}; {SPLIT_IT}")
+
+
 def triangulate(
-    points: Floats, faces: Sequence[Sequence[int]], refusal: Callable[[int, str], FileError]
+    points: Floats,
+    faces: Sequence[Sequence[int]],
+    refusal: Callable[[int, str], ValueError] = _refused,
 ) -> Ints:
     """Triangles (m, 3) int32 of faces (each three or more vertex indices), in the faces' order.
 
@@ -30,8 +35,8 @@ def triangulate(
     from its first vertex if they are equal to rounding (so that a moved or scaled model is cut
     alike), and along the other one if only that lies inside it. A polygon fans out from its first
     vertex if all of it can be seen from there; any other loses one ear after the other. A polygon
-    may touch itself, as one does whose holes are connected to its outline by bridges. Raises
-    FileError for a polygon that crosses itself.
+    may touch itself, as one does whose holes are connected to its outline by bridges. Raises the
+    error for a polygon that crosses itself.
     """
     sizes = np.fromiter((len(face) for face in faces), dtype=np.int64, count=len(faces))
     owners, triangles = [], []

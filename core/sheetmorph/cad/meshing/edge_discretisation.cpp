@@ -12,6 +12,7 @@
 #include <IMeshData_Face.hxx>
 #include <IMeshData_Model.hxx>
 #include <IMeshTools_CurveTessellator.hxx>
+#include <Message_ProgressIndicator.hxx>
 #include <OSD_Parallel.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -109,11 +110,25 @@ Pieces cut_shorter(const Pieces& coarse, const TopoDS_Edge& edge, const Lengths&
     return fine;
 }
 
+// Tells BRepMesh to stop.
+class Stop : public Message_ProgressIndicator
+{
+public:
+    explicit Stop(const StopFlag* flag) : flag_(flag) {}
+
+protected:
+    Standard_Boolean UserBreak() override { return flag_ != nullptr && flag_->load(); }
+    void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
+
+private:
+    const StopFlag* flag_;
+};
+
 // Cuts the edges of a model; takes the place of BRepMesh_EdgeDiscret, which knows no length.
 class EdgeCutter : public IMeshTools_ModelAlgo
 {
 public:
-    explicit EdgeCutter(const CadMeshing& meshing) : meshing_(meshing) {}
+    EdgeCutter(const CadMeshing& meshing, const StopFlag* stop) : meshing_(meshing), stop_(stop) {}
 
 protected:
     Standard_Boolean performInternal(const Handle(IMeshData_Model) & model,
@@ -126,6 +141,8 @@ protected:
             const auto guarded = [&](int index)
             {
                 const IMeshData::IEdgeHandle& edge = model->GetEdge(index);
+                if (stop_ != nullptr && stop_->load())
+                    return;
                 try
                 {
                     work(edge, coarse[static_cast<std::size_t>(index)]);
@@ -139,6 +156,8 @@ protected:
         };
         for_each_edge([&](const IMeshData::IEdgeHandle& edge, Pieces& pieces)
                       { pieces = follow_curve(edge, parameters, model->GetMaxSize()); });
+        if (stop_ != nullptr && stop_->load())
+            return false;
         note_ends(*model, coarse);
         for_each_edge([&](const IMeshData::IEdgeHandle& edge, const Pieces& pieces)
                       { cut(edge, pieces); });
@@ -227,17 +246,18 @@ private:
     }
 
     CadMeshing meshing_;
+    const StopFlag* stop_;
     TopTools_IndexedMapOfShape vertices_;
     std::vector<double> lengths_;
 };
 
 }  // namespace
 
-void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing)
+void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing, const StopFlag* stop)
 {
     BRepTools::Clean(shape);
     Handle(BRepMesh_Context) context = new BRepMesh_Context;
-    context->SetEdgeDiscret(new EdgeCutter(meshing));
+    context->SetEdgeDiscret(new EdgeCutter(meshing, stop));
     IMeshTools_Parameters& parameters = context->ChangeParameters();
     parameters.Deflection = meshing.deflection;
     parameters.Angle = meshing.angle;
@@ -249,7 +269,9 @@ void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing)
     mesher.ChangeParameters() = parameters;
     TopoDS_Shape meshed = shape;
     mesher.SetShape(meshed);
-    mesher.Perform(context, Message_ProgressRange());
+    const Handle(Stop) indicator = new Stop(stop);
+    mesher.Perform(context, indicator->Start());
+    stop_if(stop);
 }
 
 }  // namespace sheetmorph

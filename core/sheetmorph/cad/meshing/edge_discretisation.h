@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/cad/meshing/stoppable.h"
 
 #include <TopoDS_Shape.hxx>
 
@@ -11,6 +12,8 @@ namespace sheetmorph
 //! Triangulates every face of a shape with OpenCASCADE's BRepMesh, its edges cut so that no piece
 //! is longer than `meshing.edge`; the triangulations are then in the shape.
 //! \param meshing  all three sizes > 0
-void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing);
+//! \throws Cancelled if the flag is set meanwhile
+void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing,
+                 const StopFlag* stop = nullptr);
 
 }  // namespace sheetmorph

@@ -120,6 +120,7 @@ void FaceRefiner::spread_sizes()
     const Neighbours near(mesh_);
     while (!queue.empty())
     {
+        stop_if(sizes_.stop);
         const auto [size, v] = queue.top();
         queue.pop();
         if (size > mesh_.vertex(v).size)
@@ -174,6 +175,7 @@ int FaceRefiner::split_round()
 
 bool FaceRefiner::try_split(const Side& side)
 {
+    stop_if(sizes_.stop);
     if (mesh_.corner(side.t, side.k) != side.a || mesh_.corner(side.t, side.k + 1) != side.b)
         return false;  // gone since the list was made
     const FaceVertex &a = mesh_.vertex(side.a), &b = mesh_.vertex(side.b);
@@ -199,6 +201,7 @@ bool FaceRefiner::try_split(const Side& side)
 // the surface, as long as no triangle turns over.
 bool FaceRefiner::flip_if_better(int t, int k)
 {
+    stop_if(sizes_.stop);
     if (!mesh_.is_free_side(t, k))
         return false;
     const FaceVertex &a = corner(t, k), &b = corner(t, k + 1), &c = corner(t, k + 2);

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/convergence.h"
 #include "sheetmorph/cad/meshing/face_mesh.h"
+#include "sheetmorph/cad/meshing/stoppable.h"
 
 namespace sheetmorph
 {
@@ -33,6 +34,7 @@ struct FaceSizes
     double angle = 0.0;       //!< largest angle between the normals at its ends, radians
     double growth = 0.4;      //!< how much longer edges may be, for each mm away from the border
     int most_vertices = 500000;
+    const StopFlag* stop = nullptr;  //!< may be none
 };
 
 //! Fills a face with well shaped triangles: splits long and bent sides, exchanges diagonals until
@@ -41,6 +43,7 @@ struct FaceSizes
 //! approach to multiresolution modeling, 2004, in the parameter plane and with sizes that grow.)
 //! \param mesh  its border, which stays, has the sizes wanted there
 //! \returns whether its last splits and exchanges ended, before `most_vertices` too
+//! \throws Cancelled if the flag is set meanwhile
 Convergence refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSizes& sizes);
 
 //! The largest distance between side middles, triangle centres and the surface, mm.

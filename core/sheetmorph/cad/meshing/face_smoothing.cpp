@@ -33,6 +33,7 @@ void FaceRefiner::collapse_all()
 // Removes a vertex that is too near to a neighbour, if nothing gets too long, bent or thin by it.
 bool FaceRefiner::try_collapse(int v)
 {
+    stop_if(sizes_.stop);
     constexpr double too_near = 0.7;
     const FaceVertex here = mesh_.vertex(v);
     std::vector<std::pair<double, int>> near;
@@ -69,7 +70,7 @@ void FaceRefiner::smooth_all()
 {
     constexpr int sweeps = 3;
     for (int sweep = 0; sweep < sweeps; ++sweep)
-        for (int v = 0; v < mesh_.vertex_count(); ++v)
+        for (int v = 0; v < mesh_.vertex_count(); ++v, stop_if(sizes_.stop))
             if (!mesh_.vertex(v).is_fixed && mesh_.triangle_at(v) >= 0)
                 smooth(v);
 }

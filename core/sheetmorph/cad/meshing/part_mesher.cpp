@@ -54,7 +54,7 @@ void take(MeshedFace& face, const FaceMesh& mesh)
 }
 
 MeshedFace mesh_face(const TopoDS_Face& face, const SharedVertices& shared,
-                     const CadMeshing& meshing)
+                     const CadMeshing& meshing, const StopFlag* stop)
 {
     FaceNodes nodes = face_nodes(face, shared);
     MeshedFace made;
@@ -74,6 +74,7 @@ MeshedFace mesh_face(const TopoDS_Face& face, const SharedVertices& shared,
     sizes.edge = meshing.edge;
     sizes.deflection = meshing.deflection;
     sizes.angle = meshing.angle;
+    sizes.stop = stop;
     try
     {
         FaceMesh mesh(std::move(nodes.vertices), nodes.triangles, nodes.locked);
@@ -269,25 +270,41 @@ std::shared_ptr<const ShapeMesh> with_mesh(ShapeMesh known, const CadPart& part)
     return std::make_shared<const ShapeMesh>(std::move(known));
 }
 
-}  // namespace
-
-CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing)
+std::vector<MeshedFace> mesh_faces(const TopTools_IndexedMapOfShape& shapes,
+                                   const SharedVertices& shared, const CadMeshing& meshing,
+                                   const StopFlag* stop)
 {
-    TopTools_IndexedMapOfShape shapes;
-    TopExp::MapShapes(shape, TopAbs_FACE, shapes);
-    const SharedVertices shared(shape);
     std::vector<MeshedFace> faces(static_cast<std::size_t>(shapes.Extent()));
     const auto work = [&](int f)
     {
         const TopoDS_Face& face = TopoDS::Face(shapes(f + 1));
         MeshedFace& made = faces[static_cast<std::size_t>(f)];
-        made = mesh_face(face, shared, meshing);
+        try
+        {
+            stop_if(stop);
+            made = mesh_face(face, shared, meshing, stop);
+        }
+        catch (const Cancelled&)
+        {
+            return;  // it would end the threads of OpenCASCADE; see below
+        }
         if (face.Orientation() == TopAbs_REVERSED)
             for (auto& corners : made.triangles)
                 std::swap(corners[1], corners[2]);
     };
     OSD_Parallel::For(0, shapes.Extent(), work);
+    stop_if(stop);
+    return faces;
+}
 
+}  // namespace
+
+CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing, const StopFlag* stop)
+{
+    TopTools_IndexedMapOfShape shapes;
+    TopExp::MapShapes(shape, TopAbs_FACE, shapes);
+    const SharedVertices shared(shape);
+    const std::vector<MeshedFace> faces = mesh_faces(shapes, shared, meshing, stop);
     CadPart part;
     for (std::size_t f = 0; f < faces.size(); ++f)
     {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/cad/meshing/stoppable.h"
 
 #include <TopoDS_Shape.hxx>
 
@@ -12,6 +13,8 @@ namespace sheetmorph
 //! welded along their common edges.
 //! \param shape    a solid, shell or compound in its own coordinates
 //! \param meshing  all three sizes > 0
-CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing);
+//! \throws Cancelled if the flag is set meanwhile
+CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing,
+                  const StopFlag* stop = nullptr);
 
 }  // namespace sheetmorph
