@@ -103,8 +103,9 @@ void bind_feature_search(py::module_& module)
         "find_features",
         [](const TriangleMesh& mesh, const FeatureTolerances& tolerances)
         {
+            const auto copy = tolerances;  // another thread may change them
             const py::gil_scoped_release released;
-            return find_features(mesh, tolerances);
+            return find_features(mesh, copy);
         },
         py::arg("mesh"), py::arg("tolerances") = FeatureTolerances(),
         "The holes, surfaces, flanges, beads of a mesh as a list of Feature, holes first.");
@@ -114,8 +115,9 @@ void bind_feature_search(py::module_& module)
            const py::object& progress)
         {
             const Progress told = progress_from(progress);
+            const auto copy = tolerances;  // another thread may change them
             const py::gil_scoped_release released;
-            return features_of_all(meshes, tolerances, told);
+            return features_of_all(meshes, copy, told);
         },
         py::arg("meshes"), py::arg("tolerances"), py::arg("progress") = py::none(),
         "The same of every mesh, on all cores. progress(fraction, task) returns whether to go on.");
@@ -160,8 +162,9 @@ void bind_contact_search(py::module_& module)
             for (const auto& [part_a, vertex_a, part_b, vertex_b] : connections)
                 elements.push_back({part_a, vertex_a, part_b, vertex_b});
             const Progress reported = progress_from(progress);
+            const auto copy = tolerances;  // another thread may change them
             const py::gil_scoped_release released;
-            return find_contacts(parts, elements, tolerances, reported);
+            return find_contacts(parts, elements, copy, reported);
         },
         py::arg("parts"), py::arg("connections") = std::vector<std::array<int, 4>>(),
         py::arg("tolerances") = ContactTolerances(), py::arg("progress") = py::none(),
@@ -171,8 +174,9 @@ void bind_contact_search(py::module_& module)
         "proposed_gap",
         [](const std::vector<ContactPart>& parts, const ContactTolerances& tolerances)
         {
+            const auto copy = tolerances;  // another thread may change them
             const py::gil_scoped_release released;
-            return proposed_gap(parts, tolerances);
+            return proposed_gap(parts, copy);
         },
         py::arg("parts"), py::arg("tolerances") = ContactTolerances(),
         "The largest gap at which parts of this assembly lie on each other, mm.");

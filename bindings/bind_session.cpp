@@ -101,12 +101,15 @@ void bind_deformed(py::module_& module)
         .def_readonly("seconds", &Timing::seconds);
 }
 
+// Another Python thread may change an assembly or a pose as soon as the lock of Python is released:
+// the kernel reads a copy.
 DeformationSession session_from(const Assembly& assembly, const py::object& callback,
                                 const DeformationSession* previous)
 {
     const Progress progress = progress_from(callback);
+    const Assembly copy(assembly);
     const py::gil_scoped_release without_gil;
-    return DeformationSession(assembly, progress, previous);
+    return DeformationSession(copy, progress, previous);
 }
 
 std::vector<std::string> names_of(const DeformationSession& session, const std::vector<int>& parts)
@@ -146,8 +149,9 @@ Deformed deform(const DeformationSession& session, const Pose& pose, bool exact,
                 const py::object& callback)
 {
     const Progress progress = progress_from(callback);
+    const Pose copy(pose);
     const py::gil_scoped_release without_gil;
-    return session.deform(pose, exact ? Exactness::exact : Exactness::live, progress);
+    return session.deform(copy, exact ? Exactness::exact : Exactness::live, progress);
 }
 
 // By direction, by part.
@@ -156,9 +160,10 @@ std::vector<std::vector<py::array_t<double>>> rates(const DeformationSession& se
                                                     const std::vector<PoseRate>& directions)
 {
     std::vector<std::vector<Points>> found;
+    const Pose copy(pose);
     {
         const py::gil_scoped_release without_gil;
-        found = session.rates(pose, directions);
+        found = session.rates(copy, directions);
     }
     std::vector<std::vector<py::array_t<double>>> arrays(found.size());
     for (std::size_t k = 0; k < found.size(); ++k)
@@ -170,8 +175,20 @@ std::vector<std::vector<py::array_t<double>>> rates(const DeformationSession& se
 // The array of a frame holds it, so that its memory is not used again before.
 std::shared_ptr<Deformed> frame(LiveDrag& drag, const Pose& pose)
 {
+    const Pose copy(pose);
     const py::gil_scoped_release without_gil;
-    return std::const_pointer_cast<Deformed>(drag.frame(pose));
+    return std::const_pointer_cast<Deformed>(drag.frame(copy));
+}
+
+std::vector<bool> answered(const LiveDrag& drag)
+{
+    std::vector<char> parts;
+    {
+        // A frame of another thread may be under way.
+        const py::gil_scoped_release without_gil;
+        parts = drag.answered();
+    }
+    return {parts.begin(), parts.end()};
 }
 
 void bind_drag(py::module_& module)
@@ -185,11 +202,8 @@ void bind_drag(py::module_& module)
         .def("wait", &LiveDrag::wait, py::call_guard<py::gil_scoped_release>(),
              "Returns when the background work is done.")
         .def_property_readonly("is_ready", &LiveDrag::is_ready)
-        .def_property_readonly(
-            "answered",
-            [](const LiveDrag& drag)
-            { return std::vector<bool>(drag.answered().begin(), drag.answered().end()); },
-            "By part: whether the last frame needed no substitution.");
+        .def_property_readonly("answered", &answered,
+                               "By part: whether the last frame needed no substitution.");
 }
 
 void bind_results(py::module_& module)

@@ -174,6 +174,61 @@ def test_other_threads_run_while_the_kernel_computes():
     assert during > 1
 
 
+def test_threads_that_share_a_drag_get_the_frames_that_one_thread_gets():
+    points, triangles, rims = plate_with_holes()
+    session = _core.DeformationSession(assembly(points, triangles, rims, rotation="free"))
+    poses = [pose(motion(3.0 * k, (0.0, 0.0, 2.0 * k))) for k in range(1, 13)]
+    expected = [session.deform(one).positions(0) for one in poses]
+    drag, worst, failures = session.begin_drag(["tip"]), [], []
+    start = threading.Barrier(4)
+
+    def work(offset):
+        held = []
+        try:
+            start.wait()
+            for k in range(120):
+                which = (5 * k + offset) % len(poses)
+                held = [*held[-2:], (which, drag.frame(poses[which]))]
+                assert len(drag.answered) == 1
+                # A frame stays as it is while somebody holds it.
+                worst.append(max(np.abs(f.positions(0) - expected[w]).max() for w, f in held))
+        except Exception as error:  # noqa: BLE001
+            failures.append(error)
+
+    threads = [threading.Thread(target=work, args=(3 * k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures
+    assert max(worst) < 1e-6 * np.ptp(points, axis=0).max()
+
+
+def test_a_pose_may_change_while_another_thread_reads_it():
+    points, triangles, rims = plate_with_holes()
+    session = _core.DeformationSession(assembly(points, triangles, rims))
+    drag, shared, done = session.begin_drag(["tip"]), pose(motion()), threading.Event()
+
+    shared.move_handle("nose", motion())
+
+    def change():
+        for k in range(3000):
+            shared.move_handle(f"nose{k}", motion(shift=(0.0, 0.0, float(k % 9))))
+            done.wait(1e-5)
+
+    thread = threading.Thread(target=change)
+    thread.start()
+    try:
+        for _ in range(300):
+            with pytest.raises(_core.InvalidInput, match="nose"):
+                drag.frame(shared)
+            with pytest.raises(_core.InvalidInput, match="nose"):
+                session.deform(shared, exact=False)
+    finally:
+        done.set()
+        thread.join()
+
+
 @pytest.mark.parametrize(
     "points, triangles, error",
     [

@@ -203,6 +203,7 @@ std::shared_ptr<Deformed> LiveDrag::unheld_frame()
 std::shared_ptr<const Deformed> LiveDrag::frame(const Pose& pose)
 {
     const Pose told = told_pose(*prepared_, pose);
+    const std::lock_guard<std::mutex> lock(framing_);
     std::shared_ptr<Deformed> result = unheld_frame();
     answered_ =
         Wave(*prepared_, told, Exactness::live).run_live(background_->ready(), read_, *result);
@@ -225,8 +226,9 @@ bool LiveDrag::is_ready() const
     return background_->is_done();
 }
 
-const std::vector<char>& LiveDrag::answered() const
+std::vector<char> LiveDrag::answered() const
 {
+    const std::lock_guard<std::mutex> lock(framing_);
     return answered_;
 }
 

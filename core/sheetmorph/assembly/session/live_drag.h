@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/session/deformation_session.h"
 
+#include <mutex>
 #include <set>
 
 namespace sheetmorph
@@ -13,7 +14,7 @@ struct PreparedAssembly;
 //! Live frames while some handles are dragged. After the first frame, or a moment without one, it
 //! learns in the background how the parts answer (response.h). A frame takes what is ready and
 //! substitutes the rest, so none waits. Either way it is within 1e-6 of the size of the exact
-//! shape. One thread at a time asks for frames.
+//! shape. Several threads may query one drag: they wait for each other's frames.
 class LiveDrag
 {
 public:
@@ -41,13 +42,14 @@ public:
     std::string failure() const;
 
     //! By part: whether the last frame took its response.
-    const std::vector<char>& answered() const;
+    std::vector<char> answered() const;
 
 private:
     class Background;
     std::shared_ptr<Deformed> unheld_frame();
     std::shared_ptr<const PreparedAssembly> prepared_;
     std::unique_ptr<Background> background_;
+    mutable std::mutex framing_;  // guards what follows
     std::vector<std::shared_ptr<Deformed>> frames_;
     std::vector<Deformation> read_;  // by part: what later parts read of a frame
     std::vector<char> answered_;
