@@ -3,6 +3,8 @@
 
 #include "sheetmorph/base/errors.h"
 
+#include <utility>
+
 namespace sheetmorph
 {
 
@@ -40,12 +42,26 @@ Weights normal_matrix(const Weights& sample_weights, const Weights& weighted,
     return matrix;
 }
 
+DenseCholesky factor_of(Weights matrix)
+{
+    try
+    {
+        return DenseCholesky(std::move(matrix));
+    }
+    catch (const SolverError&)
+    {
+        throw InvalidInput(
+            "the source points do not determine the control mesh around them: they lie too close "
+            "together or too far outside it, or the smoothness is too small");
+    }
+}
+
 }  // namespace
 
 ControlMeshFit::ControlMeshFit(const Weights& sample_weights, const Eigen::VectorXd& areas,
                                const Eigen::SparseMatrix<double>& laplacian, double smoothness)
     : weighted_(weighted_rows(sample_weights, areas)),
-      factor_(normal_matrix(sample_weights, weighted_, laplacian, smoothness))
+      factor_(factor_of(normal_matrix(sample_weights, weighted_, laplacian, smoothness)))
 {
 }
 

@@ -74,6 +74,8 @@ TEST_F(ControlMeshFitTest, RefusesWhatItCannotFit)
     EXPECT_THROW(ControlMeshFit(weights_, 0.0 * areas_, shape_.laplacian(), 0.05), InvalidInput);
     EXPECT_THROW(ControlMeshFit(weights_, areas_.head(3), shape_.laplacian(), 0.05), InvalidInput);
     EXPECT_THROW(ControlMeshFit(weights_, areas_, ControlShape(1).laplacian(), 0.05), InvalidInput);
+    // Fewer samples than vertices, and nothing that smooths between them.
+    EXPECT_THROW(ControlMeshFit(weights_, areas_, shape_.laplacian(), 1e-300), InvalidInput);
 }
 
 TEST(DenseCholeskyTest, SolvesAndHalfSolvesAsEigenDoes)

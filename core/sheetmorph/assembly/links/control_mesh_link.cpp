@@ -20,6 +20,19 @@ namespace
 // A fit to more points than this gains nothing: a control mesh has a few hundred vertices.
 constexpr std::size_t most_samples = 2000;
 
+// Offset samples stand at most so many half extents from the middle of the box: mean value
+// coordinates lose digits with the cube of that, and then the fit has no minimum.
+constexpr double farthest_offset = 10.0;
+
+// The box of a region that is small beside the edges around it, wide enough for offsets.
+OrientedBox around_offsets(OrientedBox box, double offset)
+{
+    const Vector3 before = box.half_extents;
+    box.half_extents = before.cwiseMax(offset / farthest_offset);
+    box.widened_by += box.half_extents - before;
+    return box;
+}
+
 // The vertices of a region that triangles of some extent have: only these have an area and a normal
 // of their own. All, if there is none.
 VertexIds on_the_sheet(const Submesh& patch, const VertexIds& source)
@@ -104,7 +117,7 @@ public:
     ControlMeshLink(const MotionLinkInput& input, const ControlMeshOptions& options)
         : source_(input.source_part, input.source),
           meter_(input.source_part, source_.vertices),
-          control_(ControlShape::shared(options.levels), options.box),
+          control_(ControlShape::shared(options.levels), around_offsets(options.box, source_.edge)),
           link_(control_, source_.samples, input.targets, {options.smoothness, source_.edge})
     {
     }

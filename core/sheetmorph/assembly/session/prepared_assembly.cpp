@@ -51,12 +51,31 @@ PreparedLink described_link(const Assembly& assembly, const PlannedLink& planned
     return link;
 }
 
-std::shared_ptr<const MotionLink> built_link(const PartGeometry& source, const PreparedLink& link)
+// "contact 'w' from part 'a' to part 'b'"
+std::string label_of(const Assembly& assembly, const PlannedLink& link)
+{
+    std::string label = link.contact < 0 ? "the " + link.name : "contact '" + link.name + "'";
+    label += " from part '" + assembly.parts[at(link.source_part)].name + "'";
+    return link.targets.size() == 1
+               ? label + " to part '" + assembly.parts[at(link.targets.front().part)].name + "'"
+               : label;
+}
+
+std::shared_ptr<const MotionLink> built_link(const PartGeometry& source, const PreparedLink& link,
+                                             const std::string& label)
 {
     const MotionLinkInput input{source, link.source, link.targets};
-    if (link.type == ContactType::tied)
-        return tied_link(input);
-    return control_mesh_link(input, link.options);
+    try
+    {
+        if (link.type == ContactType::tied)
+            return tied_link(input);
+        return control_mesh_link(input, link.options);
+    }
+    catch (const InvalidInput& fault)
+    {
+        throw InvalidInput(label + ": " + fault.what()
+                           + "; give the contact other vertices, or make it rigid");
+    }
 }
 
 //! A part's deformer, and that of an earlier session if there is one.
@@ -288,7 +307,8 @@ public:
         link.link = reusable_link(previous_, prepared_.assembly.parts[part], link);
         if (!link.link)
             add("contact " + prepared_.planned[index].name, effort(link),
-                [&link, &source](const Progress&) { link.link = built_link(source, link); });
+                [&link, &source, label = label_of(prepared_.assembly, prepared_.planned[index])](
+                    const Progress&) { link.link = built_link(source, link, label); });
     }
 
     // What takes longest first, so that no thread is left with it at the end.
