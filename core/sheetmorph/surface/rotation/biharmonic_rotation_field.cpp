@@ -64,6 +64,8 @@ public:
         return {std::move(found.u), found.convergence};
     }
 
+    Points harmonic(const KnownRotations& known) const override { return spread(known).logs; }
+
 private:
     // Components on which at least one rotation is given; the others keep r = 0.
     std::vector<char> reached_components(const RotationFieldInput& input) const

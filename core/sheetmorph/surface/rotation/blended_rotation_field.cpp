@@ -4,6 +4,7 @@
 #include "sheetmorph/surface/operators/shared_unknowns.h"
 #include "sheetmorph/surface/operators/ties.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
+#include "sheetmorph/surface/rotation/smooth_weights.h"
 
 #include <algorithm>
 
@@ -16,6 +17,9 @@ namespace
 // Answers to every vertex that is told on its own are kept where they are so few: read in less time
 // than the factor.
 constexpr Eigen::Index most_kept = 100000;
+
+// The smoothed share of such a weight, 3e-16, is rounding.
+constexpr double least_weight = 1e-8;
 
 // Every rotation that is known gets a number; a vertex belongs to one source or to none.
 struct Sources
@@ -156,31 +160,17 @@ std::vector<int> used_sources(const Sources& sources)
     return used;
 }
 
-// (n, used): 1 where a vertex belongs to the source.
-Eigen::MatrixXd indicator(const Sources& sources, const std::vector<int>& used)
+// The vertices of every used source.
+std::vector<VertexIds> vertices_of(const Sources& sources, const std::vector<int>& used)
 {
     std::vector<int> column(at(sources.count), Sources::none);
     for (std::size_t k = 0; k < used.size(); ++k)
         column[at(used[k])] = static_cast<int>(k);
-    Eigen::MatrixXd matrix =
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sources.of_vertex.size()),
-                              static_cast<Eigen::Index>(used.size()));
+    std::vector<VertexIds> vertices(used.size());
     for (std::size_t i = 0; i < sources.of_vertex.size(); ++i)
         if (sources.of_vertex[i] != Sources::none)
-            matrix(static_cast<Eigen::Index>(i), column[at(sources.of_vertex[i])]) = 1.0;
-    return matrix;
-}
-
-// w -> 3 w^2 - 2 w^3 on every row, then the row's sum is one again.
-void smooth_and_renormalise(Eigen::MatrixXd& weights)
-{
-    weights = weights.unaryExpr(
-        [](double weight)
-        {
-            const double w = std::clamp(weight, 0.0, 1.0);
-            return w * w * (3.0 - 2.0 * w);
-        });
-    weights.array().colwise() /= weights.rowwise().sum().array().eval();
+            vertices[at(column[at(sources.of_vertex[i])])].push_back(static_cast<int>(i));
+    return vertices;
 }
 
 class BlendedRotationField : public RotationField
@@ -193,10 +183,10 @@ public:
           factor_(unknowns_.merged(harmonic_), input.operators.harmonic_tree,
                   earlier != nullptr ? &earlier->factor_ : nullptr),
           used_(used_sources(sources_)),
-          weights_(harmonic_values(indicator(sources_, used_))),
+          weights_(
+              smooth_weights(sheet(), vertices_of(sources_, used_), {0.0, least_weight, false})),
           ties_(input.roles.ties)
     {
-        smooth_and_renormalise(weights_);
         keep_answers();
     }
 
@@ -206,26 +196,38 @@ public:
         Points of_used(static_cast<Eigen::Index>(used_.size()), 3);
         for (std::size_t k = 0; k < used_.size(); ++k)
             of_used.row(static_cast<Eigen::Index>(k)) = of_source.row(used_[k]);
-        const Points of_unknown = weights_ * of_used;
-        Points logs(known.vertices.rows(), 3);
+        Points logs = weighted(weights_, of_used);
         Points excess = Points::Zero(known.vertices.rows(), 3);
-        for (Eigen::Index i = 0; i < logs.rows(); ++i)
-        {
-            const int source = sources_.of_vertex[static_cast<std::size_t>(i)];
-            if (source == Sources::none)
-                logs.row(i) = of_unknown.row(unknowns_.of_vertex[static_cast<std::size_t>(i)]);
-            else
-                logs.row(i) = of_source.row(source);
-            if (is_told_alone(static_cast<int>(i)))
-                excess.row(i) = known.vertices.row(i) - of_source.row(source);
-        }
+        for (const int i : told_alone_)
+            excess.row(i) = known.vertices.row(i) - of_source.row(sources_.of_vertex[at(i)]);
         if (!excess.isZero(0.0))
             add_harmonic_excess(logs, excess);
         fill_tied(ties_, logs);
         return {logs, {}};
     }
 
+    Points harmonic(const KnownRotations& known) const override
+    {
+        const Points of_source = source_logs(known);
+        Points logs = Points::Zero(known.vertices.rows(), 3);
+        VertexIds given;
+        for (int i = 0; i < known.vertices.rows(); ++i)
+            if (const int source = sources_.of_vertex[at(i)]; source != Sources::none)
+            {
+                logs.row(i) = is_told_alone(i) ? known.vertices.row(i) : of_source.row(source);
+                given.push_back(i);
+            }
+        const Points of_unknown = solved_for(logs, given);
+        for (Eigen::Index i = 0; i < logs.rows(); ++i)
+            if (const int unknown = unknowns_.of_vertex[at(i)]; unknown != Unknowns::known)
+                logs.row(i) = of_unknown.row(unknown);
+        fill_tied(ties_, logs);
+        return logs;
+    }
+
 private:
+    WeightedSheet sheet() const { return {*harmonic_, unknowns_, factor_}; }
+
     Points source_logs(const KnownRotations& known) const
     {
         Points logs = Points::Zero(sources_.count, 3);
@@ -234,26 +236,6 @@ private:
         logs.middleRows(sources_.first_region, known.regions.rows()) = known.regions;
         logs.middleRows(sources_.first_point, known.points.rows()) = known.points;
         return logs;
-    }
-
-    // What a vertex pulls on the unknowns around it.
-    void add_pull(int vertex, const Eigen::RowVectorXd& given, Eigen::MatrixXd& pull) const
-    {
-        for (SparseMatrix::InnerIterator entry(*harmonic_, vertex); entry; ++entry)
-            if (const int unknown = unknowns_.of_vertex[at(entry.row())];
-                unknown != Unknowns::known)
-                pull.row(unknown) += entry.value() * given;
-    }
-
-    // Harmonic values of the unknowns for given ones (n, k) of the known vertices, which are 0 at
-    // most of them.
-    Eigen::MatrixXd harmonic_values(const Eigen::MatrixXd& given) const
-    {
-        Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns_.count, given.cols());
-        for (Eigen::Index i = 0; i < given.rows(); ++i)
-            if (!given.row(i).isZero(0.0))
-                add_pull(static_cast<int>(i), given.row(i), pull);
-        return -factor_.solve(pull);
     }
 
     bool is_told_alone(int vertex) const
@@ -270,21 +252,41 @@ private:
                 told_alone_.push_back(i);
         const auto told = static_cast<Eigen::Index>(told_alone_.size());
         is_kept_ = told * unknowns_.count <= most_kept;
-        if (!is_kept_)
+        if (!is_kept_ || unknowns_.count == 0)
             return;
-        Eigen::MatrixXd each = Eigen::MatrixXd::Zero(count, told);
-        for (Eigen::Index k = 0; k < told; ++k)
-            each(told_alone_[at(k)], k) = 1.0;
-        answers_ = PanelRows(Weights(harmonic_values(each)));
+        std::vector<VertexIds> each;
+        for (const int vertex : told_alone_)
+            each.push_back({vertex});
+        answers_ = PanelRows(Weights(-factor_.solve(pull_of(sheet(), each.data(), told))));
+    }
+
+    // Harmonic values of the unknowns for given ones (n, 3) of the vertices told alone.
+    Points harmonic_values(const Points& given) const
+    {
+        if (unknowns_.count == 0)
+            return Points(0, 3);
+        if (is_kept_)
+            return answers_.times(given(told_alone_, Eigen::indexing::all));
+        return solved_for(given, told_alone_);
+    }
+
+    // (unknowns, 3) harmonic values for those (n, 3) of some known vertices; others have none.
+    Points solved_for(const Points& given, const VertexIds& vertices) const
+    {
+        Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns_.count, 3);
+        for (const int vertex : vertices)
+            for (SparseMatrix::InnerIterator entry(*harmonic_, vertex); entry; ++entry)
+                if (const int unknown = unknowns_.of_vertex[at(entry.row())];
+                    unknown != Unknowns::known)
+                    pull.row(unknown) += entry.value() * given.row(vertex);
+        return -factor_.solve(pull);
     }
 
     // Rotations differ from vertex to vertex inside a propagated region; what exceeds the
     // region's mean fades out harmonically.
     void add_harmonic_excess(Points& logs, const Points& excess) const
     {
-        const Points of_unknown = is_kept_
-                                      ? answers_.times(excess(told_alone_, Eigen::indexing::all))
-                                      : Points(harmonic_values(excess));
+        const Points of_unknown = harmonic_values(excess);
         for (Eigen::Index i = 0; i < logs.rows(); ++i)
         {
             const int unknown = unknowns_.of_vertex[static_cast<std::size_t>(i)];
@@ -298,7 +300,7 @@ private:
     std::shared_ptr<const SparseMatrix> harmonic_;  // K (n, n)
     SparseCholesky factor_;
     std::vector<int> used_;    // sources that have a vertex
-    Eigen::MatrixXd weights_;  // (unknowns, used sources)
+    WeightsByVertex weights_;  // (n, used sources)
     std::vector<Tie> ties_;
     VertexIds told_alone_;  // in propagated regions, each by its own
     bool is_kept_ = false;

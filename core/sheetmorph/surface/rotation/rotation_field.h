@@ -35,6 +35,10 @@ public:
     virtual ~RotationField() = default;
 
     virtual SpreadRotations spread(const KnownRotations& known) const = 0;
+
+    //! (n, 3) the same rotations spread evenly, without regard to slopes where they are known: the
+    //! harmonic interpolant (2.7) itself.
+    virtual Points harmonic(const KnownRotations& known) const = 0;
 };
 
 //! What both kinds of field are made from; only read during construction.

@@ -7,6 +7,7 @@
 #include "sheetmorph/numerics/response/response_fields.h"
 #include "sheetmorph/surface/bodies/joints.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"
+#include "sheetmorph/surface/rotation/smooth_weights.h"
 
 #include <atomic>
 #include <mutex>
@@ -21,9 +22,6 @@ struct ReducedEnergy
     Weights stiffness;      //!< G (c, c), symmetric
     Eigen::MatrixXd slope;  //!< g (c, 3)
 };
-
-//! A row a vertex.
-using WeightsByVertex = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 //! Where a turner's entries are among the c: rotation minus identity at `turn` + 0, 1, 2 (entry
 //! [x, b] in row turn + b, column x), displacement of its centre at `shift`; -1: it has none.

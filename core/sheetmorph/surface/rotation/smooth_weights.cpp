@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/surface/rotation/smooth_weights.h"
+
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/base/parallel.h"
+
+#include <algorithm>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+constexpr std::size_t together = 48;  // groups whose weights are solved at once
+constexpr Eigen::Index least_weighted = 2048;
+constexpr int none = -1;
+
+double smoothed(double weight, double faded)
+{
+    const double w = std::clamp((weight - faded) / (1.0 - faded), 0.0, 1.0);
+    return w * w * (3.0 - 2.0 * w);
+}
+
+std::vector<int> owners(Eigen::Index vertex_count, const std::vector<VertexIds>& groups)
+{
+    std::vector<int> owner(at(vertex_count), none);
+    for (std::size_t k = 0; k < groups.size(); ++k)
+        for (const int vertex : groups[k])
+            owner[at(vertex)] = static_cast<int>(k);
+    return owner;
+}
+
+}  // namespace
+
+Eigen::MatrixXd pull_of(const WeightedSheet& sheet, const VertexIds* groups, Eigen::Index count)
+{
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(sheet.unknowns.count, count);
+    for (Eigen::Index k = 0; k < count; ++k)
+        for (const int vertex : groups[k])
+            for (SparseMatrix::InnerIterator entry(sheet.harmonic, vertex); entry; ++entry)
+                if (const int unknown = sheet.unknowns.of_vertex[at(entry.row())];
+                    unknown != Unknowns::known)
+                    pull(unknown, k) += entry.value();
+    return pull;
+}
+
+SparseMatrix smooth_weights(const WeightedSheet& sheet, const std::vector<VertexIds>& groups,
+                            const WeightCount& count)
+{
+    const Eigen::Index vertices = sheet.harmonic.rows();
+    const std::vector<int> owner = owners(vertices, groups);
+    SparseMatrix weights(vertices, static_cast<Eigen::Index>(groups.size()));
+    Eigen::VectorXd given = Eigen::VectorXd::Zero(vertices), sums = given;
+    const auto add = [&](Eigen::Index vertex, Eigen::Index group, double weight)
+    {
+        given(vertex) += weight;
+        const double share = weight > count.least ? smoothed(weight, count.faded) : 0.0;
+        if (share == 0.0)
+            return;
+        sums(vertex) += share;
+        weights.insertBack(vertex, group) = share;
+    };
+    for (std::size_t first = 0; first < groups.size(); first += together)
+    {
+        const auto wide = static_cast<Eigen::Index>(std::min(together, groups.size() - first));
+        const Eigen::MatrixXd pulled =
+            sheet.factor.solve(pull_of(sheet, groups.data() + first, wide));
+        for (Eigen::Index k = 0; k < wide; ++k)
+        {
+            const Eigen::Index group = static_cast<Eigen::Index>(first) + k;
+            weights.startVec(group);
+            for (Eigen::Index i = 0; i < vertices; ++i)
+                if (owner[at(i)] == static_cast<int>(group))
+                    add(i, group, 1.0);
+                else if (const int unknown = sheet.unknowns.of_vertex[at(i)];
+                         unknown != Unknowns::known)
+                    add(i, group, -pulled(unknown, k));
+        }
+    }
+    weights.finalize();
+    if (count.has_rest)
+        for (Eigen::Index i = 0; i < vertices; ++i)
+            sums(i) += smoothed(1.0 - given(i), count.faded);
+    for (Eigen::Index k = 0; k < weights.cols(); ++k)
+        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
+            entry.valueRef() /= sums(entry.row());
+    return weights;
+}
+
+Points weighted(const WeightsByVertex& weights, const Points& values)
+{
+    Points found(weights.rows(), 3);
+    const auto weigh = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (Eigen::Index i = begin; i < end; ++i)
+        {
+            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            for (WeightsByVertex::InnerIterator entry(weights, i); entry; ++entry)
+                sum += entry.value() * values.row(entry.col());
+            found.row(i) = sum;
+        }
+    };
+    parallel_ranges(weights.rows(), least_weighted, weigh);
+    return found;
+}
+
+}  // namespace sheetmorph
