@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from .answer import Answer
+from .lost_turns import lost_turns
 from .preprocessed import Preprocessed
 from .recipe.model import Model
 from .regions_report import region_remarks
@@ -28,6 +29,7 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
         *_unheld_primary(session),
         *_open_contacts(result),
         *_stretched(parts),
+        *lost_turns(result),
         *_unrepaired(result),
     ]
 

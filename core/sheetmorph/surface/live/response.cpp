@@ -311,6 +311,8 @@ std::optional<Response::Frame> Response::frame(const SurfaceTargets& targets) co
     if (!is_learnt_)
         return std::nullopt;
     const KnownPose pose(part_, targets);
+    if (part_.far_turns && part_.far_turns->are_there(targets, pose.bodies))
+        return std::nullopt;
     Frame frame;
     frame.turns = numbers_->turns(pose);
     const Points numbers = numbers_->of(pose, frame.turns);

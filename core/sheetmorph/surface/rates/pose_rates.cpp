@@ -60,6 +60,9 @@ PoseRates::PoseRates(const PreparedSurface& part, SurfaceTargets targets)
     if (given_.is_tilted)
         throw NoDerivative(
             "a sheet is turned by about a whole turn, or several contacts turn one vertex");
+    if (field_.far.rows() > 0)
+        throw NoDerivative(
+            "answers of 'natural' are not differentiated beyond turns of 60 degrees");
     turn_open_bodies(placement_, field_.logs, field_.tilts, start_);
     bodies_ = start_;
     logs_ = field_.logs;

@@ -5,6 +5,7 @@
 #include "sheetmorph/base/parallel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sheetmorph
 {
@@ -31,6 +32,43 @@ std::vector<int> owners(Eigen::Index vertex_count, const std::vector<VertexIds>&
     return owner;
 }
 
+//! The columns of the groups, one after the other, as they are before they sum to one.
+struct Columns
+{
+    SparseMatrix weights;
+    Eigen::VectorXd given;  // by vertex: all weights, not yet smoothed
+    Eigen::VectorXd sums;   // of the smoothed ones
+    WeightCount count;
+
+    Columns(Eigen::Index vertices, Eigen::Index groups, const WeightCount& how)
+        : weights(vertices, groups),
+          given(Eigen::VectorXd::Zero(vertices)),
+          sums(Eigen::VectorXd::Zero(vertices)),
+          count(how)
+    {
+    }
+
+    void add(Eigen::Index vertex, Eigen::Index group, double weight)
+    {
+        given(vertex) += weight;
+        const double share = weight > count.least ? smoothed(weight, count.faded) : 0.0;
+        if (share == 0.0)
+            return;
+        sums(vertex) += share;
+        weights.insertBack(vertex, group) = share;
+    }
+
+    void normalise()
+    {
+        weights.finalize();
+        for (Eigen::Index i = 0; count.has_rest && i < given.size(); ++i)
+            sums(i) += smoothed(1.0 - given(i), count.faded);
+        for (Eigen::Index k = 0; k < weights.cols(); ++k)
+            for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
+                entry.valueRef() /= sums(entry.row());
+    }
+};
+
 }  // namespace
 
 Eigen::MatrixXd pull_of(const WeightedSheet& sheet, const VertexIds* groups, Eigen::Index count)
@@ -50,17 +88,7 @@ SparseMatrix smooth_weights(const WeightedSheet& sheet, const std::vector<Vertex
 {
     const Eigen::Index vertices = sheet.harmonic.rows();
     const std::vector<int> owner = owners(vertices, groups);
-    SparseMatrix weights(vertices, static_cast<Eigen::Index>(groups.size()));
-    Eigen::VectorXd given = Eigen::VectorXd::Zero(vertices), sums = given;
-    const auto add = [&](Eigen::Index vertex, Eigen::Index group, double weight)
-    {
-        given(vertex) += weight;
-        const double share = weight > count.least ? smoothed(weight, count.faded) : 0.0;
-        if (share == 0.0)
-            return;
-        sums(vertex) += share;
-        weights.insertBack(vertex, group) = share;
-    };
+    Columns columns(vertices, static_cast<Eigen::Index>(groups.size()), count);
     for (std::size_t first = 0; first < groups.size(); first += together)
     {
         const auto wide = static_cast<Eigen::Index>(std::min(together, groups.size() - first));
@@ -69,23 +97,17 @@ SparseMatrix smooth_weights(const WeightedSheet& sheet, const std::vector<Vertex
         for (Eigen::Index k = 0; k < wide; ++k)
         {
             const Eigen::Index group = static_cast<Eigen::Index>(first) + k;
-            weights.startVec(group);
+            columns.weights.startVec(group);
             for (Eigen::Index i = 0; i < vertices; ++i)
                 if (owner[at(i)] == static_cast<int>(group))
-                    add(i, group, 1.0);
+                    columns.add(i, group, 1.0);
                 else if (const int unknown = sheet.unknowns.of_vertex[at(i)];
                          unknown != Unknowns::known)
-                    add(i, group, -pulled(unknown, k));
+                    columns.add(i, group, -pulled(unknown, k));
         }
     }
-    weights.finalize();
-    if (count.has_rest)
-        for (Eigen::Index i = 0; i < vertices; ++i)
-            sums(i) += smoothed(1.0 - given(i), count.faded);
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
-        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
-            entry.valueRef() /= sums(entry.row());
-    return weights;
+    columns.normalise();
+    return std::move(columns.weights);
 }
 
 Points weighted(const WeightsByVertex& weights, const Points& values)

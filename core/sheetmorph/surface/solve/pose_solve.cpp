@@ -92,7 +92,7 @@ void ask_turned(const PreparedSurface& part, const Turning& turning, Solving& po
 {
     const std::vector<Matrix3> turns =
         turns_of(part, turning.field, turning.turned.joints.states());
-    ask(part, turns, {pose.targets, pose.bodies}, pose.asked);
+    ask(part, turns, {pose.targets, turning.field, pose.bodies}, pose.asked);
 }
 
 // How far the bodies move on, radians or of the size, when the slope at the answer is taken for
@@ -169,7 +169,7 @@ Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
 {
     if (part.responses)
         return turned_displacements(part, pose);
-    ask(part, turns_of(part, pose.field, {}), {pose.targets, pose.bodies}, pose.asked);
+    ask(part, turns_of(part, pose.field, {}), {pose.targets, pose.field, pose.bodies}, pose.asked);
     ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
     pose.join_linear(part, found.convergence);
     return std::move(found.u);

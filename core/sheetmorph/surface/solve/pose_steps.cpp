@@ -23,13 +23,19 @@ constexpr Eigen::Index least_turned = 1000;
 Field field_of(const PreparedSurface& part, const GivenRotations& given)
 {
     SpreadRotations found = part.field->spread(given.logs);
-    Field field{std::move(found.logs), Points::Zero(part.rest.vertex_count(), 3),
+    Field field{std::move(found.logs), Points::Zero(part.rest.vertex_count(), 3), Points(0, 3),
                 found.convergence};
     if (given.is_tilted)
     {
         found = part.field->spread(given.tilts);
         field.tilts = std::move(found.logs);
         field.convergence.join(found.convergence);
+    }
+    if (part.far_turns)
+    {
+        FarField far = part.far_turns->bent(given, std::move(field.logs), field.tilts);
+        field.logs = std::move(far.logs);
+        field.far = std::move(far.rows);
     }
     return field;
 }
@@ -76,6 +82,8 @@ void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const 
          ConstrainedMinimiser::Targets& asked)
 {
     asked.rows = turned_rows(part.operators, change);
+    if (told.field.far.rows() > 0)
+        asked.rows += told.field.far;
     asked.offset = known_displacements(part.placement(), told.targets, told.bodies);
 }
 
@@ -85,7 +93,7 @@ Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
     const PlacementInput placement = part.placement();
     const FeatureResponses& responses = *part.responses;
     const BodyMotions unmoved = unmoved_turners(responses.turners(), pose.bodies);
-    ask(part, turns_of(part, pose.field, {}), {pose.targets, unmoved}, asked);
+    ask(part, turns_of(part, pose.field, {}), {pose.targets, pose.field, unmoved}, asked);
     ConstrainedMinimiser::Solution base = part.minimiser.minimum(asked, pose.refinements);
     ReducedEnergy energy = responses.energy(asked, base);
     Turned found{std::move(base),

@@ -11,6 +11,7 @@ struct Field
 {
     Points logs;   //!< (n, 3)
     Points tilts;  //!< (n, 3)
+    Points far;    //!< (r, 3) what rows gain where the sheet turns far (FarTurns); or no rows
     Convergence convergence = {};
 };
 
@@ -24,10 +25,11 @@ Eigen::VectorXd shares_of_field(const PreparedSurface& part);
 std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
                               const std::vector<BodyState>& turns);
 
-//! What a pose tells, and where bodies are in it.
+//! A pose, its field, and where bodies are in it.
 struct Told
 {
     const SurfaceTargets& targets;
+    const Field& field;
     const BodyMotions& bodies;
 };
 

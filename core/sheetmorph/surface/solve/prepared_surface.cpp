@@ -150,6 +150,9 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
       operators(*shared_operators),
       unknowns(position_unknowns(roles)),
       field(reported_field({rest, constraints, roles, operators}, reuse.earlier, progress)),
+      far_turns(constraints.energy == Energy::natural ? std::make_unique<const FarTurns>(
+                    RotationFieldInput{rest, constraints, roles, operators}, *field)
+                                                      : nullptr),
       minimiser(reported_minimiser({rest, constraints, roles, operators}, unknowns, reuse.earlier,
                                    progress)),
       responses(reported_responses({rest, constraints, roles, operators}, minimiser, progress)),

@@ -5,6 +5,7 @@
 #include "sheetmorph/surface/bodies/sheet_growth.h"
 #include "sheetmorph/surface/operators/followers.h"
 #include "sheetmorph/surface/operators/unknowns.h"
+#include "sheetmorph/surface/rotation/far_turns.h"
 #include "sheetmorph/surface/solve/feature_responses.h"
 #include "sheetmorph/surface/steel/steel_answer.h"
 
@@ -32,6 +33,7 @@ struct PreparedSurface
     const SurfaceOperators& operators;
     Unknowns unknowns;
     std::unique_ptr<RotationField> field;
+    std::unique_ptr<const FarTurns> far_turns;  //!< of `natural` alone
     ConstrainedMinimiser minimiser;
     std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
     std::unique_ptr<SteelAnswer> steel;           //!< none but for `steel` and refined parts

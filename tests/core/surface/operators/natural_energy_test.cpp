@@ -235,12 +235,14 @@ double width_of_twisted_strip(Energy energy, double degrees)
     return (shape.row(20) - shape.row(10 * 41 + 20)).norm();
 }
 
-TEST(NaturalEnergy, KeepsTheWidthOfASlightlyTwistedStripAndNeumannOfAFarTwistedOne)
+TEST(NaturalEnergy, KeepsTheWidthOfATwistedStrip)
 {
     EXPECT_GT(width_of_twisted_strip(Energy::natural, 30.0), 24.0);
-    // The limit that accuracy.md names: without slope at its edges a flat sheet has no width to
-    // keep.
-    EXPECT_LT(width_of_twisted_strip(Energy::natural, 90.0), 18.0);
+    // The least, where the laid shape begins to decide (far_turns.h); accuracy.md names it.
+    EXPECT_GT(width_of_twisted_strip(Energy::natural, 75.0), 20.0);
+    // Farther, a strip four times as long as wide has to stretch: `neumann` narrows it as much.
+    EXPECT_GT(width_of_twisted_strip(Energy::natural, 120.0), 21.5);
+    EXPECT_GT(width_of_twisted_strip(Energy::natural, 400.0), 16.0);
     EXPECT_GT(width_of_twisted_strip(Energy::neumann, 90.0), 24.0);
 }
 

@@ -51,8 +51,10 @@ TEST_P(RotationFields, DoNotOvershootBetweenTheirHandles)
 
 TEST_P(RotationFields, GrowWithAHandleBeyondHalfATurnAndAWholeOne)
 {
-    const Points small = solve(turned_strip(10.0, 20.0)).rotation_logs;
-    for (const double times : {9.0, 18.0, 20.0, 40.0})
+    // From 120 degrees on `natural` spreads a turn evenly (far_turns.h).
+    const double first = GetParam().energy == Energy::natural ? 12.0 : 1.0;
+    const Points small = solve(turned_strip(10.0 * first, 20.0 * first)).rotation_logs / first;
+    for (const double times : {12.0, 18.0, 20.0, 40.0})
         EXPECT_LT((solve(turned_strip(10.0 * times, 20.0 * times)).rotation_logs - times * small)
                       .cwiseAbs()
                       .maxCoeff(),

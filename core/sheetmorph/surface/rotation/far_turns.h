@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/surface/bodies/body_motions.h"
+#include "sheetmorph/surface/operators/unknowns.h"
+#include "sheetmorph/surface/rotation/rotation_field.h"
+
+#include <mutex>
+#include <optional>
+
+namespace sheetmorph
+{
+
+//! What a rotation field becomes where the sheet turns far.
+struct FarField
+{
+    Points logs;  //!< (n, 3) of the field
+    Points rows;  //!< (r, 3) what rows gain; no rows: nothing turns far
+};
+
+//! The curvature that far turns give the sheet under `natural`. Its rows see rotations only where
+//! the sheet is curved at rest, so a flat sheet would forget whole turns. There the field becomes
+//! the harmonic one, which spreads a turn evenly. It lays a shape q = p_hat + d, and the sheet gets
+//! the rows of that shape:
+//!   min_q sum_ij k_ij |(q_i - q_j) - R_ij (p_hat_i - p_hat_j)|^2,  T = R D p_hat + b (D q - R D
+//!   p_hat),
+//! with the weights k of the rotation field and R_ij half-way between the ends of an edge. The
+//! share b grows from 0 to 1 while the rotations given to one component differ by 60 to 120
+//! degrees. One rigid motion of everything gains nothing, and the share has no kink.
+class FarTurns
+{
+public:
+    //! The first far turn factorises; input and field outlive the object.
+    FarTurns(const RotationFieldInput& input, const RotationField& field);
+
+    //! \param logs, tilts  (n, 3) of the rotation field
+    FarField bent(const GivenRotations& given, Points logs, const Points& tilts) const;
+
+    //! Whether bent() gives rows; a live frame queries it.
+    bool are_there(const SurfaceTargets& targets, const BodyMotions& bodies) const;
+
+private:
+    //! A given rotation as one component sees it.
+    struct Source
+    {
+        enum class Kind : char
+        {
+            rest,
+            handle,
+            body,
+            region,
+            point
+        };
+        int component;
+        Kind kind;
+        int index;
+
+        bool operator<(const Source& other) const;
+    };
+    struct Factor
+    {
+        explicit Factor(const SurfaceOperators& operators);
+
+        Unknowns unknowns;
+        SparseCholesky cholesky;
+    };
+    void find_sources();
+    std::vector<double> shares(const GivenRotations& given) const;
+    double share_at(const std::vector<double>& shares, int vertex) const;
+    Points laid(const Points& logs, const Points& tilts) const;
+
+    RotationFieldInput input_;
+    const RotationField& field_;
+    std::vector<Source> sources_;  // by component
+    mutable std::once_flag is_factorised_;
+    mutable std::optional<Factor> factor_;
+};
+
+}  // namespace sheetmorph
