@@ -4,6 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/rotation.h"
 #include "volume/link_scene.h"
+#include "volume/textbook_weights.h"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -103,6 +104,100 @@ TEST(VolumeLinkTest, OffsetSamplesCarryABend)
     const double without = bend_error(0.0), with = bend_error(0.1);
     EXPECT_LT(with, 0.05);
     EXPECT_GT(without, 1.5 * with);
+}
+
+//! A link once more, by textbook weights and dense matrices.
+class PlainLink
+{
+public:
+    PlainLink(const LinkedSheets& sheets, double offset, double smoothness)
+        : sheets_(sheets), offsets_(offset * scene::vertex_normals(sheets.source))
+    {
+        const Points& rest = sheets.source.points();
+        samples_.resize(3 * rest.rows(), 3);
+        samples_ << rest, rest + offsets_, rest - offsets_;
+        const Eigen::MatrixXd weights = weights_at(samples_);
+        const Eigen::MatrixXd laplacian(sheets.control.shape.laplacian());
+        const double share = static_cast<double>(weights.rows()) / weights.cols();
+        const Eigen::MatrixXd matrix =
+            weights.transpose() * weights + smoothness * share * laplacian.transpose() * laplacian;
+        fit_ = matrix.ldlt().solve(weights.transpose());
+    }
+
+    //! What the control vertices do beyond the mean motion.
+    Eigen::MatrixXd displacements(const SourceState& state) const
+    {
+        const Eigen::Index count = state.positions.rows();
+        Points moved = state.positions.replicate(3, 1);
+        for (Eigen::Index i = 0; i < count; ++i)
+        {
+            const Vector3 turned =
+                state.rotations[static_cast<std::size_t>(i)] * offsets_.row(i).transpose();
+            moved.row(count + i) += turned.transpose();
+            moved.row(2 * count + i) -= turned.transpose();
+        }
+        return fit_ * (moved - state.mean.apply(samples_));
+    }
+
+    Vector3 moved(const SourceState& state, const Eigen::MatrixXd& displacements,
+                  const Vector3& point) const
+    {
+        return state.mean.apply(point) + displacements.transpose() * textbook_at(point);
+    }
+
+private:
+    Eigen::VectorXd textbook_at(const Vector3& point) const
+    {
+        return textbook_weights(sheets_.control.vertices, sheets_.control.shape.triangles(), point);
+    }
+
+    Eigen::MatrixXd weights_at(const Points& points) const
+    {
+        Eigen::MatrixXd rows(points.rows(), sheets_.control.vertices.rows());
+        for (Eigen::Index i = 0; i < points.rows(); ++i)
+            rows.row(i) = textbook_at(points.row(i).transpose()).transpose();
+        return rows;
+    }
+
+    const LinkedSheets& sheets_;
+    Points offsets_, samples_;
+    Eigen::MatrixXd fit_;
+};
+
+TEST(VolumeLinkTest, PlacesAndTurnsItsTargetsAsPlainMatricesDo)
+{
+    // Off the symmetry planes, where textbook weights have no value.
+    const auto shifted = [](double height)
+    {
+        return shapes::mapped(strip(height),
+                              [](const Vector3& p)
+                              {
+                                  return Vector3(p.x() + 0.013, 0.9 * p.y() + 0.0071 + 0.05 * p.x(),
+                                                 p.z() + 0.031 * p.x() * p.x() + 0.0037);
+                              });
+    };
+    LinkOptions options = with_offset(0.05);
+    options.smoothness = 0.2;
+    const LinkedSheets sheets = linked(shifted(0.0), shifted(0.1), options);
+    const SourceState state = state_of(sheets, bent(sheets.source.points(), 0.8));
+    const LinkedTargets found = sheets.link.transfer(state);
+    const PlainLink plain(sheets, 0.05, 0.2);
+    const Eigen::MatrixXd displacements = plain.displacements(state);
+    for (Eigen::Index i = 0; i < found.positions.rows(); i += 3)
+    {
+        const Vector3 rest = sheets.target.points().row(i).transpose();
+        const Vector3 expected = plain.moved(state, displacements, rest);
+        EXPECT_LT((found.positions.row(i).transpose() - expected).norm(), 1e-9) << i;
+        Matrix3 map;
+        for (int a = 0; a < 3; ++a)
+        {
+            const Vector3 step = 1e-4 * Vector3::Unit(a);
+            map.col(a) = (plain.moved(state, displacements, rest + step)
+                          - plain.moved(state, displacements, rest - step))
+                         / 2e-4;
+        }
+        EXPECT_LT((found.rotation(i) - nearest_rotation(map)).norm(), 1e-4) << i;
+    }
 }
 
 TEST(VolumeLinkTest, TargetsTurnWithTheBend)

@@ -2,11 +2,13 @@
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
 #include "numerics/cholesky/cholmod_oracle.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace sheetmorph
 {
@@ -86,6 +88,65 @@ TEST(SparseCholesky, ProductsOfSolvedColumnsAreThoseOfTheColumnsSolved)
     EXPECT_EQ(factor.solved_product(SparseMatrix(n, 2)), Weights::Zero(2, 2));
     EXPECT_EQ(factor.solved_product(SparseMatrix(n, 0)).size(), 0);
 }
+
+// Beyond 5e5 entries threads share the subtrees of a factor. A bilaplacian of a grid with drawn
+// stiffnesses, and one on a line of blocks, whose tree is not balanced.
+SparseMatrix drawn_bilaplacian(int wide, int high, unsigned seed)
+{
+    std::mt19937 bits(seed);
+    std::uniform_real_distribution<double> stiffness(0.1, 10.0);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < wide * high; ++i)
+        for (const int other : {i % wide + 1 < wide ? i + 1 : i, i + wide})
+            if (other != i && other < wide * high)
+            {
+                const double drawn = stiffness(bits);
+                for (const auto& [a, b] : {std::pair(i, other), std::pair(other, i)})
+                {
+                    entries.emplace_back(a, b, -drawn);
+                    entries.emplace_back(a, a, drawn);
+                }
+            }
+    for (int i = 0; i < wide * high; i += 7)
+        entries.emplace_back(i, i, 0.5);
+    SparseMatrix laplacian(wide * high, wide * high);
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    return laplacian * laplacian;
+}
+
+class LargeFactors : public testing::TestWithParam<std::pair<int, int>>
+{
+};
+
+TEST_P(LargeFactors, AgreeWithAnotherLibraryForAnyNumberOfRightSidesAndThreads)
+{
+    const auto [wide, high] = GetParam();
+    const SparseMatrix matrix = drawn_bilaplacian(wide, high, 5);
+    Points places = Points::Zero(matrix.rows(), 3);
+    for (int i = 0; i < matrix.rows(); ++i)
+        places.row(i) << i % wide, i / wide, 0.0;
+    const SparseCholesky factor(
+        all_of(matrix), std::make_shared<const SeparatorTree>(nested_dissection(matrix, places)));
+    ASSERT_GT(factor.factor_entries(), 5e5);
+    CholmodOracle oracle(matrix);
+    for (const int sides : {1, 2, 3, 4, 5, 9, 24, 50})
+    {
+        const Eigen::MatrixXd right = Eigen::MatrixXd::Random(matrix.rows(), sides);
+        const Eigen::MatrixXd found = factor.solve(right), expected = oracle.solve(right);
+        EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm()) << sides;
+        EXPECT_LT((matrix * found - right).norm(), 1e-10 * right.norm()) << sides;
+        for (const int threads : {1, 3, 8})
+        {
+            const ThreadCount some(threads);
+            EXPECT_TRUE((factor.solve(right).array() == found.array()).all())
+                << sides << " right sides, " << threads << " threads";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, LargeFactors,
+                         testing::Values(std::pair(110, 110), std::pair(1600, 12),
+                                         std::pair(40, 301)));
 
 TEST(SparseCholesky, RefusesAMatrixThatIsNotPositiveDefinite)
 {
