@@ -136,7 +136,7 @@ void bind_contacts(py::module_& module)
     using Found = FoundContact;
     py::class_<Found>(module, "FoundContact", "A place where two parts touch, mm.")
         .def_property_readonly("kind", [](const Found& c) { return name_of(c.kind); })
-        .def_property_readonly("type", [](const Found& c) { return type_of(c.kind); })
+        .def_property_readonly("type", [](const Found& c) { return type_of(c); })
         .def_readonly("part_a", &Found::part_a)
         .def_readonly("part_b", &Found::part_b)
         .def_property_readonly(
@@ -155,21 +155,22 @@ void bind_contact_search(py::module_& module)
     module.def(
         "find_contacts",
         [](const std::vector<ContactPart>& parts,
-           const std::vector<std::array<int, 4>>& connections, const ContactTolerances& tolerances,
+           const std::vector<std::array<int, 6>>& connections, const ContactTolerances& tolerances,
            const py::object& progress)
         {
             std::vector<Connection> elements;
-            for (const auto& [part_a, vertex_a, part_b, vertex_b] : connections)
-                elements.push_back({part_a, vertex_a, part_b, vertex_b});
+            for (const auto& [part_a, vertex_a, part_b, vertex_b, joint, rigid] : connections)
+                elements.push_back({part_a, vertex_a, part_b, vertex_b, joint, rigid != 0});
             const Progress reported = progress_from(progress);
             const auto copy = tolerances;  // another thread may change them
             const py::gil_scoped_release released;
             return find_contacts(parts, elements, copy, reported);
         },
-        py::arg("parts"), py::arg("connections") = std::vector<std::array<int, 4>>(),
+        py::arg("parts"), py::arg("connections") = std::vector<std::array<int, 6>>(),
         py::arg("tolerances") = ContactTolerances(), py::arg("progress") = py::none(),
         "The contacts between parts as a list of FoundContact; a connection is (part a, vertex a, "
-        "part b, vertex b).");
+        "part b, vertex b, joint, 1 for a rigid body, else 0): those of one weld or bolt have one "
+        "number, -1 stands alone.");
     module.def(
         "proposed_gap",
         [](const std::vector<ContactPart>& parts, const ContactTolerances& tolerances)

@@ -141,7 +141,7 @@ def pair_scores(coarse: float, scatter: float) -> Scores:
         FindPart(n, PartMesh(scattered(points, scatter * median_edge(points, t), index[n]), t))
         for n, (points, t) in made.parts.items()
     ]
-    elements = [(index[a], v, index[b], w) for a, v, b, w in made.connections]
+    elements = [(index[a], v, index[b], w, -1, 0) for a, v, b, w in made.connections]
 
     def is_that(label: tuple, entry: dict) -> bool:
         _, a, b, center, reach = label
@@ -247,7 +247,9 @@ def real_scores(model: dict, folder: Path) -> Scores:
     scores: Scores = defaultdict(Score)
     scores["round hole"] = matched(model["holes"], rims_of(found["features"]), _is_that_hole)
     if model["contacts"] is not None:
-        scores["contact"] = matched(model["contacts"], found["contacts"], _is_that_contact)
+        # Labels are places where sheets touch; single welds and bolts of a deck are its elements.
+        places = [e for e in found["contacts"] if (e["kind"], e["type"]) != ("weld", "rigid")]
+        scores["contact"] = matched(model["contacts"], places, _is_that_contact)
     return scores
 
 

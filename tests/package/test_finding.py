@@ -148,7 +148,7 @@ def test_decks_tell_thickness_and_elements_between_parts(tmp_path):
     found = find_in_files([path], FindOptions(gap=0.5))
     assert len(found["contacts"]) == 1
     contact = found["contacts"][0]
-    assert (contact["kind"], contact["type"]) == ("weld", "rigid")
+    assert (contact["kind"], contact["type"]) == ("weld", "tied")
     assert contact["connections"] >= 3
     assert {3, 4, 5} <= set(contact["a"]["vertices"])
 

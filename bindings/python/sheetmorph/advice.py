@@ -13,6 +13,8 @@ from .words import counted, either
 _COARSE = 0.05
 # Of the triangles, %: fewer slivers that do not fold are no reason to give up the file's own mesh.
 _MANY_SLIVERS = 5.0
+# Keys of a part that leave a deck a deck.
+_OF_DECKS = frozenset(("split",))
 
 
 def findings_of(diagnosis: dict[str, Any]) -> list[dict[str, Any]]:
@@ -32,6 +34,16 @@ def missing_findings(missing: list[str]) -> list[dict[str, Any]]:
     """The findings of a file that was not read whole; see PartFile.missing."""
     keys = {"finding": "not read whole", "count": 1, "cure": None, "recipe": None}
     return [{**keys, "text": text} for text in missing]
+
+
+def for_deck(findings: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The same without cures that make another mesh: what is written of a deck is the deck."""
+    return [
+        finding
+        if set(finding["recipe"] or ()) <= _OF_DECKS and finding["cure"] != "orient"
+        else {**finding, "cure": None, "recipe": None}
+        for finding in findings
+    ]
 
 
 def part_entry(findings: list[dict[str, Any]]) -> dict[str, Any]:

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from .answer import Answer
+from .decks import is_deck
+from .files import unpacked_name
 from .lost_turns import lost_turns
 from .preprocessed import Preprocessed
 from .recipe.model import Model
@@ -27,6 +29,7 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
         *region_remarks(session),
         *_loose(session),
         *_unheld_primary(session),
+        *_lost_decks(session),
         *_open_contacts(result),
         *_stretched(parts),
         *lost_turns(result),
@@ -97,6 +100,17 @@ def _unheld_primary(session: Preprocessed) -> Iterator[str]:
             f"what is fixed on {names} stretches the parts between; set the propagation to "
             '"whole", which solves all parts at once, or fix some of the primary too'
         )
+
+
+def _lost_decks(session: Preprocessed) -> Iterator[str]:
+    """Decks of which a mesh is written, with their joints gone."""
+    files = {part.file: part for part in session.model.parts if part.wanted and part.file}
+    for file, part in files.items():
+        if is_deck(unpacked_name(file)):
+            yield (
+                f'"{file}" is a deck, but OBJ is written: scale, weld and remesh make another '
+                f'mesh, without elements, joints and includes; leave them out of "{part.where}"'
+            )
 
 
 def _unrepaired(result: Answer) -> Iterator[str]:

@@ -42,6 +42,8 @@ def _positive(text: str) -> float:
 def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     """Lays flat, writes, and returns the bend tables. Raises RecipeError, FileError, NotFlat."""
     # Imported here, so that --help answers at once.
+    from .doctor import diagnose_file
+    from .files import read_part
     from .flat import KTable, flat_patterns
     from .flat.writing import table_of, write_patterns
 
@@ -55,7 +57,12 @@ def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
             weld=wanted.weld,
             progress=progress,
         )  # fmt: skip
-    told = [line for pattern in patterns for line in table_of(pattern)]
+    unit = diagnose_file(read_part(wanted.file))["unit"]
+    word = "units" if unit["guess"] == "unknown" else unit["guess"]
+    told = [line for pattern in patterns for line in table_of(pattern, word)]
+    if word != "mm":
+        what = f"lengths are those of the file, which seems to be in {word}"
+        told.append(f"note: {what} ({unit['reason']}); in the files that are written 1 is 1 mm")
     if output is None:
         return told
     try:

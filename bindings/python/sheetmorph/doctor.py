@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from .advice import findings_of, missing_findings, part_entry
+from .advice import findings_of, for_deck, missing_findings, part_entry
 from .file_unit import unit_of
-from .files import read_part, unpacked_name
+from .files import PartFile, read_part, unpacked_name
+from .files.deck_file import DeckFile
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 
@@ -38,12 +39,25 @@ def diagnose_files(files: list[str | Path], tolerance: float | None = None) -> d
     """
     found = []
     for file in map(str, files):
-        read = read_part(file)
-        told = diagnose(read.mesh, tolerance)
-        told["findings"] = missing_findings(read.missing) + told["findings"]
+        told = diagnose_file(read_part(file), tolerance)
         name = {} if "split" in told["part"] else {"name": unpacked_name(file).stem}
         found.append({"file": file, **told, "part": {**name, "file": file, **told["part"]}})
     return {"sheetmorph_doctor": 1, "files": found}
+
+
+def diagnose_file(file: PartFile, tolerance: float | None = None) -> dict[str, Any]:
+    """The diagnosis of a file: of its mesh, and what was not read of it. Of a deck without cures
+    that would make another mesh, the unit also by the thickness of its sections. Raises as
+    diagnose() does."""
+    told = diagnose(file.mesh, tolerance)
+    if isinstance(file, DeckFile):
+        thickness = file.thickness_of(np.arange(len(file.mesh.triangles))) or None
+        if told["thickness"] is None and thickness is not None:
+            told["unit"] = unit_of(told["size"], thickness)
+            told["findings"] = findings_of(told)
+        told["findings"] = for_deck(told["findings"])
+        told["part"] = part_entry(told["findings"])
+    return {**told, "findings": missing_findings(file.missing) + told["findings"]}
 
 
 def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:

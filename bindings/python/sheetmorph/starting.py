@@ -14,9 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from .advice import unit_word
+from .advice import missing_findings, unit_word
 from .arrays import Ints
-from .doctor import diagnose
+from .decks import is_deck
+from .doctor import diagnose_file
 from .errors import Fault, RecipeError
 from .files import is_cad, read_part, unpacked_name
 from .finding import FindOptions, find
@@ -90,7 +91,7 @@ def _entry(file: str) -> Entry:
     if is_cad(file):
         return Entry({"file": file, "split": True, "thin": "auto"}, "every solid is a part")
     read = read_part(file)
-    told = diagnose(read.mesh)
+    told = diagnose_file(read)
     keys = {} if "split" in told["part"] else {"name": name}
     cures = [
         finding["text"]
@@ -98,6 +99,12 @@ def _entry(file: str) -> Entry:
         if finding["cure"] or finding["finding"] == "unit"
     ]
     remark = f"{told['triangles']} triangles, {told['size']:.4g} {unit_word(told)} large"
+    if is_deck(unpacked_name(file)):
+        missing = missing_findings(read.missing)
+        cures = [finding["text"] for finding in told["findings"] if finding not in missing]
+        remark = f"{remark}; a deck stays a deck: only its coordinates change"
+        if told["unit"]["guess"] != "mm":
+            remark += f"; all lengths below are in the unit of the deck, {unit_word(told)}"
     cure = told["part"]
     if "weld" in cure:
         cure = {**cure, "weld": float(f"{cure['weld']:.2g}")}

@@ -33,7 +33,7 @@ def groups_of(deck: Deck, sheet: Sheet) -> list[Group]:
     """The nodes outside of the sheet, as they hang together over one another."""
     row = np.full(len(deck.ids), -1, dtype=np.int64)
     row[sheet.nodes] = np.arange(len(sheet.nodes))
-    pinned = _pinned(deck, row)
+    pinned = pinned_nodes(deck, sheet)
     row[pinned[:, 0]] = pinned[:, 1]
     free = row < 0
     links, ties, kinds = _links(deck, free)
@@ -56,9 +56,11 @@ def groups_of(deck: Deck, sheet: Sheet) -> list[Group]:
     ]
 
 
-def _pinned(deck: Deck, row: Ints) -> Ints:
+def pinned_nodes(deck: Deck, sheet: Sheet) -> Ints:
     """(k, 2) nodes that an element of no length ties to one of the sheet, and its row: wherever
     else they belong to, they are where that node is."""
+    row = np.full(len(deck.ids), -1, dtype=np.int64)
+    row[sheet.nodes] = np.arange(len(sheet.nodes))
     found = [np.zeros((0, 2), dtype=np.int64)]
     for block in deck.elements:
         if block.kind != "line" or block.nodes.shape[1] != 2:

@@ -128,8 +128,8 @@ def _own_points(card: Card) -> list[int]:
 def _written_points(card: Card) -> list[tuple[int, tuple[int, ...]]]:
     """Which ends of a weld stand as coordinates in its card, and in which fields."""
     layout = CARDS[card.name]
-    kind = card.text(layout["kind"][0]).upper()
-    if card.name == "CWELD" and kind not in ("ELEMID", "ELPAT", "PARTPAT"):
+    words = {card.text(k).upper() for k in layout["kind"]}
+    if card.name == "CWELD" and words.isdisjoint(("ELEMID", "ELPAT", "PARTPAT")):
         return []
     if card.text(layout["point"][0]):
         return []
@@ -142,9 +142,9 @@ def _written_points(card: Card) -> list[tuple[int, tuple[int, ...]]]:
 
 def _weld(card: Card) -> Iterator[int]:
     layout = CARDS[card.name]
-    kind = card.text(layout["kind"][0]) if card.name == "CWELD" else ""
-    yield from (k for k in layout["grids"] if card.text(k))
-    if kind.upper() == "GRIDID":
+    words = [card.text(k).upper() for k in layout["kind"]] if card.name == "CWELD" else []
+    yield from (k for k in layout["grids"] if parse_integer(card.text(k)) is not None)
+    if "GRIDID" in words:
         yield from (k for k in layout["patches"] if card.text(k))
 
 

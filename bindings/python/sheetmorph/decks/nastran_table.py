@@ -73,9 +73,9 @@ CARDS: dict[str, dict[str, tuple[int, ...]]] = {
     "RBE1": {"id": (0,), "nodes": (1,)},
     "MPC": {"id": (0,), "nodes": (1, 4)},  # again in every further line
     "CWELD": {
-        "kind": (3,), "point": (2,), "grids": (2, 4, 5), "patches": tuple(range(8, 24)),
-        "sides": (8, 9),
+        # Some programs write the kind one field behind its place.
+        "kind": (3, 4), "point": (2,), "grids": (2, 4, 5), "patches": tuple(range(8, 24)),
     },
-    "CFAST": {"kind": (2,), "point": (5,), "grids": (5, 6, 7), "sides": (3, 4)},
-    "CSEAM": {"kind": (3,), "point": (8,), "grids": (8, 9), "sides": (4, 5)},
+    "CFAST": {"kind": (2,), "point": (5,), "grids": (5, 6, 7)},
+    "CSEAM": {"kind": (3,), "point": (8,), "grids": (8, 9)},
 }  # fmt: skip

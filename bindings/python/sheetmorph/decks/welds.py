@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .. import _core
 
 # Sheets that a weld's point is nearer to than this, in middle edges, may be what it joins.
-_REACH, _MOST = 3.0, 2
+REACH, _MOST = 3.0, 2
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class _Sheets:
     """The sheets of a deck that hang together, each with trees of before and after."""
 
     def __init__(self, rest: Floats, moved: Floats, triangles: Ints):
-        self._reach = _REACH * middle_edge(rest, triangles)
+        self._reach = REACH * middle_edge(rest, triangles)
         links = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]]]).astype(np.int64)
         label = labels_of(len(rest), links)[triangles[:, 0]]
         order = np.argsort(label, kind="stable")

@@ -48,7 +48,10 @@ class DeckFile(PartFile):
         mesh = PartMesh(points, self.sheet.triangles, ids, path.stem, self._labels(ids))
         super().__init__(path, mesh, _precision(self.deck.width_of(nodes)))
         self.properties = self.sheet.properties
-        self.notes += self.deck.notes
+        if self.deck.form == "Abaqus":
+            self.property_names = self.deck.raw.names
+        self.notes += self.deck.raw.notes
+        self.missing += self.deck.raw.cut
         self.settings: Mapping[str, Any] = {}
         self._passengers: Passengers | None = None
         self._last: tuple[Floats, Carried] | None = None

@@ -22,6 +22,7 @@ class PartFile(ABC):
     characters", "16 characters"); notes: what a user should know, for the report; missing: a
     sentence for everything that stands in the file and not in the mesh, or that the file seems to
     have lost; properties: (m,) property id of every triangle of a deck, None for other formats;
+    property_names: by which parts of properties are called, where the format calls them by name;
     bodies: (k,) indices of the triangles of every part of a CAD file by name, None for other
     formats; origin: the file of the user, another than path where it was unpacked into the folder
     unpacked_in; is_wide: numbers get the longest fields that the format has.
@@ -36,6 +37,7 @@ class PartFile(ABC):
         self.notes: list[str] = []
         self.missing: list[str] = []
         self.properties: Ints | None = None
+        self.property_names: dict[int, str] = {}
         self.bodies: dict[str, Ints] | None = None
         self.is_wide = False
 

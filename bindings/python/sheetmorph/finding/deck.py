@@ -4,17 +4,36 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from ..decks.materials import Material
+from ..decks.attachment import pinned_nodes
+from ..decks.welds import REACH as WELD_REACH
 from ..files.deck_file import DeckFile
+from ..kernel import load_kernel
 from ..part_mesh import PartMesh
 from ..recipe.parts import Source
+from ..strain import middle_edge
 
 _JOINING = ("line", "rigid", "constraint", "weld")
+# Pairs of vertices of a flexible joint beyond which it is a seam, not a spot.
+_MOST_OF_SPOT = 12
 _Pair = tuple[str, int, str, int]
+
+
+class DeckConnection(NamedTuple):
+    """Two vertices, by part and index, that elements connect: joint: the number of the joint;
+    is_rigid: whether a rigid body is in it."""
+
+    part_a: str
+    vertex_a: int
+    part_b: str
+    vertex_b: int
+    joint: int
+    is_rigid: bool
 
 
 def part_material(sources: Sequence[Source]) -> dict[str, Material]:
@@ -37,45 +56,128 @@ def part_material(sources: Sequence[Source]) -> dict[str, Material]:
     return found
 
 
-def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator[_Pair]:
-    """(part, vertex index, part, vertex index) of the elements between the parts of a deck.
+def deck_connections(source: Source, meshes: Mapping[str, PartMesh]) -> Iterator[DeckConnection]:
+    """The elements between the parts of a deck, as pairs of vertices.
 
-    Elements that meet in a node of no shell are one connection; of it every vertex of one part goes
-    with the nearest of each other part.
+    Elements that meet in a node of no shell are one joint; of it every vertex of one part goes
+    with the nearest of each other part. A weld that stands between sheets, on nodes of no shell,
+    joins the vertices nearest to it on the two nearest parts.
     """
     if not isinstance(source.file, DeckFile):
         return
     places: dict[int, tuple[str, int]] = {}
     for name in source.members:
         for index, node in enumerate(meshes[name].file_ids(range(len(meshes[name].points)))):
-            places[node] = (name, index)
+            places.setdefault(node, (name, index))
     # Several springs between the same two nodes, one a direction, are one connection.
-    yield from dict.fromkeys(
-        pair for nodes in _joined(source.file, places) for pair in _pairs(nodes, places, meshes)
-    )
+    known: set[_Pair] = set()
+    number = 0
+    for nodes, is_rigid in _joined(source, places, meshes):
+        pairs = [p for p in dict.fromkeys(_pairs(nodes, places, meshes)) if p not in known]
+        is_seam = not is_rigid and len(pairs) > _MOST_OF_SPOT
+        for pair in pairs:
+            known.add(pair)
+            yield DeckConnection(*pair, number, is_rigid)
+            number += is_seam
+        number += not is_seam
 
 
-def _joined(file: DeckFile, places: Mapping[int, tuple[str, int]]) -> list[list[int]]:
-    """The shell nodes of elements that hang together over nodes of no shell, sorted."""
+def rigid_bodies(source: Source, meshes: Mapping[str, PartMesh]) -> dict[str, list[list[int]]]:
+    """By part the vertices (indices) of it that each rigid body of the deck holds, two or more."""
+    found: dict[str, list[list[int]]] = {name: [] for name in source.members}
+    if not isinstance(source.file, DeckFile):
+        return found
+    deck, sheet = source.file.deck, source.file.sheet
+    blocks = [block for block in deck.elements if block.kind == "rigid"]
+    if not blocks:
+        return found
+    # A node may be held to one of the sheet in its place by springs of no length.
+    pinned = pinned_nodes(deck, sheet)
+    ends = zip(deck.ids[pinned[:, 0]].tolist(), deck.ids[sheet.nodes[pinned[:, 1]]].tolist())
+    on_sheet = dict(ends)
+    groups = [
+        {on_sheet.get(node, node) for node in row if node}
+        for block in blocks
+        for row in block.nodes.tolist()
+    ]
+    for name in source.members:
+        row = {n: k for k, n in enumerate(meshes[name].file_ids(range(len(meshes[name].points))))}
+        for group in groups:
+            inside = sorted(row[node] for node in group if node in row)
+            found[name] += [inside] if len(inside) > 1 else []
+    return found
+
+
+def _joined(
+    source: Source, places: Mapping[int, tuple[str, int]], meshes: Mapping[str, PartMesh]
+) -> list[tuple[list[int], bool]]:
+    """The shell nodes, sorted, of elements that hang together over nodes of no shell, and whether
+    one of those is a rigid body."""
+    file = source.file
+    assert isinstance(file, DeckFile)
+    found = [
+        (sorted(node for node in group if node in places), is_rigid)
+        for group, is_rigid in _groups(file, places.keys())
+    ]
+    return [
+        *((group, is_rigid) for group, is_rigid in found if len(group) > 1),
+        *((group, False) for group in _between_sheets(source, places, meshes)),
+    ]
+
+
+def _groups(file: DeckFile, sheet: Collection[int]) -> list[tuple[set[int], bool]]:
+    """The nodes of elements that hang together over nodes outside of a set, and whether one of
+    the elements is a rigid body."""
     groups: list[set[int]] = []
+    rigid: list[bool] = []
     at_node: dict[int, int] = {}
-    for nodes in _elements(file):
+    for nodes, is_rigid in _elements(file):
         joined = {at_node[n] for n in nodes if n in at_node}
         number = len(groups)
         groups.append(nodes)
+        rigid.append(is_rigid)
         for other in joined:
             groups[number] |= groups[other]
+            rigid[number] = rigid[number] or rigid[other]
             groups[other] = set()
-        at_node |= {node: number for node in groups[number] if node not in places}
-    found = [sorted(node for node in group if node in places) for group in groups]
-    return [group for group in found if len(group) > 1]
+        at_node |= {node: number for node in groups[number] if node not in sheet}
+    return [(group, is_rigid) for group, is_rigid in zip(groups, rigid) if group]
 
 
-def _elements(file: DeckFile) -> Iterator[set[int]]:
-    """The nodes of every element that may join two parts."""
+def _elements(file: DeckFile) -> Iterator[tuple[set[int], bool]]:
+    """The nodes of every element that may join two parts, and whether it is a rigid body."""
     for block in file.deck.elements:
         if block.kind in _JOINING:
-            yield from ({node for node in row if node} for row in block.nodes.tolist())
+            is_rigid = block.kind == "rigid"
+            yield from (({node for node in row if node}, is_rigid) for row in block.nodes.tolist())
+
+
+def _between_sheets(
+    source: Source, places: Mapping[int, tuple[str, int]], meshes: Mapping[str, PartMesh]
+) -> Iterator[list[int]]:
+    """Of every weld on a node of no shell: the nodes nearest to it on the two nearest parts."""
+    file = source.file
+    assert isinstance(file, DeckFile)
+    deck = file.deck
+    blocks = [block for block in deck.elements if block.kind == "weld"]
+    wanted = [row for block in blocks for row in block.nodes.tolist()]
+    wanted = [row for row in wanted if any(row) and not any(node in places for node in row)]
+    if not wanted:
+        return
+    reach = WELD_REACH * middle_edge(deck.points[file.sheet.nodes], file.sheet.triangles)
+    parts = [(meshes[name], meshes[name].points) for name in source.members]
+    trees = [load_kernel().PickingTree(points, mesh.triangles) for mesh, points in parts]
+    index = deck.find(np.array([next(node for node in row if node) for row in wanted]))
+    for point in source.placement.placed(deck.points[index[index >= 0]]):
+        hits = []
+        for (mesh, _), tree in zip(parts, trees):
+            hit = tree.nearest_point(point)
+            if hit is not None and hit.distance <= reach:
+                corner = int(np.argmax(hit.barycentric))
+                node = mesh.file_ids([mesh.triangles[hit.triangle][corner]])[0]
+                hits.append((float(hit.distance), node))
+        if len(hits) > 1:
+            yield [node for _, node in sorted(hits)[:2]]
 
 
 def _pairs(

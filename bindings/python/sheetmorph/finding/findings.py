@@ -42,7 +42,8 @@ def find_schema() -> dict[str, Any]:
 @dataclass(frozen=True, eq=False)
 class FindPart:
     """A part to look at. thickness: of a sheet without one in its mesh, mm, 0 if not known; exact:
-    what its CAD surfaces say, as entries with vertices that are indices, angles in radians; kept:
+    what its CAD surfaces say, as entries with vertices that are indices, angles in radians; bodies:
+    the vertices (indices) of each rigid body of a deck; kept:
     what the last search found on the mesh, by its tolerances: whoever keeps it saves another one.
     """
 
@@ -50,7 +51,24 @@ class FindPart:
     mesh: PartMesh
     thickness: float = 0.0
     exact: list[dict[str, Any]] = field(default_factory=list)
+    bodies: list[list[int]] = field(default_factory=list)
     kept: dict[tuple[float | None, ...], list[_core.Feature]] = field(default_factory=dict)
+
+
+def body_entries(part: FindPart) -> list[dict[str, Any]]:
+    """The rigid bodies of a part as features of a recipe: a morph keeps them rigid, too."""
+    return [
+        {
+            "name": f"{part.name}: rigid body {number}",
+            "part": part.name,
+            "kind": "rigid body",
+            "center": part.mesh.points[rows].mean(axis=0).tolist(),
+            "axis": [0.0, 0.0, 1.0],
+            "residual": 0.0,
+            "vertices": part.mesh.file_ids(rows),
+        }
+        for number, rows in enumerate(part.bodies, 1)
+    ]
 
 
 @dataclass

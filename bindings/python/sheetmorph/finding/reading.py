@@ -9,13 +9,12 @@ from pathlib import Path
 from typing import Any
 
 
-from ..arrays import Ints
 from ..errors import Fault, RecipeError
 from ..files import is_cad, read_part, unpacked_name
 from ..recipe.model import model_of
-from ..recipe.parts import Parts, read_parts
+from ..recipe.parts import Parts, Source, read_parts
 from ..recipe.splitting import split_triangles
-from .deck import deck_connections
+from .deck import deck_connections, rigid_bodies
 from .exact import exact_of
 from .findings import FindPart, Findings
 from .options import FindOptions
@@ -42,7 +41,7 @@ def find_in_files(
     return {
         "sheetmorph_find": 1,
         "options": {**options.as_dict(), "gap": found.gap},
-        "parts": [_entry(source.file.origin, source.members, meshing) for source in parts.sources],
+        "parts": [_entry(source, meshing) for source in parts.sources],
         "notes": [f"{file.origin}: {text}" for file in files for text in file.missing],
         **asdict(found),
     }
@@ -56,12 +55,16 @@ def find_in_parts(parts: Parts, options: FindOptions) -> Findings:
 def find_parts(parts: Parts) -> list[FindPart]:
     """The parts, with the thickness that decks and the features that CAD files give them."""
     exact = {name: known for s in parts.sources for name, known in exact_of(s).items()}
+    bodies = {
+        name: rows for s in parts.sources for name, rows in rigid_bodies(s, parts.meshes).items()
+    }
     return [
         FindPart(
             entry.name,
             parts.meshes[entry.name],
             parts.meshes[entry.name].thickness,
             exact.get(entry.name, []),
+            bodies.get(entry.name, []),
         )
         for entry in parts.entries
         if entry.name in parts.meshes
@@ -72,11 +75,14 @@ def connections_of(parts: Parts) -> list[Connection]:
     """The elements of decks that hold two parts together, parts counted as in find_parts()."""
     names = [entry.name for entry in parts.entries if entry.name in parts.meshes]
     index = {name: k for k, name in enumerate(names)}
-    return [
-        (index[a], vertex_a, index[b], vertex_b)
-        for source in parts.sources
-        for a, vertex_a, b, vertex_b in deck_connections(source, parts.meshes)
-    ]
+    found: list[Connection] = []
+    for source in parts.sources:
+        first = 1 + max((joint for *_, joint, _ in found), default=-1)
+        found += [
+            (index[a], vertex_a, index[b], vertex_b, first + joint, int(is_rigid))
+            for a, vertex_a, b, vertex_b, joint, is_rigid in deck_connections(source, parts.meshes)
+        ]
+    return found
 
 
 def parts_of_files(
@@ -124,14 +130,13 @@ def _free_name(name: str, names: set[str]) -> str:
     return name
 
 
-def _entry(path: Path, members: dict[str, Ints], meshing: Any) -> dict[str, Any]:
+def _entry(source: Source, meshing: Any) -> dict[str, Any]:
     """The entry of a recipe that stands for a file, and the parts it stands for."""
-    names = list(members)
-    stem = unpacked_name(path).stem
-    is_split = len(names) != 1 or names[0].startswith(f"{stem}/")
-    entry = (
-        {"file": str(path), "split": True} if is_split else {"name": names[0], "file": str(path)}
-    )
+    path, names = source.file.origin, list(source.members)
+    entry: dict[str, Any] = {"name": names[0], "file": str(path)}
+    if source.split:
+        way = True if source.split == "components" else source.split
+        entry = {"file": str(path), "split": way}
     if meshing and is_cad(path):
         entry["mesh"] = dict(meshing)
     return {**entry, "parts": names}

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..kernel import load_kernel
 from ..progress import Progress
+from .common import common_entry, common_nodes
 from .exact import with_exact
 from .findings import FindPart, Findings, contact_entry, feature_entry
 from .options import FindOptions
@@ -20,7 +21,8 @@ from .options import FindOptions
 if TYPE_CHECKING:
     from .. import _core
 
-Connection = tuple[int, int, int, int]
+# Part, vertex, part, vertex, number of the joint (-1: alone), 1 for a rigid body.
+Connection = tuple[int, int, int, int, int, int]
 
 
 def find(
@@ -33,7 +35,8 @@ def find(
 ) -> Findings:
     """The features and, if wanted, the contacts of an assembly.
 
-    connections: (part, vertex index, part, vertex index) of elements that hold two parts together;
+    connections: elements that hold two parts together: part, vertex index, part, vertex index,
+    number of the weld or bolt they are of (-1: alone), 1 for rigid bodies and 0 for others;
     progress(fraction, task) may return False to cancel (RuntimeError).
     Raises RuntimeError if the kernel is missing, ValueError for options out of range.
     """
@@ -46,7 +49,13 @@ def find(
     gap = 0.0
     if with_contacts and len(parts) > 1:
         # A proposed gap is that of the meshes as they stand, whatever thickness they stand for.
-        thickness = [0.0 if options.gap is None else float(part.thickness) for part in parts]
+        thin = [core.ContactPart(*of_part) for of_part in zip(meshes, [0.0] * len(parts), features)]
+        thickness = [float(part.thickness) for part in parts]
+        if options.gap is None:
+            # Sheets touch where their skins do, or as near as the proposed gap, not both added.
+            gap = core.proposed_gap(thin, options.contact_tolerances(core))
+            options = options.changed({"gap": gap})
+            thickness = [max(0.0, thick - gap) for thick in thickness]
         shapes = [core.ContactPart(*of_part) for of_part in zip(meshes, thickness, features)]
         contacts, gap = _contacts(core, shapes, options, (connections, progress))
     return Findings(
@@ -85,8 +94,6 @@ def _contacts(
     """The kernel's contacts, and the gap in use; more: connections and progress."""
     connections, progress = more
     tolerances = options.contact_tolerances(core)
-    if options.gap is None:
-        tolerances.gap = core.proposed_gap(shapes, tolerances)
     rest = None if progress is None else lambda share, task: progress(0.5 + 0.5 * share, task)
     elements = [tuple(connection) for connection in connections]
     return core.find_contacts(shapes, elements, tolerances, rest), float(tolerances.gap)
@@ -118,9 +125,16 @@ def _is_wanted(known: dict[str, Any], options: FindOptions) -> bool:
 def _contact_entries(
     parts: Sequence[FindPart], contacts: Sequence[_core.FoundContact], options: FindOptions
 ) -> list[dict[str, Any]]:
-    entries = []
+    meshes = {part.name: part.mesh for part in parts}
+    common = common_nodes(meshes)
+    entries = [common_entry(pair, ids, meshes) for pair, ids in common.items()]
+    entries = entries if "edge" in options.contact_kinds else []
+    shared = {pair: set(ids) for pair, ids in common.items()}
     counts: Counter[str] = Counter()
     for found in contacts:
+        ids = shared.get((parts[found.part_a].name, parts[found.part_b].name), set())
+        if ids and not ids.isdisjoint(parts[found.part_a].mesh.file_ids(found.a)):
+            continue  # a seam that common nodes hold is no contact besides
         if found.kind in options.contact_kinds:
             pair = f"{parts[found.part_a].name} - {parts[found.part_b].name}: {found.kind}"
             counts[pair] += 1

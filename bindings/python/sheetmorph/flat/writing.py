@@ -53,13 +53,13 @@ def write_patterns(patterns: list[FlatPattern], output: Path, files: FileSet) ->
     return list(wanted)
 
 
-def table_of(pattern: FlatPattern) -> list[str]:
-    """The bend table as lines of text."""
+def table_of(pattern: FlatPattern, unit: str = "mm") -> list[str]:
+    """The bend table as lines of text; unit: that of the file's lengths."""
     largest, most = pattern.residual()
     width, height = pattern.size
-    metal = "" if pattern.thickness is None else f", {pattern.thickness:.4g} mm thick"
+    metal = "" if pattern.thickness is None else f", {pattern.thickness:.4g} {unit} thick"
     lines = [
-        f"{pattern.name}: {width:.3f} x {height:.3f} mm{metal}, {len(pattern.holes)} hole(s), "
+        f"{pattern.name}: {width:.3f} x {height:.3f} {unit}{metal}, {len(pattern.holes)} hole(s), "
         f"{len(pattern.bends)} bend(s); stretch left: largest {100 * largest:.3f} %, 99 % of the "
         f"area below {100 * most:.3f} %"
     ]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import Fault, RecipeError
+from ..finding.common import missing_entries
 from ..finding.findings import FindPart
 from ..finding.reading import connections_of, find_parts
 from ..part_mesh import PartMesh
@@ -104,12 +105,23 @@ def check_with_meshes(
         return replace(check_with_meshes(ids.recipe, meshes, found), told=ids.told)
     asked = asked_sections(recipe)
     if not asked:
-        return model
+        return _with_common_nodes(recipe, model, meshes)
     if found is None:
         shapes = [FindPart(part.name, meshes[part.name]) for part in model.parts]
         found = search(in_file_ids(recipe, meshes), shapes)
     whole = check_with_meshes(filled(recipe, found), meshes)
     return replace(whole, found=found.for_report(asked))
+
+
+def _with_common_nodes(
+    recipe: Mapping[str, Any], model: Model, meshes: Mapping[str, PartMesh]
+) -> Model:
+    """With contacts of the nodes that parts of one deck share and that no contact holds."""
+    more = missing_entries(meshes, recipe.get("contacts") or [])
+    if not more:
+        return model
+    contacts = model_of({"contacts": more}).contacts
+    return replace(model, contacts=[*model.contacts, *contacts])
 
 
 def check_pose(model: Model, pose: Any) -> dict[str, Moved]:

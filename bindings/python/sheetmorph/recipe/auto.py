@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
-from ..finding.findings import FindPart, Findings
+from ..finding.findings import FindPart, Findings, body_entries
 from ..finding.options import HOLES, USUAL_FEATURES, FindOptions
 from ..finding.search import Connection, find
 from ..part_mesh import PartMesh
@@ -53,7 +54,8 @@ def search(
     asked = asked_sections(recipe)
     with_contacts = "contacts" in asked
     found = find(parts, _options(asked), connections, progress, with_contacts=with_contacts)
-    return _taken(recipe, asked, found)
+    bodies = [entry for part in parts for entry in body_entries(part)]
+    return _taken(recipe, asked, replace(found, features=[*found.features, *bodies]))
 
 
 def filled(recipe: dict[str, Any], found: Found) -> dict[str, Any]:
@@ -121,7 +123,7 @@ def _wanted_features(
     options: Mapping[str, Any], found: list[dict[str, Any]], left_out: list[str]
 ) -> list[dict[str, Any]]:
     """Those of the kinds and parts asked for; holes of other kinds are told."""
-    kinds, parts = options.get("kinds", USUAL_FEATURES), options.get("parts")
+    kinds, parts = options.get("kinds", (*USUAL_FEATURES, "rigid body")), options.get("parts")
     on_parts = [entry for entry in found if parts is None or entry["part"] in parts]
     left_out += [
         f"{entry['name']}: \"kinds\" leaves {entry['kind']}s out"

@@ -27,22 +27,30 @@ from .splitting import SplitError, part_of, split_triangles
 class Source:
     """A file and the parts in it: name -> indices (k,) of their vertices in the file.
 
-    writing: how its shapes are written besides its mesh, None if they are not.
+    writing: how its shapes are written besides its mesh, None if they are not; split: how the
+    file is split, "" if it is one part.
     """
 
     file: PartFile
     placement: Placement = Placement()
     members: dict[str, Ints] = field(default_factory=dict)
     writing: CadWriting | None = None
+    split: str = ""
 
     def positions(self, of_parts: dict[str, Floats]) -> Floats:
         """Positions (n, 3) of the whole file as it stands there; vertices of no part, and those
-        that did not move, stay as they are."""
+        that did not move, stay as they are. A vertex of several parts is in the middle of where
+        they have it."""
         own = self.file.mesh.points
         rest = self.placement.placed(own)
         whole = rest.copy()
+        count = np.zeros(len(own), dtype=np.int32)
         for name, vertices in self.members.items():
-            whole[vertices] = of_parts[name]
+            is_new = count[vertices] == 0
+            count[vertices] += 1
+            whole[vertices[is_new]] = of_parts[name][is_new]
+            known = vertices[~is_new]
+            whole[known] += (of_parts[name][~is_new] - whole[known]) / count[known][:, None]
         moved = (whole != rest).any(axis=1)
         return np.where(moved[:, None], self.placement.taken_back(whole), own)
 
@@ -65,7 +73,7 @@ class Parts:
 
     def add(self, entry: PartEntry, file: PartFile) -> None:
         """Put the part, or the parts, of a file in."""
-        source = Source(file, entry.placement, writing=entry.write)
+        source = Source(file, entry.placement, writing=entry.write, split=entry.split)
         whole = entry.placement.placed_mesh(file.mesh)
         if not entry.split:
             thickness = file.thickness_of(np.arange(len(whole.triangles)))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from ..arrays import Ints
 from ..errors import list_ids
 from ..files import PartFile
+from ..files.deck_file import DeckFile
 from ..part_mesh import PartMesh
 
 
@@ -28,7 +30,8 @@ def split_triangles(file: PartFile, way: str) -> dict[str, Ints]:
     """Triangle indices by part name, without the file's stem.
 
     way: "components", counted from 1 in order of their first vertex, of a CAD file its solids and
-    free shells; or "property", the property ids of a deck. Raises SplitError.
+    free shells; or "property", the property ids of a deck, or its names of them where a file has
+    those. Parts by property may share nodes. Raises SplitError.
     """
     mesh = file.mesh
     if way == "components" and file.bodies is not None:
@@ -38,12 +41,24 @@ def split_triangles(file: PartFile, way: str) -> dict[str, Ints]:
     if file.properties is None:
         raise SplitError("only decks have properties", 'use "split": "components"')
     labels = file.properties
-    numbers = {label: str(label) for label in dict.fromkeys(labels.tolist())}
+    names = _names_of(file, list(dict.fromkeys(labels.tolist())))
     found: dict[str, Ints] = {
-        name: np.flatnonzero(labels == label) for label, name in numbers.items()
+        name: np.flatnonzero(labels == label) for label, name in names.items()
     }
-    _check_apart(mesh, found)
+    if not isinstance(file, DeckFile):
+        _check_apart(mesh, found)
     return found
+
+
+def _names_of(file: PartFile, labels: list[int]) -> dict[int, str]:
+    """The names of properties that are one each, their numbers otherwise."""
+    known = {label: file.property_names.get(label, "").replace("/", "_") for label in labels}
+    counts = Counter(known.values())
+    numbers = {str(label) for label in labels}
+    return {
+        label: name if name and counts[name] == 1 and name not in numbers else str(label)
+        for label, name in known.items()
+    }
 
 
 def usual_split(file: PartFile) -> str:
@@ -51,7 +66,10 @@ def usual_split(file: PartFile) -> str:
     components; "" if it is one part, or scattered into more than so many pieces."""
     for way in ("property", "components"):
         try:
-            count = len(split_triangles(file, way))
+            parts = split_triangles(file, way)
+            if way == "property":
+                _check_apart(file.mesh, parts)
+            count = len(parts)
         except SplitError:
             continue
         if 1 < count <= _MOST:

@@ -135,11 +135,12 @@ const char* name_of(ContactKind kind)
     return names[static_cast<std::size_t>(kind)];
 }
 
-const char* type_of(ContactKind kind)
+const char* type_of(const FoundContact& contact)
 {
-    if (kind == ContactKind::bolt || kind == ContactKind::weld)
+    if (contact.kind == ContactKind::bolt || contact.is_spot)
         return "rigid";
-    return kind == ContactKind::flange ? "tied" : "control mesh";
+    const bool is_tied = contact.kind == ContactKind::flange || contact.kind == ContactKind::weld;
+    return is_tied ? "tied" : "control mesh";
 }
 
 double proposed_gap(const std::vector<ContactPart>& parts, const ContactTolerances& tolerances)

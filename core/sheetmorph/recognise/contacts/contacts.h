@@ -23,6 +23,8 @@ struct Connection
 {
     int part_a, vertex_a;
     int part_b, vertex_b;
+    int joint = -1;         //!< of one weld or bolt: its connections have one number; < 0: alone
+    bool is_rigid = false;  //!< of a rigid body
 };
 
 //! What holds two parts together.
@@ -38,10 +40,6 @@ enum class ContactKind
 //! "bolt", "weld", "flange", "face", "edge".
 const char* name_of(ContactKind kind);
 
-//! The type of contact proposed: "rigid" for bolts and welds, "tied" for
-//! flanges, else "control mesh".
-const char* type_of(ContactKind kind);
-
 //! A place where two parts touch, or nearly. Lengths in mm.
 struct FoundContact
 {
@@ -55,7 +53,12 @@ struct FoundContact
     double distance = 0.0;            //!< median distance of its vertices from the other part
     double size = 0.0;                //!< diagonal of the box around both sides
     int connections = 0;              //!< elements that connect both sides
+    bool is_spot = false;             //!< of a weld: a single joint, and nothing around it
 };
+
+//! The type of contact proposed: "rigid" for bolts and single welds, "tied" for flanges and seams,
+//! which have to bend, else "control mesh".
+const char* type_of(const FoundContact& contact);
 
 //! The contacts between all pairs of parts, by part and first vertex. Parts are
 //! told apart by a search tree each and a sweep over their boxes: thousands of

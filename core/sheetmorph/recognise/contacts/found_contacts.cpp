@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -25,10 +27,6 @@ constexpr double mostly = 0.6;
 // A patch within this many radii of the washers of its bolts is nothing besides
 // them.
 constexpr double bolt_reach = 2.2;
-
-// Neighbouring connections of one contact, in typical distances between
-// neighbours.
-constexpr double connection_spacing = 2.0;
 
 bool share_any(const VertexIds& a, const VertexIds& b)
 {
@@ -58,36 +56,32 @@ double share_on_flanges(const ContactPart& part, const VertexIds& vertices)
     return static_cast<double>(both.size()) / static_cast<double>(vertices.size());
 }
 
-// Labels of points that are nearer than `reach` to each other, over others
-// perhaps.
-std::vector<int> chained(const std::vector<Vector3>& points, double reach)
+// Sets of connections of one joint, or of joints that share a vertex: a label for each.
+std::vector<int> labels_of(const std::vector<Connection>& connections)
 {
-    DisjointSets sets(static_cast<int>(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = i + 1; j < points.size(); ++j)
-            if ((points[i] - points[j]).norm() <= reach)
-                sets.join(static_cast<int>(i), static_cast<int>(j));
+    DisjointSets sets(static_cast<int>(connections.size()));
+    std::map<std::pair<char, int>, int> first;
+    for (std::size_t i = 0; i < connections.size(); ++i)
+    {
+        const Connection& c = connections[i];
+        const int own = static_cast<int>(i);
+        for (const std::pair<char, int> key :
+             {std::pair('a', c.vertex_a), std::pair('b', c.vertex_b), std::pair('j', c.joint)})
+            if (key.second >= 0)
+                sets.join(first.emplace(key, own).first->second, own);
+    }
     std::vector<int> labels;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < connections.size(); ++i)
         labels.push_back(sets.root(static_cast<int>(i)));
     return labels;
 }
 
-// Median distance from a point to its nearest neighbour, 0 for a single point.
-double typical_spacing(const std::vector<Vector3>& points)
+void leave_out(VertexIds& vertices, const VertexIds& others)
 {
-    std::vector<double> nearest;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        double least = -1.0;
-        for (std::size_t j = 0; j < points.size(); ++j)
-            if (const double away = (points[i] - points[j]).norm();
-                i != j && away > 0.0 && (least < 0.0 || away < least))
-                least = away;
-        nearest.push_back(std::max(0.0, least));
-    }
-    std::sort(nearest.begin(), nearest.end());
-    return nearest.empty() ? 0.0 : nearest[nearest.size() / 2];
+    VertexIds rest;
+    std::set_difference(vertices.begin(), vertices.end(), others.begin(), others.end(),
+                        std::back_inserter(rest));
+    vertices = std::move(rest);
 }
 
 }  // namespace
@@ -115,12 +109,13 @@ void ContactCollector::take_connections(const std::vector<Connection>& connectio
         const double away = (parts_[c.part_a].mesh.points().row(c.vertex_a)
                              - parts_[c.part_b].mesh.points().row(c.vertex_b))
                                 .norm();
-        if (away > longest)
+        if (away > longest && !c.is_rigid)
             continue;
         if (c.part_a < c.part_b)
-            connected_[{c.part_a, c.part_b}].emplace_back(c.vertex_a, c.vertex_b);
+            connected_[{c.part_a, c.part_b}].push_back(c);
         else if (c.part_b < c.part_a)
-            connected_[{c.part_b, c.part_a}].emplace_back(c.vertex_b, c.vertex_a);
+            connected_[{c.part_b, c.part_a}].push_back(
+                {c.part_b, c.vertex_b, c.part_a, c.vertex_a, c.joint, c.is_rigid});
     }
 }
 
@@ -236,42 +231,80 @@ void ContactCollector::measure(FoundContact& contact) const
     contact.size = (high - low).norm();
 }
 
-// The elements of a pair: to the patch they stand in, else contacts of their
-// own.
+// One contact for each joint of a pair, and for joints that share a vertex. Several flexible ones
+// are a seam.
+std::vector<FoundContact> ContactCollector::welds_of(const Pair& pair) const
+{
+    const std::vector<Connection>& connections = connected_.at(pair);
+    const std::vector<int> labels = labels_of(connections);
+    std::map<int, FoundContact> welds;
+    std::map<int, std::vector<int>> joints;
+    for (std::size_t i = 0; i < connections.size(); ++i)
+    {
+        const Connection& c = connections[i];
+        FoundContact& weld = welds[labels[i]];
+        merge_into(weld.a, {c.vertex_a});
+        merge_into(weld.b, {c.vertex_b});
+        ++weld.connections;
+        weld.distance = (parts_[pair.first].mesh.points().row(c.vertex_a)
+                         - parts_[pair.second].mesh.points().row(c.vertex_b))
+                            .norm();
+        weld.is_spot = weld.is_spot || c.is_rigid;
+        joints[labels[i]].push_back(c.joint >= 0 ? c.joint : -2 - static_cast<int>(i));
+    }
+    std::vector<FoundContact> found;
+    for (auto& [label, weld] : welds)
+    {
+        std::vector<int>& own = joints[label];
+        std::sort(own.begin(), own.end());
+        weld.is_spot = weld.is_spot || own.front() == own.back();
+        weld.kind = ContactKind::weld;
+        weld.part_a = pair.first;
+        weld.part_b = pair.second;
+        measure(weld);
+        found.push_back(std::move(weld));
+    }
+    return found;
+}
+
+// The welds of a pair: flexible ones to the patch they stand in, which is a seam, rigid bodies and
+// all others as contacts of their own.
 void ContactCollector::add_connected(std::vector<FoundContact>& contacts, const Pair& pair)
 {
-    std::vector<Vector3> places;
-    const auto& elements = connected_[pair];
-    for (const auto& [a, b] : elements)
-        places.emplace_back(parts_[pair.first].mesh.points().row(a).transpose());
-    const std::vector<int> labels = chained(places, connection_spacing * typical_spacing(places));
-    std::map<int, FoundContact> groups;
-    for (std::size_t i = 0; i < elements.size(); ++i)
+    const std::vector<Connection>& connections = connected_.at(pair);
+    std::set<int> rigid;
+    for (const Connection& c : connections)
+        if (c.is_rigid)
+            rigid.insert(c.vertex_a);
+    const std::size_t patches = contacts.size();
+    for (FoundContact& weld : welds_of(pair))
     {
-        FoundContact& group = groups[labels[i]];
-        merge_into(group.a, {elements[i].first});
-        merge_into(group.b, {elements[i].second});
-        ++group.connections;
-        const Points& b = parts_[pair.second].mesh.points();
-        group.distance = (b.row(elements[i].second).transpose() - places[i]).norm();
-    }
-    for (auto& [label, group] : groups)
-    {
+        const bool is_rigid = std::any_of(weld.a.begin(), weld.a.end(),
+                                          [&](int vertex) { return rigid.count(vertex) > 0; });
         bool is_taken = false;
-        for (FoundContact& contact : contacts)
-            if (!is_taken && (share_any(contact.a, group.a) || share_any(contact.b, group.b)))
+        for (std::size_t k = 0; k < patches; ++k)
+        {
+            FoundContact& patch = contacts[k];
+            if (!share_any(patch.a, weld.a) && !share_any(patch.b, weld.b))
+                continue;
+            if (is_rigid)
             {
-                contact.connections += group.connections;
-                contact.kind = ContactKind::weld;
+                leave_out(patch.a, weld.a);
+                leave_out(patch.b, weld.b);
+            }
+            else if (!is_taken)
+            {
+                patch.connections += weld.connections;
+                patch.kind = ContactKind::weld;
                 is_taken = true;
             }
-        group.kind = ContactKind::weld;
-        group.part_a = pair.first;
-        group.part_b = pair.second;
-        measure(group);
+        }
         if (!is_taken)
-            contacts.push_back(group);
+            contacts.push_back(std::move(weld));
     }
+    const auto is_empty = [](const FoundContact& contact)
+    { return contact.a.empty() || contact.b.empty(); };
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), is_empty), contacts.end());
 }
 
 std::vector<FoundContact> ContactCollector::found()

@@ -19,14 +19,14 @@ public:
     ContactCollector(const std::vector<ContactPart>& parts, const std::vector<PartShape>& shapes,
                      const ContactTolerances& tolerances);
 
-    //! Elements between two parts, no longer than `longest` (mm); those of a pair
-    //! that stand near each other are one contact.
+    //! Elements between two parts, flexible ones no longer than `longest` (mm); those of one joint,
+    //! and joints that share a vertex, are one contact.
     void take_connections(const std::vector<Connection>& connections, double longest);
 
     void take_bolts(const std::vector<Bolt>& bolts);
 
-    //! The patches of a pair of parts; where elements connect a patch it is
-    //! theirs.
+    //! The patches of a pair of parts; where flexible elements connect a patch it is theirs, a
+    //! seam.
     void take_pair(int a, int b);
 
     std::vector<FoundContact> found();
@@ -38,13 +38,14 @@ private:
     bool is_on_flanges(const FoundContact& contact) const;
     bool is_all_bolts(const FoundContact& contact) const;
     void add_connected(std::vector<FoundContact>& contacts, const Pair& pair);
+    std::vector<FoundContact> welds_of(const Pair& pair) const;
     void join_pair(std::vector<FoundContact>& contacts) const;
     void measure(FoundContact& contact) const;
 
     const std::vector<ContactPart>& parts_;
     const std::vector<PartShape>& shapes_;
     const ContactTolerances& tolerances_;
-    std::map<Pair, std::vector<std::pair<int, int>>> connected_;  // vertices of the first, second
+    std::map<Pair, std::vector<Connection>> connected_;  // the first part is part_a
     std::map<Pair, std::vector<FoundContact>> bolted_;
     std::map<Pair, std::vector<FoundContact>> found_;
 };

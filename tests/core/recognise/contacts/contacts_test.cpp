@@ -7,6 +7,7 @@
 #include "shapes/thick.h"
 #include "shapes/variations.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace sheetmorph
@@ -73,7 +74,7 @@ TEST(Contacts, CoaxialHolesAreABolt)
     ASSERT_EQ(found.size(), 3u);
     EXPECT_EQ(found[0].kind, ContactKind::face);
     EXPECT_EQ(found[1].kind, ContactKind::bolt);
-    EXPECT_STREQ(type_of(found[1].kind), "rigid");
+    EXPECT_STREQ(type_of(found[1]), "rigid");
     EXPECT_EQ(found[1].a.size(), 64u);
     EXPECT_NEAR((found[1].center - Vector3(90, 30, 0.5)).norm(), 0.0, 1e-9);
 }
@@ -106,11 +107,50 @@ TEST(Contacts, ElementsBetweenPartsAreWelds)
     const std::vector<ContactPart> parts = {part_of(sheet), part_of(shifted(sheet, {70, 0, 6.0}))};
     const std::vector<Connection> rivets = {{0, 14, 1, 0}, {0, 35, 1, 21}, {0, 56, 1, 42}};
     const auto found = find_contacts(parts, rivets, with_gap(0.5));
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].kind, ContactKind::weld);
-    EXPECT_EQ(found[0].connections, 3);
-    EXPECT_EQ(found[0].a, (VertexIds{14, 35, 56}));
+    // A rivet each: as one rigid body they would keep the seam from bending.
+    ASSERT_EQ(found.size(), 3u);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        EXPECT_EQ(found[k].kind, ContactKind::weld);
+        EXPECT_STREQ(type_of(found[k]), "rigid");
+        EXPECT_EQ(found[k].connections, 1);
+        EXPECT_EQ(found[k].a, (VertexIds{rivets[k].vertex_a}));
+    }
     EXPECT_THROW(find_contacts(parts, {{0, 999, 1, 0}}), InvalidInput);
+}
+
+TEST(Contacts, ConnectionsOfOneJointAreOneWeldAndThoseOfSeveralASeam)
+{
+    const auto sheet = shapes::grid(20, 10, 100.0, 50.0);
+    const std::vector<ContactPart> parts = {part_of(sheet), part_of(shifted(sheet, {70, 0, 6.0}))};
+    const std::vector<Connection> spider = {{0, 14, 1, 0, 7}, {0, 35, 1, 21, 7}, {1, 42, 0, 56, 8}};
+    const auto found = find_contacts(parts, spider, with_gap(0.5));
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].a, (VertexIds{14, 35}));
+    EXPECT_STREQ(type_of(found[0]), "rigid");
+    EXPECT_EQ(found[1].a, (VertexIds{56}));
+    EXPECT_EQ(found[1].b, (VertexIds{42}));
+    // Joints that share a vertex cannot be rigid each: they are one seam.
+    const auto seam = find_contacts(parts, {{0, 14, 1, 0, 7}, {0, 14, 1, 21, 8}}, with_gap(0.5));
+    ASSERT_EQ(seam.size(), 1u);
+    EXPECT_STREQ(type_of(seam[0]), "tied");
+}
+
+TEST(Contacts, WeldsInAPatchMakeItASeamAndRigidBodiesStandBesideIt)
+{
+    const auto sheet = shapes::grid(20, 10, 100.0, 50.0);
+    const std::vector<ContactPart> parts = {part_of(sheet), part_of(shifted(sheet, {0, 0, 1.0}))};
+    const auto welded = find_contacts(parts, {{0, 14, 1, 14}, {0, 35, 1, 35}}, with_gap(1.2));
+    ASSERT_EQ(welded.size(), 1u);
+    EXPECT_EQ(welded[0].kind, ContactKind::weld);
+    EXPECT_EQ(welded[0].connections, 2);
+    EXPECT_STREQ(type_of(welded[0]), "tied");
+    const auto bolted = find_contacts(parts, {{0, 14, 1, 14, 3, true}}, with_gap(1.2));
+    ASSERT_EQ(bolted.size(), 2u);
+    EXPECT_EQ(bolted[0].kind, ContactKind::face);
+    EXPECT_EQ(std::count(bolted[0].a.begin(), bolted[0].a.end(), 14), 0);
+    EXPECT_EQ(bolted[1].a, (VertexIds{14}));
+    EXPECT_STREQ(type_of(bolted[1]), "rigid");
 }
 
 TEST(Contacts, TheGapIsProposedFromTheAssembly)
