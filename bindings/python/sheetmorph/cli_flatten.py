@@ -43,7 +43,7 @@ def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     """Lays flat, writes, and returns the bend tables. Raises RecipeError, FileError, NotFlat."""
     # Imported here, so that --help answers at once.
     from .doctor import diagnose_file
-    from .files import read_part
+    from .files import is_cad, read_part
     from .flat import KTable, flat_patterns
     from .flat.writing import table_of, write_patterns
 
@@ -57,7 +57,8 @@ def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
             weld=wanted.weld,
             progress=progress,
         )  # fmt: skip
-    unit = diagnose_file(read_part(wanted.file))["unit"]
+    is_mm = is_cad(wanted.file)
+    unit = {"guess": "mm"} if is_mm else diagnose_file(read_part(wanted.file))["unit"]
     word = "units" if unit["guess"] == "unknown" else unit["guess"]
     told = [line for pattern in patterns for line in table_of(pattern, word)]
     if word != "mm":
