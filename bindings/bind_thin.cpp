@@ -39,7 +39,15 @@ void bind_change(py::module_& module)
         .def_readonly("most", &ThicknessChange::most)
         .def_readonly("worst", &ThicknessChange::worst,
                       "largest |t / t_rest - 1| away from the edges of walls")
-        .def_readonly("worst_at_walls", &ThicknessChange::worst_at_walls);
+        .def_readonly("worst_at_walls", &ThicknessChange::worst_at_walls)
+        .def_property_readonly(
+            "place",
+            [](const ThicknessChange& change)
+            {
+                const ThicknessPlace& place = change.place;
+                return py::make_tuple(place.vertex, place.rest, place.deformed);
+            },
+            "(vertex, mm at rest, mm in the pose) where it changes most; vertex -1 if nowhere");
     module.def(
         "thickness_change",
         [](const TriangleMesh& mesh, const ThinSolid& solid, const py::object& positions)

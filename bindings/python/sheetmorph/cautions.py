@@ -18,6 +18,8 @@ from .words import counted
 
 # How far a contact may open: of the gap at rest, of the region; below the last share it is nothing.
 _OF_GAP, _OF_REGION, _NOTHING = 0.5, 0.1, 1e-3
+# From which a thickness changes too much, of the one at rest.
+_THINNED = 0.1
 # From which an edge is stretched or pressed by too much: half its length.
 _STRAIN = 0.5
 
@@ -33,6 +35,7 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
         *_open_contacts(result),
         *_stretched(parts),
         *lost_turns(result),
+        *_thinned(parts),
         *_unrepaired(result),
     ]
 
@@ -130,4 +133,18 @@ def _stretched(parts: list[dict[str, Any]]) -> Iterator[str]:
             yield (
                 f'an edge of "{entry["name"]}" changes its length by {100.0 * strain:.0f} % in '
                 "this pose: move less, remesh it, or hold what is small there in a form feature"
+            )
+
+
+def _thinned(parts: list[dict[str, Any]]) -> Iterator[str]:
+    for entry in parts:
+        thin = entry["thin"]
+        change = max(thin["largest_change"], thin["largest_change_at_walls"]) if thin else 0.0
+        if change > _THINNED:
+            worst = thin["worst"]
+            place = ", ".join(f"{x:.4g}" for x in worst["place"])
+            yield (
+                f'the thickness of "{entry["name"]}" changes by {100.0 * change:.0f} % at ({place}), '
+                f"from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: move less, mesh it finer "
+                "there, or hold what is small there in a form feature"
             )

@@ -25,6 +25,7 @@ def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
     mesh = core.TriangleMesh(session.meshes[part].points, triangles)
     positions = np.array(result.positions[part])
     change = core.thickness_change(mesh, solid, positions)
+    vertex, rest, deformed = change.place
     lumps = [lump for lump in result.lumps if lump.part == part]
     return {
         "thickness": solid.thickness,
@@ -37,6 +38,11 @@ def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
         "deformed": {"least": change.least, "most": change.most},
         "largest_change": change.worst,
         "largest_change_at_walls": change.worst_at_walls,
+        "worst": (
+            {"place": positions[vertex].tolist(), "rest": rest, "deformed": deformed}
+            if vertex >= 0
+            else None
+        ),
         "self_intersections": dict(zip(("rest", "deformed"), crossings(result, part))),
     }
 

@@ -22,10 +22,10 @@ inline void add_wall(const std::vector<VertexIds>& rows, std::vector<Eigen::RowV
 
 //! The closed solid under an open sheet: vertex i of the sheet is vertex i, what is `thickness`
 //! behind it is vertex n + i; walls under every boundary loop have one row of vertices between.
-inline TriangleMesh two_skinned(const TriangleMesh& sheet, double thickness)
+//! \param normals  (n, 3) of length 1
+inline TriangleMesh two_skinned(const TriangleMesh& sheet, const Points& normals, double thickness)
 {
     const int count = sheet.vertex_count();
-    const Points normals = vertex_normals(sheet.points(), sheet.triangles());
     const std::vector<VertexIds> loops = boundary_loops(sheet);
     std::vector<Eigen::RowVector3d> points;
     for (int skin = 0; skin < 2; ++skin)
@@ -57,6 +57,12 @@ inline TriangleMesh two_skinned(const TriangleMesh& sheet, double thickness)
     for (std::size_t t = 0; t < triangles.size(); ++t)
         all_triangles.row(t) = triangles[t];
     return TriangleMesh(std::move(all_points), std::move(all_triangles));
+}
+
+//! The same with the normals of the sheet.
+inline TriangleMesh two_skinned(const TriangleMesh& sheet, double thickness)
+{
+    return two_skinned(sheet, vertex_normals(sheet.points(), sheet.triangles()), thickness);
 }
 
 //! A plate bent along its x axis, up by an angle > 0, down by one < 0, over an arc of length `arc`

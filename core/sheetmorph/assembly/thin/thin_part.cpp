@@ -5,12 +5,9 @@
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/areas.h"
-#include "sheetmorph/mesh/search/picking.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <limits>
-#include <map>
 
 namespace sheetmorph
 {
@@ -21,22 +18,10 @@ namespace
 // Beyond this many thicknesses, what is opposite is not the other skin.
 constexpr double farthest_foot = 1.8;
 
-// Of the distance, and a thousandth of the size.
-constexpr double equally_near = 1e-7;
-
 constexpr Eigen::Index least_searches = 50;  // worth a thread
 
 // A corner with less weight than this does not count.
 constexpr double no_weight = 1e-6;
-
-std::map<int, std::vector<int>> facets_by_component(const ThinSolid& solid, SolidSide side)
-{
-    std::map<int, std::vector<int>> found;
-    for (std::size_t t = 0; t < solid.facets.size(); ++t)
-        if (solid.facets[t] == side)
-            found[solid.component[t]].push_back(static_cast<int>(t));
-    return found;
-}
 
 std::vector<int> all_on(const ThinSolid& solid, SolidSide side)
 {
@@ -47,55 +32,13 @@ std::vector<int> all_on(const ThinSolid& solid, SolidSide side)
     return found;
 }
 
-// By vertex: the component of one of its facets.
-std::vector<int> components_of_vertices(const TriangleMesh& mesh, const ThinSolid& solid)
+std::vector<Anchor> anchors_at(const std::vector<Hit>& places, const Triangles& triangles)
 {
-    std::vector<int> found(at(mesh.vertex_count()), -1);
-    for (int t = 0; t < mesh.triangle_count(); ++t)
-        for (int k = 0; k < 3; ++k)
-            found[at(mesh.triangles()(t, k))] = solid.component[at(t)];
+    std::vector<Anchor> found;
+    for (const Hit& place : places)
+        found.push_back(Anchor::at(place, triangles));
     return found;
 }
-
-// Places on some facets of a mesh, in that mesh's vertices.
-class Places
-{
-public:
-    Places(const TriangleMesh& mesh, const std::vector<int>& facets)
-        : part_(submesh(mesh, facets)), tree_(part_.mesh), size_(part_.mesh.size())
-    {
-    }
-
-    // All that are equally near; which of them rounding puts first must not matter. None where all
-    // are farther than `reach`.
-    std::vector<Anchor> nearest(const Vector3& point, double reach) const
-    {
-        const std::optional<Hit> first = tree_.nearest_point(point, reach);
-        if (!first)
-            return {};
-        const double distance = first->distance;
-        const double rounding = equally_near * (distance + size_ * 1e-3);
-        std::vector<Anchor> anchors;
-        std::vector<Vector3> seen;
-        for (const Hit& hit : tree_.places_within(point, distance + rounding))
-        {
-            const auto is_same = [&](const Vector3& other)
-            { return (other - hit.point).norm() < 1e3 * rounding; };
-            if (std::any_of(seen.begin(), seen.end(), is_same))
-                continue;
-            seen.push_back(hit.point);
-            anchors.push_back(Anchor::at(hit, part_.mesh.triangles()));
-            for (int& corner : anchors.back().corners)
-                corner = part_.vertices[at(corner)];
-        }
-        return anchors;
-    }
-
-private:
-    Submesh part_;
-    PickingTree tree_;
-    double size_;
-};
 
 // The inverse in the directions that a twentieth of the facets' normals or more speak for.
 Matrix3 strong_inverse(const Matrix3& moments)
@@ -127,8 +70,9 @@ ThinPart::ThinPart(TriangleMesh mesh, ThinSolid solid)
       solid_(std::move(solid)),
       skin_(submesh(mesh_, all_on(solid_, SolidSide::main)))
 {
-    hang_on_skin();
-    find_feet();
+    const AcrossSheet across(mesh_, solid_);
+    hang_on_skin(across);
+    find_feet(across);
     find_middle();
     for (std::size_t wall = 0; wall < solid_.walls.size(); ++wall)
         for (const SolidSide side : {SolidSide::main, SolidSide::opposite})
@@ -141,13 +85,8 @@ ThinPart::ThinPart(TriangleMesh mesh, ThinSolid solid)
         }
 }
 
-void ThinPart::hang_on_skin()
+void ThinPart::hang_on_skin(const AcrossSheet& across)
 {
-    const std::vector<int> component = components_of_vertices(mesh_, solid_);
-    std::map<int, Places> skins;
-    for (const auto& [of, facets] : facets_by_component(solid_, SolidSide::main))
-        skins.emplace(of, Places(mesh_, facets));
-    const Places whole(mesh_, all_on(solid_, SolidSide::main));
     anchors_.resize(at(mesh_.vertex_count()));
     const auto hang = [&](int v)
     {
@@ -156,12 +95,7 @@ void ThinPart::hang_on_skin()
             anchors_[at(v)] = {Anchor::at_vertex(own)};
             return;
         }
-        const auto own = skins.find(component[at(v)]);
-        const Places& places = own == skins.end() ? whole : own->second;
-        // A look at what is near first is faster than one at everything.
-        for (double reach = farthest_foot * solid_.thickness; anchors_[at(v)].empty();
-             reach = std::numeric_limits<double>::infinity())
-            anchors_[at(v)] = places.nearest(mesh_.points().row(v).transpose(), reach);
+        anchors_[at(v)] = anchors_at(across.places(v, SolidSide::main), mesh_.triangles());
         for (Anchor& anchor : anchors_[at(v)])
             for (int& corner : anchor.corners)
                 corner = skin_.index_of[at(corner)];
@@ -169,21 +103,15 @@ void ThinPart::hang_on_skin()
     each_in_parallel(anchors_.size(), hang);
 }
 
-void ThinPart::find_feet()
+void ThinPart::find_feet(const AcrossSheet& across)
 {
-    const std::vector<int> component = components_of_vertices(mesh_, solid_);
-    std::map<int, Places> opposite;
-    for (const auto& [of, facets] : facets_by_component(solid_, SolidSide::opposite))
-        opposite.emplace(of, Places(mesh_, facets));
-    const double reach = farthest_foot * solid_.thickness;
     feet_.resize(skin_.vertices.size());
     const auto find = [&](int s)
     {
         const int v = skin_.vertices[at(s)];
-        const auto own = opposite.find(component[at(v)]);
-        if (own == opposite.end())
-            return;
-        feet_[at(s)] = own->second.nearest(mesh_.points().row(v).transpose(), reach);
+        const std::vector<Hit> places = across.places(v, SolidSide::opposite);
+        if (!places.empty() && places.front().distance <= farthest_foot * across.thickness(v))
+            feet_[at(s)] = anchors_at(places, mesh_.triangles());
     };
     each_in_parallel(feet_.size(), find);
     above_.resize(at(mesh_.vertex_count()));

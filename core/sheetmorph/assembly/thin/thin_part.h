@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/links/patch_anchors.h"
 #include "sheetmorph/mesh/topology/submesh.h"
-#include "sheetmorph/recognise/thin/thin_solid.h"
+#include "sheetmorph/recognise/thin/across_sheet.h"
 
 namespace sheetmorph
 {
@@ -17,7 +17,7 @@ struct SkinRegion
 
 //! A thin solid as the solvers see it: its main skin alone, pushed to the middle of the sheet, so
 //! that it bends as the open mid-surface would whichever skin is the main one; and how everything
-//! hangs on it. The constructor finds the nearest place on the skin for every vertex.
+//! hangs on it. The constructor finds for every vertex its place on the skin across the sheet.
 class ThinPart
 {
 public:
@@ -31,7 +31,8 @@ public:
     const TriangleMesh& middle() const { return middle_; }
 
     //! Places of a vertex of the whole part on the main skin, in the skin's own vertices: the
-    //! nearest, and as many as are equally near.
+    //! nearest across its own sheet, and as many as are equally near. None for a vertex of no
+    //! triangle, which stays where it is.
     using Anchors = std::vector<Anchor>;
     const Anchors& anchors(int vertex) const { return anchors_[static_cast<std::size_t>(vertex)]; }
 
@@ -44,8 +45,8 @@ public:
     VertexIds with_walls(const VertexIds& feature) const;
 
 private:
-    void hang_on_skin();
-    void find_feet();
+    void hang_on_skin(const AcrossSheet& across);
+    void find_feet(const AcrossSheet& across);
     void find_middle();
     void add_below(const VertexIds& region, const std::vector<char>& is_covered,
                    SkinRegion& found) const;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 namespace sheetmorph
 {
@@ -22,26 +23,71 @@ constexpr double agreement = 0.9;
 // A smooth patch says less than a crease that is seen.
 constexpr double weight_of_patch = 1e-3;
 
+// Further sheets of a component are larger, in squares of the thickness.
+constexpr double least_further_sheet = 25.0;
+
 // For which side, 0 or 1, of the sheet a group of cells speaks, by length.
 using Evidence = std::map<int, std::array<double, 2>>;
 
 class Sheets
 {
 public:
-    Sheets(const SolidFacets& graph, const SkinCells& cells)
+    //! \param are_several  whether components may have more sheets than their largest
+    Sheets(const SolidFacets& graph, const SkinCells& cells, bool are_several)
         : graph_(graph), cells_(cells), sets_(cells.count())
     {
         for (const OpposedCells& pair : cells.opposed)
             sets_.join(pair.one, pair.other, 1);
         seeds_.assign(graph.is_closed.size(), -1);
-        choose_seeds();
-        // Ends, since each round joins sets of cells.
-        while (grow())
-            continue;
+        while (choose_seeds())
+        {
+            // Ends, since each round joins sets of cells.
+            while (grow())
+                continue;
+            for (const int seed : seeds_)
+                if (seed >= 0)
+                    finished_.insert(sets_.root(seed));
+            if (!are_several)
+                break;
+        }
     }
 
-    //! +1 or -1 in the sheet of its component, else 0.
+    //! +1 or -1 in a sheet of its component, else 0.
     int side(int cell) const
+    {
+        if (finished_.count(sets_.root(cell)) == 0)
+            return 0;
+        return sets_.side(cell) == 0 ? 1 : -1;
+    }
+
+private:
+    // A sheet starts at the largest pair of opposite skins of its component that is in none yet.
+    // Returns whether there is one.
+    bool choose_seeds()
+    {
+        Evidence areas;
+        for (int cell = 0; cell < cells_.count(); ++cell)
+            if (finished_.count(sets_.root(cell)) == 0)
+                areas[sets_.root(cell)][at(sets_.side(cell))] += cells_.area[at(cell)];
+        std::vector<double> largest(seeds_.size(), 0.0);
+        const double least = finished_.empty() ? 0.0 : least_further_sheet;
+        seeds_.assign(seeds_.size(), -1);
+        for (const auto& [root, area] : areas)
+        {
+            const std::size_t component = at(cells_.component[at(root)]);
+            const double both = std::min(area[0], area[1]);
+            const double thickness = cells_.thickness[component];
+            if (both > largest[component] && both > least * thickness * thickness)
+            {
+                largest[component] = both;
+                seeds_[component] = root;
+            }
+        }
+        return std::any_of(seeds_.begin(), seeds_.end(), [](int seed) { return seed >= 0; });
+    }
+
+    // +1 or -1 in the sheet that grows, else 0.
+    int side_in_growing(int cell) const
     {
         const int seed = seeds_[at(cells_.component[at(cell)])];
         if (seed < 0 || sets_.root(seed) != sets_.root(cell))
@@ -49,30 +95,10 @@ public:
         return sets_.side(seed) == sets_.side(cell) ? 1 : -1;
     }
 
-private:
-    // The sheet starts at the largest pair of opposite skins of its component.
-    void choose_seeds()
-    {
-        Evidence areas;
-        for (int cell = 0; cell < cells_.count(); ++cell)
-            areas[sets_.root(cell)][at(sets_.side(cell))] += cells_.area[at(cell)];
-        std::vector<double> largest(seeds_.size(), 0.0);
-        for (const auto& [root, area] : areas)
-        {
-            const std::size_t component = at(cells_.component[at(root)]);
-            const double both = std::min(area[0], area[1]);
-            if (both > largest[component])
-            {
-                largest[component] = both;
-                seeds_[component] = root;
-            }
-        }
-    }
-
     void speak(Evidence& evidence, int in_sheet, int other, double length) const
     {
-        const int sheet_side = side(in_sheet);
-        if (sheet_side != 0 && side(other) == 0)
+        const int sheet_side = side_in_growing(in_sheet);
+        if (sheet_side != 0 && side_in_growing(other) == 0 && side(other) == 0)
             evidence[sets_.root(other)][at((sheet_side < 0 ? 1 : 0) ^ sets_.side(other))] += length;
     }
 
@@ -95,10 +121,10 @@ private:
     {
         std::map<int, std::pair<int, int>> sheet_cell;  // by patch: one of its cells, both sides?
         for (std::size_t t = 0; t < cells_.cell.size(); ++t)
-            if (const int cell = cells_.cell[t]; cell >= 0 && side(cell) != 0)
+            if (const int cell = cells_.cell[t]; cell >= 0 && side_in_growing(cell) != 0)
             {
                 auto& found = sheet_cell.emplace(cells_.patch[t], std::pair(cell, 0)).first->second;
-                found.second |= side(found.first) != side(cell);
+                found.second |= side_in_growing(found.first) != side_in_growing(cell);
             }
         for (std::size_t t = 0; t < cells_.cell.size(); ++t)
         {
@@ -117,7 +143,8 @@ private:
         for (const auto& [root, lengths] : evidence)
         {
             const int flip = lengths[1] > lengths[0] ? 1 : 0;
-            if (side(root) != 0 || lengths[at(flip)] < agreement * (lengths[0] + lengths[1]))
+            if (side_in_growing(root) != 0
+                || lengths[at(flip)] < agreement * (lengths[0] + lengths[1]))
                 continue;
             const int seed = seeds_[at(cells_.component[at(root)])];
             sets_.join(seed, root, flip);
@@ -129,7 +156,8 @@ private:
     const SolidFacets& graph_;
     const SkinCells& cells_;
     ParitySets sets_;
-    std::vector<int> seeds_;  // by component: a cell of its sheet, -1 without
+    std::vector<int> seeds_;  // by component: a cell of the sheet that grows, -1 without
+    std::set<int> finished_;  // roots of the sheets that have grown
 };
 
 // Diagonals of the components' boxes, mm.
@@ -155,9 +183,10 @@ std::vector<double> sizes(const TriangleMesh& mesh, const SolidFacets& graph)
 
 }  // namespace
 
-SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells)
+SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+                     bool are_several)
 {
-    const Sheets sheets(graph, cells);
+    const Sheets sheets(graph, cells, are_several);
     SkinPairs pairs;
     const std::size_t count = graph.is_closed.size();
     std::vector<double> whole(count, 0.0), skins(count, 0.0);

@@ -22,6 +22,10 @@ struct SkinPairs
 //! that puts every facet on one side only - so ribs, which would be on both, are none.
 //! A component is thin if its skins are at least 60 % of its surface and its thickness is at most a
 //! tenth of its size.
-SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells);
+//! \param are_several  whether a component may have several sheets, which something that is not
+//! thin
+//!                     joins, as welded brackets do
+SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+                     bool are_several = false);
 
 }  // namespace sheetmorph

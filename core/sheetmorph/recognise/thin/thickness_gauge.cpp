@@ -4,13 +4,11 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
-#include "sheetmorph/mesh/search/picking.h"
-#include "sheetmorph/mesh/topology/submesh.h"
+#include "sheetmorph/recognise/thin/across_sheet.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 
 namespace sheetmorph
@@ -39,6 +37,7 @@ public:
         : mesh_(mesh),
           solid_(solid),
           positions_(positions),
+          across_(mesh, solid),
           is_on_wall_(flags(mesh, solid.walls)),
           is_on_lump_(flags(mesh, solid.lumps))
     {
@@ -53,68 +52,42 @@ public:
     }
 
 private:
-    // From the vertices of one skin to the other skin of the same component.
+    // From the vertices of one skin to the other one.
     void from(SolidSide side, SolidSide other)
     {
-        std::map<int, std::vector<int>> facets;
-        for (std::size_t t = 0; t < solid_.facets.size(); ++t)
-            if (solid_.facets[t] == other)
-                facets[solid_.component[t]].push_back(static_cast<int>(t));
-        for (const auto& [component, skin] : facets)
-            to_skin(vertices_on(component, side), submesh(mesh_, skin));
-    }
-
-    VertexIds vertices_on(int component, SolidSide side) const
-    {
-        VertexIds found;
-        for (int t = 0; t < mesh_.triangle_count(); ++t)
-            for (int k = 0; k < 3 && solid_.component[at(t)] == component; ++k)
-            {
-                const int vertex = mesh_.triangles()(t, k);
-                if (solid_.vertices[at(vertex)] == side && !is_on_lump_[at(vertex)])
-                    found.push_back(vertex);
-            }
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
-    }
-
-    void to_skin(const VertexIds& vertices, const Submesh& skin)
-    {
-        const PickingTree rest(skin.mesh);
-        PickingTree now = rest;
-        now.refit(positions_(skin.vertices, Eigen::indexing::all));
+        VertexIds vertices;
+        for (int v = 0; v < mesh_.vertex_count(); ++v)
+            if (solid_.vertices[at(v)] == side && !is_on_lump_[at(v)])
+                vertices.push_back(v);
         std::vector<Distances> found(vertices.size());
         parallel_ranges(static_cast<Eigen::Index>(vertices.size()), microsecond_items,
                         [&](auto begin, auto end)
                         {
                             for (auto k = begin; k < end; ++k)
-                                found[at(k)] = distances(vertices[at(k)], rest, now);
+                                found[at(k)] = distances(vertices[at(k)], other);
                         });
         for (std::size_t k = 0; k < found.size(); ++k)
             if (found[k].before > 0.0)
                 note(vertices[k], found[k]);
     }
 
-    // From a vertex to the skin opposite, mm; 0 where there is none at rest.
+    // From a vertex to the other skin across its sheet, mm; 0 where there is none at rest.
     struct Distances
     {
         double before = 0.0;
         double after = 0.0;
     };
 
-    Distances distances(int vertex, const PickingTree& rest, const PickingTree& now) const
+    Distances distances(int vertex, SolidSide other) const
     {
-        const Vector3 point = positions_.row(vertex).transpose();
-        const auto hit =
-            rest.nearest_point(mesh_.points().row(vertex).transpose(), farthest * solid_.thickness);
-        if (!hit || hit->distance < nearest * solid_.thickness)
+        const std::vector<Hit> places = across_.places(vertex, other);
+        const double thickness = across_.thickness(vertex);
+        if (places.empty() || places.front().distance > farthest * thickness
+            || places.front().distance < nearest * thickness)
             return {};
-        // What was nearest at rest is about as near now: the search need not look farther.
-        const auto corners = now.points()(now.triangles().row(hit->triangle), Eigen::indexing::all);
-        const double reach = (corners.transpose() * hit->barycentric - point).norm();
-        const auto nearer = now.nearest_point(point, reach);
-        return {hit->distance, nearer ? nearer->distance : reach};
+        const Vector3 point = positions_.row(vertex).transpose();
+        const Hit now = across_.nearest_around(places.front().triangle, point, positions_);
+        return {places.front().distance, now.distance};
     }
 
     void note(int vertex, const Distances& distance)
@@ -123,13 +96,17 @@ private:
         change_.rest_most = std::max(change_.rest_most, distance.before);
         change_.least = std::min(change_.least, distance.after);
         change_.most = std::max(change_.most, distance.after);
+        const double change = std::abs(distance.after / distance.before - 1.0);
+        if (change_.place.vertex < 0 || change > std::max(change_.worst, change_.worst_at_walls))
+            change_.place = {vertex, distance.before, distance.after};
         double& worst = is_on_wall_[at(vertex)] ? change_.worst_at_walls : change_.worst;
-        worst = std::max(worst, std::abs(distance.after / distance.before - 1.0));
+        worst = std::max(worst, change);
     }
 
     const TriangleMesh& mesh_;
     const ThinSolid& solid_;
     const Points& positions_;
+    AcrossSheet across_;
     std::vector<char> is_on_wall_, is_on_lump_;
     ThicknessChange change_;
 };

@@ -6,6 +6,13 @@
 namespace sheetmorph
 {
 
+//! Where the thickness changes most.
+struct ThicknessPlace
+{
+    int vertex = -1;                    //!< -1 where nothing was measured
+    double rest = 0.0, deformed = 0.0;  //!< mm
+};
+
 //! The thickness of a thin solid at rest and in one pose, mm: distances of the vertices of one skin
 //! to the other. Lumps are left out.
 struct ThicknessChange
@@ -14,6 +21,7 @@ struct ThicknessChange
     double least = 0.0, most = 0.0;
     double worst = 0.0;           //!< largest |t / t_rest - 1| away from the edges of walls
     double worst_at_walls = 0.0;  //!< the same at vertices that are on a wall too
+    ThicknessPlace place;         //!< of the larger one of both
 };
 
 //! \param mesh       at rest

@@ -115,6 +115,15 @@ Eigen::VectorXd thickness_map(const TriangleMesh& mesh, const ThinSolid& solid,
         .select(sum.array() / share.array(), std::numeric_limits<double>::quiet_NaN());
 }
 
+// By component: its typical thickness, 0 if it is not thin.
+std::vector<double> thickness_of_components(const SkinCells& cells, const SkinPairs& pairs)
+{
+    std::vector<double> found = cells.thickness;
+    for (std::size_t k = 0; k < found.size(); ++k)
+        found[k] = pairs.is_thin[k] ? found[k] : 0.0;
+    return found;
+}
+
 // The thickness of the thin component with the largest surface.
 double main_thickness(const SolidFacets& graph, const SkinCells& cells, const SkinPairs& pairs)
 {
@@ -124,6 +133,16 @@ double main_thickness(const SolidFacets& graph, const SkinCells& cells, const Sk
             areas[at(graph.component[at(t)])] += graph.areas(t);
     const auto largest = std::max_element(areas.begin(), areas.end());
     return cells.thickness[static_cast<std::size_t>(largest - areas.begin())];
+}
+
+// Takes components over that are thin if they have several sheets, joined by what is not thin.
+void add_joined_sheets(const SkinPairs& several, const SolidFacets& graph, SkinPairs& pairs)
+{
+    for (int t = 0; t < graph.facet_count(); ++t)
+        if (!pairs.is_thin[at(graph.component[at(t)])])
+            pairs.side[at(t)] = several.side[at(t)];
+    for (std::size_t k = 0; k < pairs.is_thin.size(); ++k)
+        pairs.is_thin[k] = pairs.is_thin[k] || several.is_thin[k];
 }
 
 std::string why_not(const SolidFacets& graph, const SkinPairs& pairs)
@@ -156,6 +175,7 @@ ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
     solid.thickness = main_thickness(found.graph, found.cells, pairs);
     solid.facets = facet_sides(found.graph, pairs, sides);
     solid.component = found.graph.component;
+    solid.of_component = thickness_of_components(found.cells, pairs);
     solid.vertices = vertex_sides(found.mesh, solid.facets);
     solid.thicknesses = thickness_map(found.mesh, solid, found.probes, found.cells.thickness);
     solid.walls = wall_pieces(found.mesh, found.graph, solid.facets);
@@ -206,6 +226,8 @@ ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
     const std::vector<InwardProbe> probes = inward_probes(mesh, graph);
     const SkinCells cells = skin_cells(graph, probes, thickness);
     SkinPairs pairs = skin_pairs(mesh, graph, cells);
+    if (std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 0) != pairs.is_thin.end())
+        add_joined_sheets(skin_pairs(mesh, graph, cells, true), graph, pairs);
     const auto is_none = [&]
     { return std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 1) == pairs.is_thin.end(); };
     if (is_none())

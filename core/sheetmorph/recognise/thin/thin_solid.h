@@ -28,12 +28,13 @@ struct ThroughHole
 //! A closed mesh that is a sheet: two skins, one thickness apart, and the walls between them.
 struct ThinSolid
 {
-    double thickness = 0.0;           //!< mm, the typical one of the largest sheet
-    std::vector<SolidSide> facets;    //!< (m); of components that are not thin: main
-    std::vector<int> component;       //!< (m) connected across edges of two facets, from 0
-    std::vector<SolidSide> vertices;  //!< (n); main if any facet around is, then opposite, wall
-    Eigen::VectorXd thicknesses;      //!< (n) mm: the local one; NaN on walls and lumps
-    std::vector<ThroughHole> holes;   //!< by rising first vertex
+    double thickness = 0.0;            //!< mm, the typical one of the largest sheet
+    std::vector<SolidSide> facets;     //!< (m); of components that are not thin: main
+    std::vector<int> component;        //!< (m) connected across edges of two facets, from 0
+    std::vector<double> of_component;  //!< mm: the typical thickness of each, 0 if it is not thin
+    std::vector<SolidSide> vertices;   //!< (n); main if any facet around is, then opposite, wall
+    Eigen::VectorXd thicknesses;       //!< (n) mm: the local one; NaN on walls and lumps
+    std::vector<ThroughHole> holes;    //!< by rising first vertex
     std::vector<VertexIds> walls;  //!< every wall that is one piece, its rims included, ascending
     std::vector<VertexIds> lumps;  //!< each one piece, its foot on the skins included, ascending
 };

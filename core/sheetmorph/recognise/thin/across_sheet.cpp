@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/recognise/thin/across_sheet.h"
+
+#include "sheetmorph/base/index.h"
+#include "sheetmorph/mesh/search/triangle_queries.h"
+#include "sheetmorph/mesh/topology/submesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <unordered_set>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Of the distance, and a thousandth of the size.
+constexpr double equally_near = 1e-7;
+
+// A ray that ends within so many thicknesses has found the other skin of its own sheet.
+constexpr double farthest_skin = 1.8;
+
+// Where rays start beside the point, in thicknesses: close to it; and beyond the corner of a sharp
+// fold, whose outer edge has the other flange behind it instead of the other skin.
+constexpr double beside[] = {0.05, 1.2};
+
+// One ray is enough for the facets of a plane. At a fold, however flat, each plane has its own.
+constexpr double alike = 1.0 - 1e-12;
+
+// Where a ray starts below the surface, of the component's size.
+constexpr double first_step = 1e-7;
+
+// A skin that is reached through the material faces away from where the walk began.
+constexpr double from_behind = -0.01;
+
+// A walk ends this many times farther away than the nearest place that faces the start.
+constexpr double far_enough = 3.0;
+
+TriangleCorners corners_of(const Points& points, const Triangles& triangles, int facet)
+{
+    const auto corner = [&](int k) { return Vector3(points.row(triangles(facet, k))); };
+    return {corner(0), corner(1), corner(2)};
+}
+
+Hit nearest_on(const Points& points, const Triangles& triangles, int facet, const Vector3& point)
+{
+    Hit hit = nearest_on_triangle(point, corners_of(points, triangles, facet));
+    hit.triangle = facet;
+    return hit;
+}
+
+}  // namespace
+
+// Facets in the order of how far from a point the walk to them must go.
+class AcrossSheet::Walk
+{
+public:
+    Walk(const AcrossSheet& across, const Vector3& point, const Points& positions)
+        : across_(across), point_(point), positions_(positions)
+    {
+    }
+
+    void push(int facet, double way)
+    {
+        if (facet < 0 || !seen_.insert(facet).second)
+            return;
+        const Hit hit = nearest_on(positions_, across_.mesh_.triangles(), facet, point_);
+        waiting_.push({std::max(way, hit.distance), hit});
+    }
+
+    void push_neighbours(const Hit& hit, double way, std::optional<SolidSide> only = {})
+    {
+        for (const int facet : across_.neighbours(hit.triangle))
+            if (facet >= 0 && (!only || across_.side(facet) == *only))
+                push(facet, way);
+    }
+
+    // The next facet and the length of the way; nothing if it is farther than `limit`.
+    std::optional<std::pair<double, Hit>> pop(double limit)
+    {
+        if (waiting_.empty() || waiting_.top().way > limit)
+            return std::nullopt;
+        const Step step = waiting_.top();
+        waiting_.pop();
+        return std::pair(step.way, step.hit);
+    }
+
+private:
+    struct Step
+    {
+        double way;
+        Hit hit;
+
+        bool operator<(const Step& other) const
+        {
+            return std::pair(other.way, other.hit.triangle) < std::pair(way, hit.triangle);
+        }
+    };
+
+    const AcrossSheet& across_;
+    Vector3 point_;
+    const Points& positions_;
+    std::priority_queue<Step> waiting_;
+    std::unordered_set<int> seen_;
+};
+
+AcrossSheet::AcrossSheet(const TriangleMesh& mesh, const ThinSolid& solid)
+    : mesh_(mesh),
+      solid_(solid),
+      size_(mesh.size()),
+      graph_(solid_facets(mesh)),
+      around_(mesh),
+      neighbours_(at(mesh.triangle_count()), {-1, -1, -1})
+{
+    const auto add = [&](int facet, int other)
+    {
+        auto& known = neighbours_[at(facet)];
+        *std::find(known.begin(), known.end() - 1, -1) = other;
+    };
+    for (const FacetJoint& joint : graph_.joints)
+    {
+        add(joint.one, joint.other);
+        add(joint.other, joint.one);
+    }
+    std::map<int, std::vector<int>> facets;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (thickness_at(t) > 0.0)
+            facets[graph_.component[at(t)]].push_back(t);
+    for (auto& [component, own] : facets)
+    {
+        PickingTree tree(submesh(mesh, own).mesh);
+        thin_.emplace(component, Component{std::move(own), std::move(tree)});
+    }
+}
+
+// The facet of a skin straight through the material from where a facet is nearest to a point; -1 if
+// there is none.
+int AcrossSheet::facet_behind(int facet, const Vector3& point, SolidSide skin) const
+{
+    if (graph_.is_thin[at(facet)])
+        return -1;
+    const Component& component = thin_.at(graph_.component[at(facet)]);
+    const Vector3 inwards = -graph_.normals.row(facet).transpose();
+    const Vector3 start = nearest_on(mesh_.points(), mesh_.triangles(), facet, point).point;
+    const Vector3 way = graph_.centres.row(facet).transpose() - start;
+    const double step = first_step * size_;
+    for (const double thicknesses : beside)
+    {
+        const double share =
+            std::min(1.0, thicknesses * thickness_at(facet) / std::max(way.norm(), 1e-300));
+        const std::optional<Hit> hit =
+            component.tree.nearest_hit(start + share * way + step * inwards, inwards);
+        if (hit && side(component.facets[at(hit->triangle)]) == skin)
+            return component.facets[at(hit->triangle)];
+    }
+    return -1;
+}
+
+double AcrossSheet::thickness(int vertex) const
+{
+    for (const int facet : around_.at(vertex))
+        if (const double found = thickness_at(facet); found > 0.0)
+            return found;
+    return 0.0;
+}
+
+std::vector<Hit> AcrossSheet::places(int vertex, SolidSide skin) const
+{
+    const SolidSide other = skin == SolidSide::main ? SolidSide::opposite : SolidSide::main;
+    const Vector3 point = mesh_.points().row(vertex).transpose();
+    const bool is_on_lump = solid_.vertices[at(vertex)] == SolidSide::lump;
+    const double reach = farthest_skin * thickness(vertex);
+    Walk walk(*this, point, mesh_.points());
+    for (const int facet : around_.at(vertex))
+        if (thickness_at(facet) > 0.0)
+            walk.push(facet, 0.0);
+    std::vector<Hit> found, facing;
+    std::vector<Vector3> crossed;  // normals of the facets whose rays found the skin
+    double nearest = std::numeric_limits<double>::infinity(), nearest_facing = nearest;
+    const auto rounding = [&](double distance) { return equally_near * (distance + 1e-3 * size_); };
+    const auto limit = [&]
+    { return std::min(nearest + rounding(nearest), far_enough * nearest_facing); };
+    while (const auto step = walk.pop(limit()))
+    {
+        const auto& [way, hit] = *step;
+        const int facet = hit.triangle;
+        if (side(facet) == skin)
+        {
+            const Vector3 arm = hit.point - point;
+            const bool is_behind =
+                is_on_lump || arm.dot(graph_.normals.row(facet)) >= from_behind * hit.distance;
+            (is_behind ? found : facing).push_back(hit);
+            double& least = is_behind ? nearest : nearest_facing;
+            least = std::min(least, hit.distance);
+            walk.push_neighbours(hit, way, skin);
+            continue;
+        }
+        const Vector3 normal = graph_.normals.row(facet).transpose();
+        const auto faces_alike = [&](const Vector3& one) { return one.dot(normal) > alike; };
+        if (side(facet) == other && std::any_of(crossed.begin(), crossed.end(), faces_alike))
+            continue;
+        const int behind = side(facet) == other ? facet_behind(facet, point, skin) : -1;
+        if (behind >= 0)
+            walk.push(behind, way);
+        if (behind >= 0
+            && nearest_on(mesh_.points(), mesh_.triangles(), behind, point).distance <= reach)
+            crossed.push_back(normal);
+        else
+            walk.push_neighbours(hit, way);
+    }
+    if (found.empty())
+    {
+        found = std::move(facing);
+        nearest = nearest_facing;
+    }
+    // By rising triangle: which of them rounding puts first must not matter.
+    std::sort(found.begin(), found.end(),
+              [](const Hit& a, const Hit& b) { return a.triangle < b.triangle; });
+    std::vector<Hit> kept;
+    for (const Hit& hit : found)
+        if (hit.distance <= nearest + rounding(nearest)
+            && std::none_of(kept.begin(), kept.end(),
+                            [&](const Hit& one)
+                            { return (one.point - hit.point).norm() < 1e3 * rounding(nearest); }))
+            kept.push_back(hit);
+    return kept;
+}
+
+Hit AcrossSheet::nearest_around(int facet, const Vector3& point, const Points& positions) const
+{
+    Walk walk(*this, point, positions);
+    walk.push(facet, 0.0);
+    Hit nearest;
+    nearest.distance = std::numeric_limits<double>::infinity();
+    while (const auto step = walk.pop(nearest.distance))
+    {
+        if (step->second.distance < nearest.distance)
+            nearest = step->second;
+        walk.push_neighbours(step->second, step->first, side(facet));
+    }
+    return nearest;
+}
+
+}  // namespace sheetmorph

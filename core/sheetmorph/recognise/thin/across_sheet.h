@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/mesh/search/picking.h"
+#include "sheetmorph/mesh/topology/vertex_triangles.h"
+#include "sheetmorph/recognise/thin/solid_facets.h"
+#include "sheetmorph/recognise/thin/thin_solid.h"
+
+#include <array>
+#include <map>
+
+namespace sheetmorph
+{
+
+//! Finds the places across the sheet: what a walk from a vertex, over the facets and straight
+//! through the material, reaches nearest on a skin. A flange that is near in space but beyond an
+//! air gap is never found, however narrow the gap is.
+class AcrossSheet
+{
+public:
+    AcrossSheet(const TriangleMesh& mesh, const ThinSolid& solid);
+
+    //! Places on a skin across the sheet from a vertex: the nearest, and all that are equally near.
+    //! None where the component has no such skin.
+    //! \param skin  main or opposite
+    std::vector<Hit> places(int vertex, SolidSide skin) const;
+
+    //! The typical thickness of the sheet that a vertex is on, mm; 0 if it is on none.
+    double thickness(int vertex) const;
+
+    //! The place nearest to a point on the deformed skin around one of its facets.
+    //! \param positions  (n, 3) mm, of the whole mesh
+    Hit nearest_around(int facet, const Vector3& point, const Points& positions) const;
+
+private:
+    class Walk;
+    struct Component
+    {
+        std::vector<int> facets;  // of the whole mesh
+        PickingTree tree;
+    };
+
+    const std::array<int, 3>& neighbours(int facet) const
+    {
+        return neighbours_[static_cast<std::size_t>(facet)];
+    }
+    double thickness_at(int facet) const
+    {
+        const int component = graph_.component[static_cast<std::size_t>(facet)];
+        return solid_.of_component[static_cast<std::size_t>(component)];
+    }
+    SolidSide side(int facet) const { return solid_.facets[static_cast<std::size_t>(facet)]; }
+    int facet_behind(int facet, const Vector3& point, SolidSide skin) const;
+
+    const TriangleMesh& mesh_;
+    const ThinSolid& solid_;
+    double size_;
+    SolidFacets graph_;
+    VertexTriangles around_;
+    std::vector<std::array<int, 3>> neighbours_;  // by facet, over its sides; -1 without
+    std::map<int, Component> thin_;               // by component, those with two skins
+};
+
+}  // namespace sheetmorph
