@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/mesh/quality/diagnosis.h"
+#include "sheetmorph/recognise/thin/sheet_diagnosis.h"
 #include "layers.h"
 
 #include <pybind11/stl.h>
@@ -94,7 +94,7 @@ void bind_diagnosis(py::module_& module)
         [](const TriangleMesh& mesh, double tolerance)
         {
             const py::gil_scoped_release released;
-            return diagnose(mesh, tolerance);
+            return diagnose_sheets(mesh, tolerance);
         },
         py::arg("mesh"), py::arg("tolerance"),
         "Look at a mesh; vertices nearer than `tolerance` (mm) are one place. Changes nothing.");

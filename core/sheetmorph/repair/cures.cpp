@@ -164,14 +164,14 @@ void number_vertices(const Points& points, const Facets& facets, const std::vect
     found.mesh = TriangleMesh(std::move(kept), std::move(triangles));
 }
 
-// The mesh of the facets, each piece facing one way.
+// The mesh of the facets, each piece facing one way, closed ones outwards.
 void put_together(const Points& points, const Facets& facets, const std::vector<int>& first,
                   CuredMesh& found)
 {
     found.triangle_of.clear();
     found.vertex_of.clear();
     number_vertices(points, facets, first, found);
-    const Orientation orientation = consistent_orientation(found.mesh, EdgeTable(found.mesh));
+    const Orientation orientation = outward_orientation(found.mesh, EdgeTable(found.mesh));
     found.turned = static_cast<int>(orientation.flipped.size());
     found.mesh = oriented(found.mesh, orientation);
 }

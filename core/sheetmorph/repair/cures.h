@@ -23,7 +23,8 @@ struct CuredMesh
 //! Welds vertices nearer than a tolerance to the place of the first of them (those of pieces that
 //! only touch, without open edges, stay apart), removes triangles
 //! without height (lower than a thousandth of it) and doubled ones, cuts open edges at the vertices
-//! inside them (T-junctions), and makes each piece face one way.
+//! inside them (T-junctions), and makes each piece face one way: outwards where it is closed, unless
+//! another piece encloses it.
 //! Solids that have vertices in common and lie against each other in flat walls become one: their
 //! edges are cut alike along the seam, and the walls between them go.
 //! Edges with three triangles or more stay as they are; vertices in no triangle go.

@@ -5,7 +5,11 @@
 #include "sheetmorph/mesh/quality/diagnosis.h"
 #include "shapes.h"
 
+#include "sheetmorph/mesh/topology/orientation.h"
+
 #include <gtest/gtest.h>
+#include <numeric>
+#include <random>
 
 namespace sheetmorph
 {
@@ -38,7 +42,7 @@ TEST(Cures, MakeASolidOfAShatteredOne)
     EXPECT_EQ(diagnosis.flipped_triangles, 0);
     EXPECT_EQ(found.welded, 3 * box.triangle_count() - box.vertex_count());
     EXPECT_GT(found.turned, 0);
-    EXPECT_EQ(diagnosis.pieces[0].kind, PieceKind::thin_solid);
+    EXPECT_EQ(diagnosis.pieces[0].kind, PieceKind::solid);
 }
 
 TEST(Cures, CutEdgesAtTJunctionsAndFollowEveryTriangle)
@@ -116,6 +120,46 @@ TEST(Cures, LeaveSolidsThatShareAnEdgeAlone)
     const CuredMesh found = cured(both, 1e-6);
     EXPECT_EQ(found.mesh.triangle_count(), both.triangle_count());
     EXPECT_EQ(found.split + found.removed, 0);
+}
+
+double volume_of(const TriangleMesh& mesh)
+{
+    std::vector<int> all(static_cast<std::size_t>(mesh.triangle_count()));
+    std::iota(all.begin(), all.end(), 0);
+    return signed_volume(mesh, all, std::vector<int>(all.size(), 1));
+}
+
+TriangleMesh turned_over(const TriangleMesh& mesh, unsigned seed, double share)
+{
+    std::mt19937 random(seed);
+    Triangles triangles = mesh.triangles();
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (std::uniform_real_distribution<double>()(random) < share)
+            std::swap(triangles(t, 1), triangles(t, 2));
+    return TriangleMesh(mesh.points(), triangles);
+}
+
+TEST(Cures, TurnAClosedPieceOutwardsHoweverManyOfItsTrianglesFaceInwards)
+{
+    const TriangleMesh box = shapes::box(4, Vector3(30, 20, 2));
+    for (const double share : {0.0, 0.2, 0.5, 0.8, 1.0})
+        for (unsigned seed = 0; seed < 4; ++seed)
+        {
+            const CuredMesh found = cured(turned_over(box, seed, share), 1e-6);
+            EXPECT_NEAR(volume_of(found.mesh), 30.0 * 20.0 * 2.0, 1e-6) << share;
+            EXPECT_EQ(found.turned > 0, share > 0.0);
+        }
+}
+
+TEST(Cures, LeaveTheSurfaceOfAVoidFacingIntoIt)
+{
+    const TriangleMesh outer = shapes::sphere(2, 10.0);
+    const TriangleMesh hollow = turned_over(shapes::sphere(2, 5.0), 0, 1.0);
+    const TriangleMesh beside = turned_over(
+        shapes::mapped(outer, [](Vector3 p) { return Vector3(p + Vector3(40, 0, 0)); }), 0, 1.0);
+    const double ball = volume_of(outer);
+    EXPECT_NEAR(volume_of(cured(shapes::welded({outer, hollow, beside}), 1e-6).mesh),
+                2.0 * ball - ball / 8.0, 1e-6);
 }
 
 TEST(Cures, RefuseATolerancesThatLeavesNothing)

@@ -28,6 +28,7 @@ _ROUND = 2e-3  # of the radius: rims that are nearer to a circle are cut as one
 _FEWEST_OF_CIRCLE = 12
 _STRAIGHT = 1e-3  # radians: a loop that turns by less goes on straight
 _WIDEST_ARC = 0.35  # radians that one triangle may span; beyond is a fold
+_LOST = 0.05  # of the volume of a solid that its sheet may miss
 
 
 class NotFlat(RuntimeError):
@@ -171,8 +172,27 @@ def _sheet(
     part = core.Part(name, core.TriangleMesh(*piece))
     part.make_thin(False)
     session = core.DeformationSession(core.Assembly([part]))
-    solid = session.thin_solid(0)
-    return session.sheet(0), None if solid is None else float(solid.thickness)
+    solid, sheet = session.thin_solid(0), session.sheet(0)
+    if solid is None:
+        return sheet, None
+    _require_whole(name, piece, sheet, float(solid.thickness))
+    return sheet, float(solid.thickness)
+
+
+def _require_whole(
+    name: str, piece: tuple[Floats, Ints], sheet: _core.TriangleMesh, thickness: float
+) -> None:
+    """Raise NotFlat if the middle of a thin solid times its thickness is not its volume."""
+    corners = (piece[0] - piece[0][0])[piece[1]]
+    volume = abs(float(np.linalg.det(corners).sum())) / 6.0
+    area = float(areas(np.array(sheet.points), np.array(sheet.triangles)).sum())
+    share = area * thickness / volume if volume > 0.0 else 0.0
+    if abs(share - 1.0) > _LOST:
+        raise NotFlat(
+            f'"{name}" cannot be laid flat: the sheet of {thickness:.4g} mm found in it has '
+            f"{area:,.0f} mm2, which is {100.0 * share:.0f} % of its volume of {volume:,.0f} mm3; "
+            "remove what is not sheet from the solid, or repair steps in its skins"
+        )
 
 
 def _flat(name: str, piece: tuple[Floats, Ints], wishes: _Wishes) -> FlatPattern:

@@ -25,6 +25,21 @@ namespace
 constexpr double rim_angle = 0.7;
 constexpr double rim_roundness = 0.02;
 
+// A vertex of no triangle may stand anywhere.
+double size_of_triangles(const TriangleMesh& mesh)
+{
+    if (mesh.triangle_count() == 0)
+        return mesh.size();
+    Eigen::RowVector3d low = mesh.points().row(mesh.triangles()(0, 0)), high = low;
+    for (Eigen::Index k = 0; k < mesh.triangles().size(); ++k)
+    {
+        const auto corner = mesh.points().row(mesh.triangles().data()[k]);
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    return (high - low).norm();
+}
+
 void count_vertices(const TriangleMesh& mesh, const Weld& places, Diagnosis& found)
 {
     std::vector<char> is_used(static_cast<std::size_t>(mesh.vertex_count()), 0);
@@ -115,7 +130,7 @@ void find_rims(const TriangleMesh& mesh, const EdgeTable& table, Diagnosis& foun
     }
 }
 
-TriangleMesh welded(const TriangleMesh& mesh, const std::vector<int>& first)
+TriangleMesh with_one_vertex_a_place(const TriangleMesh& mesh, const std::vector<int>& first)
 {
     Triangles triangles = mesh.triangles();
     for (Eigen::Index k = 0; k < triangles.size(); ++k)
@@ -125,10 +140,17 @@ TriangleMesh welded(const TriangleMesh& mesh, const std::vector<int>& first)
 
 }  // namespace
 
+TriangleMesh without_cuts(const TriangleMesh& mesh, double tolerance)
+{
+    // A ledge lower than the tolerance in a closed surface is no cut: merged, it would become one.
+    const bool is_closed = open_and_non_manifold(EdgeTable(mesh))[0] == 0;
+    return is_closed ? mesh : with_one_vertex_a_place(mesh, weld(mesh, tolerance).first);
+}
+
 Diagnosis diagnose(const TriangleMesh& mesh, double tolerance)
 {
     Diagnosis found;
-    found.size = mesh.size();
+    found.size = size_of_triangles(mesh);
     found.tolerance = tolerance;
     const Weld places = weld(mesh, tolerance);
     count_vertices(mesh, places, found);
@@ -140,9 +162,9 @@ Diagnosis diagnose(const TriangleMesh& mesh, double tolerance)
     found.is_one_sided = !orientation.is_possible;
     std::tie(found.open_edges, found.non_manifold_edges) =
         std::tuple_cat(open_and_non_manifold(table));
-    const TriangleMesh exact = welded(mesh, weld(mesh, 0.0).first);
+    const TriangleMesh exact = with_one_vertex_a_place(mesh, weld(mesh, 0.0).first);
     found.t_junctions = static_cast<int>(t_junctions(exact, tolerance).size());
-    const TriangleMesh whole = welded(mesh, places.first);
+    const TriangleMesh whole = without_cuts(mesh, tolerance);
     const EdgeTable seams(whole);
     std::tie(found.open_edges_welded, found.non_manifold_edges_welded) =
         std::tuple_cat(open_and_non_manifold(seams));

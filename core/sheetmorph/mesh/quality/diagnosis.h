@@ -13,7 +13,7 @@ constexpr double sliver_aspect = 25.0;
 enum class PieceKind
 {
     open_shell,  //!< it has open edges
-    thin_solid,  //!< closed; nearly everywhere two skins one thickness apart
+    thin_solid,  //!< closed, a sheet with two skins (told by diagnose_sheets alone)
     solid        //!< closed otherwise
 };
 
@@ -24,7 +24,7 @@ struct PieceDiagnosis
     double area = 0.0;           //!< mm^2
     double volume = 0.0;         //!< mm^3, > 0; of closed pieces only
     bool is_inside_out = false;  //!< closed, and most of it faces inwards
-    double thickness = 0.0;      //!< of a thin solid: the median over its area, mm
+    double thickness = 0.0;      //!< of a thin solid: the one of its largest sheet, mm
     double thinnest = 0.0;       //!< of a thin solid: nine tenths of it are between these, mm
     double thickest = 0.0;
 };
@@ -47,7 +47,7 @@ struct RimDiagnosis
 //! otherwise.
 struct Diagnosis
 {
-    double size = 0.0;       //!< diagonal of the bounding box, mm
+    double size = 0.0;       //!< diagonal of the bounding box of the triangles, mm
     double tolerance = 0.0;  //!< vertices nearer than this are one place, mm
     EdgeLengths edges;
     RimDiagnosis rims;
@@ -66,6 +66,10 @@ struct Diagnosis
     int non_manifold_edges_welded = 0;   //!< the same
     std::vector<PieceDiagnosis> pieces;  //!< the welded mesh's, by their first triangle
 };
+
+//! The mesh with near vertices as one if it has open edges; as it stands if it is closed. Its
+//! vertices and triangles keep their numbers.
+TriangleMesh without_cuts(const TriangleMesh& mesh, double tolerance);
 
 //! Looks at a mesh; changes nothing.
 //! \param tolerance  mm, >= 0

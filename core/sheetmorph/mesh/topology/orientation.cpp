@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/topology/orientation.h"
 
+#include "sheetmorph/base/disjoint_sets.h"
+
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace sheetmorph
@@ -9,6 +14,9 @@ namespace sheetmorph
 
 namespace
 {
+
+// Of the solid angle all around, 4 pi: more is inside.
+constexpr double half_turn_of_space = 6.283185307179586;
 
 // Turns the triangles of one piece alike, beginning at `seed`; returns them.
 std::vector<int> orient_piece(const EdgeTable& table, int seed, Orientation& orientation)
@@ -36,7 +44,100 @@ std::vector<int> orient_piece(const EdgeTable& table, int seed, Orientation& ori
     return piece;
 }
 
+// The triangles of every piece across edges of two triangles that has no open edge.
+std::vector<std::vector<int>> closed_pieces(const TriangleMesh& mesh, const EdgeTable& table)
+{
+    DisjointSets sets(mesh.triangle_count());
+    std::vector<int> open;
+    for (int edge = 0; edge < table.count(); ++edge)
+    {
+        const EdgeUses uses = table.uses(edge);
+        if (uses.count() == 2)
+            sets.join(uses.begin()->triangle, (uses.begin() + 1)->triangle);
+        if (uses.count() == 1)
+            open.push_back(uses.begin()->triangle);
+    }
+    std::map<int, std::vector<int>> pieces;
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (table.edge_of(t, 0) >= 0)
+            pieces[sets.root(t)].push_back(t);
+    for (const int t : open)
+        pieces.erase(sets.root(t));
+    std::vector<std::vector<int>> found;
+    for (auto& [root, triangles] : pieces)
+        found.push_back(std::move(triangles));
+    return found;
+}
+
+using Box = std::pair<Vector3, Vector3>;
+
+Box box_of(const TriangleMesh& mesh, const std::vector<int>& piece)
+{
+    Box box{mesh.points().row(mesh.triangles()(piece.front(), 0)).transpose(), {}};
+    box.second = box.first;
+    for (const int t : piece)
+        for (int k = 0; k < 3; ++k)
+        {
+            const Vector3 corner = mesh.points().row(mesh.triangles()(t, k)).transpose();
+            box.first = box.first.cwiseMin(corner);
+            box.second = box.second.cwiseMax(corner);
+        }
+    return box;
+}
+
+bool is_inside(const Box& box, const Box& other)
+{
+    return (box.first.array() > other.first.array()).all()
+           && (box.second.array() < other.second.array()).all();
+}
+
+// Whether a closed piece winds around a point (Van Oosterom and Strackee 1983).
+bool winds_around(const TriangleMesh& mesh, const std::vector<int>& piece,
+                  const std::vector<int>& sign, const Vector3& point)
+{
+    double angle = 0.0;
+    for (const int t : piece)
+    {
+        const auto corner = [&](int k) -> Vector3
+        { return mesh.points().row(mesh.triangles()(t, k)).transpose() - point; };
+        const Vector3 a = corner(0), b = corner(1), c = corner(2);
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        angle += sign[t] * 2.0
+                 * std::atan2(a.dot(b.cross(c)),
+                              la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return std::abs(angle) > half_turn_of_space;
+}
+
 }  // namespace
+
+Orientation outward_orientation(const TriangleMesh& mesh, const EdgeTable& table)
+{
+    Orientation orientation = consistent_orientation(mesh, table);
+    if (!orientation.is_possible)
+        return orientation;
+    const std::vector<std::vector<int>> pieces = closed_pieces(mesh, table);
+    for (const std::vector<int>& piece : pieces)
+    {
+        if (!(signed_volume(mesh, piece, orientation.sign) < 0.0))
+            continue;
+        const Vector3 place = mesh.points().row(mesh.triangles()(piece.front(), 0)).transpose();
+        const Box box = box_of(mesh, piece);
+        const auto encloses = [&](const std::vector<int>& other)
+        {
+            return is_inside(box, box_of(mesh, other))
+                   && winds_around(mesh, other, orientation.sign, place);
+        };
+        const bool is_enclosed = std::any_of(pieces.begin(), pieces.end(), encloses);
+        for (const int t : is_enclosed ? std::vector<int>() : piece)
+            orientation.sign[t] = -orientation.sign[t];
+    }
+    orientation.flipped.clear();
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (orientation.sign[t] < 0)
+            orientation.flipped.push_back(t);
+    return orientation;
+}
 
 Orientation consistent_orientation(const TriangleMesh& mesh, const EdgeTable& table)
 {

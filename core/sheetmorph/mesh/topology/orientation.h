@@ -19,6 +19,10 @@ struct Orientation
 //! whole are not turned: signed_volume tells them.
 Orientation consistent_orientation(const TriangleMesh& mesh, const EdgeTable& table);
 
+//! The same, and every closed piece that no other one encloses faces outwards. Enclosed pieces,
+//! which may be voids, face as most of their triangles do.
+Orientation outward_orientation(const TriangleMesh& mesh, const EdgeTable& table);
+
 //! The triangles as `orientation` turns them.
 TriangleMesh oriented(const TriangleMesh& mesh, const Orientation& orientation);
 

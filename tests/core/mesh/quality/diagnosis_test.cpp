@@ -23,30 +23,6 @@ TriangleMesh unwelded(const TriangleMesh& mesh)
     return TriangleMesh(points, triangles);
 }
 
-// A flat ring, `height` thick.
-TriangleMesh washer(double height)
-{
-    const auto face = [&](double z, bool is_up)
-    {
-        const TriangleMesh ring = shapes::annulus(48, 3, 10.0, 30.0);
-        return shapes::mapped(ring,
-                              [=](Vector3 p) { return Vector3(p.x(), is_up ? p.y() : -p.y(), z); });
-    };
-    const TriangleMesh outer = shapes::cylinder(48, 1, 30.0, height);
-    const TriangleMesh inner = shapes::cylinder(48, 1, 10.0, height);
-    return shapes::welded({face(height, true), face(0.0, false), outer, inner});
-}
-
-TEST(Diagnosis, TellsAThinSolidAndItsThickness)
-{
-    const Diagnosis found = diagnose(washer(1.5), 1e-6);
-    ASSERT_EQ(found.pieces.size(), 1U);
-    EXPECT_EQ(found.pieces[0].kind, PieceKind::thin_solid);
-    EXPECT_NEAR(found.pieces[0].thickness, 1.5, 1e-6);
-    EXPECT_NEAR(found.pieces[0].thinnest, 1.5, 1e-6);
-    EXPECT_EQ(found.open_edges, 0);
-}
-
 TEST(Diagnosis, TellsSolidsAndOpenShells)
 {
     EXPECT_EQ(diagnose(shapes::sphere(3, 10.0), 1e-6).pieces[0].kind, PieceKind::solid);
