@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from ..files import unpacked_name
+from ..files import is_cad, unpacked_name
 from ..files.cad_writing import CadWriting
 from ..prepared_mesh import Wanted
 from .feature_entries import (
@@ -41,8 +41,8 @@ class PartEntry:
 
     mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
     entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
-    thin: "auto" if it is solved as a thin solid where it is one, "yes" if it must be one, "" if it
-    is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh; placement:
+    thin: "auto" if it is solved as a thin solid where it is one, "by default" if it is because it
+    comes from CAD, "yes" if it must be one, "" if it is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh; placement:
     from the coordinates of the file, in mm, to those of the assembly; sheet: as `steel`; write: how
     its shapes are written besides, None if they are not; deck: `passengers` and `joints`, for
     parts in decks.
@@ -249,11 +249,12 @@ def _part(where: str, k: int, entry: dict[str, Any]) -> PartEntry:
 
 
 def _thin(entry: dict[str, Any]) -> tuple[str, float]:
-    """ "auto", "yes" or "", and the thickness."""
-    thin = entry.get("thin", False)
+    """ "auto", "by default", "yes" or "", and the thickness."""
+    default = "by default" if is_cad(entry.get("file", "")) else ""
+    thin = entry.get("thin", default)
     if isinstance(thin, dict):
         return "yes", float(thin["thickness"])
-    return ("auto" if thin == "auto" else ""), 0.0
+    return thin or "", 0.0
 
 
 def _wanted(entry: dict[str, Any]) -> Wanted:

@@ -17,6 +17,7 @@ from freecad.sheetmorph.bridge.reading import read_file
 from freecad.sheetmorph.bridge.rest import read_kept
 from freecad.sheetmorph.bridge.shapes import keep_shape
 from freecad.sheetmorph.objects import shape_source
+from freecad.sheetmorph.objects.part import THIN_AUTOMATIC
 
 
 def import_cad(assembly, path: str | os.PathLike, mesh: dict | None = None) -> list:
@@ -74,7 +75,10 @@ def check_shape(assembly, source) -> None:
 
 
 def add_model(assembly, model) -> list:
-    """Add all parts of a CadModel of the kernel that have triangles; return them."""
+    """Add all parts of a CadModel of the kernel that have triangles; return them.
+
+    They bend as sheets with two skins where they are sheets.
+    """
     cad_file = kernel.load().files.cad_file
     parts = []
     found = list(enumerate(zip(model.parts, cad_file.part_meshes(model))))
@@ -82,6 +86,7 @@ def add_model(assembly, model) -> list:
         if len(mesh.triangles):
             parts.append(add_mesh(assembly, mesh, mesh.name, cad_file.exact_features(part)))
             keep_shape(parts[-1], model, number)
+            parts[-1].Thin = THIN_AUTOMATIC
     return parts
 
 

@@ -56,7 +56,9 @@ def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, 
     if len(read.triangles) == 0:
         raise ValueError(f"{path.name}: the file holds no triangles; choose another one.")
     part = add_mesh(assembly, read, label or path.stem)
-    if not package.files.is_cad(path):
+    if package.files.is_cad(path):
+        set_thin(part, "auto")
+    else:
         part.FileName = path.name
         part.FileData = str(path.absolute())
     return part
@@ -171,7 +173,7 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
         if placed:
             place_source(part, placed)
         set_mode(part, entry.get("mode", 0))
-        thin = entry.get("thin", False)
+        thin = entry.get("thin", "auto" if kernel.load().files.is_cad(file) else False)
         set_thin(part, thin["thickness"] if isinstance(thin, dict) else thin)
         thickness = entry.get("thickness") or part.SheetThickness.Value
         set_sheet(part, thickness, entry.get("poisson", 0.3))

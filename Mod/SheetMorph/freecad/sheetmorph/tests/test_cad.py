@@ -130,6 +130,37 @@ class TestFiles(CadTest):
         self.assertEqual(of_kind(parts[1], "round hole"), [])
         self.assertAlmostEqual(of_kind(parts[2], "cylinder")[0]["radius"], 3.0, delta=1e-12)
 
+    def test_solids_that_are_sheets_bend_as_sheets_however_they_come_in(self):
+        path = self.export("kit.step")
+        one = os.path.join(self.folder, "one.step")
+        plate().exportStep(one)
+        come_in = {
+            "imported": api.import_cad(self.assembly, path, SIZES)[0],
+            "one part": api.import_part(self.assembly, one, mesh=SIZES),
+            "of the document": api.add_shape(self.assembly, self.add(plate()), mesh=SIZES)[0],
+        }
+        for way, part in come_in.items():
+            self.assertEqual(part.Thin, "automatic", way)
+            solid, reason = api.thin_solid(part)
+            self.assertEqual(reason, "", way)
+            self.assertAlmostEqual(solid.thickness, 2.0, delta=1e-6)
+
+    def test_a_recipe_says_whether_a_shape_bends_as_a_sheet(self):
+        plate().exportStep(os.path.join(self.folder, "plate.step"))
+        for said, thin in (("", "automatic"), (', "thin": false', "no")):
+            recipe = os.path.join(self.folder, "recipe.json")
+            with open(recipe, "w", encoding="utf-8") as file:
+                file.write(
+                    '{"sheetmorph": 1, "parts": [{"name": "plate", "file": "plate.step"'
+                    f'{said}}}], "fixed": [{{"part": "plate", "vertices": [0, 1, 2]}}]}}'
+                )
+            read = api.import_recipe(self.document, recipe)
+            self.assertEqual(read.Primary.Thin, thin)
+            again = api.import_recipe(
+                self.document, api.export_recipe(read, os.path.join(self.folder, "again.json"))
+            )
+            self.assertEqual(again.Primary.Thin, thin)
+
     def test_deformed_parts_are_written_as_obj(self):
         cover = api.import_cad(self.assembly, self.export("kit.step"), SIZES)[0]
         exact = self.bend(cover)[cover.Name]
