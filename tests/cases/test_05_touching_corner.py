@@ -32,6 +32,6 @@ def test_the_thickness_is_that_of_the_sheet_and_not_of_the_gap(case: Callable[[s
     assert done.status == 0, done.said
     thin = json.loads((folder / "report.json").read_text("utf-8"))["parts"][0]["thin"]
     assert thin["thickness"] == pytest.approx(1.5, abs=1e-3)
-    assert thin["rest"]["least"] == pytest.approx(1.5, rel=0.03)
-    assert thin["rest"]["most"] == pytest.approx(1.5, rel=0.03)
+    assert thin["rest"]["least"] == pytest.approx(1.5, rel=0.05)
+    assert thin["rest"]["most"] == pytest.approx(1.5, rel=0.05)
     assert max(thin["largest_change"], thin["largest_change_at_walls"]) < 0.1

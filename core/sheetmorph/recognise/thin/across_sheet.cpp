@@ -54,7 +54,8 @@ Hit nearest_on(const Points& points, const Triangles& triangles, int facet, cons
 
 }  // namespace
 
-// Facets in the order of how far from a point the walk to them must go.
+// Facets in the order of how far from a point the walk to them must go. On the skin that is looked
+// for, their own distance counts: the walk goes down to the nearest place.
 class AcrossSheet::Walk
 {
 public:
@@ -195,7 +196,7 @@ std::vector<Hit> AcrossSheet::places(int vertex, SolidSide skin) const
             (is_behind ? found : facing).push_back(hit);
             double& least = is_behind ? nearest : nearest_facing;
             least = std::min(least, hit.distance);
-            walk.push_neighbours(hit, way, skin);
+            walk.push_neighbours(hit, 0.0, skin);
             continue;
         }
         const Vector3 normal = graph_.normals.row(facet).transpose();
@@ -204,7 +205,7 @@ std::vector<Hit> AcrossSheet::places(int vertex, SolidSide skin) const
             continue;
         const int behind = side(facet) == other ? facet_behind(facet, point, skin) : -1;
         if (behind >= 0)
-            walk.push(behind, way);
+            walk.push(behind, 0.0);
         if (behind >= 0
             && nearest_on(mesh_.points(), mesh_.triangles(), behind, point).distance <= reach)
             crossed.push_back(normal);
@@ -239,7 +240,7 @@ Hit AcrossSheet::nearest_around(int facet, const Vector3& point, const Points& p
     {
         if (step->second.distance < nearest.distance)
             nearest = step->second;
-        walk.push_neighbours(step->second, step->first, side(facet));
+        walk.push_neighbours(step->second, 0.0, side(facet));
     }
     return nearest;
 }

@@ -9,6 +9,9 @@ namespace sheetmorph
 //! Bends sharper than this separate a skin from a wall, radians (30 degrees).
 constexpr double crease = 0.5235987755982988;
 
+//! A step in a skin is a ledge, no wall, up to this many thicknesses.
+constexpr double highest_ledge = 0.05;
+
 //! Two cells that see each other through the material.
 struct OpposedCells
 {

@@ -39,6 +39,7 @@ public:
         for (const OpposedCells& pair : cells.opposed)
             sets_.join(pair.one, pair.other, 1);
         seeds_.assign(graph.is_closed.size(), -1);
+        ledges_ = cells_at_ledges();
         while (choose_seeds())
         {
             // Ends, since each round joins sets of cells.
@@ -116,6 +117,43 @@ private:
         return evidence;
     }
 
+    // The strips of ledges in a skin, by their patch: cells along them and along what length.
+    std::vector<std::map<int, double>> cells_at_ledges() const
+    {
+        std::map<int, std::map<int, double>> around;
+        std::set<int> high;
+        const auto note = [&](int facet, int beside, double length)
+        {
+            const int cell = cells_.cell[at(beside)], patch = cells_.patch[at(facet)];
+            if (cells_.cell[at(facet)] >= 0 || cell < 0)
+                return;
+            around[patch][cell] += length;
+            const double thickness = cells_.thickness[at(cells_.component[at(cell)])];
+            if (2.0 * graph_.areas(facet) > highest_ledge * thickness * length)
+                high.insert(patch);
+        };
+        for (const FacetJoint& joint : graph_.joints)
+        {
+            note(joint.one, joint.other, joint.length);
+            note(joint.other, joint.one, joint.length);
+        }
+        std::vector<std::map<int, double>> found;
+        for (auto& [patch, cells] : around)
+            if (high.count(patch) == 0 && cells.size() > 1)
+                found.push_back(std::move(cells));
+        return found;
+    }
+
+    // What meets in a ledge that is much lower than the sheet is thick is one skin.
+    void add_ledges(Evidence& evidence) const
+    {
+        for (const std::map<int, double>& cells : ledges_)
+            for (const auto& [one, length] : cells)
+                for (const auto& [other, other_length] : cells)
+                    if (one != other)
+                        speak(evidence, one, other, std::min(length, other_length));
+    }
+
     // Patches whose sheet cells are all on one side speak for that side.
     void add_patches(Evidence& evidence) const
     {
@@ -138,6 +176,7 @@ private:
     bool grow()
     {
         Evidence evidence = at_creases();
+        add_ledges(evidence);
         add_patches(evidence);
         bool has_grown = false;
         for (const auto& [root, lengths] : evidence)
@@ -157,6 +196,7 @@ private:
     const SkinCells& cells_;
     ParitySets sets_;
     std::vector<int> seeds_;  // by component: a cell of the sheet that grows, -1 without
+    std::vector<std::map<int, double>> ledges_;
     std::set<int> finished_;  // roots of the sheets that have grown
 };
 

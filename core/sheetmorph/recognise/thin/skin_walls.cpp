@@ -45,6 +45,7 @@ public:
         result_.is_lump.assign(pairs.side.size(), 0);
         result_.is_step.assign(pairs.side.size(), 0);
         is_wall_.assign(pairs.side.size(), 0);
+        is_ledge_.assign(pairs.side.size(), 0);
     }
 
     FacetSides run()
@@ -157,7 +158,9 @@ private:
                 add_to_skin(facet, side);
             return;
         }
-        is_wall_[at(facet)] = farthest(facet, 1) <= reach && farthest(facet, -1) <= reach;
+        const double near = farthest(facet, 1), far = farthest(facet, -1);
+        is_wall_[at(facet)] = near <= reach && far <= reach;
+        is_ledge_[at(facet)] = std::min(near, far) <= highest_ledge * thickness(facet);
         result_.is_lump[at(facet)] = !is_wall_[at(facet)];
     }
 
@@ -172,7 +175,8 @@ private:
     {
         DisjointSets walls(graph_.facet_count());
         for (const FacetJoint& joint : graph_.joints)
-            if (is_wall_[at(joint.one)] && is_wall_[at(joint.other)])
+            if (is_wall_[at(joint.one)] && is_wall_[at(joint.other)]
+                && is_ledge_[at(joint.one)] == is_ledge_[at(joint.other)])
                 walls.join(joint.one, joint.other);
         std::map<int, int> side_around;
         const auto note = [&](int wall, int other)
@@ -225,7 +229,7 @@ private:
     std::map<int, int> side_of_patch_;
     std::vector<int> facet_at_;  // by vertex: one whose component it was measured in, none
     std::vector<std::array<double, 2>> distances_;  // from the skins -1 and 1
-    std::vector<char> is_wall_;
+    std::vector<char> is_wall_, is_ledge_;          // a ledge lies on one skin with all its corners
     FacetSides result_;
 };
 

@@ -19,7 +19,7 @@ struct FacetSides
 //! - Part of a smooth patch of one skin (the foot of a boss seen from behind, the strip along a
 //!   sharp fold): on that skin, unless it looks along the other one, as a rounded wall does.
 //! - Otherwise, within 1.6 thicknesses of both skins: a wall; but a wall with the same skin on all
-//!   its sides (the rim of an embossed letter) belongs to that skin.
+//!   its sides (the rim of an embossed letter, a ledge up to the border) belongs to that skin.
 //! - Everything else is a lump, and so are facets of a skin that are farther than 1.8 thicknesses
 //!   from the other.
 FacetSides skin_walls(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
