@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/thin/sheet_diagnosis.h"
+#include "sheetmorph/recognise/sheet_diagnosis.h"
 #include "layers.h"
 
 #include <pybind11/stl.h>

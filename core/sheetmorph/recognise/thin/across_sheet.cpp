@@ -52,6 +52,54 @@ Hit nearest_on(const Points& points, const Triangles& triangles, int facet, cons
     return hit;
 }
 
+// The nearest of the places that a walk reaches; those that face its start only if there are no
+// others.
+class NearPlaces
+{
+public:
+    explicit NearPlaces(double size) : size_(size) {}
+
+    void add(const Hit& hit, bool is_behind)
+    {
+        (is_behind ? behind_ : facing_).push_back(hit);
+        double& least = is_behind ? nearest_ : nearest_facing_;
+        least = std::min(least, hit.distance);
+    }
+
+    // What is farther away plays no role.
+    double limit() const
+    {
+        return std::min(nearest_ + rounding(nearest_), far_enough * nearest_facing_);
+    }
+
+    // All that are equally near, by rising triangle: which of them rounding puts first must not
+    // matter.
+    std::vector<Hit> nearest() const
+    {
+        std::vector<Hit> hits = behind_.empty() ? facing_ : behind_;
+        std::sort(hits.begin(), hits.end(),
+                  [](const Hit& a, const Hit& b) { return a.triangle < b.triangle; });
+        const double least = behind_.empty() ? nearest_facing_ : nearest_;
+        std::vector<Hit> kept;
+        for (const Hit& hit : hits)
+        {
+            const auto is_same = [&](const Hit& one)
+            { return (one.point - hit.point).norm() < 1e3 * rounding(least); };
+            if (hit.distance <= least + rounding(least)
+                && std::none_of(kept.begin(), kept.end(), is_same))
+                kept.push_back(hit);
+        }
+        return kept;
+    }
+
+private:
+    double rounding(double distance) const { return equally_near * (distance + 1e-3 * size_); }
+
+    double size_;
+    std::vector<Hit> behind_, facing_;
+    double nearest_ = std::numeric_limits<double>::infinity(), nearest_facing_ = nearest_;
+};
+
 }  // namespace
 
 // Facets in the order of how far from a point the walk to them must go. On the skin that is looked
@@ -63,6 +111,8 @@ public:
         : across_(across), point_(point), positions_(positions)
     {
     }
+
+    const Vector3& point() const { return point_; }
 
     void push(int facet, double way)
     {
@@ -170,64 +220,53 @@ double AcrossSheet::thickness(int vertex) const
 
 std::vector<Hit> AcrossSheet::places(int vertex, SolidSide skin) const
 {
-    const SolidSide other = skin == SolidSide::main ? SolidSide::opposite : SolidSide::main;
     const Vector3 point = mesh_.points().row(vertex).transpose();
     const bool is_on_lump = solid_.vertices[at(vertex)] == SolidSide::lump;
-    const double reach = farthest_skin * thickness(vertex);
     Walk walk(*this, point, mesh_.points());
     for (const int facet : around_.at(vertex))
         if (thickness_at(facet) > 0.0)
             walk.push(facet, 0.0);
-    std::vector<Hit> found, facing;
-    std::vector<Vector3> crossed;  // normals of the facets whose rays found the skin
-    double nearest = std::numeric_limits<double>::infinity(), nearest_facing = nearest;
-    const auto rounding = [&](double distance) { return equally_near * (distance + 1e-3 * size_); };
-    const auto limit = [&]
-    { return std::min(nearest + rounding(nearest), far_enough * nearest_facing); };
-    while (const auto step = walk.pop(limit()))
+    NearPlaces found(size_);
+    std::vector<Vector3> crossed;
+    while (const auto step = walk.pop(found.limit()))
     {
         const auto& [way, hit] = *step;
         const int facet = hit.triangle;
-        if (side(facet) == skin)
+        if (side(facet) != skin)
         {
-            const Vector3 arm = hit.point - point;
-            const bool is_behind =
-                is_on_lump || arm.dot(graph_.normals.row(facet)) >= from_behind * hit.distance;
-            (is_behind ? found : facing).push_back(hit);
-            double& least = is_behind ? nearest : nearest_facing;
-            least = std::min(least, hit.distance);
-            walk.push_neighbours(hit, 0.0, skin);
+            if (!crosses(facet, skin, walk, crossed))
+                walk.push_neighbours(hit, way);
             continue;
         }
-        const Vector3 normal = graph_.normals.row(facet).transpose();
-        const auto faces_alike = [&](const Vector3& one) { return one.dot(normal) > alike; };
-        if (side(facet) == other && std::any_of(crossed.begin(), crossed.end(), faces_alike))
-            continue;
-        const int behind = side(facet) == other ? facet_behind(facet, point, skin) : -1;
-        if (behind >= 0)
-            walk.push(behind, 0.0);
-        if (behind >= 0
-            && nearest_on(mesh_.points(), mesh_.triangles(), behind, point).distance <= reach)
-            crossed.push_back(normal);
-        else
-            walk.push_neighbours(hit, way);
+        const double along = (hit.point - point).dot(graph_.normals.row(facet));
+        found.add(hit, is_on_lump || along >= from_behind * hit.distance);
+        walk.push_neighbours(hit, 0.0, skin);
     }
-    if (found.empty())
-    {
-        found = std::move(facing);
-        nearest = nearest_facing;
-    }
-    // By rising triangle: which of them rounding puts first must not matter.
-    std::sort(found.begin(), found.end(),
-              [](const Hit& a, const Hit& b) { return a.triangle < b.triangle; });
-    std::vector<Hit> kept;
-    for (const Hit& hit : found)
-        if (hit.distance <= nearest + rounding(nearest)
-            && std::none_of(kept.begin(), kept.end(),
-                            [&](const Hit& one)
-                            { return (one.point - hit.point).norm() < 1e3 * rounding(nearest); }))
-            kept.push_back(hit);
-    return kept;
+    return found.nearest();
+}
+
+// Whether a ray from a facet finds the skin across its sheet; then the walk goes on there.
+// \param crossed  normals of the facets whose rays have found it
+bool AcrossSheet::crosses(int facet, SolidSide skin, Walk& walk,
+                          std::vector<Vector3>& crossed) const
+{
+    const SolidSide other = skin == SolidSide::main ? SolidSide::opposite : SolidSide::main;
+    if (side(facet) != other)
+        return false;
+    const Vector3 normal = graph_.normals.row(facet).transpose();
+    const auto faces_alike = [&](const Vector3& one) { return one.dot(normal) > alike; };
+    if (std::any_of(crossed.begin(), crossed.end(), faces_alike))
+        return true;
+    const int behind = facet_behind(facet, walk.point(), skin);
+    if (behind < 0)
+        return false;
+    walk.push(behind, 0.0);
+    const double distance =
+        nearest_on(mesh_.points(), mesh_.triangles(), behind, walk.point()).distance;
+    if (distance > farthest_skin * thickness_at(facet))
+        return false;
+    crossed.push_back(normal);
+    return true;
 }
 
 Hit AcrossSheet::nearest_around(int facet, const Vector3& point, const Points& positions) const

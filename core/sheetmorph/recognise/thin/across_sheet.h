@@ -50,6 +50,7 @@ private:
         return solid_.of_component[static_cast<std::size_t>(component)];
     }
     SolidSide side(int facet) const { return solid_.facets[static_cast<std::size_t>(facet)]; }
+    bool crosses(int facet, SolidSide skin, Walk& walk, std::vector<Vector3>& crossed) const;
     int facet_behind(int facet, const Vector3& point, SolidSide skin) const;
 
     const TriangleMesh& mesh_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/thin/sheet_diagnosis.h"
+#include "sheetmorph/recognise/sheet_diagnosis.h"
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/geometry/areas.h"
