@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command has one answer to what is thin: the doctor, `init`, a session and the recogniser."""
+"""Every command has one answer to what is thin: the doctor, `init` and a session."""
 
 from __future__ import annotations
 

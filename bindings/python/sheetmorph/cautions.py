@@ -144,7 +144,7 @@ def _thinned(parts: list[dict[str, Any]]) -> Iterator[str]:
             worst = thin["worst"]
             place = ", ".join(f"{x:.4g}" for x in worst["place"])
             yield (
-                f'the thickness of "{entry["name"]}" changes by {100.0 * change:.0f} % at ({place}), '
-                f"from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: move less, mesh it finer "
-                "there, or hold what is small there in a form feature"
+                f'the thickness of "{entry["name"]}" changes by {100.0 * change:.0f} % at '
+                f"({place}), from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: move less, "
+                "mesh it finer there, or hold what is small there in a form feature"
             )

@@ -42,10 +42,10 @@ class PartEntry:
     mode: 1 to 3 (section 4.1), 0 if left to the part; split: "components" or "property" if the
     entry stands for several parts, "" if it is one; meshing: edge, deflection, angle of a CAD file.
     thin: "auto" if it is solved as a thin solid where it is one, "by default" if it is because it
-    comes from CAD, "yes" if it must be one, "" if it is solved as it is; thickness: mm, 0 if it is found out; wanted: scale, weld, remesh; placement:
-    from the coordinates of the file, in mm, to those of the assembly; sheet: as `steel`; write: how
-    its shapes are written besides, None if they are not; deck: `passengers` and `joints`, for
-    parts in decks.
+    comes from CAD, "yes" if it must be one, "" if it is solved as it is; thickness: mm, 0 if it is
+    found out; wanted: scale, weld, remesh; placement: from the coordinates of the file, in mm, to
+    those of the assembly; sheet: as `steel`; write: how its shapes are written besides, None if
+    they are not; deck: `passengers` and `joints`, for parts in decks.
     """
 
     where: str
