@@ -7,6 +7,7 @@
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "sheetmorph/mesh/quality/median.h"
 #include "sheetmorph/mesh/topology/components.h"
+#include "sheetmorph/mesh/topology/orientation.h"
 #include "sheetmorph/volume/local_rotations.h"
 
 #include <algorithm>
@@ -80,7 +81,10 @@ LinkSource link_source(const TriangleMesh& mesh, const Submesh& patch, const Ver
     source.points = rows_of(mesh.points(), samples);
     source.normals = Eigen::RowVector3d::UnitZ().replicate(source.points.rows(), 1);
     source.areas = Eigen::VectorXd::Zero(source.points.rows());
-    const Points normals = vertex_normals(patch.mesh.points(), patch.mesh.triangles());
+    // Triangles of a deck may face both ways; normals of neighbours must not cancel.
+    const TriangleMesh facing =
+        oriented(patch.mesh, consistent_orientation(patch.mesh, EdgeTable(patch.mesh)));
+    const Points normals = vertex_normals(facing.points(), facing.triangles());
     const Eigen::VectorXd areas = voronoi_areas(patch.mesh);
     for (Eigen::Index k = 0; k < source.areas.size(); ++k)
         if (const int row = patch.index_of[at(samples[at(k)])]; row >= 0)
