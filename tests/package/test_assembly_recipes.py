@@ -250,7 +250,9 @@ def test_split_files_say_what_is_wrong_with_them(folder: Path):
     assert ("parts[0].split", "only decks have properties") in faults(
         split_recipe("property"), folder
     )
-    shared = {"sheetmorph": 1, "parts": [{"file": "deck.nas", "split": "property"}]}
+    # A deck keeps common nodes together; another mesh made of it cannot.
+    entry = {"file": "deck.nas", "split": "property", "weld": 1e-3}
+    shared = {"sheetmorph": 1, "parts": [entry]}
     fixed = [{"part": "deck/7", "vertices": [1]}]
     assert faults({**shared, "fixed": fixed, "primary": "deck/7"}, folder) == [
         ("parts[0].split", "two properties share the vertices 2")
