@@ -7,8 +7,8 @@ BELOW_ASSEMBLY = {"base", "numerics", "mesh"}
 MAY_INCLUDE = {
     "base": {"base"},
     "numerics": {"base", "numerics"},
-    "mesh": {"base", "mesh"},
-    "forms": {"base", "mesh", "forms"},
+    "mesh": {"base", "numerics", "mesh"},
+    "forms": BELOW_ASSEMBLY | {"forms"},
     "pick": {"base", "mesh", "pick"},
     "repair": {"base", "mesh", "repair"},
     "surface": BELOW_ASSEMBLY | {"forms", "surface"},

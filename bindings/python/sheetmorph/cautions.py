@@ -33,10 +33,20 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
         *_unheld_primary(session),
         *_lost_decks(session),
         *_open_contacts(result),
+        *unsettled(parts),
         *_stretched(parts),
         *lost_turns(result),
         *_thinned(parts),
         *_unrepaired(result),
+    ]
+
+
+def unsettled(parts: list[dict[str, Any]]) -> list[str]:
+    """A sentence for every part of a report whose solution did not converge."""
+    return [
+        f'"{part["name"]}": {part["unsettled"]}; move its handles less, or take a finer mesh'
+        for part in parts
+        if part["unsettled"] is not None
     ]
 
 

@@ -25,7 +25,7 @@ from .results import FeatureResult
 from .shape_report import WrittenShapes, kink_notes, shape_failures, shape_report
 from .stretch import steel_report, stretch_report
 from .thin import crossings, thickness_in_file, thin_failures, thin_report
-from .cautions import warnings_of
+from .cautions import unsettled, warnings_of
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ def make_report(
     parts = [part_report(result, name, files.get(name), is_brief) for name in session.parts]
     warnings = warnings_of(result, parts)
     failures = [*_torn(features, tol), *thin_failures(result, tol)]
-    failures += [*unsettled_failures({"parts": parts}), *shape_faults(parts)]
+    failures += [*unsettled(parts), *shape_faults(parts)]
     failures += beside.texts("failures")
     told = [*_kinks(parts), *beside.texts("notes")]
     return {
@@ -99,15 +99,6 @@ def make_report(
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
-
-
-def unsettled_failures(report: Mapping[str, Any]) -> list[str]:
-    """A sentence for every part of a report that is not solved to its end."""
-    return [
-        f'"{part["name"]}": {part["unsettled"]}; turn its handles less, or take a finer mesh'
-        for part in report["parts"]
-        if part["unsettled"] is not None
-    ]
 
 
 def shape_faults(parts: list[dict[str, Any]]) -> list[str]:

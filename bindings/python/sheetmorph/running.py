@@ -13,6 +13,7 @@ from typing import Any
 
 
 from .arrays import Floats
+from .cautions import unsettled
 from .certifying.repair import criteria_of, repaired
 from .errors import KernelError
 from .files import FileSet
@@ -25,7 +26,7 @@ from .progress import Progress
 from .recipe import named_in, prepare, read_json, with_ids
 from .recipe.parts import Source
 from .recipe.steps import with_step
-from .report import FilesTold, WrittenPart, make_report, shape_faults, unsettled_failures
+from .report import FilesTold, WrittenPart, make_report, shape_faults
 from .session import Result, Session
 from .shape_report import WrittenShapes
 
@@ -35,15 +36,15 @@ class CertificateError(RuntimeError):
     mesh, or the warnings of a strict run; ``report`` tells more."""
 
     def __init__(self, report: dict[str, Any]):
-        unsettled = [*unsettled_failures(report), *shape_faults(report["parts"])]
+        failed = [*unsettled(report["parts"]), *shape_faults(report["parts"])]
         beside = [*report["decks"], *report["joint_files"]]
-        unsettled += [text for file in beside for text in file["failures"]]
-        rigid = [text for text in report["certificate"]["failures"] if text not in unsettled]
+        failed += [text for file in beside for text in file["failures"]]
+        rigid = [text for text in report["certificate"]["failures"] if text not in failed]
         if rigid:
             tol = report["tolerance"]
-            unsettled.append(f"form features are not rigid to {tol:.3g} mm: {'; '.join(rigid)}")
-        warned = [] if unsettled else report["warnings"]
-        super().__init__("; ".join([*unsettled, *warned]))
+            failed.append(f"form features are not rigid to {tol:.3g} mm: {'; '.join(rigid)}")
+        warned = [] if failed else report["warnings"]
+        super().__init__("; ".join([*failed, *warned]))
         self.report = report
 
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/forms/cylinder_fit.h"
 
+#include "sheetmorph/numerics/newton_minimum.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/QR>
+#include <cmath>
+#include <limits>
 
 namespace sheetmorph
 {
@@ -14,9 +18,8 @@ namespace
 // Of the radius.
 constexpr double tolerance = 0.02;
 
-// Most rounds of the fit, and the step over the radius after which nothing counts.
+// Most rounds of the fit, and the step over the radius that counts as none.
 constexpr int most_rounds = 30;
-constexpr double at_rest = 1e-15;
 constexpr double settled = 1e-7;
 
 // Share of the normals' spread along the axis, at most, and along the second direction, at least.
@@ -63,27 +66,66 @@ RimProfile first_cylinder(const Points& points, const Vector3& axis)
     return cylinder;
 }
 
-// One Gauss-Newton step in the place and tilt of the axis and the radius; its length over that.
-double improve(const Points& points, RimProfile& cylinder)
+//! The place and tilt of the axis and the radius, by Gauss-Newton steps for the distances.
+class CylinderProblem : public NewtonProblem
 {
-    const Vector3 u = cylinder.frame.col(0);
-    const Vector3 v = cylinder.frame.col(1);
-    Eigen::MatrixXd rows(points.rows(), 5);
-    Eigen::VectorXd miss(points.rows());
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
+public:
+    CylinderProblem(const Points& points, const RimProfile& start)
+        : points_(points), cylinder_(start), before_(start)
     {
-        const Vector3 point = points.row(i).transpose();
-        const Vector3 out = cylinder.outward(point);
-        const double height = cylinder.height(point) / cylinder.radius;
-        miss(i) = cylinder.distance(point) / cylinder.radius;
-        rows.row(i) << -out.dot(u), -out.dot(v), -height * out.dot(u), -height * out.dot(v), -1.0;
     }
-    const Eigen::VectorXd step = -rows.colPivHouseholderQr().solve(miss);
-    cylinder.centre += cylinder.radius * (step(0) * u + step(1) * v);
-    cylinder.radius *= 1.0 + step(4);
-    set_axis(cylinder, cylinder.frame.col(2) + step(2) * u + step(3) * v);
-    return step.norm();
-}
+
+    const RimProfile& cylinder() const { return cylinder_; }
+
+    double value() override
+    {
+        if (!(cylinder_.radius > 0.0))
+            return std::numeric_limits<double>::infinity();
+        double sum = 0.0;
+        for (Eigen::Index i = 0; i < points_.rows(); ++i)
+            sum += std::pow(cylinder_.distance(points_.row(i).transpose()), 2);
+        return sum;
+    }
+
+    std::optional<NewtonStep> step(int) override
+    {
+        const Vector3 u = cylinder_.frame.col(0), v = cylinder_.frame.col(1);
+        Eigen::MatrixXd rows(points_.rows(), 5);
+        Eigen::VectorXd miss(points_.rows());
+        for (Eigen::Index i = 0; i < points_.rows(); ++i)
+        {
+            const Vector3 point = points_.row(i).transpose();
+            const Vector3 out = cylinder_.outward(point);
+            const double height = cylinder_.height(point) / cylinder_.radius;
+            miss(i) = cylinder_.distance(point) / cylinder_.radius;
+            rows.row(i) << -out.dot(u), -out.dot(v), -height * out.dot(u), -height * out.dot(v),
+                -1.0;
+        }
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(rows);
+        if (factor.rank() < 5)
+            return std::nullopt;
+        NewtonStep found{-factor.solve(miss)};
+        found.length = found.change.norm();
+        found.slope = 2.0 * cylinder_.radius * cylinder_.radius * miss.dot(rows * found.change);
+        return found;
+    }
+
+    void remember() override { before_ = cylinder_; }
+    void restore() override { cylinder_ = before_; }
+    void move(const NewtonStep& step, double share) override
+    {
+        const Eigen::VectorXd change = share * step.change;
+        const Vector3 u = before_.frame.col(0), v = before_.frame.col(1);
+        cylinder_ = before_;
+        cylinder_.centre += before_.radius * (change(0) * u + change(1) * v);
+        cylinder_.radius *= 1.0 + change(4);
+        set_axis(cylinder_, before_.frame.col(2) + change(2) * u + change(3) * v);
+    }
+
+private:
+    const Points& points_;
+    RimProfile cylinder_, before_;
+};
 
 }  // namespace
 
@@ -95,12 +137,14 @@ std::optional<RimProfile> fit_cylinder(const TriangleMesh& mesh)
     const Vector3 shares = spread.eigenvalues() / spread.eigenvalues().sum();
     if (!(shares(0) < most_axial && shares(1) > least_bent))
         return std::nullopt;
-    RimProfile cylinder = first_cylinder(mesh.points(), spread.eigenvectors().col(0));
-    double moved = 1.0;
-    for (int round = 0; round < most_rounds && moved > at_rest && cylinder.radius > 0.0; ++round)
-        moved = improve(mesh.points(), cylinder);
-    if (!(cylinder.radius > 0.0) || !cylinder.centre.allFinite() || !(moved <= settled))
+    CylinderProblem problem(mesh.points(),
+                            first_cylinder(mesh.points(), spread.eigenvectors().col(0)));
+    NewtonLimits limits{"the cylinder"};
+    limits.most_rounds = most_rounds;
+    limits.settled = settled;
+    if (!newton_minimum(problem, limits).is_converged)
         return std::nullopt;
+    const RimProfile cylinder = problem.cylinder();
     for (Eigen::Index i = 0; i < mesh.points().rows(); ++i)
         if (std::abs(cylinder.distance(mesh.points().row(i).transpose()))
             > tolerance * cylinder.radius)

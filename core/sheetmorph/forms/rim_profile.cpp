@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/forms/rim_profile.h"
 
+#include "sheetmorph/numerics/newton_minimum.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -27,9 +29,10 @@ constexpr double shortest_slot = 0.05;
 // end.
 constexpr double least_round_area = 1.8;
 
-// Rounds of the fit, and the step over the outline's size that counts as none.
+// Rounds of the fit, and the steps over the outline's size that count as small and as none.
 constexpr int most_rounds = 100;
 constexpr double settled = 1e-9;
+constexpr double finest = 1e-16;
 
 using Plane = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Vector2 = Eigen::Vector2d;
@@ -94,26 +97,59 @@ Stadium stepped(const Stadium& shape, const Eigen::VectorXd& step)
     return next;
 }
 
-// Gauss-Newton with step halving; points in units of the outline's size. Every round lowers the sum
-// of squares; an outline that still moves after the last one is none.
-std::optional<Stadium> fitted(const Plane& points, Stadium shape, bool is_slot)
+//! An outline by Gauss-Newton steps for the distances to it; points in units of its size.
+class OutlineProblem : public NewtonProblem
 {
-    double moved = 0.0;
-    for (int round = 0; round < most_rounds; ++round)
+public:
+    OutlineProblem(const Plane& points, const Stadium& start, bool is_slot)
+        : points_(points), shape_(start), before_(start), is_slot_(is_slot)
     {
-        const Eigen::VectorXd miss = misses(points, shape);
-        Eigen::VectorXd step = -jacobian(points, shape, is_slot).colPivHouseholderQr().solve(miss);
-        Stadium next = stepped(shape, step);
-        for (int halving = 0; halving < 30 && misses(points, next).norm() >= miss.norm(); ++halving)
-            next = stepped(shape, step *= 0.5);
-        if (misses(points, next).norm() >= miss.norm())
-            return shape;
-        shape = next;
-        moved = step.norm();
-        if (moved <= 1e-16)
-            return shape;
     }
-    return moved <= settled ? std::optional(shape) : std::nullopt;
+
+    const Stadium& shape() const { return shape_; }
+
+    double value() override { return misses(points_, shape_).squaredNorm(); }
+
+    // Model 1 leaves alone what the points do not determine, as the angle of a slot that is round.
+    std::optional<NewtonStep> step(int model) override
+    {
+        const Eigen::VectorXd miss = misses(points_, shape_);
+        const Eigen::MatrixXd rows = jacobian(points_, shape_, is_slot_);
+        const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factor(rows);
+        const bool is_determined = factor.rank() == rows.cols();
+        if (model == 0 && !is_determined)
+            return std::nullopt;
+        NewtonStep found{-factor.solve(miss)};
+        found.length = found.change.norm();
+        found.slope = 2.0 * miss.dot(rows * found.change);
+        found.is_exact = is_determined;
+        return found;
+    }
+
+    void remember() override { before_ = shape_; }
+    void restore() override { shape_ = before_; }
+    void move(const NewtonStep& step, double share) override
+    {
+        shape_ = stepped(before_, share * step.change);
+    }
+
+private:
+    const Plane& points_;
+    Stadium shape_, before_;
+    bool is_slot_;
+};
+
+// Nothing where the fit does not converge.
+std::optional<Stadium> fitted(const Plane& points, const Stadium& start, bool is_slot)
+{
+    OutlineProblem problem(points, start, is_slot);
+    NewtonLimits limits{"the outline"};
+    limits.most_rounds = most_rounds;
+    limits.settled = settled;
+    limits.finest = finest;
+    limits.models = 2;
+    return newton_minimum(problem, limits).is_converged ? std::optional(problem.shape())
+                                                        : std::nullopt;
 }
 
 Stadium first_circle(const Plane& points)

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/topology/boundary.h"
+#include "sheetmorph/numerics/newton_minimum.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -22,9 +23,11 @@ constexpr double straightest = 1e-8;
 
 constexpr int fewest_rim_vertices = 6;
 
-// Rounds of the fit, and the step over the radius that counts as none. Rims take 3 to 10.
+// Rounds of the fit, and the steps over the radius that count as small and as none. Rims take 3 to
+// 10 rounds.
 constexpr int most_rounds = 100;
 constexpr double settled = 1e-9;
+constexpr double finest = 1e-16;
 
 // Enclosed area over squared radius that tells a rim (2.6 for a hexagon) from the border of a
 // narrow curved strip, which lies close to a large circle without going around it.
@@ -65,38 +68,46 @@ Eigen::VectorXd misses(const Plane& points, const Circle2& circle)
     return (points.rowwise() - circle.centre.transpose()).rowwise().norm().array() - circle.radius;
 }
 
-// One Gauss-Newton step for the distances to the circle, halved until it improves them.
-// Returns its length, 0 when nothing is left to improve.
-double improve(const Plane& points, Circle2& circle)
+//! The circle's place and radius, by Gauss-Newton steps for the distances to it.
+class CircleProblem : public NewtonProblem
 {
-    const Eigen::VectorXd miss = misses(points, circle);
-    const Plane out = points.rowwise() - circle.centre.transpose();
-    Eigen::MatrixXd jacobian(points.rows(), 3);
-    jacobian << -out.rowwise().normalized(), -Eigen::VectorXd::Ones(points.rows());
-    Eigen::Vector3d step = -jacobian.colPivHouseholderQr().solve(miss);
-    for (int halving = 0; halving < 30; ++halving, step *= 0.5)
+public:
+    CircleProblem(const Plane& points, const Circle2& start)
+        : points_(points), circle_(start), before_(start)
     {
-        const Circle2 next{circle.centre + step.head<2>(), circle.radius + step(2)};
-        if (misses(points, next).squaredNorm() >= miss.squaredNorm())
-            continue;
-        circle = next;
-        return step.norm();
     }
-    return 0.0;
-}
 
-// Every round lowers the sum of squares; it has settled when the circle moves no more.
-Convergence settle(const Plane& points, Circle2& circle)
-{
-    Convergence found{"the circle's place and radius", false, 0, 0.0};
-    for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
+    const Circle2& circle() const { return circle_; }
+
+    double value() override { return misses(points_, circle_).squaredNorm(); }
+
+    std::optional<NewtonStep> step(int) override
     {
-        found.miss = improve(points, circle);
-        found.is_converged = found.miss <= 1e-16 * circle.radius;
+        const Plane out = points_.rowwise() - circle_.centre.transpose();
+        Eigen::MatrixXd jacobian(points_.rows(), 3);
+        jacobian << -out.rowwise().normalized(), -Eigen::VectorXd::Ones(points_.rows());
+        const Eigen::VectorXd miss = misses(points_, circle_);
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(jacobian);
+        if (factor.rank() < 3)
+            return std::nullopt;
+        NewtonStep found{-factor.solve(miss)};
+        found.length = found.change.norm() / circle_.radius;
+        found.slope = 2.0 * miss.dot(jacobian * found.change);
+        return found;
     }
-    found.is_converged |= found.miss <= settled * circle.radius;
-    return found;
-}
+
+    void remember() override { before_ = circle_; }
+    void restore() override { circle_ = before_; }
+    void move(const NewtonStep& step, double share) override
+    {
+        circle_ = {before_.centre + share * step.change.head<2>(),
+                   before_.radius + share * step.change(2)};
+    }
+
+private:
+    const Plane& points_;
+    Circle2 circle_, before_;
+};
 
 // Twice the area the points go around, as a vector: its side of the plane is their sense.
 Vector3 sense_of_rotation(const Points& offsets)
@@ -137,10 +148,15 @@ CircleFit fit_circle(const Points& points)
     const Matrix3 frame = best_plane(offsets, exactness(points, 0.0));
     const double scale = std::sqrt(offsets.squaredNorm() / static_cast<double>(offsets.rows()));
     const Plane flat = offsets * frame.leftCols<2>() / scale;
-    Circle2 circle = algebraic_circle(flat);
+    CircleProblem problem(flat, algebraic_circle(flat));
+    NewtonLimits limits{"the circle's place and radius"};
+    limits.most_rounds = most_rounds;
+    limits.settled = settled;
+    limits.finest = finest;
     CircleFit fit;
-    fit.convergence = settle(flat, circle);
-    fit.convergence.miss *= scale;
+    fit.convergence = newton_minimum(problem, limits);
+    const Circle2& circle = problem.circle();
+    fit.convergence.miss *= circle.radius * scale;
     fit.centre = centroid.transpose() + frame.leftCols<2>() * circle.centre * scale;
     fit.axis = oriented_axis(frame.col(2), offsets);
     fit.radius = circle.radius * scale;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <numeric>
 
 namespace sheetmorph
 {
@@ -206,8 +207,9 @@ double FlatSystem::energy() const
     return sum;
 }
 
-std::optional<Eigen::VectorXd> FlatSystem::newton_step(bool is_tension_only) const
+std::optional<NewtonStep> FlatSystem::step(int model)
 {
+    const bool is_tension_only = model > 0;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count_);
     std::vector<Eigen::Triplet<double>> entries;
     double largest = 0.0;
@@ -231,23 +233,52 @@ std::optional<Eigen::VectorXd> FlatSystem::newton_step(bool is_tension_only) con
         entries.emplace_back(k, k, rigid_modes * largest);
     auto whole = std::make_shared<SparseMatrix>(count_, count_);
     whole->setFromTriplets(entries.begin(), entries.end());
-    return solved(whole, -gradient);
+    const std::optional<Eigen::VectorXd> change = solved(whole, -gradient);
+    if (!change)
+        return std::nullopt;
+    NewtonStep found{*change};
+    found.length = length_of(*change);
+    found.slope = gradient.dot(*change);
+    found.is_exact = !is_tension_only;
+    return found;
+}
+
+// The farthest that any vertex would move, mm.
+double FlatSystem::length_of(const Eigen::VectorXd& change) const
+{
+    double worst = 0.0;
+    for (std::size_t i = 0; i < rim_of_.size(); ++i)
+        if (first_[i] >= 0)
+            worst = std::max(worst, change.segment<2>(first_[i]).norm());
+    for (std::size_t k = 0; k < rims_.size(); ++k)
+    {
+        const Eigen::Vector3d of_rim = change.segment<3>(first_[rim_of_.size() + k]);
+        const Eigen::Vector2d centre = centre_of(static_cast<int>(k));
+        for (const int vertex : rims_[k])
+        {
+            const Eigen::Vector2d arm = positions_.row(vertex).transpose() - centre;
+            worst = std::max(
+                worst, (of_rim.head<2>() + of_rim(2) * Eigen::Vector2d(-arm.y(), arm.x())).norm());
+        }
+    }
+    return worst;
 }
 
 std::optional<Eigen::VectorXd> FlatSystem::solved(const std::shared_ptr<const SparseMatrix>& whole,
-                                                  const Eigen::VectorXd& right) const
+                                                  const Eigen::VectorXd& right)
 {
-    Points places(count_, 3);
-    std::vector<int> own(at(count_));
-    for (int k = 0; k < count_; ++k)
+    if (!tree_)
     {
-        places.row(k) = places_[at(k)].transpose();
-        own[at(k)] = k;
+        Points places(count_, 3);
+        for (int k = 0; k < count_; ++k)
+            places.row(k) = places_[at(k)].transpose();
+        tree_ = std::make_shared<const SeparatorTree>(nested_dissection(*whole, places));
     }
+    std::vector<int> own(at(count_));
+    std::iota(own.begin(), own.end(), 0);
     try
     {
-        const auto tree = std::make_shared<const SeparatorTree>(nested_dissection(*whole, places));
-        return SparseCholesky({whole, own, count_}, tree).solve(right);
+        return SparseCholesky({whole, own, count_}, tree_).solve(right);
     }
     catch (const SolverError&)
     {
@@ -255,15 +286,16 @@ std::optional<Eigen::VectorXd> FlatSystem::solved(const std::shared_ptr<const Sp
     }
 }
 
-void FlatSystem::step(const Eigen::VectorXd& change, double share)
+void FlatSystem::move(const NewtonStep& step, double share)
 {
+    positions_ = before_;
     for (std::size_t i = 0; i < rim_of_.size(); ++i)
         if (first_[i] >= 0)
             positions_.row(static_cast<Eigen::Index>(i)) +=
-                share * change.segment<2>(first_[i]).transpose();
+                share * step.change.segment<2>(first_[i]).transpose();
     for (std::size_t k = 0; k < rims_.size(); ++k)
     {
-        const Eigen::Vector3d of_rim = share * change.segment<3>(first_[rim_of_.size() + k]);
+        const Eigen::Vector3d of_rim = share * step.change.segment<3>(first_[rim_of_.size() + k]);
         const Eigen::Vector2d centre = centre_of(static_cast<int>(k));
         const Eigen::Rotation2Dd turn(of_rim(2));
         for (const int vertex : rims_[k])

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
+#include "sheetmorph/numerics/newton_minimum.h"
 #include "sheetmorph/surface/flat/flattening.h"
 
 #include <Eigen/Dense>
@@ -20,7 +21,7 @@ struct FlatTriangle
 };
 
 //! The membrane of a sheet in the plane: vertices move freely or with a rim.
-class FlatSystem
+class FlatSystem : public NewtonProblem
 {
 public:
     //! \param start  where the vertices are; rims are put where they fit best
@@ -32,12 +33,14 @@ public:
     //! Over E h and elastic constants.
     double energy() const;
 
-    //! The Newton step, of the tangent itself or of that of tension alone; nothing where it is
-    //! not positive definite.
-    std::optional<Eigen::VectorXd> newton_step(bool is_tension_only) const;
+    double value() override { return energy(); }
 
-    void step(const Eigen::VectorXd& change, double share);
-    void restore(const FlatPoints& positions) { positions_ = positions; }
+    //! Of the tangent itself, or (model 1) of that of tension alone. Lengths are mm.
+    std::optional<NewtonStep> step(int model) override;
+
+    void remember() override { before_ = positions_; }
+    void restore() override { positions_ = before_; }
+    void move(const NewtonStep& step, double share) override;
 
 private:
     using Rows = Eigen::Matrix<double, 2, Eigen::Dynamic>;
@@ -49,19 +52,21 @@ private:
     void place_rims(const FlatInput& input);
     void number();
     std::optional<Eigen::VectorXd> solved(const std::shared_ptr<const SparseMatrix>& whole,
-                                          const Eigen::VectorXd& right) const;
+                                          const Eigen::VectorXd& right);
     Columns columns_of(const FlatTriangle& triangle) const;
+    double length_of(const Eigen::VectorXd& change) const;
     Eigen::Vector2d centre_of(int rim) const;
 
     const TriangleMesh& mesh_;
     std::vector<FlatTriangle> triangles_;
-    FlatPoints positions_;
+    FlatPoints positions_, before_;
     std::vector<VertexIds> rims_;
     std::vector<char> is_rigid_;
     std::vector<int> rim_of_;  // by vertex, or -1
     std::vector<int> first_;   // by vertex, then by rim: unknowns
     int count_ = 0;
-    std::vector<Vector3> places_;  // of the unknowns at rest
+    std::vector<Vector3> places_;                // of the unknowns at rest
+    std::shared_ptr<const SeparatorTree> tree_;  // of all tangents: their pattern does not change
 };
 
 }  // namespace sheetmorph

@@ -200,28 +200,6 @@ FlatPoints conformal_map(const TriangleMesh& mesh, const std::vector<FlatTriangl
     return positions * std::sqrt(wanted / now);
 }
 
-// \returns how far it moved the sheet, mm
-double improve(FlatSystem& system)
-{
-    const FlatPoints before = system.positions();
-    const double start = system.energy();
-    for (const bool is_tension_only : {false, true})
-    {
-        const std::optional<Eigen::VectorXd> change = system.newton_step(is_tension_only);
-        if (!change)
-            continue;
-        const int most = is_tension_only ? 30 : 1;
-        for (int halving = 0; halving < most; ++halving)
-        {
-            system.step(*change, std::ldexp(1.0, -halving));
-            if (system.energy() <= start)
-                return (system.positions() - before).rowwise().norm().maxCoeff();
-            system.restore(before);
-        }
-    }
-    return 0.0;
-}
-
 }  // namespace
 
 Flattening flatten(const FlatInput& input, const Progress& progress)
@@ -240,14 +218,13 @@ Flattening flatten(const FlatInput& input, const Progress& progress)
     progress.report(0.0, "laying flat");
     FlatSystem system(input, triangles, conformal_map(mesh, triangles));
     Flattening found;
-    found.convergence = {"the flat shape", false, 0, 0.0};
-    for (; found.convergence.rounds < most_rounds && !found.convergence.is_converged;
-         ++found.convergence.rounds)
-    {
-        progress.report(static_cast<double>(found.convergence.rounds) / most_rounds, "laying flat");
-        found.convergence.miss = improve(system);
-        found.convergence.is_converged = found.convergence.miss <= settled * mesh.size();
-    }
+    NewtonLimits limits{"the flat shape"};
+    limits.most_rounds = most_rounds;
+    limits.settled = settled * mesh.size();
+    limits.finest = limits.settled;
+    limits.models = 2;
+    limits.task = "laying flat";
+    found.convergence = newton_minimum(system, limits, progress);
     found.positions = system.positions();
     found.is_rigid = system.rigid_rims();
     found.turned = orientation.flipped;

@@ -3,11 +3,12 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
+#include "sheetmorph/numerics/newton_minimum.h"
 #include "sheetmorph/surface/solve/reduced_expansion.h"
 
 #include <Eigen/Eigenvalues>
-#include <limits>
 #include <optional>
+#include <utility>
 
 namespace sheetmorph
 {
@@ -18,10 +19,11 @@ namespace
 constexpr int none = -1;
 constexpr int most_steps = 100;
 constexpr double smallest_step = 1e-14;  // radians, or of the size of the feature
-constexpr double largest_squared = 0.1;  // radians, and of the step before: Newton squares these
+constexpr double largest_squared = 0.1;  // radians: Newton squares such steps
 constexpr double left_by_a_step = 10.0;  // of its square, at most
-constexpr double rounding = 1e-9;        // steps below it that shrink no more are noise
+constexpr double settled = 1e-9;         // radians: steps below it that shrink no more are noise
 constexpr double unseen_gain = 1e-10;    // of the energy: what rounding hides
+constexpr double widest_turn = 0.8;      // radians, of one step
 constexpr double unfelt = 1e-11;         // of the stiffest freedom: the energy does not feel it
 constexpr double barely_convex = 1e-6;   // likewise: what this makes convex some do not feel
 constexpr double first_shift = 0.02;     // likewise, where the energy is not convex
@@ -37,16 +39,6 @@ Eigen::VectorXd scales(const Expansion& at)
     return stiff.unaryExpr(
         [largest](double value)
         { return value > 1e-18 * largest && value > 0.0 ? 1.0 / std::sqrt(value) : 0.0; });
-}
-
-// Whether what is left after a step is as good as nothing: it is small, or squares so fast that the
-// next would be.
-bool is_last(double step, double before, double precision)
-{
-    const double squared = step * (step / before) * (step / before);
-    return step <= std::max(precision, smallest_step)
-           || (before < largest_squared && step < largest_squared * before
-               && squared <= std::max(left_by_a_step * precision * precision, smallest_step));
 }
 
 // Factor of a symmetric matrix + shift; nothing where a pivot is not positive, or as good as none.
@@ -79,8 +71,8 @@ Eigen::VectorXd eigen_step(const Eigen::MatrixXd& scaled, const Eigen::VectorXd&
     return eigen.eigenvectors() * inverse.cwiseProduct(along);
 }
 
-// No freedom turns or shifts by more than a quarter of a radian of its own scale at once.
-double shortened(const Eigen::VectorXd& step, const Joints& joints)
+// How much of a step may be taken, so that no freedom turns too far for its model.
+double bound_of(const Eigen::VectorXd& step, const Joints& joints)
 {
     double turn = 0.0;
     for (std::size_t k = 0; k < joints.states().size(); ++k)
@@ -90,7 +82,7 @@ double shortened(const Eigen::VectorXd& step, const Joints& joints)
                     turn, step.segment(level.first, static_cast<Eigen::Index>(level.axes.size()))
                               .cwiseAbs()
                               .maxCoeff());
-    return turn > 0.8 ? 0.8 / turn : 1.0;
+    return turn > widest_turn ? widest_turn / turn : 1.0;
 }
 
 // Newton's step by conjugate gradients, so near that what is left of it is less than what it
@@ -122,40 +114,92 @@ std::optional<Eigen::VectorXd> near_step(const TurnExpansion& at, double precisi
     return std::nullopt;
 }
 
-//! A step, and what the energy changes by along it, per unit.
-struct Step
+//! A step, and whether the second derivative it came from has no negative direction.
+struct ConvexStep
 {
     Eigen::VectorXd amount;
-    double slope;
+    bool is_convex;
 };
 
-Step next_step(const Joints& joints, const Measure& measure, const Forces& here, double precision)
-{
-    if (TurnExpansion::is_possible(joints, measure.responses))
-    {
-        const TurnExpansion at(joints, measure, here);
-        if (const std::optional<Eigen::VectorXd> step = near_step(at, precision))
-            return {*step, at.gradient().dot(*step)};
-    }
-    const Expansion at = expand(joints, measure, here);
-    const Eigen::VectorXd step = newton_step(at);
-    return {step, at.gradient.dot(step)};
-}
-
-}  // namespace
-
-Eigen::VectorXd newton_step(const Expansion& at)
+ConvexStep convex_step(const Expansion& at)
 {
     const Eigen::VectorXd scale = scales(at);
     const Eigen::MatrixXd scaled = scale.asDiagonal() * at.hessian * scale.asDiagonal();
     const Eigen::VectorXd right = -(scale.asDiagonal() * at.gradient);
     std::optional<DenseCholesky> factor = factored(scaled, 0.0);
-    if (!factor && !factored(scaled, barely_convex))
+    const bool is_convex = factor || factored(scaled, barely_convex);
+    if (!is_convex)
         for (double shift = first_shift; !factor && shift < 100.0; shift *= 4.0)
             factor = factored(scaled, shift);
     if (!factor)
-        return scale.asDiagonal() * eigen_step(scaled, right);
-    return scale.asDiagonal() * factor->solve(right);
+        return {scale.asDiagonal() * eigen_step(scaled, right), is_convex};
+    return {scale.asDiagonal() * factor->solve(right), is_convex};
+}
+
+//! The energy of joints for newton_minimum(). Lengths are the largest number of a step, radians.
+class JointProblem : public NewtonProblem
+{
+public:
+    JointProblem(Joints& joints, const Measure& measure, double precision)
+        : joints_(joints),
+          measure_(measure),
+          precision_(precision),
+          here_(forces_at(joints, measure)),
+          before_{joints.states(), here_}
+    {
+    }
+
+    double value() override { return here_.value; }
+
+    std::optional<NewtonStep> step(int) override
+    {
+        if (TurnExpansion::is_possible(joints_, measure_.responses))
+        {
+            const TurnExpansion at(joints_, measure_, here_);
+            if (const std::optional<Eigen::VectorXd> step = near_step(at, precision_))
+                return bounded({*step, true}, at.gradient());
+        }
+        const Expansion at = expand(joints_, measure_, here_);
+        return bounded(convex_step(at), at.gradient);
+    }
+
+    void remember() override { before_ = {joints_.states(), here_}; }
+    void restore() override
+    {
+        joints_.restore(before_.first);
+        here_ = before_.second;
+    }
+    void move(const NewtonStep& step, double share) override
+    {
+        joints_.restore(before_.first);
+        joints_.step(share * step.change);
+        here_ = forces_at(joints_, measure_);
+    }
+
+private:
+    NewtonStep bounded(const ConvexStep& step, const Eigen::VectorXd& gradient) const
+    {
+        const double bound = bound_of(step.amount, joints_);
+        NewtonStep found{bound * step.amount};
+        found.length = step.amount.size() > 0 ? step.amount.cwiseAbs().maxCoeff() : 0.0;
+        found.slope = gradient.dot(found.change);
+        found.is_bounded = bound < 1.0;
+        found.is_exact = step.is_convex;
+        return found;
+    }
+
+    Joints& joints_;
+    const Measure& measure_;
+    double precision_;
+    Forces here_;
+    std::pair<std::vector<BodyState>, Forces> before_;
+};
+
+}  // namespace
+
+Eigen::VectorXd newton_step(const Expansion& at)
+{
+    return convex_step(at).amount;
 }
 
 Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
@@ -184,39 +228,17 @@ Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
 
 Convergence minimise(Joints& joints, const Measure& measure, double precision)
 {
-    Convergence found{"the turns of form features", joints.freedoms() == 0, 0, 0.0, "radians"};
-    double last = std::numeric_limits<double>::infinity();
-    Forces here = forces_at(joints, measure);
-    for (; found.rounds < most_steps && !found.is_converged; ++found.rounds)
-    {
-        auto [step, slope] = next_step(joints, measure, here, precision);
-        const double shorter = shortened(step, joints), gain = std::abs(shorter * slope);
-        step *= shorter;
-        const double noise = 1e-14 * std::abs(here.value);
-        const std::vector<BodyState> start = joints.states();
-        std::optional<Forces> lower;
-        for (int halving = 0; halving < 40 && !lower; ++halving, step *= 0.5)
-        {
-            joints.restore(start);
-            joints.step(step);
-            Forces there = forces_at(joints, measure);
-            if (there.value <= here.value + noise)
-                lower = std::move(there);
-        }
-        found.miss = step.cwiseAbs().maxCoeff();
-        if (!lower)
-        {
-            // No step is lower: at the minimum, but for the rounding of what there is to gain.
-            joints.restore(start);
-            found.is_converged = gain <= unseen_gain * std::abs(here.value);
-            return found;
-        }
-        here = std::move(*lower);
-        found.is_converged =
-            is_last(found.miss, last, precision) || (last < rounding && found.miss > 0.5 * last);
-        last = found.miss;
-    }
-    return found;
+    NewtonLimits limits{"the turns of form features", "radians"};
+    if (joints.freedoms() == 0)
+        return {limits.what, true, 0, 0.0, limits.unit};
+    limits.most_rounds = most_steps;
+    limits.settled = std::max(precision, settled);
+    limits.finest = std::max(precision, smallest_step);
+    limits.squares_below = largest_squared;
+    limits.left = std::max(left_by_a_step * precision * precision, smallest_step);
+    limits.unseen_gain = unseen_gain;
+    JointProblem problem(joints, measure, precision);
+    return newton_minimum(problem, limits);
 }
 
 }  // namespace sheetmorph

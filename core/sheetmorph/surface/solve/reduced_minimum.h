@@ -25,8 +25,8 @@ struct Expansion;
 //! make it so. Directions the energy does not feel stay as they are.
 Eigen::VectorXd newton_step(const Expansion& at);
 
-//! Moves the joints to the minimum of the energy near where they are: Newton's method on their own
-//! freedoms, with the full second derivative, made positive where it is not, and step halving.
+//! Moves the joints to the minimum of the energy near where they are: newton_minimum() on their own
+//! freedoms, with the full second derivative, made positive where it is not.
 //! Directions the energy does not feel stay as they are.
 //! \param precision  radians: the first step this small is the last. Steps square what is left.
 [[nodiscard]] Convergence minimise(Joints& joints, const Measure& measure, double precision = 0.0);

@@ -13,6 +13,12 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
+// Below this squared ratio of areas, now over rest, a triangle resists further loss of area.
+constexpr double first_crushed = 0.75;
+constexpr double crush_stiffness = 0.25;
+constexpr double last_crushed = 0.03;  // ratio of areas: below it the energy is a parabola
+constexpr double least_ratio = 1e-6;   // likewise, so that a triangle of no area has a stress
+
 int next(int corner)
 {
     return (corner + 1) % 3;
@@ -84,15 +90,58 @@ ShellElement::Strain ShellElement::strain(const Place& place) const
     return found;
 }
 
+// With t = det C over its limit: k (-ln t - (1 - t) - (1 - t)^2 / 2), which is convex in the
+// strain. The energy of St. Venant and Kirchhoff alone is not convex below 0.58 of a length: it
+// softens, so that single triangles collapse and the rest does not bend.
+ShellElement::Crushing ShellElement::crushing(const Vector3& membrane)
+{
+    const double c11 = 1.0 + 2.0 * membrane(0), c22 = 1.0 + 2.0 * membrane(1), c12 = membrane(2);
+    const double t = (c11 * c22 - c12 * c12) / first_crushed;
+    Crushing found;
+    if (t >= 1.0)
+        return found;
+    const double s = std::sqrt(std::max(t, least_ratio * least_ratio));
+    const double lowest = last_crushed / std::sqrt(first_crushed);
+    const double from = std::max(s, lowest), from_t = from * from;
+    // By s: value, slope, curvature where the logarithm ends, then along a parabola.
+    const double by_t = -crush_stiffness * (1.0 - from_t) * (1.0 - from_t) / from_t;
+    const double curvature = 2.0 * by_t + 4.0 * crush_stiffness * (1.0 / from_t - from_t);
+    const double slope = 2.0 * from * by_t + curvature * (s - from);
+    found.energy =
+        crush_stiffness
+            * (-std::log(from_t) - (1.0 - from_t) - 0.5 * (1.0 - from_t) * (1.0 - from_t))
+        + (2.0 * from * by_t + 0.5 * curvature * (s - from)) * (s - from);
+    const double first = slope / (2.0 * s) / first_crushed;
+    const double second = (curvature - slope / s) / (4.0 * s * s) / (first_crushed * first_crushed);
+    const Vector3 rate(2.0 * c22, 2.0 * c11, -2.0 * c12);
+    found.stress = first * rate;
+    found.tangent = second * rate * rate.transpose();
+    found.tangent(0, 1) += 4.0 * first;
+    found.tangent(1, 0) += 4.0 * first;
+    found.tangent(2, 2) -= 2.0 * first;
+    return found;
+}
+
+Vector3 ShellElement::membrane_stress(const Strain& strain) const
+{
+    return elasticity_ * strain.membrane + area_ * crushing(strain.membrane).stress;
+}
+
+Matrix3 ShellElement::membrane_tangent(const Strain& strain) const
+{
+    return elasticity_ + area_ * crushing(strain.membrane).tangent;
+}
+
 double ShellElement::energy(const Strain& strain, double bending) const
 {
     return 0.5 * strain.membrane.dot(elasticity_ * strain.membrane)
+           + area_ * crushing(strain.membrane).energy
            + 0.5 * bending * strain.angles.dot(bending_ * strain.angles);
 }
 
 ShellElement::Stress ShellElement::stress(const Strain& strain, double bending) const
 {
-    return {elasticity_ * strain.membrane, bending * (bending_ * strain.angles)};
+    return {membrane_stress(strain), bending * (bending_ * strain.angles)};
 }
 
 ShellElement::Rows ShellElement::membrane_rows(const Strain& strain) const
@@ -126,7 +175,7 @@ ShellElement::Rows ShellElement::angle_rows(const Strain& strain)
 ShellElement::Stress ShellElement::predicted(const Strain& strain, double bending,
                                              const Vector& step) const
 {
-    return {elasticity_ * (strain.membrane + membrane_rows(strain) * step),
+    return {membrane_stress(strain) + membrane_tangent(strain) * (membrane_rows(strain) * step),
             bending * (bending_ * (strain.angles + angle_rows(strain) * step))};
 }
 
@@ -164,7 +213,7 @@ ShellElement::Matrix ShellElement::stiffness(const Strain& strain, double bendin
 {
     const Rows membrane = membrane_rows(strain);
     const Rows angles = angle_rows(strain);
-    Matrix sum = membrane.transpose() * elasticity_ * membrane;
+    Matrix sum = membrane.transpose() * membrane_tangent(strain) * membrane;
     sum.noalias() += bending * (angles.transpose() * bending_ * angles);
     const Vector3& s = of_second_order.membrane;
     Eigen::Matrix2d pull;

@@ -9,7 +9,8 @@
 namespace sheetmorph
 {
 
-//! A triangle of a thin shell (mathematics.md, section 9): constant membrane strain e, and the
+//! A triangle of a thin shell (mathematics.md, section 9): constant membrane strain e, whose energy
+//! is that of St. Venant and Kirchhoff and grows without bound as the area vanishes, and the
 //! constant curvature of Morley's triangle, from how far the director of each side turned about
 //! that side against the triangle. Side k runs from corner k to the next.
 class ShellElement
@@ -71,6 +72,18 @@ public:
 
 private:
     using Rows = Eigen::Matrix<double, 3, 12>;
+
+    //! What resists the loss of area, over the area at rest: energy, stress and tangent by the
+    //! membrane strain.
+    struct Crushing
+    {
+        double energy = 0.0;
+        Vector3 stress = Vector3::Zero();
+        Matrix3 tangent = Matrix3::Zero();
+    };
+    static Crushing crushing(const Vector3& membrane);
+    Vector3 membrane_stress(const Strain& strain) const;
+    Matrix3 membrane_tangent(const Strain& strain) const;
     Rows membrane_rows(const Strain& strain) const;
     static Rows angle_rows(const Strain& strain);
     static void add_turning(const Strain& strain, int side, double moment, Matrix& sum);

@@ -2,11 +2,12 @@
 #include "sheetmorph/surface/steel/shell_minimum.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/numerics/newton_minimum.h"
 
 #include <Eigen/QR>
 #include <algorithm>
-#include <deque>
-#include <limits>
+#include <memory>
+#include <numeric>
 #include <optional>
 
 namespace sheetmorph
@@ -18,10 +19,15 @@ namespace
 constexpr double settled = 1e-7;       // of the size: a step that moves less is the last
 constexpr double longest_step = 0.25;  // of the size
 constexpr double widest_turn = 0.8;    // radians, of a body or a director
-constexpr std::size_t remembered = 4;  // energies that a step is compared with
-constexpr int first_rounds = 30;       // before the ladder
-constexpr int ladder_rounds = 30;      // on each rung but the last
-constexpr int last_rounds = 60;
+constexpr int remembered = 4;          // energies that a step is compared with
+constexpr double noise = 1e-12;        // of the energy
+constexpr double as_predicted = 1e-3;  // of the largest stress: what predicted ones may differ by
+constexpr double least_share = 1.0 / 65536.0;  // of the compression, in a tangent
+constexpr double near_saddle = 1e-3;           // of the size: steps this short may end in a saddle
+constexpr int buckling_rounds = 12;
+constexpr double first_buckle = 0.02;  // of the size
+constexpr double first_turn = 0.2;     // radians
+constexpr int most_rounds = 150;
 
 //! The linear problem of one step, with the points as constraints.
 class StepProblem
@@ -38,24 +44,35 @@ public:
         add_rows();
     }
 
-    //! Nothing where the tangent is not positive definite.
-    std::optional<Eigen::VectorXd> solve(double shift) const
+    //! Nothing where the tangent, with a share added to its diagonal, is not positive definite.
+    std::unique_ptr<const SparseCholesky> factor(double shift) const
     {
         try
         {
-            MergedMatrix whole{tangent_.matrix, {}, shell_.unknowns()};
-            whole.unknown_of.resize(static_cast<std::size_t>(shell_.unknowns()));
-            for (int k = 0; k < shell_.unknowns(); ++k)
-                whole.unknown_of[static_cast<std::size_t>(k)] = k;
-            if (shift > 0.0)
-                whole.whole = shifted(shift);
-            const SparseCholesky factor(std::move(whole), shell_.tree());
-            return constrained(factor);
+            MergedMatrix whole{shift > 0.0 ? shifted(shift) : tangent_.matrix,
+                               std::vector<int>(static_cast<std::size_t>(shell_.unknowns())),
+                               shell_.unknowns()};
+            std::iota(whole.unknown_of.begin(), whole.unknown_of.end(), 0);
+            return std::make_unique<const SparseCholesky>(std::move(whole), shell_.tree());
         }
         catch (const SolverError&)
         {
-            return std::nullopt;
+            return nullptr;
         }
+    }
+
+    Eigen::VectorXd solve(const SparseCholesky& factor) const
+    {
+        if (misses_.size() == 0)
+            return factor.solve(-tangent_.gradient);
+        const Eigen::VectorXd right = -tangent_.gradient + weight_ * (rows_.transpose() * misses_);
+        const Eigen::VectorXd open = factor.solve(right);
+        const Eigen::MatrixXd responses =
+            factor.solve(Eigen::MatrixXd(SparseMatrix(rows_.transpose())));
+        const Eigen::MatrixXd schur = rows_ * responses;
+        const Eigen::VectorXd multipliers =
+            schur.completeOrthogonalDecomposition().solve(misses_ - rows_ * open);
+        return open + responses * multipliers;
     }
 
 private:
@@ -85,20 +102,6 @@ private:
         return matrix;
     }
 
-    Eigen::VectorXd constrained(const SparseCholesky& factor) const
-    {
-        if (misses_.size() == 0)
-            return factor.solve(-tangent_.gradient);
-        const Eigen::VectorXd right = -tangent_.gradient + weight_ * (rows_.transpose() * misses_);
-        const Eigen::VectorXd open = factor.solve(right);
-        const Eigen::MatrixXd responses =
-            factor.solve(Eigen::MatrixXd(SparseMatrix(rows_.transpose())));
-        const Eigen::MatrixXd schur = rows_ * responses;
-        const Eigen::VectorXd multipliers =
-            schur.completeOrthogonalDecomposition().solve(misses_ - rows_ * open);
-        return open + responses * multipliers;
-    }
-
     const ShellSystem::Tangent& tangent_;
     const ShellSystem& shell_;
     Eigen::VectorXd misses_;
@@ -106,136 +109,190 @@ private:
     double weight_ = 0.0;
 };
 
-//! Newton's method for one thickness.
-class Newton
+//! A shell for newton_minimum(). Lengths are how far a vertex moves, mm.
+class ShellProblem : public NewtonProblem
 {
 public:
-    Newton(ShellSystem& shell, const ShellTask& task, double thickness)
-        : shell_(shell), task_(task), bending_(thickness * thickness / 12.0)
+    ShellProblem(ShellSystem& shell, const ShellTask& task)
+        : shell_(shell),
+          task_(task),
+          bending_(task.thickness * task.thickness / 12.0),
+          before_(shell.shape()),
+          stresses_(shell.no_stresses())
     {
     }
 
-    Convergence run(int most_rounds, const Progress& progress)
-    {
-        Convergence found{"the positions of the sheet", false, 0, 0.0};
-        stresses_ = shell_.no_stresses();
-        energies_ = {merit()};
-        for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
-        {
-            progress.report(static_cast<double>(found.rounds) / most_rounds,
-                            "steel: round " + std::to_string(found.rounds + 1));
-            found.miss = step();
-            found.is_converged = found.miss <= settled * task_.size;
-        }
-        return found;
-    }
-
-private:
     // What points miss costs as much as the sheet's own stretch would.
-    double merit() const
+    double value() override
     {
         const Eigen::VectorXd misses = shell_.point_misses(task_.targets);
         return shell_.energy(bending_) + misses.squaredNorm();
     }
 
-    Eigen::VectorXd shortened(const Eigen::VectorXd& change) const
+    std::optional<NewtonStep> step(int model) override
     {
-        const double shift = shell_.shift_of(change) / (longest_step * task_.size);
-        const double turn = shell_.turn_of(change) / widest_turn;
-        return change / std::max({1.0, shift, turn});
+        if (model == 0)
+            return mixed_step();
+        return model == 1 ? eased_step() : tension_step();
     }
 
-    void accept()
+    void remember() override
     {
-        energies_.push_back(merit());
-        if (energies_.size() > remembered)
-            energies_.pop_front();
+        before_ = shell_.shape();
+        last_ = stresses_;
+    }
+    void restore() override
+    {
+        shell_.restore(before_);
+        stresses_ = last_;
+    }
+    void move(const NewtonStep& step, double share) override
+    {
+        const Eigen::VectorXd change = share * step.change;
+        shell_.restore(before_);
+        stresses_ = shell_.predicted(bending_, change);
+        shell_.step(change);
     }
 
-    //! \returns how far it moved the sheet, mm
-    double step()
+private:
+    std::optional<NewtonStep> mixed_step()
     {
-        const ShellShape before = shell_.shape();
-        const ShellSystem::Tangent tangent = shell_.tangent(bending_, &stresses_);
-        if (const auto found = StepProblem(tangent, shell_, task_.targets).solve(0.0))
-        {
-            const Eigen::VectorXd change = shortened(*found);
-            ShellSystem::Stresses next = shell_.predicted(bending_, change);
-            const double shift = shell_.shift_of(change);
-            const double highest = *std::max_element(energies_.begin(), energies_.end());
-            shell_.step(change);
-            if (merit() <= highest * (1.0 + 1e-9))
-            {
-                stresses_ = std::move(next);
-                accept();
-                return shift;
-            }
-            shell_.restore(before);
-        }
-        return tension_step();
-    }
-
-    double tension_step()
-    {
-        const ShellShape before = shell_.shape();
-        const ShellSystem::Tangent tangent = shell_.tangent(bending_, nullptr);
+        const ShellSystem::Tangent tangent = shell_.tangent(bending_, stresses_);
         const StepProblem problem(tangent, shell_, task_.targets);
-        std::optional<Eigen::VectorXd> found;
-        for (double shift = 0.0; !found && shift < 1.0; shift = std::max(1e-10, 100.0 * shift))
-            found = problem.solve(shift);
-        if (!found)
+        const auto factor = problem.factor(0.0);
+        if (!factor)
+            return std::nullopt;
+        NewtonStep found = bounded(tangent.gradient, problem.solve(*factor));
+        found.is_exact = are_true(stresses_);
+        return found;
+    }
+
+    // As much of the compression as leaves the tangent positive definite.
+    std::optional<NewtonStep> eased_step()
+    {
+        for (double share = std::min(1.0, 4.0 * share_); share >= least_share; share *= 0.5)
+        {
+            const ShellSystem::Tangent tangent =
+                shell_.tangent(bending_, shell_.eased(bending_, share), share);
+            const StepProblem problem(tangent, shell_, task_.targets);
+            const auto factor = problem.factor(0.0);
+            if (!factor)
+                continue;
+            share_ = share;
+            NewtonStep found = bounded(tangent.gradient, problem.solve(*factor));
+            found.is_exact = share == 1.0;
+            if (!found.is_exact && found.length <= near_saddle * task_.size)
+                if (const auto buckling = buckling_step(*factor, tangent.gradient, share))
+                    return buckling;
+            return found;
+        }
+        share_ = least_share;
+        return std::nullopt;
+    }
+
+    // Near a saddle: the direction in which the sheet buckles first, along the gradient. Inverse
+    // iteration with the factor of the eased tangent K + share (H - K), H the whole tangent and K
+    // that of tension: its largest eigenvalue against K is 1 / (1 - share mu), where H = (1 - mu)
+    // K.
+    std::optional<NewtonStep> buckling_step(const SparseCholesky& factor,
+                                            const Eigen::VectorXd& gradient, double share)
+    {
+        const ShellSystem::Tangent tension =
+            shell_.tangent(bending_, shell_.eased(bending_, 0.0), 0.0);
+        const StepProblem held(tension, shell_, task_.targets);
+        Eigen::VectorXd mode = shell_.out_of_plane();
+        double largest = 0.0;
+        for (int k = 0; k < buckling_rounds; ++k)
+        {
+            const Eigen::VectorXd load = *tension.matrix * mode;
+            const double energy = mode.dot(load);
+            if (!(energy > 0.0))
+                return std::nullopt;
+            const Eigen::VectorXd next = factor.solve(load);
+            largest = load.dot(next) / energy;
+            mode = next / next.norm();
+        }
+        if (!(largest * (1.0 - share) > 1.0))
+            return std::nullopt;
+        if (gradient.dot(mode) > 0.0)
+            mode = -mode;
+        const double amplitude = std::min(first_buckle * task_.size / shell_.shift_of(mode),
+                                          first_turn / shell_.turn_of(mode));
+        NewtonStep found = bounded(gradient, amplitude * mode);
+        found.is_exact = false;
+        return found;
+    }
+
+    std::optional<NewtonStep> tension_step()
+    {
+        const ShellSystem::Tangent tangent =
+            shell_.tangent(bending_, shell_.eased(bending_, 0.0), 0.0);
+        const StepProblem problem(tangent, shell_, task_.targets);
+        std::unique_ptr<const SparseCholesky> factor;
+        for (double shift = 0.0; !factor && shift < 1.0; shift = std::max(1e-10, 100.0 * shift))
+            factor = problem.factor(shift);
+        if (!factor)
             throw SolverError(
                 "the sheet has no unique shape under these constraints; hold it by a fixed "
                 "region, or choose another energy");
-        Eigen::VectorXd change = shortened(*found);
-        const double slope = tangent.gradient.dot(change);
-        const double start = merit();
-        for (int halving = 0; halving < 30; ++halving, change *= 0.5)
+        NewtonStep found = bounded(tangent.gradient, problem.solve(*factor));
+        found.is_exact = false;
+        return found;
+    }
+
+    NewtonStep bounded(const Eigen::VectorXd& gradient, const Eigen::VectorXd& change) const
+    {
+        NewtonStep found;
+        found.length = shell_.shift_of(change);
+        const double turn = shell_.turn_of(change);
+        const double bound =
+            std::max({1.0, found.length / (longest_step * task_.size), turn / widest_turn});
+        found.change = change / bound;
+        found.slope = gradient.dot(found.change);
+        found.is_bounded = bound > 1.0;
+        return found;
+    }
+
+    // Whether predicted stresses are those of the shape, so that their tangent is the second-order
+    // model there.
+    bool are_true(const ShellSystem::Stresses& stresses) const
+    {
+        const ShellSystem::Stresses now = shell_.eased(bending_, 1.0);
+        double membrane = 0.0, moments = 0.0, off_membrane = 0.0, off_moments = 0.0;
+        for (std::size_t e = 0; e < now.size(); ++e)
         {
-            ShellSystem::Stresses next = shell_.predicted(bending_, change);
-            const double shift = shell_.shift_of(change);
-            shell_.step(change);
-            if (merit() <= start + 1e-4 * std::ldexp(std::min(slope, 0.0), -halving))
-            {
-                stresses_ = std::move(next);
-                accept();
-                return shift;
-            }
-            shell_.restore(before);
+            membrane = std::max(membrane, now[e].membrane.cwiseAbs().maxCoeff());
+            moments = std::max(moments, now[e].moments.cwiseAbs().maxCoeff());
+            off_membrane = std::max(off_membrane,
+                                    (stresses[e].membrane - now[e].membrane).cwiseAbs().maxCoeff());
+            off_moments =
+                std::max(off_moments, (stresses[e].moments - now[e].moments).cwiseAbs().maxCoeff());
         }
-        return 0.0;
+        return off_membrane <= as_predicted * membrane && off_moments <= as_predicted * moments;
     }
 
     ShellSystem& shell_;
     const ShellTask& task_;
     double bending_;
-    ShellSystem::Stresses stresses_;
-    std::deque<double> energies_;
+    ShellShape before_;
+    ShellSystem::Stresses stresses_, last_;
+    double share_ = 1.0;  // of the compression in the last eased step
 };
 
 }  // namespace
 
 Convergence minimise_shell(ShellSystem& shell, const ShellTask& task)
 {
-    const ShellShape start = shell.shape();
-    Convergence found =
-        Newton(shell, task, task.thickness).run(first_rounds, task.progress.part(0.0, 0.3));
-    if (found.is_converged)
-        return found;
-    int rounds = found.rounds;
-    shell.restore(start);
-    double begin = 0.3;
-    for (const double part : {10.0, 30.0})
-    {
-        if (task.size / part <= task.thickness)
-            continue;
-        const Progress progress = task.progress.part(begin, begin + 0.2);
-        rounds += Newton(shell, task, task.size / part).run(ladder_rounds, progress).rounds;
-        begin += 0.2;
-    }
-    found = Newton(shell, task, task.thickness).run(last_rounds, task.progress.part(begin, 1.0));
-    found.rounds += rounds;
-    return found;
+    NewtonLimits limits{"the positions of the sheet"};
+    limits.most_rounds = most_rounds;
+    limits.settled = settled * task.size;
+    limits.finest = limits.settled;
+    limits.models = 3;
+    limits.remembered = remembered;
+    limits.noise = noise;
+    limits.task = "steel";
+    ShellProblem problem(shell, task);
+    return newton_minimum(problem, limits, task.progress);
 }
 
 }  // namespace sheetmorph

@@ -17,10 +17,10 @@ struct ShellTask
     Progress progress = {};
 };
 
-//! Moves a shell to its minimum: Newton's method with mixed stresses (Garcea and Magisano), whose
-//! geometric stiffness takes the stresses that the step before has predicted; where that does not
-//! help, the tangent of tension alone with a line search. If the sheet does not settle, it begins
-//! again ten and thirty times thinner than its size before it is as thin as it is.
+//! Moves a shell to its minimum by newton_minimum(). The first model has mixed stresses (Garcea and
+//! Magisano): its geometric stiffness takes the stresses that the step before has predicted. Where
+//! it does not help, as much of the compression counts as leaves the tangent positive definite, and
+//! near a saddle the sheet moves along its first buckling mode.
 //! \throws Cancelled if the progress callback asks for it
 Convergence minimise_shell(ShellSystem& shell, const ShellTask& task);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/steel/shell_system.h"
 
+#include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/vertex_sets.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace sheetmorph
 {
@@ -119,15 +122,20 @@ void ShellSystem::find_pattern()
         for (const int column : freedom.columns)
             rows[at(column)].insert(rows[at(column)].end(), freedom.columns.begin(),
                                     freedom.columns.end());
+    std::size_t entries = 0;
+    for (std::vector<int>& own : rows)
+    {
+        make_set(own);
+        entries += own.size();
+    }
+    if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw SolverError(
+            "the sheet has too many vertices for the energy steel and for refine: "
+            "about ten million are possible; take a coarser mesh");
     matrix_ = std::make_shared<SparseMatrix>(unknowns(), unknowns());
     std::vector<int> starts(count + 1, 0);
     for (std::size_t column = 0; column < count; ++column)
-    {
-        std::vector<int>& own = rows[column];
-        std::sort(own.begin(), own.end());
-        own.erase(std::unique(own.begin(), own.end()), own.end());
-        starts[column + 1] = starts[column] + static_cast<int>(own.size());
-    }
+        starts[column + 1] = starts[column] + static_cast<int>(rows[column].size());
     matrix_->resizeNonZeros(starts.back());
     std::copy(starts.begin(), starts.end(), matrix_->outerIndexPtr());
     for (std::size_t column = 0; column < count; ++column)
@@ -135,7 +143,7 @@ void ShellSystem::find_pattern()
                   matrix_->innerIndexPtr() + starts[column]);
     for (Freedom& freedom : freedoms_)
     {
-        freedom.first_slot = static_cast<int>(slots_.size());
+        freedom.first_slot = slots_.size();
         for (const int column : freedom.columns)
             for (const int row : freedom.columns)
                 slots_.push_back(starts[at(column)]
@@ -143,75 +151,6 @@ void ShellSystem::find_pattern()
                                                                      rows[at(column)].end(), row)
                                                     - rows[at(column)].begin()));
     }
-}
-
-ShellSystem::Things ShellSystem::things() const
-{
-    const Points& rest = part_.rest.points();
-    Things found;
-    for (std::size_t i = 0; i < movers_.vertices.size(); ++i)
-        if (movers_.vertices[i].kind == Kind::open)
-            found.push_back({movers_.vertices[i].index, 3, row_of(rest, static_cast<int>(i))});
-    for (std::size_t e = 0; e < movers_.edges.size(); ++e)
-        if (movers_.edges[e].kind == Kind::open)
-            found.push_back(
-                {movers_.edges[e].index, 1,
-                 0.5 * (row_of(rest, mesh_.edges[e][0]) + row_of(rest, mesh_.edges[e][1]))});
-    std::vector<char> is_listed(at(joints_.freedoms()), 0);
-    for (std::size_t k = 0; k < joints_.states().size(); ++k)
-        for (const JointLevel& level : joints_.levels(k))
-            if (!level.axes.empty() && is_listed[at(level.first)] == 0)
-            {
-                is_listed[at(level.first)] = 1;
-                found.push_back({movers_.open + level.first, static_cast<int>(level.axes.size()),
-                                 joints_.states()[k].centre});
-            }
-    return found;
-}
-
-// Which things some element couples.
-SparseMatrix ShellSystem::coupled(const Things& things) const
-{
-    std::vector<int> thing_of(at(unknowns()), 0);
-    for (std::size_t k = 0; k < things.size(); ++k)
-        for (int column = 0; column < things[k].count; ++column)
-            thing_of[at(things[k].first + column)] = static_cast<int>(k);
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<int> last(things.size(), -1);
-    for (int k = 0; k < static_cast<int>(things.size()); ++k)
-        for (SparseMatrix::InnerIterator entry(*matrix_, things[at(k)].first); entry; ++entry)
-        {
-            const int other = thing_of[at(static_cast<int>(entry.row()))];
-            if (last[at(other)] != k)
-                entries.emplace_back(other, k, 1.0);
-            last[at(other)] = k;
-        }
-    const auto count = static_cast<Eigen::Index>(things.size());
-    SparseMatrix found(count, count);
-    found.setFromTriplets(entries.begin(), entries.end());
-    return found;
-}
-
-// The unknowns of one thing stay together.
-void ShellSystem::find_tree()
-{
-    const Things all = things();
-    Points places(static_cast<Eigen::Index>(all.size()), 3);
-    for (std::size_t k = 0; k < all.size(); ++k)
-        places.row(static_cast<Eigen::Index>(k)) = all[k].place.transpose();
-    const SeparatorTree cut = nested_dissection(coupled(all), places);
-    SeparatorTree tree{{}, {0}, cut.parent, cut.lowest};
-    for (int node = 0; node < cut.size(); ++node)
-    {
-        for (int k = cut.first[at(node)]; k < cut.first[at(node) + 1]; ++k)
-        {
-            const Thing& thing = all[at(cut.order[at(k)])];
-            for (int column = 0; column < thing.count; ++column)
-                tree.order.push_back(thing.first + column);
-        }
-        tree.first.push_back(static_cast<int>(tree.order.size()));
-    }
-    tree_ = std::make_shared<const SeparatorTree>(std::move(tree));
 }
 
 ShellElement::Place ShellSystem::place_of(std::size_t element) const
@@ -388,7 +327,26 @@ ShellSystem::Stresses ShellSystem::predicted(double bending, const Eigen::Vector
     return found;
 }
 
-ShellSystem::Tangent ShellSystem::tangent(double bending, const Stresses* stresses)
+ShellSystem::Stresses ShellSystem::eased(double bending, double share) const
+{
+    Stresses found(elements_.size());
+    parallel_ranges(static_cast<Eigen::Index>(elements_.size()), least_elements,
+                    [&](Eigen::Index begin, Eigen::Index end)
+                    {
+                        for (auto e = at(begin); e < at(end); ++e)
+                        {
+                            const ShellElement::Stress whole =
+                                elements_[e].stress(elements_[e].strain(place_of(e)), bending);
+                            const ShellElement::Stress pull = ShellElement::tension(whole);
+                            found[e].membrane =
+                                pull.membrane + share * (whole.membrane - pull.membrane);
+                            found[e].moments = share * whole.moments;
+                        }
+                    });
+    return found;
+}
+
+ShellSystem::Tangent ShellSystem::tangent(double bending, const Stresses& stresses, double share)
 {
     Tangent found{Eigen::VectorXd::Zero(unknowns()), matrix_};
     std::fill(matrix_->valuePtr(), matrix_->valuePtr() + matrix_->nonZeros(), 0.0);
@@ -403,13 +361,9 @@ ShellSystem::Tangent ShellSystem::tangent(double bending, const Stresses* stress
                 const std::size_t e = first + k;
                 const ShellElement::Strain strain = elements_[e].strain(place_of(e));
                 const ShellElement::Vector forces = elements_[e].gradient(strain, bending);
-                const ShellElement::Stress stress =
-                    stresses != nullptr
-                        ? (*stresses)[e]
-                        : ShellElement::tension(elements_[e].stress(strain, bending));
-                project(e, elements_[e].stiffness(strain, bending, stress), forces, parts[k]);
-                if (freedoms_[e].is_jointed && stresses != nullptr)
-                    add_second_order(e, forces, parts[k].matrix);
+                project(e, elements_[e].stiffness(strain, bending, stresses[e]), forces, parts[k]);
+                if (freedoms_[e].is_jointed && share > 0.0)
+                    add_second_order(e, share * forces, parts[k].matrix);
             }
         };
         parallel_ranges(static_cast<Eigen::Index>(count), least_elements, work);
@@ -435,6 +389,35 @@ void ShellSystem::brace_joints()
     const double brace = 1e-10 * matrix_->diagonal().mean();
     for (int k = movers_.open; k < unknowns(); ++k)
         matrix_->coeffRef(k, k) += brace;
+}
+
+Eigen::VectorXd ShellSystem::out_of_plane() const
+{
+    const Points& rest = part_.rest.points();
+    Vector3 held = Vector3::Zero();
+    double count = 0.0;
+    for (std::size_t i = 0; i < movers_.vertices.size(); ++i)
+        if (part_.roles.role[i] == Role::fixed)
+        {
+            held += row_of(rest, static_cast<int>(i));
+            count += 1.0;
+        }
+    held /= std::max(count, 1.0);
+    Eigen::VectorXd field = Eigen::VectorXd::Zero(unknowns());
+    for (const std::size_t t : triangles_)
+    {
+        const ShellMesh::Triangle& triangle = mesh_.triangles[t];
+        std::array<Vector3, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k)
+            corners[k] = row_of(shape_.positions, triangle.corners[k]);
+        const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        for (const int corner : triangle.corners)
+            if (const ShellMover& mover = movers_.vertices[at(corner)]; mover.kind == Kind::open)
+                field.segment<3>(mover.index) += (row_of(rest, corner) - held).norm()
+                                                 / std::sqrt(std::max(normal.norm(), 1e-300))
+                                                 * normal;
+    }
+    return field;
 }
 
 double ShellSystem::shift_of(const Eigen::VectorXd& change) const

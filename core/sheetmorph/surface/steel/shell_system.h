@@ -38,6 +38,10 @@ public:
     double shift_of(const Eigen::VectorXd& change) const;
     double turn_of(const Eigen::VectorXd& change) const;
 
+    //! A field at right angles to the sheet where it is, without a symmetry: what buckling modes
+    //! are sought from.
+    Eigen::VectorXd out_of_plane() const;
+
     using Stresses = std::vector<ShellElement::Stress>;
     Stresses no_stresses() const { return Stresses(elements_.size()); }
 
@@ -50,8 +54,13 @@ public:
         std::shared_ptr<SparseMatrix> matrix;  //!< both triangles
     };
 
-    //! \param stresses  whose second-order part is taken; nullptr: the tension there is now
-    Tangent tangent(double bending, const Stresses* stresses);
+    //! The stresses there are now: their tension, and a share of what is not tension. The tangent
+    //! of tension alone has no negative direction.
+    Stresses eased(double bending, double share) const;
+
+    //! \param stresses  whose second-order part is taken
+    //! \param share     of the second-order part of bodies
+    Tangent tangent(double bending, const Stresses& stresses, double share = 1.0);
 
     //! Order of elimination of the tangents.
     const std::shared_ptr<const SeparatorTree>& tree() const { return tree_; }
@@ -66,7 +75,7 @@ private:
     {
         std::array<int, 12> direct;  // unknown of each local number, or -1
         std::vector<int> columns;    // unknowns of the element
-        int first_slot = 0;
+        std::size_t first_slot = 0;
         bool is_jointed = false;
     };
 

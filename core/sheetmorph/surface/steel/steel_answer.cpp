@@ -4,10 +4,12 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
-#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/surface/steel/shell_minimum.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace sheetmorph
 {
@@ -18,13 +20,33 @@ namespace
 constexpr double default_thickness = 0.01;  // of the size
 constexpr double refined_thickness = 0.05;  // of the size
 
-// Nodes of no triangle must not change how thick a sheet is.
+// The diagonal of a flat rectangle, and for any other sheet that of the rectangle with the same
+// covariance of its area. It does not turn with the axes, as the diagonal of a box along them does,
+// and depends neither on the facets nor on nodes of no triangle.
 double size_of_triangles(const TriangleMesh& mesh)
 {
-    VertexIds corners(mesh.triangles().data(), mesh.triangles().data() + mesh.triangles().size());
-    make_set(corners);
-    const Points used = mesh.points()(corners, Eigen::indexing::all);
-    return corners.empty() ? 0.0 : (used.colwise().maxCoeff() - used.colwise().minCoeff()).norm();
+    double area = 0.0, second = 0.0;
+    Vector3 first = Vector3::Zero();
+    const Vector3 origin = mesh.triangle_count() > 0
+                               ? Vector3(mesh.points().row(mesh.triangles()(0, 0)).transpose())
+                               : Vector3(Vector3::Zero());
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+    {
+        std::array<Vector3, 3> corners;
+        for (int c = 0; c < 3; ++c)
+            corners[at(c)] = mesh.points().row(mesh.triangles()(t, c)).transpose() - origin;
+        const Vector3 sum = corners[0] + corners[1] + corners[2];
+        const double own = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+        area += own;
+        first += own / 3.0 * sum;
+        // The mean of a square over a triangle: of the corners, and of their sum.
+        second += own / 12.0
+                  * (sum.squaredNorm() + corners[0].squaredNorm() + corners[1].squaredNorm()
+                     + corners[2].squaredNorm());
+    }
+    if (!(area > 0.0))
+        return 0.0;
+    return std::sqrt(12.0 * std::max(0.0, second / area - (first / area).squaredNorm()));
 }
 
 // A linear answer is refined by a shell so thick that only large rotations change it.

@@ -7,7 +7,8 @@
 namespace sheetmorph
 {
 
-//! mm: what is given, or a hundredth of the size where that is 0.
+//! mm: what is given, or a hundredth of the size where that is 0. The size is the diagonal of the
+//! flat rectangle whose area is spread as the sheet's is, so that no axis and no facet counts.
 double sheet_thickness(double given, const TriangleMesh& mesh);
 
 //! A part as a sheet of steel: a geometrically nonlinear thin shell that hardly stretches

@@ -56,7 +56,7 @@ bool LoadedShell::carry(double factor, int most_rounds)
     const double size = rest_.size();
     for (int round = 0; round < most_rounds; ++round)
     {
-        const ShellSystem::Tangent tangent = shell_->tangent(bending(), &stresses_);
+        const ShellSystem::Tangent tangent = shell_->tangent(bending(), stresses_);
         const Eigen::VectorXd out_of_balance =
             selection_.transpose() * (factor * load_ - tangent.gradient);
         Eigen::VectorXd change = selection_ * solved(tangent, out_of_balance);

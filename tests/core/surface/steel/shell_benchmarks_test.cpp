@@ -153,5 +153,35 @@ TEST(ShellBenchmarks, APulledOutCylinderIsWithinOnePercentBeforeAndAfterItSnaps)
                       1e-2);
 }
 
+// 3.7, a quarter of it, 10 x 10: a shallow roof of radius 2540, 508 long and 0.2 radians wide,
+// 12.7 thick, hinged along its straight edges. Up to 2.2 kN in its middle it has a shape near by.
+TEST(ShellBenchmarks, AShallowRoofCarriesItsLimitLoadAndNoMore)
+{
+    constexpr double radius = 2540.0;
+    const auto bent = [](const Vector3& p)
+    {
+        const double turn = 0.1 * p.x();
+        return Vector3(radius * std::sin(turn), 254.0 * p.y(), radius * std::cos(turn));
+    };
+    const TriangleMesh mesh = shapes::mapped(shapes::grid(10, 10, 1.0, 1.0), bent);
+    ShellSupport support;
+    support.symmetries = {{0, [](const Vector3& p) { return is_zero(p.x()); }},
+                          {1, [](const Vector3& p) { return is_zero(p.y()); }}};
+    for (int k = 0; k <= 10; ++k)
+    {
+        const int hinge =
+            vertex_near(mesh, {radius * std::sin(0.1), 25.4 * k, radius * std::cos(0.1)});
+        for (int axis = 0; axis < 3; ++axis)
+            support.held.emplace_back(hinge, axis);
+    }
+    LoadedShell shell(mesh, {3102.75, 0.3, 12.7}, support);
+    const int middle = vertex_near(mesh, {0.0, 0.0, radius});
+    shell.pull(middle, 2, -0.25 * 1000.0);
+    for (const double load : {1.0, 1.6, 2.0, 2.1})
+        EXPECT_TRUE(shell.carry(load)) << load;
+    EXPECT_NEAR(-shell.moved(middle, 2), 9.5, 2.0);
+    EXPECT_FALSE(shell.carry(2.35));
+}
+
 }  // namespace
 }  // namespace sheetmorph
