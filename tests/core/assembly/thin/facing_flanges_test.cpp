@@ -140,7 +140,8 @@ shapes::FoldedSheet placed(shapes::FoldedSheet sheet, Random& random)
 {
     const Vector3 axis(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
     const Vector3 shift(random.between(-300, 300), random.between(-300, 300), 0.0);
-    const RigidMotion motion = frames::motion(shift, axis.normalized(), random.between(0, 360), {});
+    const RigidMotion motion =
+        frames::motion(shift, axis.normalized(), random.between(0, 360), Vector3::Zero());
     const bool is_mirrored = random.between(0.0, 1.0) < 0.5;
     Triangles triangles = sheet.mesh.triangles();
     if (is_mirrored)
@@ -172,7 +173,7 @@ TEST_P(FacingFlanges, OneIsPulledTheOtherStaysAndNothingIsStrained)
         EXPECT_TRUE(session.thin_solid(0)->lumps.empty());
         const Vector3 way(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
         Pose pose;
-        pose.handles["end"] = frames::motion(t * way.normalized(), {0, 1, 0}, 0.0, {});
+        pose.handles["end"] = frames::motion(t * way.normalized(), {0, 1, 0}, 0.0, Vector3::Zero());
         const Points positions = session.deform(pose).parts[0].positions;
         const VertexIds stay = on_leg(sheet, other);
         const Points moved =
