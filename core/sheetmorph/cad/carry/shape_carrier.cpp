@@ -507,6 +507,8 @@ void ShapeCarrier::run(const Progress& progress)
             face.spline->round_to(tolerances_.grain);
             face.surface = face.spline->surface();
         }
+    for (CarriedEdge& edge : edges_)
+        lay_on_faces(edge);
     measure();
 }
 

@@ -100,6 +100,7 @@ private:
     Vector3 normal(const EdgeOnFace& use, double t) const;
     bool is_smooth_at(const CarriedEdge& edge, double t) const;
     Vector3 point(const EdgeOnFace& use, double t) const;
+    void lay_on_faces(CarriedEdge& edge);
     void measure();
     void measure_edge(CarriedEdge& edge);
     double distance_at_rest(const CarriedEdge& edge, const EdgeOnFace& use, double t) const;

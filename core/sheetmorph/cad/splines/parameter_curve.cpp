@@ -3,11 +3,13 @@
 #include "sheetmorph/cad/splines/spline_curve.h"
 #include "sheetmorph/cad/splines/surface_breaks.h"
 
+#include <BSplCLib.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
-#include <Geom2d_BSplineCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
+#include <algorithm>
+#include <cmath>
 #include <gp_Vec.hxx>
 
 namespace sheetmorph
@@ -15,20 +17,6 @@ namespace sheetmorph
 
 namespace
 {
-
-// A spline in two parameters of one in space whose third coordinate is 0; how long their units are.
-Handle(Geom2d_Curve) flat(const SplineCurve& spline, const Vector2& scale)
-{
-    const Handle(Geom_BSplineCurve) curve = spline.curve();
-    TColgp_Array1OfPnt2d points(1, curve->NbPoles());
-    TColStd_Array1OfReal at(1, curve->NbKnots());
-    TColStd_Array1OfInteger times(1, curve->NbKnots());
-    for (int k = 1; k <= points.Length(); ++k)
-        points.SetValue(k, {curve->Pole(k).X() / scale(0), curve->Pole(k).Y() / scale(1)});
-    curve->Knots(at);
-    curve->Multiplicities(times);
-    return new Geom2d_BSplineCurve(points, at, times, 3);
-}
 
 Handle(Geom2d_Curve) line(const gp_Pnt2d& from, const gp_Pnt2d& to, double low, double high)
 {
@@ -110,7 +98,8 @@ Handle(Geom2d_Curve)
     constexpr double exact = 1e-6;
     const auto place = [&](double t) -> Vector3
     { return (Vector3() << place_at(curve, t), 0.0).finished(); };
-    return flat(curve_near(place, CubicBasis(low, high), exact), Vector2::Ones());
+    const SplineCurve found = curve_near(place, CubicBasis(low, high), exact);
+    return flat_spline(found.basis, found.poles.leftCols<2>());
 }
 
 Handle(Geom2d_Curve)
@@ -138,7 +127,55 @@ Handle(Geom2d_Curve)
         return (Vector3() << uv.cwiseProduct(scale), 0.0).finished();
     };
     const CubicBasis start(low, high, curve_breaks(curve, low, high));
-    return flat(curve_near(beneath, start, 0.2 * tolerance), scale);
+    const SplineCurve found = curve_near(beneath, start, 0.2 * tolerance);
+    return flat_spline(found.basis, found.poles.leftCols<2>() * scale.cwiseInverse().asDiagonal());
+}
+
+Handle(Geom_BSplineCurve)
+    border_above(const Handle(Geom2d_Curve) & curve, const Handle(Geom_BSplineSurface) & surface,
+                 double low, double high)
+{
+    constexpr double exact = 1e-9;
+    const Vector2 from = place_at(curve, low), to = place_at(curve, high);
+    const double length = (to - from).norm();
+    for (const double share : {0.2, 0.5, 0.9})
+        if ((place_at(curve, low + share * (high - low)) - from - share * (to - from)).norm()
+            > exact * length)
+            return {};
+    const int k = std::abs(to(0) - from(0)) < exact * length ? 0 : 1;
+    if (!(length > 0.0) || std::abs(to(k) - from(k)) > exact * length)
+        return {};
+    const auto border = Handle(Geom_BSplineCurve)::DownCast(k == 0 ? surface->UIso(from(0))
+                                                                   : surface->VIso(from(1)));
+    if (border.IsNull())
+        return {};
+    const auto [first, last] = std::minmax(from(1 - k), to(1 - k));
+    border->Segment(first, last);
+    if (to(1 - k) < from(1 - k))
+        border->Reverse();
+    TColStd_Array1OfReal knots(1, border->NbKnots());
+    border->Knots(knots);
+    BSplCLib::Reparametrize(low, high, knots);
+    border->SetKnots(knots);
+    return border;
+}
+
+Handle(Geom2d_BSplineCurve) flat_spline(const CubicBasis& basis, const Eigen::MatrixXd& poles)
+{
+    TColgp_Array1OfPnt2d points(1, basis.count());
+    for (int k = 0; k < basis.count(); ++k)
+        points.SetValue(k + 1, {poles(k, 0), poles(k, 1)});
+    const std::vector<double>& ends = basis.ends();
+    const std::vector<double>& all = basis.knots();
+    TColStd_Array1OfReal at(1, static_cast<int>(ends.size()));
+    TColStd_Array1OfInteger times(1, at.Length());
+    for (int k = 1; k <= at.Length(); ++k)
+    {
+        const double end = ends[static_cast<std::size_t>(k - 1)];
+        at.SetValue(k, end);
+        times.SetValue(k, static_cast<int>(std::count(all.begin(), all.end(), end)));
+    }
+    return new Geom2d_BSplineCurve(points, at, times, 3);
 }
 
 }  // namespace sheetmorph

@@ -5,13 +5,16 @@
 #include "sheetmorph/cad/cad_shapes.h"
 #include "cad/cad_files.h"
 
+#include <BOPAlgo_ArgumentAnalyzer.hxx>
 #include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <cmath>
 #include <filesystem>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace sheetmorph::test
 {
@@ -34,6 +37,46 @@ Points bent(const CadModel& model, std::size_t part, double share)
         point.SetX(point.X() + share * point.Z() * point.Z());
         point.Transform(place);
         found.row(i) << point.X(), point.Y(), point.Z();
+    }
+    return found;
+}
+
+// What FreeCAD's *Check Geometry* finds with its Boolean check on.
+std::map<BOPAlgo_CheckStatus, int> boolean_faults(const TopoDS_Shape& shape)
+{
+    BOPAlgo_ArgumentAnalyzer analyzer;
+    analyzer.SetShape1(shape);
+    analyzer.ArgumentTypeMode() = true;
+    analyzer.SelfInterMode() = true;
+    analyzer.SmallEdgeMode() = true;
+    analyzer.ContinuityMode() = true;
+    analyzer.CurveOnSurfaceMode() = true;
+    analyzer.Perform();
+    std::map<BOPAlgo_CheckStatus, int> found;
+    for (const BOPAlgo_CheckResult& one : analyzer.GetCheckResult())
+        ++found[one.GetCheckStatus()];
+    return found;
+}
+
+// The plate: lifted along its length, the holes with what is 4 mm around them as rigid bodies.
+Points bent_plate(const Points& rest)
+{
+    const auto lift = [](double x) { return 0.0004 * x * x * (1.0 + 0.02 * x); };
+    Points found = rest;
+    for (Eigen::Index i = 0; i < rest.rows(); ++i)
+    {
+        const double x = rest(i, 0), y = rest(i, 1), z = rest(i, 2);
+        found(i, 2) += lift(x);
+        for (const auto& [middle, radius] : {std::pair(15.0, 3.0), {40.0, 5.0}})
+        {
+            const double away = std::hypot(x - middle, y - 20.0) - radius - 4.0;
+            const double share = away <= 0.0 ? 1.0 : std::pow(std::max(0.0, 1.0 - away / 6.0), 2);
+            const double turn = std::atan(lift(middle + 0.5) - lift(middle - 0.5));
+            const double there = middle + (x - middle) * std::cos(turn) - z * std::sin(turn);
+            const double up = lift(middle) + (x - middle) * std::sin(turn) + z * std::cos(turn);
+            found(i, 0) += share * (there - found(i, 0));
+            found(i, 2) += share * (up - found(i, 2));
+        }
     }
     return found;
 }
@@ -117,6 +160,23 @@ TEST(CadWriter, NamesColoursAndLayersStayAndANamelessCompoundIsOneAgain)
     EXPECT_EQ(blue, 1);
     EXPECT_EQ(layers_of(*before), std::vector<std::string>{"sheets"});
     EXPECT_EQ(layers_of(*after), layers_of(*before));
+}
+
+TEST(CadWriter, FreeCADsBooleanCheckAcceptsBentParts)
+{
+    const TemporaryFolder folder;
+    write_assembly_step(folder.file("in.step"));
+    const CadModel model = read_cad(folder.file("in.step"), coarse, Progress());
+    for (const NamedShape& body : model.source->bodies)
+        ASSERT_THAT(boolean_faults(body.shape), testing::IsEmpty()) << body.name;
+    write_cad(
+        model,
+        {bent_plate(model.parts[0].mesh.points()), bent(model, 1, 0.02), bent(model, 2, 0.01)},
+        {folder.file("out.step")}, {});
+    const auto source = source_of_step(folder.file("out.step"));
+    ASSERT_EQ(source->bodies.size(), 3U);
+    for (const NamedShape& body : source->bodies)
+        EXPECT_THAT(boolean_faults(body.shape), testing::IsEmpty()) << body.name;
 }
 
 TEST(CadWriter, IsCancelledInEveryStageAndSaysHowFarItIs)
