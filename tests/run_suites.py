@@ -29,6 +29,7 @@ SECOND_TRY = re.compile(r"^SECOND TRY (\S+)")
 CHECKED_BY = {"clang-format": "14", "black": "23", "mypy": "1.0"}
 LONGEST_SUITE = 3600  # seconds, then it hangs
 FUZZED = "SHEETMORPH_FUZZ_SECONDS"
+SLOW = "SHEETMORPH_SLOW_SUITE"  # set for a suite that may take LONGEST_OF_ALL
 LONGEST_OF_ALL = 4 * 3600  # of those that take an hour of the processor
 # What of the package's tests goes through the whole kernel: its files, CAD, picking, live frames.
 # Each in an interpreter of its own: both folders have helpers of one name.
@@ -174,6 +175,12 @@ class Suites:
         """`init` and `run` on all public files, and one recipe in words at three edge lengths."""
         return self._pytest("real", ["tests/real"], self.staged)
 
+    def mutants(self) -> Count:
+        """100 mistakes planted in the kernel, of which its tests must notice 95; may take an
+        hour. Its log is the table; an interrupted run continues."""
+        command = [PYTHON, "-B", "tests/mutants/run_mutants.py", str(self.build)]
+        return self._checked([command], **{SLOW: "1"})
+
     def style(self) -> Count:
         """Formatting, names, habits and types; one test a checker."""
         cpp = sources((".h", ".cpp"), ("core", "bindings", "tests"))
@@ -249,7 +256,7 @@ class Suites:
         environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
         longest = (
             LONGEST_OF_ALL
-            if settings.keys() & {"ASAN_OPTIONS", "TSAN_OPTIONS", FUZZED}
+            if settings.keys() & {"ASAN_OPTIONS", "TSAN_OPTIONS", FUZZED, SLOW}
             else LONGEST_SUITE
         )
         environment |= {"PYTHONNOUSERSITE": "1", "PYTHONDONTWRITEBYTECODE": "1"} | settings
@@ -404,7 +411,7 @@ def main(arguments: list[str]) -> int:
     """Runs the suites; 1 if anything failed."""
     default = ["core", "python", "cases", "workbench", "gui", "style"]
     names = [*default, "tidy", "scale", "pictures", "real", "sanitize", "slurm", "vandal"]
-    names += ["decks", "fuzz", "million", "shapes"]
+    names += ["decks", "fuzz", "million", "shapes", "mutants"]
     parser = argparse.ArgumentParser(prog="./sheetmorph test", description="Runs the tests.")
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("suites", nargs="*", metavar="SUITE", help="of: " + ", ".join(names))

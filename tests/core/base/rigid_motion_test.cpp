@@ -109,5 +109,21 @@ TEST(BestRigidMotionNear, ARowThatIsNearlyStraightDoesNotTurnOver)
     }
 }
 
+// Points without weight may be anywhere; heavier ones are nearer to their targets.
+TEST(BestRigidMotion, WeightsDecideWhichPointsCount)
+{
+    const Points from = Points::Random(12, 3) * 30.0;
+    Points to = some_motion().apply(from);
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(12);
+    for (const int stray : {1, 4, 9})
+    {
+        to.row(stray) += Eigen::RowVector3d(40.0, -10.0 * stray, 5.0);
+        weights(stray) = 0.0;
+    }
+    const RigidMotion best = best_rigid_motion(from, to, weights);
+    for (const int kept : {0, 2, 3, 5, 11})
+        EXPECT_LT((best.apply(Vector3(from.row(kept))) - to.row(kept).transpose()).norm(), 1e-11);
+}
+
 }  // namespace
 }  // namespace sheetmorph

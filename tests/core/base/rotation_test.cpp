@@ -3,7 +3,8 @@
 
 #include "sheetmorph/base/errors.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -73,6 +74,24 @@ TEST(Rotation, TheNearestRotationIgnoresStretchAndNeverMirrors)
                   .cross(Vector3(nearest_rotation(-Matrix3::Identity()).col(1)))
                   .dot(nearest_rotation(-Matrix3::Identity()).col(2)),
               0.99);
+}
+
+// Also where the matrix mirrors: no rotation out of many is nearer.
+TEST(Rotation, NoRotationIsNearerThanTheNearestOne)
+{
+    std::srand(5);
+    for (int round = 0; round < 40; ++round)
+    {
+        const Matrix3 matrix = Matrix3::Random();
+        const Matrix3 found = nearest_rotation(matrix);
+        EXPECT_LT((found * found.transpose() - Matrix3::Identity()).norm(), 1e-12);
+        EXPECT_NEAR(found.determinant(), 1.0, 1e-12);
+        for (int other = 0; other < 100; ++other)
+        {
+            const Matrix3 step = rotation_from_log(Vector3::Random() * (other < 50 ? 0.01 : 1.5));
+            EXPECT_LE((matrix - found).norm(), (matrix - step * found).norm() + 1e-12);
+        }
+    }
 }
 
 }  // namespace

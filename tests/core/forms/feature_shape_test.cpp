@@ -88,6 +88,31 @@ void expect_circle(const TriangleMesh& mesh, const VertexIds& vertices, double s
     EXPECT_LT(circle.residual, 1e-11);
 }
 
+// The wall of a pipe: its centre is half the way between its rims.
+TEST(FeatureShape, AWallHasItsCentreInTheMiddle)
+{
+    constexpr int around = 24;
+    Points points(2 * around, 3);
+    Triangles triangles(2 * around, 3);
+    for (int k = 0; k < around; ++k)
+    {
+        const double angle = 2.0 * 3.14159265358979323846 * k / around;
+        for (const int end : {0, 1})
+            points.row(2 * k + end) << 4.0 * std::cos(angle), 4.0 * std::sin(angle),
+                1.0 + 5.0 * end;
+        const int next = 2 * ((k + 1) % around);
+        triangles.row(2 * k) << 2 * k, next, 2 * k + 1;
+        triangles.row(2 * k + 1) << next, next + 1, 2 * k + 1;
+    }
+    VertexIds all(2 * around);
+    for (int k = 0; k < 2 * around; ++k)
+        all[static_cast<std::size_t>(k)] = k;
+    const auto shape = feature_shape(TriangleMesh(points, triangles), all);
+    ASSERT_TRUE(shape);
+    EXPECT_LT((shape->centre - Vector3(0.0, 0.0, 3.5)).norm(), 1e-9);
+    EXPECT_NEAR(shape->size, shape->kind == FeatureShape::Kind::cylinder ? 4.0 : 8.0, 1e-9);
+}
+
 }  // namespace
 
 TEST(FeatureShape, OfARimIsAHoleWithItsDiameterAndAxis)

@@ -74,6 +74,31 @@ TEST(ConstrainedMinimiser, ASupportingConstraintDoesNotChangeTheMinimum)
     EXPECT_LT((ConstrainedMinimiser(problem).solve(small.targets, 1) - small.kkt()).norm(), 1e-10);
 }
 
+// A refinement would hide a mistake in the first solution.
+TEST(ConstrainedMinimiser, TheFirstSolutionIsTheMinimumAlready)
+{
+    const Small small;
+    for (const std::vector<int>& supporting : {std::vector<int>{}, std::vector<int>{1}})
+    {
+        QuadraticProblem problem = small.problem();
+        problem.supporting = supporting;
+        const Eigen::MatrixXd u = ConstrainedMinimiser(problem).solve(small.targets, 0);
+        EXPECT_LT((u - small.kkt()).norm(), 1e-9) << supporting.size();
+    }
+}
+
+TEST(ConstrainedMinimiser, MultipliersAndResidualsAreInBalanceHoweverOftenTheyAreRefined)
+{
+    const Small small;
+    const ConstrainedMinimiser minimiser(small.problem());
+    for (const int refinements : {0, 1, 4})
+    {
+        const auto found = minimiser.minimum(small.targets, refinements);
+        const auto left = minimiser.balance(small.targets, found);
+        EXPECT_LT((small.basis.transpose() * left.forces).norm(), 1e-9) << refinements;
+    }
+}
+
 // With and without constraints that are redundant, and one that supports the part.
 TEST(ConstrainedMinimiser, EnergiesOfSparseTargetsAreThoseOfTheirMinima)
 {

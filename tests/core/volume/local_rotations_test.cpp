@@ -56,6 +56,31 @@ TEST(LocalRotationsTest, AStretchedFlatSheetDoesNotTurn)
     EXPECT_LT(found.logs.cwiseAbs().maxCoeff(), 1e-13);
 }
 
+// A flat ring under any map of space: its edges turn by the map, its normal by that of its plane.
+TEST(LocalRotationsTest, AFlatRingInAnyPlaneTurnsByThePolarFactorOfItsMap)
+{
+    std::srand(9);
+    for (int round = 0; round < 30; ++round)
+    {
+        const Matrix3 frame = rotation_from_log(2.0 * Vector3::Random());
+        Points rest = shapes::jittered_grid(4, 4, 1.0, 3).points();
+        const Triangles triangles = shapes::jittered_grid(4, 4, 1.0, 3).triangles();
+        rest = (rest * frame.transpose()).eval();
+        const Matrix3 map = rotation_from_log(0.5 * Vector3::Random())
+                            * (Matrix3::Identity() + 0.3 * Matrix3::Random());
+        const Vector3 normal = frame.col(2);
+        const Vector3 now = (map * frame.col(0)).cross(map * frame.col(1)).normalized();
+        const Matrix3 expected = polar_rotation(
+            map * (Matrix3::Identity() - normal * normal.transpose()) + now * normal.transpose());
+        const TriangleMesh mesh(rest, triangles);
+        const LocalRotationMeter meter(mesh, scene::all_vertices(mesh));
+        const LocalRotations found =
+            meter.measure(rest * map.transpose(), Points::Zero(mesh.vertex_count(), 3));
+        for (const Matrix3& rotation : found.matrices)
+            EXPECT_LT((rotation - expected).norm(), 1e-9) << round;
+    }
+}
+
 TEST(LocalRotationsTest, VerticesWithoutAUsableRingTakeTheReference)
 {
     Points points(5, 3);
@@ -172,6 +197,18 @@ TEST(MeanMotionTest, ExistsForAStraightSourceAndTakesCentroidToCentroid)
     EXPECT_LT((motion.rotation_log - Vector3(0.4, 0, 0)).norm(), 1e-15);
     EXPECT_THROW(mean_motion(rest, deformed, {{rotation, rotation}, logs.topRows(2)}),
                  InvalidInput);
+}
+
+TEST(MeanMotionTest, HeavierVerticesCountMore)
+{
+    Points rest(3, 3), deformed(3, 3);
+    rest << 0, 0, 0, 4, 0, 0, 0, 8, 0;
+    deformed << 1, 0, 0, 4, 3, 0, 0, 8, 7;
+    const std::vector<Matrix3> still(3, Matrix3::Identity());
+    const RigidMotion motion =
+        mean_motion(rest, deformed, {still, Points::Zero(3, 3)}, Vector3(1.0, 2.0, 5.0));
+    EXPECT_LT((motion.pivot - Vector3(1.0, 5.0, 0.0)).norm(), 1e-14);
+    EXPECT_LT((motion.translation - Vector3(0.125, 0.75, 4.375)).norm(), 1e-14);
 }
 
 TEST(MeanMotionTest, TurnsAsTheSourceDoesWhereNoLogNearbyTellsIt)

@@ -43,6 +43,21 @@ TEST(OrientedBoxTest, HoldsEveryPoint)
     EXPECT_NEAR(box.axes.determinant(), 1.0, 1e-12);
 }
 
+// Without a margin a point lies on every side, and none beyond.
+TEST(OrientedBoxTest, EverySideTouchesAPoint)
+{
+    std::srand(2);
+    const Points points = (Points::Random(40, 3) * Vector3(9.0, 5.0, 3.0).asDiagonal()).rowwise()
+                          + Eigen::RowVector3d(30.0, -80.0, 10.0);
+    const OrientedBox box = oriented_box(points, turn, {0.0, 0.0, 1.0});
+    const Points local = (points.rowwise() - box.centre.transpose()) * box.axes;
+    for (int a = 0; a < 3; ++a)
+    {
+        EXPECT_NEAR(local.col(a).maxCoeff(), box.half_extents(a), 1e-12);
+        EXPECT_NEAR(local.col(a).minCoeff(), -box.half_extents(a), 1e-12);
+    }
+}
+
 TEST(OrientedBoxTest, AFlatSetGetsThicknessAndSaysHowMuch)
 {
     const Points points = shapes::grid(6, 3, 60.0, 20.0).points();

@@ -45,6 +45,35 @@ TEST(NearVertices, AreWeldedOverChains)
     EXPECT_EQ(found.equal, 0);
 }
 
+TEST(NearVertices, AreThoseThatAComparisonOfAllPointsFinds)
+{
+    std::srand(3);
+    const Points points = Points::Random(700, 3);
+    const double tolerance = 0.12;
+    Pairs wanted;
+    for (int i = 0; i < points.rows(); ++i)
+        for (int j = i + 1; j < points.rows(); ++j)
+            if ((points.row(i) - points.row(j)).norm() <= tolerance)
+                wanted.emplace_back(i, j);
+    EXPECT_GT(wanted.size(), 100U);
+    EXPECT_EQ(near_pairs(points, tolerance), wanted);
+}
+
+// Two sheets meet at their borders; two closed bodies that touch stay two.
+TEST(NearVertices, OfTwoPiecesAreWeldedAtOpenEdgesOnly)
+{
+    Points corners(6, 3);
+    corners << 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 1e-9, 0, 1, 1e-9, 1, 1, 0;
+    EXPECT_EQ(weld(TriangleMesh(corners, Triangles{{0, 1, 2}, {3, 5, 4}}), 1e-6).first,
+              std::vector<int>({0, 1, 2, 1, 2, 5}));
+    Points two(8, 3);
+    two << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1e-9, 2, 0, 0, 1, 1, 0, 1, 0, 1;
+    const Triangles bodies{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3},
+                           {4, 6, 5}, {4, 5, 7}, {5, 6, 7}, {6, 4, 7}};
+    EXPECT_EQ(weld(TriangleMesh(two, bodies), 1e-6).first,
+              std::vector<int>({0, 1, 2, 3, 4, 5, 6, 7}));
+}
+
 TEST(NearVertices, NeedATolerance)
 {
     EXPECT_THROW(near_pairs(Points::Zero(2, 3), -1.0), InvalidInput);

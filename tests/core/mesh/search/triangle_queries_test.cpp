@@ -73,4 +73,31 @@ TEST(TriangleQueries, TheFirstHitWithoutATreeIsThatOfTheTree)
     EXPECT_THROW(first_hit(points.topRows(4), triangles, {1, 1, 9}, {0, 0, -1}), InvalidInput);
 }
 
+// The distance to a convex set has one minimum: no place nearby on the triangle is nearer.
+TEST(TriangleQueries, NoPlaceOnATriangleIsNearerThanTheNearestOne)
+{
+    std::srand(7);
+    for (int round = 0; round < 300; ++round)
+    {
+        TriangleCorners triangle;
+        for (Vector3& corner : triangle)
+            corner = Vector3::Random();
+        const Vector3 point = 2.0 * Vector3::Random();
+        const Hit hit = nearest_on_triangle(point, triangle);
+        EXPECT_NEAR(hit.barycentric.sum(), 1.0, 1e-12);
+        EXPECT_GE(hit.barycentric.minCoeff(), 0.0);
+        Vector3 place = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+            place += hit.barycentric(k) * triangle[static_cast<std::size_t>(k)];
+        EXPECT_LT((place - hit.point).norm(), 1e-12);
+        EXPECT_NEAR((hit.point - point).norm(), hit.distance, 1e-12);
+        for (const double share : {1.0, 0.1, 1e-3})
+            for (const Vector3& corner : triangle)
+            {
+                const Vector3 other = place + share * (corner - place);
+                EXPECT_GE((other - point).norm(), hit.distance - 1e-12) << round;
+            }
+    }
+}
+
 }  // namespace sheetmorph

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The suite `mutants` plants what it says, and its score is honest."""
+import importlib.util
+import sys
+from types import SimpleNamespace
+
+import pytest
+from source_tree import ROOT
+
+FOLDER = ROOT / "tests" / "mutants"
+
+
+@pytest.fixture(scope="module")
+def runner():
+    sys.path.insert(0, str(FOLDER))
+    try:
+        spec = importlib.util.spec_from_file_location("run_mutants", FOLDER / "run_mutants.py")
+        module = importlib.util.module_from_spec(spec)
+        sys.modules["run_mutants"] = module
+        spec.loader.exec_module(module)
+    finally:
+        sys.path.remove(str(FOLDER))
+    return module
+
+
+def test_there_are_a_hundred_mutations_and_all_can_be_planted(runner):
+    assert len(runner.MUTATIONS) >= 100
+    planted = {(mutation.file, mutation.applied()) for mutation in runner.MUTATIONS}
+    assert len(planted) == len(runner.MUTATIONS)
+
+
+def test_a_mutation_whose_text_has_gone_is_a_failure(runner):
+    stale = runner.Mutation("base/rotation.cpp", "what nobody wrote", "", "*")
+    with pytest.raises(ValueError, match="occurs 0 times"):
+        stale.applied()
+    laboratory = SimpleNamespace(_digests={stale.program: b""})
+    assert runner.Laboratory.judge(laboratory, 0, stale).kind == "unsound"
+
+
+def test_every_mutation_runs_tests_that_exist(runner):
+    named = {}
+    for path in (ROOT / "tests" / "core").rglob("*_test.cpp"):
+        layer = path.relative_to(ROOT / "tests" / "core").parts[0]
+        named[layer] = named.get(layer, "") + path.read_text("utf-8")
+    for mutation in runner.MUTATIONS:
+        layer = mutation.layer or mutation.file.split("/")[0]
+        for suite in mutation.tests.split(":"):
+            name = suite.split(".")[0].strip("*")
+            assert name in named[layer], mutation.label
+
+
+@pytest.mark.parametrize(
+    ("killed", "survived", "unsound", "status"),
+    [(95, 5, 0, 0), (94, 6, 0, 1), (99, 0, 1, 1), (0, 0, 0, 1)],
+)
+def test_the_score_fails_below_95_and_if_something_was_not_tested(
+    runner, killed, survived, unsound, status
+):
+    kinds = ["killed"] * killed + ["survived"] * survived + ["unsound"] * unsound
+    assert runner.score([runner.Verdict(kind, "") for kind in kinds]) == status
+
+
+@pytest.mark.parametrize(
+    ("status", "said", "kind", "reason"),
+    [
+        (0, "[  PASSED  ] 3 tests.", "survived", "all tests passed"),
+        (1, "[  FAILED  ] Rotation.Turns (3 ms)\n", "killed", "Rotation.Turns"),
+        (-11, "", "killed", "ended with -11"),
+        (None, "", "killed", "the tests never ended"),
+    ],
+)
+def test_the_verdict_says_how_a_mutation_was_noticed(runner, status, said, kind, reason):
+    verdict = runner.verdict_of(runner.Ended(status, said, 1.0), 2.0)
+    assert (verdict.kind, verdict.reason) == (kind, reason)

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mistakes in rotations, their logarithms, rigid motions and rates."""
+from mutation import Mutation
+
+ROTATION = "base/rotation.cpp"
+MOTION = "base/rigid_motion.cpp"
+RATES = "base/rates.cpp"
+MOTIONS = "*RigidMotion*"
+
+MUTATIONS = [
+    Mutation(
+        ROTATION, "AngleAxisd(2.0 * half, log / half)", "AngleAxisd(half, log / half)", "Rotation.*"
+    ),
+    Mutation(
+        ROTATION,
+        "std::round((axis.dot(reference) - half) / pi)",
+        "std::round((axis.dot(reference) - half) / (2.0 * pi))",
+        "Rotation.*",
+    ),
+    Mutation(ROTATION, "if (q.w() < 0.0)", "if (q.w() > 0.0)", "Rotation.*"),
+    Mutation(ROTATION, "signs(2) = -1.0", "signs(0) = -1.0", "Rotation*"),
+    Mutation(MOTION, "* share.asDiagonal()\n", "\n", MOTIONS),
+    Mutation(
+        MOTION,
+        "FromTwoVectors(svd.matrixU().col(0), svd.matrixV().col(0))",
+        "FromTwoVectors(svd.matrixV().col(0), svd.matrixU().col(0))",
+        MOTIONS,
+    ),
+    Mutation(MOTION, "goal = (pivot + translation)", "goal = translation", MOTIONS),
+    Mutation(
+        "base/log_near.cpp",
+        "cosine = (1.0 - std::cos(angle)) / angle",
+        "cosine = -(1.0 - std::cos(angle)) / angle",
+        "Rates.*",
+    ),
+    Mutation(
+        "base/log_near.cpp",
+        "0.5 * (rotation + rotation.inverse().transpose())",
+        "0.5 * (rotation + rotation.inverse())",
+        "LogNear*",
+        "volume",
+    ),
+    Mutation(RATES, "return 2.0 * (left_jacobian", "return (left_jacobian", "Rates.*"),
+    Mutation(
+        RATES,
+        "symmetric.trace() * Matrix3::Identity() - symmetric",
+        "symmetric.trace() * Matrix3::Identity() + symmetric",
+        "Rates.*",
+    ),
+    Mutation(RATES, " + rest * known.spin;", " + known.spin;", "Rates.*"),
+    Mutation(RATES, " - rotation * pivot;", ";", "Rates.*"),
+]

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mistakes in factorisations, substitutions, constrained minima and stored products."""
+from mutation import Mutation
+
+DENSE = "numerics/cholesky/dense_cholesky.cpp"
+BUILDER = "numerics/cholesky/front_builder.cpp"
+KERNEL = "numerics/cholesky/front_kernel.cpp"
+SPARSE = "numerics/cholesky/sparse_cholesky.cpp"
+MINIMISER = "numerics/constrained_minimiser.cpp"
+FACTORS = "DenseCholesky.*:FrontalCholesky.*:SparseCholesky.*"
+MINIMA = "ConstrainedMinimiser.*"
+
+MUTATIONS = [
+    Mutation(
+        DENSE,
+        "lower_.block(j, 0, wide, j), -1.0",
+        "lower_.block(j, 0, wide, j), 1.0",
+        "DenseCholesky*",
+        "volume",
+    ),
+    Mutation(DENSE, "panel.block(j, 0, wide, j), -1.0", "panel.block(j, 0, wide, j), 1.0", FACTORS),
+    Mutation(
+        DENSE,
+        "add_product(own, rows.topRows(first), -1.0",
+        "add_product(own, rows.topRows(first), 1.0",
+        FACTORS,
+    ),
+    Mutation(KERNEL, "sums[r] -= row[r][c] * x;", "sums[r] += row[r][c] * x;", FACTORS),
+    Mutation(
+        KERNEL, "x[r] -= row[d][first + r] * x[d];", "x[r] -= row[r][first + d] * x[d];", FACTORS
+    ),
+    Mutation(KERNEL, "sum -= row[r][c] * known[r];", "sum -= row[r][c] * known[0];", FACTORS),
+    Mutation(BUILDER, "+= product(i, j);", "-= product(i, j);", FACTORS),
+    Mutation(BUILDER, "j < std::min(own, i + 1)", "j < std::min(own, i)", FACTORS),
+    Mutation(BUILDER, "if (row >= column)", "if (row > column)", FACTORS),
+    Mutation("numerics/cholesky/front_solver.cpp", "+= part[g].row(", "-= part[g].row(", FACTORS),
+    Mutation(
+        "numerics/cholesky/frontal_cholesky.cpp",
+        "if (parent >= 0 && !work.is_kept[at(parent)])",
+        "if (parent >= 0 && work.is_kept[at(parent)])",
+        FACTORS,
+    ),
+    Mutation(
+        "numerics/cholesky/half_solve.cpp",
+        "-= reached.product(i, j);",
+        "+= reached.product(i, j);",
+        FACTORS,
+    ),
+    Mutation(
+        "numerics/cholesky/half_solve.cpp", "+= entry.value();", "= entry.value() / 2.0;", FACTORS
+    ),
+    Mutation(
+        SPARSE, "rows_scaled(rows, weights.cwiseSqrt())", "rows_scaled(rows, weights)", MINIMA
+    ),
+    Mutation(SPARSE, "right_sides(row, first + column)", "right_sides(row, column)", FACTORS),
+    Mutation(
+        "numerics/cholesky/nested_dissection.cpp",
+        "? 0 : set.parent + before",
+        "? 0 : set.parent",
+        "NestedDissection.*",
+    ),
+    Mutation(
+        "numerics/cholesky/nested_dissection.cpp",
+        "tree.lowest.push_back(node)",
+        "tree.lowest.push_back(0)",
+        FACTORS,
+    ),
+    Mutation(
+        "numerics/elimination.cpp",
+        ": earlier.matrix_.unknown_of[at(row)] < 0",
+        ": true",
+        FACTORS,
+    ),
+    Mutation(
+        MINIMISER, "gradient -= reduced_constraints_", "gradient += reduced_constraints_", MINIMA
+    ),
+    Mutation(MINIMISER, "right_side += support_ * (reduced", "right_side += (reduced", MINIMA),
+    Mutation(
+        MINIMISER, "{start - responses_ * multipliers", "{start + responses_ * multipliers", MINIMA
+    ),
+    Mutation(MINIMISER, "found += excess.transpose()", "found -= excess.transpose()", MINIMA),
+    Mutation(
+        MINIMISER, "found += support_ * weighted_squares", "found += weighted_squares", MINIMA
+    ),
+    Mutation(
+        "numerics/row_products.cpp",
+        "entry.value() * weights_(entry.row()) * of_rows_",
+        "entry.value() * of_rows_",
+        "RowProducts*",
+    ),
+    Mutation(
+        "numerics/panel_rows.cpp", "static_cast<float>(rows(row, k) - most)", "0.0F", "PanelRows.*"
+    ),
+    Mutation(
+        "numerics/response/response_basis.cpp",
+        "order[at(k)])]));",
+        "order[0])]));",
+        "*ResponseBasis*",
+    ),
+    Mutation(
+        "numerics/dense_products.cpp",
+        "result[c] += row[rest] *",
+        "result[c] = row[rest] *",
+        "DenseProducts*",
+        "volume",
+    ),
+    Mutation(
+        "numerics/dense_products.cpp",
+        "right.middleRows(j, wide)",
+        "right.topRows(wide)",
+        "DenseCholesky.*",
+    ),
+]
