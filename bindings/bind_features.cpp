@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/assembly.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/forms/feature_shape.h"
+#include "sheetmorph/mesh/quality/noise.h"
 #include "arrays.h"
 #include "layers.h"
 
@@ -170,7 +171,7 @@ void bind_shape(py::module_& module)
             for (const int vertex : ids)
                 if (vertex < 0 || vertex >= mesh.vertex_count())
                     throw InvalidInput("vertex " + std::to_string(vertex) + " does not exist");
-            return feature_shape(mesh, ids);
+            return feature_shape(mesh, ids, scatter_of(mesh));
         },
         py::arg("points"), py::arg("triangles"), py::arg("vertices"),
         "The hole, slot or cylinder that vertices (k,) are; None if they are neither.");

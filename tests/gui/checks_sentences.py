@@ -16,6 +16,7 @@ from desk import press_tool, replace_file, settled, until, view, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import selecting
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.qt import QtWidgets
 from freecad.sheetmorph.scene.wireframe import NAME
 from pivy import coin
 from scenes import assembly, new_document, part, regions
@@ -25,6 +26,7 @@ __all__ = [
     "test_a_macro_of_face_brush_rim_and_lasso_picks_is_short_and_replays_to_the_bit",
     "test_a_part_prepared_anew_by_mouse_keeps_every_region",
     "test_a_changed_step_file_keeps_every_region_and_lights_up_what_differs",
+    "test_a_hole_that_may_be_another_one_is_asked_for",
     "test_a_selector_is_typed_in_the_panel",
 ]
 LONGEST = 2000  # characters of a macro with a pick of every kind
@@ -164,6 +166,47 @@ def test_a_changed_step_file_keeps_every_region_and_lights_up_what_differs():
     App.ActiveDocument.recompute()
     assert abs(np.ptp(api.rest_mesh(plate)[0][:, 1]) - 40.0) < 1e-6
     assert [api.where(region) for region in marked] == said
+
+
+def drilled(*places: float):
+    """A plate of 160 x 40 x 2 mm with holes of 9 mm along x."""
+    shape = Part.makeBox(160, 40, 2)
+    for x in places:
+        shape = shape.cut(Part.makeCylinder(4.5, 4, App.Vector(x, 20, -1)))
+    return shape
+
+
+def test_a_hole_that_may_be_another_one_is_asked_for():
+    yield from new_document()
+    document = App.ActiveDocument
+    source = document.addObject("Part::Feature", "Drilled")
+    source.Shape = drilled(20, 50, 80, 110)
+    (plate,) = api.add_shape(api.create_assembly(document), source, "plate", {"edge": 8.0})
+    where = {"rim_at": [50, 20, 2], "rings": 1}
+    hole = api.add_feature(model.assembly_of(plate), plate, where, "second hole")
+    document.recompute()
+    source.Shape = drilled(20, 66, 80, 110)
+    document.recompute()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(plate)
+    asked, usual = [], QtWidgets.QInputDialog.getItem
+
+    def answer(_parent, title, label, texts, *_):
+        asked.append((title, label, texts))
+        return texts[0], True
+
+    QtWidgets.QInputDialog.getItem = answer
+    try:
+        Gui.runCommand("SheetMorph_FollowShape")
+        yield from until(lambda: not plate.SourceChanged, "the part to follow")
+    finally:
+        QtWidgets.QInputDialog.getItem = usual
+    ((title, label, texts),) = asked
+    assert title == "Follow Shape" and "“second hole” was the round hole of 9 mm" in label, label
+    assert "at (66, 20" in texts[0] and len(texts) == 2, texts
+    along = api.rest_mesh(plate)[0][api.vertices(hole), 0]
+    assert abs(0.5 * (along.min() + along.max()) - 66.0) < 1.0
+    assert document.UndoNames[0] == "Follow Shape"
 
 
 def found_parts() -> list:

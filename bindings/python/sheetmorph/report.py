@@ -22,6 +22,7 @@ from .recipe.feature_entries import SymmetryEntry
 from .recipe.pose import entries_of
 from .regions_report import region_entries
 from .results import FeatureResult
+from .sizes_report import measured_size, missed_sizes
 from .shape_report import WrittenShapes, kink_notes, shape_failures, shape_report
 from .stretch import steel_report, stretch_report
 from .thin import crossings, thickness_in_file, thin_failures, thin_report
@@ -75,10 +76,9 @@ def make_report(
     features = _features(result, files)
     parts = [part_report(result, name, files.get(name), is_brief) for name in session.parts]
     warnings = warnings_of(result, parts)
-    failures = [*_torn(features, tol), *thin_failures(result, tol)]
-    failures += [*unsettled(parts), *shape_faults(parts)]
+    failures = [*_torn(features, tol), *missed_sizes(features, parts, tol)]
+    failures += [*thin_failures(result, tol), *unsettled(parts), *shape_faults(parts)]
     failures += beside.texts("failures")
-    told = [*_kinks(parts), *beside.texts("notes")]
     return {
         "sheetmorph_report": 1,
         "versions": _versions(session.core),
@@ -94,11 +94,16 @@ def make_report(
         "regions": [] if is_brief else result.once("regions", partial(region_entries, session)),
         **{"parts": parts, "repairs": result.repairs},
         **{"order": session.order, "levels": session.levels, "unreached": session.unreached},
-        "notes": [*notes_of(session), *shape_notes(result, parts), *told, *warnings],
+        "notes": [*_notes(result, parts, beside), *warnings],
         "warnings": warnings,
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
+
+
+def _notes(result: Answer, parts: list[dict[str, Any]], beside: FilesTold) -> list[str]:
+    told = [*_kinks(parts), *beside.texts("notes")]
+    return [*notes_of(result.session), *shape_notes(result, parts), *told]
 
 
 def shape_faults(parts: list[dict[str, Any]]) -> list[str]:
@@ -159,6 +164,7 @@ def _feature(
     in_mesh = partial(error_of, result.positions[feature.part])
 
     written = files.get(feature.part)
+    positions = result.positions[feature.part] if written is None else written.positions
     return {
         "name": feature.name,
         "part": feature.part,
@@ -169,6 +175,7 @@ def _feature(
         "motion": feature.motion,
         "kind": feature.kind,
         "size": feature.size,
+        "measured_size": measured_size(result, feature, positions),
         "outline_error": feature.outline_error,
         "rotation": feature.rotation.tolist(),
         "translation": feature.translation.tolist(),

@@ -2,6 +2,7 @@
 #include "sheetmorph/forms/feature_patch.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/mesh/regions/crease_loops.h"
 #include "sheetmorph/mesh/topology/boundary.h"
 
 #include <algorithm>
@@ -43,7 +44,8 @@ Triangles stacked(const std::vector<Eigen::RowVector3i>& rows)
 
 }  // namespace
 
-FeaturePatch::FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices)
+FeaturePatch::FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices, double scatter)
+    : scatter_(scatter)
 {
     std::vector<char> is_inside(at(mesh.vertex_count()), 0);
     Renumbering numbers;
@@ -65,10 +67,13 @@ FeaturePatch::FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices)
     mesh_ =
         TriangleMesh(mesh.points()(numbers.vertices(), Eigen::indexing::all), stacked(touching));
     loops_ = border_loops();
+    is_free_ = !loops_.empty();
     if (loops_.empty() && has_triangles(feature_))
     {
         loops_ = loops_of(feature_);
         is_disk_ = loops_.size() == 1;
+        if (!is_disk_)
+            add_sharp_loops();
     }
     else if (loops_.empty())
         loops_ = edge_loop();
@@ -107,6 +112,24 @@ std::vector<VertexIds> FeaturePatch::border_loops() const
         if (std::all_of(loop.begin(), loop.end(), [&](int v) { return is_inside[at(v)] != 0; }))
             found.push_back(loop);
     return found;
+}
+
+// A hole through a solid has its rims inside the rings of washer around it.
+void FeaturePatch::add_sharp_loops()
+{
+    constexpr double sharp = 0.6;  // radians, as for the rims that are found
+    const std::vector<char> is_inside = marked(feature_);
+    const std::vector<VertexIds> known = loops_;
+    for (const VertexIds& loop : crease_loops(mesh_, EdgeTable(mesh_), sharp))
+    {
+        const bool is_new = std::none_of(
+            known.begin(), known.end(),
+            [&](const VertexIds& other)
+            { return std::is_permutation(loop.begin(), loop.end(), other.begin(), other.end()); });
+        if (is_new
+            && std::all_of(loop.begin(), loop.end(), [&](int v) { return is_inside[at(v)] != 0; }))
+            loops_.push_back(loop);
+    }
 }
 
 // The feature's edges, if they are one closed row.

@@ -11,7 +11,10 @@ class FeaturePatch
 {
 public:
     //! \param vertices  of the feature, in any order, repeated or not
-    FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices);
+    //! \param scatter   standard deviation of the mesh's vertices, mm
+    FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices, double scatter = 0.0);
+
+    double scatter() const { return scatter_; }
 
     //! The feature's vertices and their neighbours; every index below is one of this mesh.
     const TriangleMesh& mesh() const { return mesh_; }
@@ -20,8 +23,12 @@ public:
     const VertexIds& rows() const { return rows_; }        //!< as given to the constructor
 
     //! The closed loops that may be its rim, the shortest first: borders of the sheet inside it;
-    //! without those, the borders of its triangles; without triangles, its edges.
+    //! without those, the borders of its triangles and the sharp edges among them; without
+    //! triangles, its edges.
     const std::vector<VertexIds>& loops() const { return loops_; }
+
+    //! Whether the loops are borders of the sheet.
+    bool is_free() const { return is_free_; }
 
     //! Whether it fills the inside of its only loop.
     bool is_disk() const { return is_disk_; }
@@ -41,6 +48,7 @@ private:
     Triangles triangles_among(const VertexIds& vertices) const;
     std::vector<VertexIds> border_loops() const;
     std::vector<VertexIds> edge_loop() const;
+    void add_sharp_loops();
     double length_of(const VertexIds& loop) const;
 
     TriangleMesh mesh_;
@@ -48,6 +56,8 @@ private:
     VertexIds rows_;
     std::vector<VertexIds> loops_;
     bool is_disk_ = false;
+    bool is_free_ = false;
+    double scatter_ = 0.0;
 };
 
 }  // namespace sheetmorph

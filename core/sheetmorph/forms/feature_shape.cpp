@@ -41,15 +41,21 @@ struct Core
     bool has_wall = false;
 };
 
+double slack_of(const RimProfile& profile)
+{
+    return std::max(rim_tolerance * profile.radius, profile.tolerance);
+}
+
 // The vertices of the feature nearest to the axis.
 VertexIds innermost(const FeaturePatch& patch, const RimProfile& profile)
 {
     double least = std::numeric_limits<double>::infinity();
     for (const int vertex : patch.feature())
         least = std::min(least, profile.distance(point_of(patch, vertex)));
+    const double slack = std::max(rim_tolerance * profile.radius, 2.0 * profile.residual);
     VertexIds found;
     for (const int vertex : patch.feature())
-        if (profile.distance(point_of(patch, vertex)) <= least + rim_tolerance * profile.radius)
+        if (profile.distance(point_of(patch, vertex)) <= least + slack)
             found.push_back(vertex);
     return found;
 }
@@ -69,11 +75,10 @@ double spread_along(const FeaturePatch& patch, const RimProfile& profile, const 
 
 bool lie_on(const FeaturePatch& patch, const RimProfile& profile, const VertexIds& vertices)
 {
-    return std::all_of(vertices.begin(), vertices.end(),
-                       [&](int vertex) {
-                           return std::abs(profile.distance(point_of(patch, vertex)))
-                                  <= rim_tolerance * profile.radius;
-                       });
+    return std::all_of(
+        vertices.begin(), vertices.end(),
+        [&](int vertex)
+        { return std::abs(profile.distance(point_of(patch, vertex))) <= slack_of(profile); });
 }
 
 // The outline between two rims, if they face each other.
@@ -104,8 +109,8 @@ std::optional<Core> wall(const FeaturePatch& patch, const VertexIds& vertices)
     Core core{{}, vertices, patch.loops_of(vertices), true};
     if (core.rims.size() != 2)
         return std::nullopt;
-    const std::optional<RimProfile> one = fit_rim(patch.points_of(core.rims[0]));
-    const std::optional<RimProfile> other = fit_rim(patch.points_of(core.rims[1]));
+    const std::optional<RimProfile> one = fit_rim(patch.points_of(core.rims[0]), patch.scatter());
+    const std::optional<RimProfile> other = fit_rim(patch.points_of(core.rims[1]), patch.scatter());
     if (!one || !other || one->is_circle() != other->is_circle())
         return std::nullopt;
     const std::optional<RimProfile> profile = between(*one, *other);
@@ -118,12 +123,22 @@ std::optional<Core> wall(const FeaturePatch& patch, const VertexIds& vertices)
     return core;
 }
 
+// Whether a free rim is one of a hole: the sheet goes on outwards, not along the axis.
+bool goes_outwards(const FeaturePatch& patch, const RimProfile& profile, const VertexIds& loop)
+{
+    double outwards = 0.0;
+    for (const int vertex : patch.neighbours_of(loop))
+        outwards += profile.distance(point_of(patch, vertex))
+                    - std::abs(profile.height(point_of(patch, vertex)));
+    return outwards > 0.0;
+}
+
 std::optional<Core> core_around(const FeaturePatch& patch, const VertexIds& loop)
 {
-    const std::optional<RimProfile> profile = fit_rim(patch.points_of(loop));
+    const std::optional<RimProfile> profile = fit_rim(patch.points_of(loop), patch.scatter());
     if (!profile)
         return std::nullopt;
-    if (patch.is_disk())
+    if (patch.is_disk() || (patch.is_free() && goes_outwards(patch, *profile, loop)))
         return Core{*profile, loop, {loop}, false};
     const VertexIds inner = innermost(patch, *profile);
     if (spread_along(patch, *profile, inner) > lowest_wall * profile->radius
@@ -156,13 +171,14 @@ bool is_hole(const FeaturePatch& patch, const Core& core)
     return true;
 }
 
-// All of it from the rim outwards, a share of it inside a filled rim.
-Vector3 growth_at(const FeatureShape& shape, const RimProfile& profile, const Vector3& point)
+// All of it on the rim, however uneven, and from there outwards; a share of it inside a filled rim.
+Vector3 growth_at(const FeatureShape& shape, const RimProfile& profile, const Vector3& point,
+                  bool is_rim)
 {
     if (shape.kind == FeatureShape::Kind::slot)
         return 0.5 * profile.place_along(point) * profile.frame.col(0);
     const double out = profile.distance(point) / profile.radius;
-    const double share = out < -rim_tolerance ? 1.0 + out : 1.0;
+    const double share = !is_rim && out < -rim_tolerance ? 1.0 + out : 1.0;
     const double per_radius = shape.kind == FeatureShape::Kind::hole ? 0.5 : 1.0;
     return per_radius * share * profile.outward(point);
 }
@@ -215,9 +231,12 @@ FeatureShape shape_of(const FeaturePatch& patch, const Core& core)
     for (Eigen::Index row = 0; row < count; ++row)
     {
         const int vertex = patch.rows()[static_cast<std::size_t>(row)];
-        shape.growth.row(row) = growth_at(shape, profile, point_of(patch, vertex)).transpose();
+        const bool is_rim =
+            std::find(core.vertices.begin(), core.vertices.end(), vertex) != core.vertices.end();
+        shape.growth.row(row) =
+            growth_at(shape, profile, point_of(patch, vertex), is_rim).transpose();
         shape.rounding.row(row) = rounding.row(vertex);
-        if (std::find(core.vertices.begin(), core.vertices.end(), vertex) != core.vertices.end())
+        if (is_rim)
             shape.rim.push_back(static_cast<int>(row));
     }
     return shape;
@@ -255,9 +274,10 @@ double FeatureShape::outline_error(const Points& placed, double wanted) const
     return worst;
 }
 
-std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const VertexIds& vertices)
+std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const VertexIds& vertices,
+                                          double scatter)
 {
-    const FeaturePatch patch(mesh, vertices);
+    const FeaturePatch patch(mesh, vertices, scatter);
     for (const VertexIds& loop : patch.loops())
     {
         const std::optional<Core> core = core_around(patch, loop);

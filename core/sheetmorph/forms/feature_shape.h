@@ -46,6 +46,8 @@ struct FeatureShape
 //! or closed loop in the surface) or a slot, with or without rings of washer, which keep their
 //! width; the same through both skins of a thin solid, with its wall; a cylinder or a part of one.
 //! \param vertices  in any order; rows of the answer are in this order
-std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const VertexIds& vertices);
+//! \param scatter   of a measured mesh, scatter_of(), mm: its rims are allowed to be as uneven
+std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const VertexIds& vertices,
+                                          double scatter = 0.0);
 
 }  // namespace sheetmorph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/forms/rim_profile.h"
 
+#include "sheetmorph/mesh/regions/outline.h"
 #include "sheetmorph/numerics/newton_minimum.h"
 
 #include <Eigen/Geometry>
@@ -16,18 +17,8 @@ namespace sheetmorph
 namespace
 {
 
-constexpr Eigen::Index fewest_points = 6;
-
-// Of the radius: how far a point may be from the outline, across and along the axis.
-constexpr double across_tolerance = 0.02;
+// Of the radius: how far a point may be from the plane of the rim.
 constexpr double along_tolerance = 0.05;
-
-// Half the straight side of the shortest slot, over its radius.
-constexpr double shortest_slot = 0.05;
-
-// Enclosed area of the round ends over squared radius: 2.6 for a hexagon, 2 for three points an
-// end.
-constexpr double least_round_area = 1.8;
 
 // Rounds of the fit, and the steps over the outline's size that count as small and as none.
 constexpr int most_rounds = 100;
@@ -152,68 +143,6 @@ std::optional<Stadium> fitted(const Plane& points, const Stadium& start, bool is
                                                         : std::nullopt;
 }
 
-Stadium first_circle(const Plane& points)
-{
-    Stadium circle;
-    circle.centre = points.colwise().mean().transpose();
-    circle.radius = (points.rowwise() - circle.centre.transpose()).rowwise().norm().mean();
-    return circle;
-}
-
-// Along the pair of points farthest apart.
-Stadium first_slot(const Plane& points)
-{
-    Vector2 longest = Vector2::Zero();
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-        for (Eigen::Index j = 0; j < i; ++j)
-            if ((points.row(i) - points.row(j)).norm() > longest.norm())
-                longest = (points.row(i) - points.row(j)).transpose();
-    Stadium slot;
-    slot.angle = std::atan2(longest(1), longest(0));
-    const Eigen::VectorXd along = points * slot.along();
-    const Eigen::VectorXd across = points * slot.across();
-    slot.centre = 0.5 * (along.maxCoeff() + along.minCoeff()) * slot.along()
-                  + 0.5 * (across.maxCoeff() + across.minCoeff()) * slot.across();
-    slot.radius = 0.5 * (across.maxCoeff() - across.minCoeff());
-    slot.half_segment = std::max(0.0, 0.5 * (along.maxCoeff() - along.minCoeff()) - slot.radius);
-    return slot;
-}
-
-// Three points at each end: a rectangle's corners alone are no slot.
-bool has_round_ends(const Plane& points, const Stadium& slot)
-{
-    const Eigen::ArrayXd along = (points.rowwise() - slot.centre.transpose()) * slot.along();
-    const double end = slot.half_segment - across_tolerance * slot.radius;
-    return (along > end).count() >= 3 && (along < -end).count() >= 3;
-}
-
-// Whether the row of points goes around the outline: its area is enough to tell.
-bool goes_around(const Plane& points, const Stadium& shape)
-{
-    double area = 0.0;
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-    {
-        const Eigen::Index next = (i + 1) % points.rows();
-        area += 0.5 * (points(i, 0) * points(next, 1) - points(i, 1) * points(next, 0));
-    }
-    const double straight = 4.0 * shape.half_segment * shape.radius;
-    return std::abs(area) > straight + least_round_area * shape.radius * shape.radius;
-}
-
-std::optional<Stadium> outline(const Plane& points)
-{
-    const auto fits = [&](const Stadium& shape)
-    { return misses(points, shape).cwiseAbs().maxCoeff() < across_tolerance * shape.radius; };
-    const std::optional<Stadium> circle = fitted(points, first_circle(points), false);
-    if (circle && fits(*circle) && goes_around(points, *circle))
-        return circle;
-    const std::optional<Stadium> slot = fitted(points, first_slot(points), true);
-    if (slot && slot->half_segment > shortest_slot * slot->radius && fits(*slot)
-        && goes_around(points, *slot) && has_round_ends(points, *slot))
-        return slot;
-    return std::nullopt;
-}
-
 //! A plane with a unit of length, in which outlines are fitted.
 struct Chart
 {
@@ -239,19 +168,38 @@ struct Chart
     }
 };
 
-Chart chart_of(const Points& rim)
+// A slot is fitted by least squares, so that noise counts less than in the outline's corners.
+std::optional<RimProfile> slot_of(const Points& rim, const Outline& outline)
 {
-    const Vector3 origin = (rim.row(0) + (rim.rowwise() - rim.row(0)).colwise().mean()).transpose();
-    const Points offsets = rim.rowwise() - origin.transpose();
-    Vector3 sense = Vector3::Zero();
-    for (Eigen::Index i = 0; i < rim.rows(); ++i)
-        sense += Vector3(offsets.row(i)).cross(Vector3(offsets.row((i + 1) % rim.rows())));
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeThinV);
-    Matrix3 frame = svd.matrixV();
-    if (frame.col(2).dot(sense) < 0.0)
-        frame.col(2) = -frame.col(2);
-    frame.col(1) = frame.col(2).cross(frame.col(0));
-    return {origin, frame, std::sqrt(offsets.squaredNorm() / static_cast<double>(rim.rows()))};
+    Matrix3 frame;
+    frame << outline.along, outline.axis.cross(outline.along), outline.axis;
+    const double half = 0.5 * outline.width;
+    const double segment = 0.5 * outline.length - half;
+    const Chart chart{outline.center, frame, half + segment};
+    const Plane points = chart.flat(rim);
+    const Stadium start{Vector2::Zero(), 0.0, segment / chart.unit, half / chart.unit};
+    const std::optional<Stadium> slot = fitted(points, start, true);
+    if (!slot || misses(points, *slot).cwiseAbs().maxCoeff() * chart.unit > outline.tolerance
+        || !(slot->half_segment > 0.0))
+        return std::nullopt;
+    return chart.profile(*slot);
+}
+
+// Whether the points enclose an area: no plane fits a slit or a single place.
+bool goes_around_something(const Points& rim)
+{
+    constexpr double slimmest = 1e-8;
+    const double area = doubled_area(rim).norm();
+    return area > slimmest * (rim.rowwise() - rim.row(0)).squaredNorm();
+}
+
+RimProfile circle_of(const Outline& outline)
+{
+    RimProfile circle;
+    circle.centre = outline.center;
+    circle.frame << outline.along, outline.axis.cross(outline.along), outline.axis;
+    circle.radius = outline.radius;
+    return circle;
 }
 
 }  // namespace
@@ -285,20 +233,26 @@ double RimProfile::place_along(const Vector3& point) const
     return std::clamp((point - centre).dot(frame.col(0)) / half_segment, -1.0, 1.0);
 }
 
-std::optional<RimProfile> fit_rim(const Points& rim)
+std::optional<RimProfile> fit_rim(const Points& rim, double scatter)
 {
-    if (rim.rows() < fewest_points)
+    if (rim.rows() < fewest_outline_vertices || !goes_around_something(rim))
         return std::nullopt;
-    const Chart chart = chart_of(rim);
-    if (!(chart.unit > 0.0))
+    const Outline outline = fit_outline(rim, default_roundness, scatter);
+    std::optional<RimProfile> profile;
+    if (outline.kind == OutlineKind::round)
+        profile = circle_of(outline);
+    else if (outline.kind == OutlineKind::slotted)
+        profile = slot_of(rim, outline);
+    if (!profile)
         return std::nullopt;
-    const std::optional<Stadium> found = outline(chart.flat(rim));
-    if (!found)
-        return std::nullopt;
-    const RimProfile profile = chart.profile(*found);
+    profile->tolerance = outline.tolerance;
     for (Eigen::Index i = 0; i < rim.rows(); ++i)
-        if (std::abs(profile.height(rim.row(i).transpose())) > along_tolerance * profile.radius)
+    {
+        const Vector3 point = rim.row(i).transpose();
+        if (std::abs(profile->height(point)) > along_tolerance * profile->radius)
             return std::nullopt;
+        profile->residual = std::max(profile->residual, std::abs(profile->distance(point)));
+    }
     return profile;
 }
 
@@ -308,7 +262,12 @@ std::optional<RimProfile> refit(const RimProfile& profile, const Points& points)
     const Chart chart{profile.centre, profile.frame, unit};
     const Stadium start{Vector2::Zero(), 0.0, profile.half_segment / unit, profile.radius / unit};
     const auto found = fitted(chart.flat(points), start, !profile.is_circle());
-    return found ? std::optional(chart.profile(*found)) : std::nullopt;
+    if (!found)
+        return std::nullopt;
+    RimProfile better = chart.profile(*found);
+    better.tolerance = profile.tolerance;
+    better.residual = profile.residual;
+    return better;
 }
 
 }  // namespace sheetmorph

@@ -16,6 +16,8 @@ struct RimProfile
     Matrix3 frame = Matrix3::Identity();  //!< columns: along the segment, across, axis
     double half_segment = 0.0;            //!< mm; 0 for a circle
     double radius = 0.0;                  //!< mm
+    double tolerance = 0.0;               //!< how far points of the rim may be from it, mm
+    double residual = 0.0;                //!< how far its own points are from it at most, mm
 
     bool is_circle() const { return half_segment == 0.0; }
 
@@ -32,10 +34,11 @@ struct RimProfile
     double place_along(const Vector3& point) const;
 };
 
-//! The outline that a closed row of points runs around, if it is one: within 2 % of its radius
-//! across the axis and 5 % along it, at least 6 points, 3 at each end of a slot.
-//! \param rim  (k, 3) mm, in order
-std::optional<RimProfile> fit_rim(const Points& rim);
+//! The circle or slot that a closed row of points runs around, as fit_outline() decides it; nothing
+//! if it is neither, or if a point is farther from its plane than 5 % of the radius.
+//! \param rim      (k, 3) mm, in order
+//! \param scatter  of the mesh, as for fit_outline()
+std::optional<RimProfile> fit_rim(const Points& rim, double scatter = 0.0);
 
 //! The outline through points near one: the same axis, its other numbers by least squares; nothing
 //! if they do not settle.

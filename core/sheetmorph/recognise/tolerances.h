@@ -11,7 +11,7 @@ struct FeatureTolerances
     double crease_angle = 0.6;  //!< a bend sharper than this is an edge of the shape (34 degrees)
     double smooth_angle = 0.9;  //!< the same where a curved surface may go on (52 degrees)
     double plane_angle = 0.1;   //!< largest bend inside a plane (6 degrees)
-    double roundness = 0.12;    //!< residual of a round rim over its radius
+    double roundness = 0.12;    //!< most that a rim may be off its form, over half its width
     double surface = 0.01;      //!< residual of a cylinder, cone, sphere over its radius
     double smallest_area = 0.004;  //!< area of a plane, flange or bead over that of its part
     double scatter = -1.0;         //!< mm, of measured vertices about their surface, as a standard

@@ -169,7 +169,7 @@ class _Pair:
         return rows[is_placed], columns[nearest[is_placed]]
 
     def _explained(self, first: list[Motion]) -> _Explanation:
-        """Holes at rest come first unless a first motion is given; groups and single ones follow."""
+        """Take holes at rest first unless a motion is given, then groups, then single ones."""
         pairs, groups = np.full(len(self.old), -1), np.zeros(len(self.old), dtype=int)
 
         def take(motion: Motion | None) -> None:

@@ -2,8 +2,10 @@
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/quality/noise.h"
 
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace sheetmorph
@@ -41,13 +43,16 @@ bool is_sized(const PartFeature& feature)
 std::vector<std::optional<FeatureShape>> shapes_of_sized(const Assembly& assembly)
 {
     std::vector<std::optional<FeatureShape>> shapes;
+    std::map<int, double> scatters;  // by part
     for (const PartFeature& feature : assembly.features)
     {
         shapes.emplace_back();
         if (!is_sized(feature))
             continue;
         const Part& part = assembly.parts[static_cast<std::size_t>(feature.part)];
-        shapes.back() = feature_shape(part.mesh, feature.vertices);
+        if (scatters.count(feature.part) == 0)
+            scatters[feature.part] = scatter_of(part.mesh);
+        shapes.back() = feature_shape(part.mesh, feature.vertices, scatters[feature.part]);
         if (!shapes.back())
             throw InvalidInput("part '" + part.name + "': feature '" + feature.name
                                + "' has a size, but its vertices are no hole, slot or cylinder; "

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/convergence.h"
-#include "sheetmorph/base/types.h"
+#include "sheetmorph/mesh/regions/outline.h"
 
 namespace sheetmorph
 {
@@ -30,6 +30,12 @@ enum class FeatureKind
 
 //! "round hole", "slotted hole", ...: what files and people call a kind.
 const char* name_of(FeatureKind kind);
+
+//! What a hole with such a rim is.
+FeatureKind hole_kind(OutlineKind outline);
+
+//! What a raised place of this length and width is called: a bead or an emboss.
+FeatureKind raised_kind(double length, double width);
 
 //! A feature found on a mesh. Lengths in mm, angles in radians; what a kind has
 //! not is zero.

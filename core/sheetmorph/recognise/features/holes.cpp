@@ -2,8 +2,9 @@
 #include "sheetmorph/recognise/features/holes.h"
 
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/regions/outline.h"
 #include "sheetmorph/recognise/features/hole_wall.h"
-#include "sheetmorph/recognise/features/outline.h"
+#include "sheetmorph/recognise/features/outer_borders.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -38,7 +39,8 @@ public:
           tolerances_(tolerances),
           labels_(smooth_regions(graph, tolerances.crease_angle)),
           loops_(region_loops(graph, labels_)),
-          free_loops_(region_loops(graph, std::vector<int>(labels_.size(), 0)))
+          free_loops_(region_loops(graph, std::vector<int>(labels_.size(), 0))),
+          borders_(graph, free_loops_)
     {
         for (const RegionLoop& loop : loops_)
             if (loop.inwards < -0.35)
@@ -77,6 +79,7 @@ private:
     std::vector<int> labels_;
     std::vector<RegionLoop> loops_;
     std::vector<RegionLoop> free_loops_;  // of the part as a whole: noise makes creases beside them
+    OuterBorders borders_;
     std::vector<const RegionLoop*> rims_;
     std::vector<Feature> features_;
     std::map<int, std::size_t> owner_;  // of a triangle in a wall: its feature
@@ -98,12 +101,12 @@ std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
     const Points rim = graph_.mesh().points()(loop.vertices, Eigen::indexing::all);
     const Outline outline = fit_outline(rim, tolerances_.roundness, graph_.scatter());
     const int count = static_cast<int>(loop.vertices.size());
-    if (outline.kind != FeatureKind::rectangular_hole && count < tolerances_.fewest_rim_vertices)
+    if (outline.kind != OutlineKind::rectangular && count < tolerances_.fewest_rim_vertices)
         return std::nullopt;
     if (outline.bulge > most_bulge * std::sqrt(loop.area))
         return std::nullopt;
     Feature feature;
-    feature.kind = outline.kind;
+    feature.kind = hole_kind(outline.kind);
     feature.center = outline.center;
     feature.axis = outline.axis;
     feature.radius = outline.radius;
@@ -193,6 +196,8 @@ void RimFinder::take_walled(const RegionLoop& loop, const WallTracer& tracer)
                             || (wall.is_open && wall.covered < collar_cover
                                 && std::abs(wall.height) >= lowest_collar * graph_.scatter());
     const bool is_hole = is_through || is_blind_hole(loop, wall);
+    if (is_through && borders_.has(loop))
+        return;
     if (!is_hole)
     {
         if (wall.triangles.empty() || wall.leads_out)
@@ -242,8 +247,9 @@ void RimFinder::take_free(const RegionLoop& loop)
         }
     const bool is_round = feature->kind == FeatureKind::round_hole;
     const bool is_hole =
-        loop.inwards < -0.35
-        || (loop.inwards < 0.35 && is_round && spreads_beyond(loop, feature->radius));
+        (loop.inwards < -0.35
+         || (loop.inwards < 0.35 && is_round && spreads_beyond(loop, feature->radius)))
+        && !borders_.has(loop);
     if (!is_hole && is_round)
         feature->kind = FeatureKind::round_edge;
     if ((is_hole && is_in_range(*feature)) || (!is_hole && is_round))

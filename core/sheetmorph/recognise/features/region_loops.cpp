@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/region_loops.h"
 
+#include "sheetmorph/mesh/regions/outline.h"
 #include "sheetmorph/mesh/topology/boundary.h"
-#include "sheetmorph/recognise/features/outline.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

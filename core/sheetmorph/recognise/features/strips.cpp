@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/strips.h"
 
+#include "sheetmorph/mesh/regions/outline.h"
 #include "sheetmorph/recognise/features/hole_wall.h"
-#include "sheetmorph/recognise/features/outline.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "sheetmorph/surface/bodies/sizes.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/mesh/quality/noise.h"
 
 #include <cmath>
 #include <sstream>
@@ -25,12 +26,15 @@ FeatureShapes resizable_shapes(const TriangleMesh& mesh, const SurfaceConstraint
 {
     FeatureShapes shapes(constraints.features.size());
     std::vector<int> owner(static_cast<std::size_t>(mesh.vertex_count()), -1);
+    std::optional<double> scatter;
     for (std::size_t k = 0; k < shapes.size(); ++k)
     {
         const FormFeature& feature = constraints.features[k];
         if (!feature.is_resizable)
             continue;
-        shapes[k] = feature_shape(mesh, feature.vertices);
+        if (!scatter)
+            scatter = scatter_of(mesh);
+        shapes[k] = feature_shape(mesh, feature.vertices, *scatter);
         if (!shapes[k])
             throw InvalidInput(feature.label()
                                + " is neither a hole, a slot nor a cylinder, so its size cannot be "

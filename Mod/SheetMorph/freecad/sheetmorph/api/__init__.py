@@ -111,7 +111,7 @@ from freecad.sheetmorph.api.regions import (
     vertices,
     where,
 )
-from freecad.sheetmorph.api.following import Unbound
+from freecad.sheetmorph.api.following import Unbound as Unbound
 from freecad.sheetmorph.api.replacing import follow_shape, replace_file
 from freecad.sheetmorph.api.shapes import deformed_shape, update_shapes
 from freecad.sheetmorph.api.flat import flatten
@@ -141,7 +141,6 @@ def __getattr__(name: str):
 
 
 __all__ = [
-    "Unbound",
     "add_contact",
     "add_feature",
     "add_fixed",

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/surfaces/noise.h"
+#include "sheetmorph/mesh/quality/noise.h"
+
+#include "sheetmorph/mesh/geometry/areas.h"
+#include "sheetmorph/mesh/quality/thinness.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -150,6 +153,15 @@ double scatter_of(const TriangleMesh& mesh, const EdgeTable& edges, const Points
         return 0.0;
     const double scatter = quantile(left, 0.25) / calm_quarter;
     return scatter < least * quantile(lengths, 0.5) ? 0.0 : scatter;
+}
+
+double scatter_of(const TriangleMesh& mesh)
+{
+    Points normals = Points::Zero(mesh.triangle_count(), 3);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (!is_thin(mesh.points(), mesh.triangles(), t))
+            normals.row(t) = doubled_area(mesh, t).normalized().transpose();
+    return scatter_of(mesh, EdgeTable(mesh), normals);
 }
 
 std::vector<double> unsure_normals(const TriangleMesh& mesh, const std::vector<double>& areas,

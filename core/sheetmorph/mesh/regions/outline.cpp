@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/features/outline.h"
+#include "sheetmorph/mesh/regions/outline.h"
 
 #include "sheetmorph/mesh/regions/circle.h"
 
@@ -33,6 +33,12 @@ constexpr double barely_off = 0.04;
 constexpr double clearly_better = 0.35;
 constexpr double roundest_rectangle = 0.8;
 
+// What a formed hole may be off over its radius, however fine its polygon is.
+constexpr double least_tolerance = 0.03;
+
+// Vertices at each end of a slot: a rectangle's corners alone are no slot.
+constexpr Eigen::Index fewest_at_end = 3;
+
 // Share of its area that a coarse polygon may lack to the outline through its
 // corners.
 constexpr double most_missing_area = 0.14;
@@ -63,6 +69,21 @@ double worst_miss(const Plane& points, const RoundedBox& box)
     return worst;
 }
 
+// The rectangle around the points with sides along and across a direction of length 1.
+RoundedBox rectangle_along(const Plane& points, const Eigen::Vector2d& u)
+{
+    const Eigen::Vector2d v(-u.y(), u.x());
+    const Eigen::VectorXd x = points * u;
+    const Eigen::VectorXd y = points * v;
+    const Eigen::Vector2d half(0.5 * (x.maxCoeff() - x.minCoeff()),
+                               0.5 * (y.maxCoeff() - y.minCoeff()));
+    RoundedBox box;
+    box.center = 0.5 * (x.maxCoeff() + x.minCoeff()) * u + 0.5 * (y.maxCoeff() + y.minCoeff()) * v;
+    box.along = half.x() >= half.y() ? u : v;
+    box.half = half.x() >= half.y() ? half : Eigen::Vector2d(half.y(), half.x());
+    return box;
+}
+
 // The rectangle of the smallest area around the points that is parallel to one
 // of the edges.
 RoundedBox smallest_rectangle(const Plane& points)
@@ -79,28 +100,19 @@ RoundedBox smallest_rectangle(const Plane& points)
     double smallest = -1.0;
     for (const std::size_t i : order)
     {
-        const Eigen::Vector2d u = edge(i).normalized();
-        const Eigen::Vector2d v(-u.y(), u.x());
-        const Eigen::VectorXd x = points * u;
-        const Eigen::VectorXd y = points * v;
-        const Eigen::Vector2d half(0.5 * (x.maxCoeff() - x.minCoeff()),
-                                   0.5 * (y.maxCoeff() - y.minCoeff()));
-        if (smallest >= 0.0 && half.prod() >= smallest * (1.0 - 1e-9))
+        const RoundedBox box = rectangle_along(points, edge(i).normalized());
+        if (smallest >= 0.0 && box.half.prod() >= smallest * (1.0 - 1e-9))
             continue;
-        smallest = half.prod();
-        best.center =
-            0.5 * (x.maxCoeff() + x.minCoeff()) * u + 0.5 * (y.maxCoeff() + y.minCoeff()) * v;
-        best.along = half.x() >= half.y() ? u : v;
-        best.half = half.x() >= half.y() ? half : Eigen::Vector2d(half.y(), half.x());
+        smallest = box.half.prod();
+        best = box;
     }
     return best;
 }
 
 // The corner radius with the smallest residual: a coarse scan, then around the best ever finer.
 // Four scans leave 1e-4 of the half width, and the residual is that of the radius that is returned.
-RoundedBox rounded_box(const Plane& points)
+RoundedBox with_corners(const Plane& points, RoundedBox box)
 {
-    RoundedBox box = smallest_rectangle(points);
     double low = 0.0;
     double high = box.half.y();
     for (int round = 0; round < 4; ++round)
@@ -127,6 +139,22 @@ RoundedBox rounded_box(const Plane& points)
     return box;
 }
 
+// The sides of a slot without vertices at their ends lie along no edge: the box is turned until it
+// fits best.
+RoundedBox rounded_box(const Plane& points)
+{
+    RoundedBox best = with_corners(points, smallest_rectangle(points));
+    for (double turn = 0.04; turn > 1e-5; turn *= 0.5)
+        for (const double way : {turn, -turn})
+        {
+            const Eigen::Vector2d along = Eigen::Rotation2Dd(way) * best.along;
+            const RoundedBox box = with_corners(points, rectangle_along(points, along));
+            if (box.residual < best.residual)
+                best = box;
+        }
+    return best;
+}
+
 // What a form may be off by, relative to its half width, and what scatter adds to that.
 struct Slack
 {
@@ -137,39 +165,85 @@ struct Slack
     double added(double half) const { return std::min(three * scatter, most_scatter * half); }
 
     static constexpr double three = 3.0;
-    static constexpr double most_scatter = 0.2;
+    static constexpr double most_scatter = 0.3;
 };
 
-bool is_round(const Outline& circle, const RoundedBox& box, const Slack& slack)
+double sagitta(Eigen::Index corners)
+{
+    return 1.0 - std::cos(pi / static_cast<double>(std::max<Eigen::Index>(corners, 3)));
+}
+
+// Faceting makes a circle as uneven and as long as its polygon: only what goes beyond is a slot.
+bool is_round(const Outline& circle, const RoundedBox& box, const Slack& slack, Eigen::Index count)
 {
     if (circle.residual > slack.at(circle.radius)
         || circle.area < least_round_area * circle.radius * circle.radius)
         return false;
-    const double unsure = slack.added(circle.radius);
+    const double unsure = slack.added(circle.radius) + sagitta(count) * circle.radius;
     const bool is_off = box.half.x() > shortest_slot * box.half.y() + 2.0 * unsure
                         || circle.residual > barely_off * circle.radius + unsure;
     return !(is_off && box.residual < clearly_better * circle.residual);
 }
 
-bool fits(const RoundedBox& box, double area, const Slack& slack)
+bool is_slot(const RoundedBox& box)
+{
+    return box.radius >= roundest_rectangle * box.half.y();
+}
+
+// Of a slot: the vertices on its round ends.
+struct RoundEnds
+{
+    Eigen::Index left = 0;
+    Eigen::Index right = 0;
+
+    RoundEnds(const Plane& points, const RoundedBox& box)
+    {
+        const double straight = box.half.x() - box.half.y() - least_tolerance * box.half.y();
+        const Eigen::ArrayXd along = (points.rowwise() - box.center.transpose()) * box.along;
+        left = (along < -straight).count();
+        right = (along > straight).count();
+    }
+};
+
+bool fits(const RoundedBox& box, double area, double slack)
 {
     const double whole = 4.0 * box.half.prod() - (4.0 - pi) * box.radius * box.radius;
-    return box.residual <= slack.at(box.half.y())
-           && std::abs(area - whole) <= most_missing_area * whole;
+    return box.residual <= slack && std::abs(area - whole) <= most_missing_area * whole;
 }
 
 Outline outline_of(const RoundedBox& box, const Outline& circle, const Matrix3& frame)
 {
     Outline outline = circle;
-    const bool is_slot = box.radius >= roundest_rectangle * box.half.y();
-    outline.kind = is_slot ? FeatureKind::slotted_hole : FeatureKind::rectangular_hole;
-    outline.radius = is_slot ? box.half.y() : box.radius;
+    outline.kind = is_slot(box) ? OutlineKind::slotted : OutlineKind::rectangular;
+    outline.radius = is_slot(box) ? box.half.y() : box.radius;
     outline.length = 2.0 * box.half.x();
     outline.width = 2.0 * box.half.y();
     outline.residual = box.residual;
     outline.along = frame.leftCols<2>() * box.along;
     outline.center += frame.leftCols<2>() * box.center;
     return outline;
+}
+
+// The slot or rectangle that the points are; a slot is as exact as the facets of its ends.
+Outline boxed(const Plane& points, const Outline& circle, const Matrix3& frame, Slack slack)
+{
+    const RoundedBox box = rounded_box(points);
+    Outline found = outline_of(box, circle, frame);
+    if (found.kind == OutlineKind::slotted)
+    {
+        const RoundEnds ends(points, box);
+        if (std::min(ends.left, ends.right) < fewest_at_end)
+            found.kind = OutlineKind::other;
+        slack.form = std::min(slack.form, faceting_tolerance(ends.left + ends.right));
+    }
+    found.tolerance = slack.at(box.half.y());
+    if (found.kind == OutlineKind::other || !fits(box, circle.area, found.tolerance))
+    {
+        found.kind = OutlineKind::other;
+        found.radius = 0.0;
+        found.residual = 0.0;
+    }
+    return found;
 }
 
 // Columns in the plane, in the plane, along the normal.
@@ -193,15 +267,13 @@ Vector3 doubled_area(const Points& loop)
     return area;
 }
 
-FeatureKind raised_kind(double length, double width)
+double faceting_tolerance(Eigen::Index corners)
 {
-    constexpr double shortest_bead = 2.0;
-    return length >= shortest_bead * width ? FeatureKind::bead : FeatureKind::emboss;
+    return std::max(least_tolerance, sagitta(corners));
 }
 
 Outline fit_outline(const Points& loop, double roundness, double scatter)
 {
-    const Slack slack{roundness, scatter};
     Outline circle;
     const Vector3 area = doubled_area(loop);
     circle.area = 0.5 * area.norm();
@@ -219,18 +291,13 @@ Outline fit_outline(const Points& loop, double roundness, double scatter)
     circle.residual = (flat.rowwise().norm().array() - fit.radius).abs().maxCoeff();
     circle.bulge = (off * circle.axis).cwiseAbs().maxCoeff();
 
-    const RoundedBox box = rounded_box(flat);
-    if (fit.convergence.is_converged && is_round(circle, box, slack))
-        circle.kind = FeatureKind::round_hole;
-    else if (fits(box, circle.area, slack))
-        return outline_of(box, circle, frame);
-    else
-    {
-        circle = outline_of(box, circle, frame);
-        circle.kind = FeatureKind::hole;
-        circle.radius = 0.0;
-        circle.residual = 0.0;
-    }
+    const Slack most{roundness, scatter};
+    const Slack slack{std::min(roundness, faceting_tolerance(loop.rows())), scatter};
+    if (!fit.convergence.is_converged || loop.rows() < fewest_outline_vertices
+        || !is_round(circle, rounded_box(flat), slack, loop.rows()))
+        return boxed(flat, circle, frame, most);
+    circle.kind = OutlineKind::round;
+    circle.tolerance = slack.at(circle.radius);
     return circle;
 }
 

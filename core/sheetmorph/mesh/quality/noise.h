@@ -13,6 +13,9 @@ namespace sheetmorph
 //! amid smooth surface, and the calmer ones decide. \param normals  (m, 3) of length 1, or zero
 double scatter_of(const TriangleMesh& mesh, const EdgeTable& edges, const Points& normals);
 
+//! The same of a mesh whose vertices are merged.
+double scatter_of(const TriangleMesh& mesh);
+
 //! What scatter does to the normals of triangles with these areas (mm^2, 0: too thin): (m) radians.
 std::vector<double> unsure_normals(const TriangleMesh& mesh, const std::vector<double>& areas,
                                    double scatter);

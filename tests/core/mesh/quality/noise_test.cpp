@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/surfaces/noise.h"
+#include "sheetmorph/mesh/quality/noise.h"
 
 #include "sheetmorph/recognise/surfaces/facet_graph.h"
 #include "shapes/plates.h"
