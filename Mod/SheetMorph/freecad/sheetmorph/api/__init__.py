@@ -11,6 +11,7 @@ to do, and change nothing.
 
 import FreeCAD
 
+from freecad.sheetmorph.api import following
 from freecad.sheetmorph.api.assemblies import (
     add_part,
     create_assembly,
@@ -111,7 +112,6 @@ from freecad.sheetmorph.api.regions import (
     vertices,
     where,
 )
-from freecad.sheetmorph.api.following import Unbound as Unbound
 from freecad.sheetmorph.api.replacing import follow_shape, replace_file
 from freecad.sheetmorph.api.shapes import deformed_shape, update_shapes
 from freecad.sheetmorph.api.flat import flatten
@@ -139,6 +139,8 @@ def __getattr__(name: str):
         return FreeCAD.ActiveDocument
     raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
 
+
+Unbound = following.Unbound
 
 __all__ = [
     "add_contact",
