@@ -2,7 +2,7 @@
 #include "sheetmorph/cad/meshing/mesh_estimate.h"
 
 #include "sheetmorph/base/errors.h"
-#include "cad_files.h"
+#include "cad/cad_files.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
