@@ -97,7 +97,7 @@ MUTATIONS = [
         "height * out.dot(u), -height",
         SHAPES,
     ),
-    Mutation(PROFILE, "across_tolerance = 0.02", "across_tolerance = 0.2", SHAPES),
+    Mutation(PROFILE, "radius = outline.radius;", "radius = 1.01 * outline.radius;", SHAPES),
     Mutation(PROFILE, "rows(i, 4) = -end * out", "rows(i, 4) = end * out", SHAPES),
     Mutation(
         PROFILE,
