@@ -23,12 +23,19 @@ class Fault:
         return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in line)
 
 
+# More mistakes than that are counted, not listed.
+_MOST_LINES = 20
+
+
 class RecipeError(ValueError):
-    """A recipe that cannot be run; ``faults`` lists every mistake found, one line each."""
+    """A recipe that cannot be run; ``faults`` lists every mistake found. The text has a line for
+    each of the first 20, and how many more there are."""
 
     def __init__(self, faults: Sequence[Fault]):
-        super().__init__("\n".join(str(fault) for fault in faults))
         self.faults = list(faults)
+        lines = [str(fault) for fault in self.faults[:_MOST_LINES]]
+        more = len(self.faults) - _MOST_LINES
+        super().__init__("\n".join([*lines, *([f"and {more:,} more"] if more > 0 else [])]))
 
 
 class FileError(ValueError):

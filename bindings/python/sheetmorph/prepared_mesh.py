@@ -89,7 +89,7 @@ class PreparedMesh(PartMesh):
     ) -> tuple[int, Sequence[float]]:
         """The place nearest to a point on a triangle of the file."""
         place = np.asarray(barycentric) @ self.source.points[self.source.triangles[triangle]]
-        hit = core.PickingTree(core.TriangleMesh(self.points, self.triangles)).nearest_point(place)
+        hit = core.PickingTree(self.points, self.triangles).nearest_point(place)
         return hit.triangle, tuple(hit.barycentric)
 
     def restricted(self, vertices: Ints, corners: Ints, name: str) -> PartMesh:

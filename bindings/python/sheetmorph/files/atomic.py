@@ -32,11 +32,14 @@ class FileSet:
     def __enter__(self) -> FileSet:
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, _kind: object, error: object, _trace: object) -> None:
+        pending = list(self._pending)
         with postponed():
-            for temporary, _final in self._pending:
+            for temporary, _final in pending:
                 temporary.unlink(missing_ok=True)
             self._pending.clear()
+        if isinstance(error, OSError) and pending:
+            raise _of_target(error, pending) from error
 
     def temporary_for(self, path: Path) -> Path:
         """A new name beside `path`, hidden, with the same suffix (readers go by it).
@@ -60,9 +63,7 @@ class FileSet:
                 raise
             raise FileError(final, error.what, error.todo, error.line) from error
         except OSError as error:
-            if error.filename is not None and Path(os.fsdecode(error.filename)) == temporary:
-                raise OSError(error.errno, error.strerror, str(final)) from error
-            raise
+            raise _of_target(error, [(temporary, final)]) from error
 
     def commit(self) -> None:
         """Give every file its name, with SIGINT, SIGTERM and SIGHUP put off meanwhile.
@@ -82,6 +83,16 @@ class FileSet:
             _rename_all(self._pending)
             self._pending.clear()
             self.committed = True
+
+
+def _of_target(error: OSError, pairs: list[tuple[Path, Path]]) -> OSError:
+    """The error with the target's name in place of its temporary's. A write that fails, as on a
+    full disk, names no file: the last of the files (temporary, final) is the one being written."""
+    if error.filename is None:
+        final: Path | None = pairs[-1][1]
+    else:
+        final = dict(pairs).get(Path(os.fsdecode(error.filename)))
+    return error if final is None else OSError(error.errno, error.strerror, str(final))
 
 
 def flush(path: Path) -> None:

@@ -53,7 +53,7 @@ class CadFile(PartFile):
     @property
     def output_name(self) -> str:
         """The OBJ file of the same name: a CAD file cannot hold the deformed mesh."""
-        return f"{self.path.stem}.obj"
+        return f"{self.stem}.obj"
 
     def save(self, path: Path, positions: Floats) -> None:
         vertices = [f"v {x!r} {y!r} {z!r}" for x, y, z in positions.tolist()]

@@ -37,7 +37,7 @@ class CadWriting:
         """The file's own name if it has this format, else with the ending of this format."""
         endings = _ENDINGS[self.format]
         own = file.path.suffix.lower() in endings
-        return file.path.name if own else file.path.stem + endings[0]
+        return file.stem + (file.path.suffix if own else endings[0])
 
 
 def write_shapes(

@@ -25,7 +25,8 @@ class PartFile(ABC):
     property_names: by which parts of properties are called, where the format calls them by name;
     bodies: (k,) indices of the triangles of every part of a CAD file by name, None for other
     formats; origin: the file of the user, another than path where it was unpacked into the folder
-    unpacked_in; is_wide: numbers get the longest fields that the format has.
+    unpacked_in; is_wide: numbers get the longest fields that the format has; stem: of the file
+    that a run writes.
     """
 
     def __init__(self, path: Path, mesh: PartMesh, precision: str = "double"):
@@ -40,11 +41,12 @@ class PartFile(ABC):
         self.property_names: dict[int, str] = {}
         self.bodies: dict[str, Ints] | None = None
         self.is_wide = False
+        self.stem = path.stem
 
     @property
     def output_name(self) -> str:
         """The name of the file that a run writes."""
-        return self.path.name
+        return f"{self.stem}{self.path.suffix}"
 
     @property
     def files_read(self) -> list[Path]:

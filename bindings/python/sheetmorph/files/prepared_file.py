@@ -40,7 +40,7 @@ class PreparedFile(PartFile):
     @property
     def output_name(self) -> str:
         """The OBJ file of the same name: doubles, and room for other vertices than the file's."""
-        return f"{self.path.stem}.obj"
+        return f"{self.stem}.obj"
 
     def save(self, path: Path, positions: Floats) -> None:
         lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in positions.tolist()]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -10,8 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from ..arrays import Floats, Ints
+from ..decks import is_deck
 from ..errors import Fault, FileError
-from ..files import PartFile, is_cad, output_name, read_part
+from ..files import PartFile, is_cad, output_name, read_part, unpacked_name
 from ..files.cad_writing import CadWriting
 from ..files.deck_file import DeckFile
 from ..files.prepared_file import PreparedFile
@@ -21,6 +23,9 @@ from .found import Found, Resolved
 from .model import JointFileEntry, PartEntry
 from .placement import Placement
 from .splitting import SplitError, part_of, split_triangles
+
+# Names of parts that can be names of files, on any system.
+_NAME_OF_FILE = re.compile(r"\w[\w .+-]*")
 
 
 @dataclass
@@ -97,6 +102,7 @@ def read_parts(
     progress(fraction, task) may return False to cancel (RuntimeError).
     """
     parts = Parts()
+    stems = _stems(entries, Path(base))
     for number, entry in enumerate(entries):
         if progress is not None:
             progress(number / len(entries), f"reading {entry.file}")
@@ -113,13 +119,30 @@ def read_parts(
             meshing = entry.meshing if is_cad(entry.file) else None
             file = read_part(Path(base) / entry.file, meshing)
             parts.faults += _deck_settings(file, entry)
-            parts.add(entry, _prepared(file, entry, progress) if entry.wanted else file)
+            file = _prepared(file, entry, progress) if entry.wanted else file
+            file.stem = stems.get(entry.where, file.stem)
+            parts.add(entry, file)
         except (FileError, SplitError) as error:
             parts.faults.append(_fault(entry, error))
             parts.entries += [] if entry.split else [entry]
             parts.unread += [f"{entry.stem}/"] if entry.split else []
-    parts.faults += _clashes(entries)
+    parts.faults += _clashes(entries, stems)
     return parts
+
+
+def _stems(entries: list[PartEntry], base: Path) -> dict[str, str]:
+    """By place of its entry the name of a part whose file stands in the assembly several times:
+    each is written under its own. Decks stay as they are, they may be several files."""
+    placed: dict[Path, list[PartEntry]] = {}
+    for entry in entries:
+        if entry.file and not entry.split and not is_deck(unpacked_name(entry.file)):
+            placed.setdefault((base / entry.file).resolve(), []).append(entry)
+    return {
+        entry.where: entry.name
+        for own in placed.values()
+        if len(own) > 1 and all(_NAME_OF_FILE.fullmatch(entry.name) for entry in own)
+        for entry in own
+    }
 
 
 def _write_faults(entry: PartEntry) -> list[Fault]:
@@ -174,13 +197,14 @@ def _fault(entry: PartEntry, error: FileError | SplitError) -> Fault:
     return Fault(f"{entry.where}.split", str(error), error.todo)
 
 
-def _clashes(entries: list[PartEntry]) -> list[Fault]:
+def _clashes(entries: list[PartEntry], stems: Mapping[str, str]) -> list[Fault]:
     """Parts are written under their own file names into one folder: the names must differ."""
     faults = []
     seen: dict[str, str] = {}
     for entry in entries:
         name = output_name(entry.file) if entry.file else ""
         name = f"{entry.stem}.obj" if name and entry.wanted else name
+        name = f"{stems[entry.where]}{Path(name).suffix}" if entry.where in stems else name
         if name and name in seen:
             what = f'the file name "{name}" is used already by {seen[name]}'
             todo = "rename one of the files; results are written into one folder"

@@ -30,8 +30,9 @@ class Placement:
 
         Quarter turns about an axis of the coordinates are exact.
         """
-        length = float(np.linalg.norm(axis))
-        unit = np.asarray(axis, dtype=float) / length if length > 1e-100 else np.zeros(3)
+        direction = np.asarray(axis, dtype=float)
+        length = float(np.linalg.norm(direction))
+        unit = direction / length if length > 1e-100 else np.zeros(3)
         x, y, z = unit.tolist()
         quarter, rest = divmod(degrees % 360.0, 90.0)
         if rest == 0.0:

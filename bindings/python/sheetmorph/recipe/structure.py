@@ -179,6 +179,8 @@ def _without_marked(sound: Any) -> Any:
     if not isinstance(sound, dict):
         return {}
     rest = {key: value for key, value in sound.items() if value is not None}
-    if isinstance(rest.get("pose"), dict):
-        rest["pose"] = {key: value for key, value in rest["pose"].items() if value is not None}
+    for section in ("pose", "poses"):
+        if isinstance(rest.get(section), dict):
+            entries = rest[section].items()
+            rest[section] = {key: value for key, value in entries if value is not None}
     return rest

@@ -100,6 +100,11 @@ class Store:
             with ThreadPoolExecutor(_AT_ONCE) as pool:
                 list(pool.map(flush, filter(Path.is_file, made.rglob("*"))))
             self._name(made, self.out / folder_name(run))
+        except OSError as error:
+            if error.filename is None or not Path(error.filename).is_relative_to(made):
+                raise
+            named = self.out / folder_name(run) / Path(error.filename).relative_to(made)
+            raise OSError(error.errno, error.strerror, str(named)) from error
         finally:
             shutil.rmtree(made, ignore_errors=True)
 
