@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/mesh/geometry/normals.h"
 #include "sheetmorph/mesh/quality/quality.h"
 #include "sheetmorph/mesh/regions/circle.h"
@@ -11,8 +12,11 @@
 #include "arrays.h"
 #include "layers.h"
 
+#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace py = pybind11;
@@ -240,6 +244,21 @@ void bind_shape(py::module_& module)
         "One polygon of k corners as (k - 2, 3) int32 triangles oriented like it.");
 }
 
+Eigen::VectorXd distances_of(const PickingTree& tree, const Points& points)
+{
+    Eigen::VectorXd found(points.rows());
+    const auto measure = [&](Eigen::Index begin, Eigen::Index end)
+    {
+        for (Eigen::Index k = begin; k < end; ++k)
+        {
+            const std::optional<Hit> hit = tree.nearest_point(points.row(k).transpose());
+            found(k) = hit ? hit->distance : std::numeric_limits<double>::infinity();
+        }
+    };
+    parallel_ranges(points.rows(), microsecond_items, measure);
+    return found;
+}
+
 void bind_picking(py::module_& module)
 {
     py::class_<Hit>(module, "Hit", "A place on a mesh.")
@@ -277,7 +296,17 @@ void bind_picking(py::module_& module)
             "nearest_point",
             [](const PickingTree& tree, const py::object& point)
             { return tree.nearest_point(vector_from(point, "point")); },
-            py::arg("point"), "The Hit nearest to a point; None if the mesh has no triangle.");
+            py::arg("point"), "The Hit nearest to a point; None if the mesh has no triangle.")
+        .def(
+            "distances",
+            [](const PickingTree& tree, const py::object& points)
+            {
+                const Points places = points_from(points, "points");
+                return without_gil([&] { return distances_of(tree, places); });
+            },
+            py::arg("points"),
+            "(k,) mm from points (k, 3) to the nearest place; infinite if the mesh has no "
+            "triangle.");
 }
 
 }  // namespace

@@ -93,7 +93,6 @@ void bind_deformed(py::module_& module)
         .def_readonly("target_part", &ContactFidelity::target_part)
         .def_readonly("deviation", &ContactFidelity::deviation,
                       "farthest a driven vertex is from the source side's best rigid motion")
-        .def_readonly("gap_change", &ContactFidelity::gap_change)
         .def_readonly("region_size", &ContactFidelity::region_size);
 
     py::class_<Timing>(module, "Timing")
@@ -239,12 +238,14 @@ void bind_union(py::class_<DeformationSession>& session)
             "loose_pieces",
             [](const DeformationSession& of)
             {
-                std::vector<std::tuple<int, int, int>> found;
+                std::vector<std::tuple<int, int, int, py::array_t<double>>> found;
                 for (const LoosePieces& loose : of.loose_pieces())
-                    found.emplace_back(loose.part, loose.pieces, loose.vertices);
+                    found.emplace_back(loose.part, loose.pieces, loose.vertices,
+                                       to_numpy(loose.place));
                 return found;
             },
-            "(part index, pieces, vertices) of parts with pieces that nothing holds.")
+            "(part index, pieces, vertices, place of one at rest) of parts with pieces that "
+            "nothing holds.")
         .def("is_held", &DeformationSession::is_held, py::arg("part"),
              "Whether a fixed region holds a part, its own or through rigid contacts.");
 }

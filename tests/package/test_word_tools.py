@@ -10,7 +10,7 @@ from freecad.sheetmorph.tools.words import counted, exact_length
     ("said", "read"),
     [
         (
-            "'A' and 'B' both move vertices 15771, 15772, 15773 and 85 more; take these out",
+            "'A' and 'B' both move 88 vertices (15771, 15772, 15773 and 85 more); take these out",
             "'A' and 'B' both move 88 vertices; take these out",
         ),
         (

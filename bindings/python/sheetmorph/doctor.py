@@ -63,13 +63,15 @@ def diagnose_file(file: PartFile, tolerance: float | None = None) -> dict[str, A
 def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
     """What a mesh is and what is wrong with it, each with a cure; ready for JSON.
 
-    tolerance: mm, below which two vertices are one place; a millionth of the size if None.
+    tolerance: mm, below which two vertices are one place; a millionth of the size if None. Vertices
+    of no triangle do not count for the size.
     Raises KernelError, InvalidInput of the kernel (a ValueError) for a bad tolerance.
     """
     core = load_kernel()
     kernel_mesh = core.TriangleMesh(mesh.points, mesh.triangles)
     if tolerance is None:
-        tolerance = _NEAR * kernel_mesh.size
+        used = mesh.points[np.unique(mesh.triangles)] if len(mesh.triangles) else mesh.points
+        tolerance = _NEAR * float(np.linalg.norm(np.ptp(used, axis=0))) if len(used) else 0.0
     found = core.diagnose(kernel_mesh, tolerance)
     thickness = _thickness(found.pieces)
     unit = unit_of(found.size, thickness)

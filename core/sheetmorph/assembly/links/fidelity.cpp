@@ -26,25 +26,15 @@ double diagonal(const Points& a, const Points& b)
 
 }  // namespace
 
-ContactGauge::ContactGauge(const Assembly& assembly, const DirectedContact& contact,
-                           const PartGeometry& source, bool is_source_wide)
+ContactGauge::ContactGauge(const Assembly& assembly, const DirectedContact& contact)
     : source_(contact.source(assembly).vertices), target_(contact.target(assembly).vertices)
 {
     blank_.contact = contact.contact;
     blank_.source_part = contact.source(assembly).part;
     blank_.target_part = contact.target(assembly).part;
-    const TriangleMesh& source_mesh = source.mesh();
-    source_rest_ = rows_of(source_mesh.points(), source_);
+    source_rest_ = rows_of(mesh_of(assembly, blank_.source_part).points(), source_);
     target_rest_ = rows_of(mesh_of(assembly, blank_.target_part).points(), target_);
     blank_.region_size = diagonal(source_rest_, target_rest_);
-    const VertexIds below =
-        is_source_wide ? with_triangles_below(source, source_, target_rest_) : source_;
-    anchors_ = nearest_anchors(source, below, target_rest_);
-    rest_gaps_.resize(target_rest_.rows());
-    for (Eigen::Index k = 0; k < rest_gaps_.size(); ++k)
-        rest_gaps_(k) = (target_rest_.row(k).transpose()
-                         - anchors_[static_cast<std::size_t>(k)].on(source_mesh.points()))
-                            .norm();
 }
 
 ContactFidelity ContactGauge::measure(const Deformation& source, const Points& target) const
@@ -54,13 +44,11 @@ ContactFidelity ContactGauge::measure(const Deformation& source, const Points& t
     const RigidMotion own =
         best_rigid_motion_near(source_rest_, rows_of(source.positions, source_), mean_log);
     const Points expected = own.apply(target_rest_);
-    for (Eigen::Index k = 0; k < rest_gaps_.size(); ++k)
+    for (std::size_t k = 0; k < target_.size(); ++k)
     {
-        const Eigen::RowVector3d now = target.row(target_[static_cast<std::size_t>(k)]);
-        fidelity.deviation = std::max(fidelity.deviation, (now - expected.row(k)).norm());
-        const Vector3 anchor = anchors_[static_cast<std::size_t>(k)].on(source.positions);
-        const double gap = (now.transpose() - anchor).norm();
-        fidelity.gap_change = std::max(fidelity.gap_change, std::abs(gap - rest_gaps_(k)));
+        const Eigen::RowVector3d now = target.row(target_[k]);
+        fidelity.deviation =
+            std::max(fidelity.deviation, (now - expected.row(static_cast<Eigen::Index>(k))).norm());
     }
     return fidelity;
 }

@@ -150,14 +150,16 @@ std::vector<LoosePieces> DeformationSession::loose_pieces() const
 {
     std::vector<LoosePieces> of_part;
     for (std::size_t part = 0; part < data_->parts.size(); ++part)
-        of_part.push_back({static_cast<int>(part), 0, 0});
+        of_part.push_back({static_cast<int>(part), 0, 0, Vector3::Zero()});
     const PreparedAssembly& system = data_->system();
     for (std::size_t part = 0; part < system.parts.size(); ++part)
         for (const VertexIds& piece : system.parts[part].problem.loose)
         {
             LoosePieces& pieces =
                 of_part[data_->joined ? at(owner_of(*data_, piece.front())) : part];
-            ++pieces.pieces;
+            const Points& points = system.assembly.parts[part].mesh.points();
+            if (++pieces.pieces == 1)
+                pieces.place = points.row(piece.front()).transpose();
             pieces.vertices += static_cast<int>(piece.size());
         }
     std::vector<LoosePieces> found;

@@ -161,19 +161,10 @@ bool is_wide(const PreparedAssembly& prepared, const PartRegion& source,
            || (is_whole(prepared.assembly) && !has_triangles(geometry, source.vertices));
 }
 
-// What is measured of a thin solid lies on the whole of it.
-void add_gauges(PreparedAssembly& prepared, const Geometries& geometries)
+void add_gauges(PreparedAssembly& prepared)
 {
-    const Geometries wholes =
-        prepared.with_thin_parts ? geometries_of(*prepared.with_thin_parts) : Geometries();
     for (const DirectedContact& contact : prepared.plan.measured)
-    {
-        const PartRegion& source = contact.source(prepared.whole());
-        const PartGeometry& geometry =
-            prepared.thin[at(source.part)] ? wholes[at(source.part)] : geometries[at(source.part)];
-        prepared.gauges.emplace_back(prepared.whole(), contact, geometry,
-                                     is_wide(prepared, source, geometry));
-    }
+        prepared.gauges.emplace_back(prepared.whole(), contact);
 }
 
 // By measured contact that is not rigid: where its sides lie on each other.
@@ -384,7 +375,8 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     prepared.welds = plan_welds(given, prepared.plan);
     if (!is_whole(given))
         prepared.pairs = plan_pairs(given, prepared.plan);
-    add_gauges(prepared, geometries);
+    add_gauges(prepared);
+    prepared.overlaps = overlaps_of(prepared.whole());
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
     add_problems(prepared);
@@ -404,7 +396,10 @@ Pose told_pose(const PreparedAssembly& prepared, const Pose& pose)
 {
     check_pose_names(prepared.assembly, pose);
     check_sizes(prepared.assembly, prepared.shapes, pose);
-    return prepared.symmetry ? symmetric_pose(prepared.assembly, *prepared.symmetry, pose) : pose;
+    Pose told =
+        prepared.symmetry ? symmetric_pose(prepared.assembly, *prepared.symmetry, pose) : pose;
+    check_overlaps(prepared.whole(), prepared.overlaps, told);
+    return told;
 }
 
 std::set<std::string> with_mirrors(const PreparedAssembly& prepared,

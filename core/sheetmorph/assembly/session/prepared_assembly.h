@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/assembly/plan/feature_sizes.h"
+#include "sheetmorph/assembly/plan/overlaps.h"
 #include "sheetmorph/assembly/plan/part_problem.h"
 #include "sheetmorph/assembly/session/deformation_session.h"
 #include "sheetmorph/assembly/session/feature_error.h"
@@ -50,6 +51,7 @@ struct PreparedAssembly
     std::vector<PreparedPart> parts;
     std::vector<std::vector<int>> stages;  //!< the plan's order; none of a stage moves another
     std::vector<ContactGauge> gauges;      //!< as plan.measured
+    std::vector<Overlap> overlaps;         //!< of whole()
     std::vector<Timing> timings;
 
     //! Where all parts are solved at once: the one part that they are, and what is whose there.

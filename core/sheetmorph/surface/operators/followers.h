@@ -7,8 +7,8 @@
 namespace sheetmorph
 {
 
-//! Vertices of no triangle of some extent keep their place relative to the nearest triangle that
-//! has no such vertex, and its rotations:
+//! Vertices of triangles without area keep their place relative to the nearest triangle that has no
+//! such vertex, and its rotations:
 //! p = sum_j beta_j (p_j + R_j (p_hat - p_hat_j)). Tied vertices keep their distance from their
 //! place q on another sheet: p = q + R (p_hat - q_hat), with the rotation that the logs have there.
 class Followers

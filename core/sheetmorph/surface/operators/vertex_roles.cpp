@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/vertex_roles.h"
 
+#include "sheetmorph/base/counted.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/constraint_checks.h"
@@ -55,8 +56,8 @@ void mark_handle(VertexRoles& roles, const SurfaceConstraints& constraints, int 
     }
     if (!shared.empty())
         throw InvalidInput(constraints.handles[at(other)].label() + " and " + region.label()
-                               + " both move vertices ",
-                           shared, "; take these out of one of them");
+                               + " both move " + counted_vertices(shared) + " (",
+                           shared, "); take these out of one of them");
     if (!moves_something)
         throw InvalidInput("every vertex of " + region.label()
                            + " is fixed, so it cannot move; take them out of the fixed region");
@@ -184,6 +185,15 @@ std::vector<int> find_held_components(VertexRoles& roles, const TriangleMesh& me
     return unheld;
 }
 
+// (n) whether any triangle has a vertex. The sheet does not carry the others: they stay at rest.
+std::vector<char> corners_of(const TriangleMesh& mesh)
+{
+    std::vector<char> is_corner(at(mesh.vertex_count()), 0);
+    for (const int corner : mesh.triangles().reshaped())
+        is_corner[at(corner)] = 1;
+    return is_corner;
+}
+
 VertexRoles roles_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     check_constraints(mesh, constraints);
@@ -231,9 +241,10 @@ VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& con
         throw InvalidInput("nothing holds the component of vertices ",
                            roles.components.vertices(unheld.front()),
                            "; mark a fixed region or a handle on it, or remove it");
+    const std::vector<char> is_corner = corners_of(mesh);
     for (std::size_t i = 0; i < roles.role.size(); ++i)
         if (roles.role[i] == Role::free && roles.components.label[i] == Components::unused)
-            roles.role[i] = Role::follower;
+            roles.role[i] = is_corner[i] ? Role::follower : Role::fixed;
     return roles;
 }
 

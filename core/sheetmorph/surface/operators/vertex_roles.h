@@ -16,7 +16,7 @@ enum class Role : char
     body,
     tied,     //!< stands on another sheet
     clamped,  //!< `natural`: beside known vertices, moves rigidly with them
-    follower  //!< in no triangle: keeps its place relative to the nearest triangle
+    follower  //!< of triangles without area: keeps its place relative to the nearest other one
 };
 
 //! A vertex that moves rigidly with known vertices beside it: with their mean where there are more.

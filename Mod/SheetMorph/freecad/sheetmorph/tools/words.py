@@ -12,11 +12,13 @@ LEAST_SHARE = 0.0005
 
 LISTED = re.compile(r"\b(vertices|triangles) (\d+(?:, \d+)*)(?: and (\d+)( more)?)?(?![\w.])")
 
+ENUMERATED = re.compile(r"\b(\d+ (?:vertex|vertices)) \([\d, ]+(?: and \d+ more)?\)")
+
 
 def counted(sentence: str) -> str:
     """A sentence of the kernel with how many vertices or triangles it means, without their numbers.
 
-    Those that it lists are counted; one alone keeps its number.
+    Those that it lists are counted; one alone keeps its number. A list after a count is left out.
     """
 
     def count(found: re.Match) -> str:
@@ -24,7 +26,7 @@ def counted(sentence: str) -> str:
         number = len(listed.split(",")) + (int(last) if more else 1 if last else 0)
         return f"{number} {things}"
 
-    return LISTED.sub(count, sentence)
+    return ENUMERATED.sub(r"\1", LISTED.sub(count, sentence))
 
 
 def plain(value: float, digits: int = 3) -> str:

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/assembly/plan/overlaps.h"
+
+#include "sheetmorph/base/counted.h"
+#include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+VertexIds shared_vertices(const PartRegion& fixed, const PartHandle& handle, int count)
+{
+    if (fixed.part != handle.part)
+        return {};
+    std::vector<char> is_fixed(at(count), 0);
+    for (const int vertex : fixed.vertices)
+        is_fixed[at(vertex)] = 1;
+    VertexIds shared;
+    for (const int vertex : handle.vertices)
+        if (is_fixed[at(vertex)])
+            shared.push_back(vertex);
+    return shared;
+}
+
+[[noreturn]] void refuse(const Part& part, const PartRegion& fixed, const PartHandle& handle,
+                         const VertexIds& moved, double farthest)
+{
+    const bool is_one = moved.size() == 1;
+    std::ostringstream after;
+    after << "), which the handle moves by " << (is_one ? "" : "up to ") << farthest << " mm; take "
+          << (is_one ? "it" : "them") << " out of one of the two";
+    throw InvalidInput("fixed region '" + fixed.name + "' and handle '" + handle.name + "' share "
+                           + counted_vertices(moved) + " (",
+                       moved, after.str())
+        .in_part(part.name, part.ids);
+}
+
+}  // namespace
+
+std::vector<Overlap> overlaps_of(const Assembly& assembly)
+{
+    std::vector<Overlap> found;
+    for (std::size_t f = 0; f < assembly.fixed.size(); ++f)
+        for (std::size_t h = 0; h < assembly.handles.size(); ++h)
+        {
+            const PartRegion& fixed = assembly.fixed[f];
+            const int count = assembly.parts[at(fixed.part)].mesh.vertex_count();
+            VertexIds shared = shared_vertices(fixed, assembly.handles[h], count);
+            if (!shared.empty())
+                found.push_back({static_cast<int>(f), static_cast<int>(h), std::move(shared)});
+        }
+    return found;
+}
+
+void check_overlaps(const Assembly& assembly, const std::vector<Overlap>& overlaps,
+                    const Pose& pose)
+{
+    for (const Overlap& overlap : overlaps)
+    {
+        const PartHandle& handle = assembly.handles[at(overlap.handle)];
+        const auto motion = pose.handles.find(handle.name);
+        if (motion == pose.handles.end())
+            continue;
+        const Part& part = assembly.parts[at(handle.part)];
+        const Points rest = part.mesh.points()(overlap.vertices, Eigen::indexing::all);
+        const Eigen::VectorXd way = (motion->second.apply(rest) - rest).rowwise().norm();
+        const double tolerance = exactness(part.mesh.points(), part.mesh.size());
+        VertexIds moved;
+        for (std::size_t k = 0; k < overlap.vertices.size(); ++k)
+            if (!(way(static_cast<Eigen::Index>(k)) <= tolerance))
+                moved.push_back(overlap.vertices[k]);
+        if (!moved.empty())
+            refuse(part, assembly.fixed[at(overlap.fixed)], handle, moved, way.maxCoeff());
+    }
+}
+
+}  // namespace sheetmorph

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/assembly.h"
+#include "sheetmorph/assembly/pose.h"
+
+namespace sheetmorph
+{
+
+//! The vertices that a fixed region shares with a handle.
+struct Overlap
+{
+    int fixed = 0;   //!< index into Assembly::fixed
+    int handle = 0;  //!< index into Assembly::handles
+    VertexIds vertices;
+};
+
+std::vector<Overlap> overlaps_of(const Assembly& assembly);
+
+//! A handle may turn about vertices that are fixed, but not move them.
+//! \throws InvalidInput naming both regions and the vertices that the pose moves beyond exactness
+void check_overlaps(const Assembly& assembly, const std::vector<Overlap>& overlaps,
+                    const Pose& pose);
+
+}  // namespace sheetmorph

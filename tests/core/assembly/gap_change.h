@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/links/patch_anchors.h"
+#include "sheetmorph/assembly/session/deformation_session.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sheetmorph::frames
+{
+
+//! The worst change of the distance of a driven vertex to the place below it at rest, mm. That
+//! place goes along with its triangle, so sliding counts.
+inline double gap_change(const Assembly& assembly, const ContactFidelity& fidelity,
+                         const Deformed& shape)
+{
+    const auto at = [](int part) { return static_cast<std::size_t>(part); };
+    const Contact& contact = assembly.contacts[at(fidelity.contact)];
+    const bool is_reversed = contact.a.part != fidelity.source_part;
+    const PartRegion& source = is_reversed ? contact.b : contact.a;
+    const PartRegion& target = is_reversed ? contact.a : contact.b;
+    const PartGeometry below(assembly.parts[at(source.part)].mesh);
+    const Points rest = rows_of(assembly.parts[at(target.part)].mesh.points(), target.vertices);
+    const Points now = rows_of(shape.parts[at(target.part)].positions, target.vertices);
+    const std::vector<Anchor> anchors =
+        nearest_anchors(below, with_triangles_below(below, source.vertices, rest), rest);
+    double worst = 0.0;
+    for (Eigen::Index k = 0; k < rest.rows(); ++k)
+    {
+        const Anchor& anchor = anchors[static_cast<std::size_t>(k)];
+        const double before = (rest.row(k).transpose() - anchor.on(below.mesh().points())).norm();
+        const Vector3 place = anchor.on(shape.parts[at(source.part)].positions);
+        worst = std::max(worst, std::abs((now.row(k).transpose() - place).norm() - before));
+    }
+    return worst;
+}
+
+}  // namespace sheetmorph::frames
