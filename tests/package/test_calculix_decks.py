@@ -62,4 +62,4 @@ def test_a_morphed_deck_has_the_frequencies_of_its_shape(morphed: Path, tmp_path
     assert len(found) == len(direct) == COUNT
     assert found == pytest.approx(direct, rel=0.006)
     changes = [abs(one / other - 1.0) for one, other in zip(found, rest)]
-    assert sum(change > 0.02 for change in changes) >= 3
+    assert sum(change > 0.01 for change in changes) >= 3

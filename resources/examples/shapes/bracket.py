@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 WIDTH, WEB, BOLT, HOLE, THICKNESS = 40.0, 30.0, 5.0, 9.0, 2.0  # mm
-SHIFT = (6.0, 4.0)  # mm, up and to the side
+SHIFT = (3.6, 2.4)  # mm, up and to the side
 CARDS = f"""*MATERIAL, NAME=STEEL
 *ELASTIC
 210000., 0.3

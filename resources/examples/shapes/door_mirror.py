@@ -192,7 +192,7 @@ def example() -> Example:
         formats=("obj", "ply", "obj"),
         fixed=(Grip("inboard side", "cover", lambda p: p[:, 0] < 16.0),),
         handles=(tip,),
-        pose={"tip": motion((4.0, 0.0, 30.0), (0.0, -1.0, 0.0), 15.0)},
+        pose={"tip": motion((2.2, 0.0, 16.0), (0.0, -1.0, 0.0), 8.0)},
         supports=(Grip("door plate", "foot", lambda p: p[:, 0] < -35.0),),
         reach=1.25 * GAP,
         propagation="single",
