@@ -259,6 +259,20 @@ Eigen::VectorXd distances_of(const PickingTree& tree, const Points& points)
     return found;
 }
 
+void bind_distances(py::class_<PickingTree>& on)
+{
+    on.def(
+        "distances",
+        [](const PickingTree& tree, const py::object& points)
+        {
+            const Points places = points_from(points, "points");
+            return without_gil([&] { return distances_of(tree, places); });
+        },
+        py::arg("points"),
+        "(k,) mm from points (k, 3) to the nearest place; infinite if the mesh has no "
+        "triangle.");
+}
+
 void bind_picking(py::module_& module)
 {
     py::class_<Hit>(module, "Hit", "A place on a mesh.")
@@ -269,15 +283,15 @@ void bind_picking(py::module_& module)
         .def_readonly("distance", &Hit::distance, "mm")
         .def_property_readonly(
             "point", [](const Hit& h) { return to_numpy(h.point); }, "(3,) mm");
-    py::class_<PickingTree>(module, "PickingTree",
-                            "What a ray hits, and what is nearest to a point, on a mesh.")
-        .def(py::init(
-                 [](const py::object& points, const py::object& triangles)
-                 {
-                     const TriangleMesh mesh = mesh_from(points, triangles);
-                     return without_gil([&] { return PickingTree(mesh); });
-                 }),
-             py::arg("points"), py::arg("triangles"), "(n, 3) float64 mm and (m, 3) int32.")
+    py::class_<PickingTree> on(module, "PickingTree",
+                               "What a ray hits, and what is nearest to a point, on a mesh.");
+    on.def(py::init(
+               [](const py::object& points, const py::object& triangles)
+               {
+                   const TriangleMesh mesh = mesh_from(points, triangles);
+                   return without_gil([&] { return PickingTree(mesh); });
+               }),
+           py::arg("points"), py::arg("triangles"), "(n, 3) float64 mm and (m, 3) int32.")
         .def(
             "refit",
             [](PickingTree& tree, const py::object& points)
@@ -296,17 +310,8 @@ void bind_picking(py::module_& module)
             "nearest_point",
             [](const PickingTree& tree, const py::object& point)
             { return tree.nearest_point(vector_from(point, "point")); },
-            py::arg("point"), "The Hit nearest to a point; None if the mesh has no triangle.")
-        .def(
-            "distances",
-            [](const PickingTree& tree, const py::object& points)
-            {
-                const Points places = points_from(points, "points");
-                return without_gil([&] { return distances_of(tree, places); });
-            },
-            py::arg("points"),
-            "(k,) mm from points (k, 3) to the nearest place; infinite if the mesh has no "
-            "triangle.");
+            py::arg("point"), "The Hit nearest to a point; None if the mesh has no triangle.");
+    bind_distances(on);
 }
 
 }  // namespace

@@ -76,7 +76,9 @@ def test_the_second_part_follows_and_its_contact_is_reported(kind: str):
     assert report["levels"] == {"plate": 0, "lid": 1}
     (contact,) = report["contacts"]
     assert (contact["source"], contact["target"], contact["type"]) == ("plate", "lid", kind)
-    assert contact["gap_change"] < {"control mesh": 0.5, "tied": 0.5, "rigid": 1e-9}[kind]
+    # Right beside a rigid side the sheet bends, which the other side's border sees.
+    assert contact["gap_change"] < {"control mesh": 0.5, "tied": 0.5, "rigid": 0.05}[kind]
+    assert (contact["deviation"] < 1e-9) == (kind == "rigid")
     assert report["certificate"]["passed"]
     assert np.abs(result.positions["lid"] - meshes()["lid"].points).max() > 5.0
 

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 
 import sheetmorph
 from plates import plate
+from sheetmorph.cli import main, parser
 from sheetmorph.recipe import read_json
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources/examples"
@@ -32,11 +33,19 @@ def verdict(action: Any) -> str:
 
 
 def require_agreement(path: Path, out: Path) -> str:
-    """Both refuse, or none does; returns the kind of the refusal."""
-    checked = verdict(lambda: sheetmorph.check(path))
-    ran = verdict(lambda: sheetmorph.run(path, out))
-    assert checked == ran
-    return ran
+    """Both refuse, or none does, with the same warnings; returns the kind of the refusal."""
+    told: dict[str, list[str]] = {}
+
+    def ran() -> None:
+        told["run"] = sheetmorph.run(path, out)["warnings"]
+
+    def checked() -> None:
+        told["check"] = sheetmorph.check(path)
+
+    kinds = [verdict(ran), verdict(checked)]
+    assert kinds[0] == kinds[1]
+    assert told.get("run") == told.get("check")
+    return kinds[0]
 
 
 def example_recipes() -> list[str]:
@@ -52,6 +61,34 @@ def test_examples_pass_both(name: str, tmp_path: Path):
     if not all(file.is_file() for file in files):
         pytest.skip("its parts are public data that is not at hand")
     assert require_agreement(EXAMPLES / name, tmp_path / "out") == ""
+    assert sheetmorph.check(EXAMPLES / name, strict=True) == []
+
+
+def test_check_knows_every_option_of_run():
+    commands = parser()._subparsers._group_actions[0].choices
+    options = {
+        name: {option for action in commands[name]._actions for option in action.option_strings}
+        for name in ("run", "check")
+    }
+    assert options["run"] == options["check"]
+
+
+def test_check_does_what_every_option_of_run_asks_for(folder: Path):
+    pose = folder / "pose.json"
+    pose.write_text(json.dumps({"tip": {"translation": [0, 0, "x"]}}))
+    recipe = str(folder / "recipe.json")
+    assert main(["check", recipe, "--quiet"]) == 0
+    for wrong in (
+        ["--pose", str(pose)], ["--step"], ["--repair"], ["-o", str(folder)],
+        ["--report", str(folder)], ["--report", str(folder / "none" / "report.json")],
+        ["--certify", "--criteria", str(folder / "none.json")],
+    ):  # fmt: skip
+        assert main(["check", recipe, "--quiet", *wrong]) == 2, wrong
+        out = wrong if "-o" in wrong else ["-o", str(folder / "out"), *wrong]
+        assert main(["run", recipe, "--quiet", *out]) == 2, wrong
+    assert main(["check", recipe, "--certify", "--pictures", "--wide", "--json"]) == 0
+    names = sorted(path.name for path in folder.iterdir())
+    assert names == ["plate.obj", "pose.json", "recipe.json"]
 
 
 def written(folder: Path, parts: int) -> list[dict[str, Any]]:

@@ -26,8 +26,8 @@ Measured = TypeVar("Measured")
 class Answer:
     """All parts in one pose; what Session.deform() returns is one that also reports.
 
-    positions: part name -> (n, 3) float64 mm, read-only; contacts: empty if not exact; spread: the
-    largest distance between two places where contacts want one vertex, mm, 0 if not exact;
+    positions: part name -> (n, 3) float64 mm, read-only; spread: the largest distance between two
+    places where contacts want one vertex, mm, 0 if not exact;
     deformed: the kernel's own result; previews: parts that an exact answer refines besides, so that
     it may differ; unsettled: part name -> what was not solved to its end, and how far it got;
     repairs: of parts of decks, whose nodes slid after they were solved.
@@ -35,7 +35,6 @@ class Answer:
 
     session: Preprocessed
     positions: dict[str, Floats]
-    contacts: list[ContactResult]
     spread: float
     pose: Pose
     deformed: _core.Deformed
@@ -58,6 +57,11 @@ class Answer:
     def lumps(self) -> list[FeatureResult]:
         """Where thin solids are not thin: each moved as a rigid feature."""
         return self._moved[len(self._moved) - self.session.lump_count :]
+
+    @cached_property
+    def contacts(self) -> list[ContactResult]:
+        """How well every contact was kept; empty if the answer is not exact."""
+        return self.session.kept_contacts(self.deformed, self.positions)
 
     def once(self, what: object, measure: Callable[[], Measured]) -> Measured:
         """What is measured when it is first asked for, under a key; each gets a copy."""

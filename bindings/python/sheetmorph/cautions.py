@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from .answer import Answer
+from .arrays import Ints
 from .decks import is_deck
 from .files import unpacked_name
 from .lost_turns import lost_turns
@@ -14,7 +15,8 @@ from .preprocessed import Preprocessed
 from .recipe.model import Model
 from .regions_report import region_remarks
 from .results import ContactResult
-from .words import counted
+from .thin import new_crossings
+from .words import at_place, counted, folds
 
 # How far a contact may open: of the gap at rest, of the region; below the last share it is nothing.
 _OF_GAP, _OF_REGION, _NOTHING = 0.5, 0.1, 1e-3
@@ -29,12 +31,13 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
     session = result.session
     return [
         *region_remarks(session),
+        *_unreached(session),
         *_loose(session),
         *_unheld_primary(session),
         *_lost_decks(session),
         *_open_contacts(result),
         *unsettled(parts),
-        *_stretched(parts),
+        *(text for entry in parts for text in _misshapen(result, entry)),
         *lost_turns(result),
         *_thinned(parts),
         *_unrepaired(result),
@@ -56,8 +59,9 @@ def open_contacts(result: Answer) -> dict[str, str]:
     for contact in result.contacts:
         limit, of_what = _limit(result.session, contact)
         if contact.gap_change > limit:
+            where = "" if contact.place is None else f" at {at_place(contact.place)}"
             found[contact.name] = (
-                f'"{contact.name}" opens or closes by {contact.gap_change:.2g} mm, beyond '
+                f'"{contact.name}" opens or closes by {contact.gap_change:.2g} mm{where}, beyond '
                 f"{limit:.2g} mm, {of_what}: {_todo(contact, result.session.model)}"
             )
     return found
@@ -68,6 +72,8 @@ def _open_contacts(result: Answer) -> Iterator[str]:
 
 
 def _todo(contact: ContactResult, model: Model) -> str:
+    if model.propagation.type == "single":
+        return 'set the propagation to "local" or "whole", which keep contacts, or move less'
     if contact.type == "control mesh" and model.propagation.type != "whole":
         return "make it tied or rigid, or split it into smaller regions"
     if contact.type != "rigid":
@@ -79,7 +85,7 @@ def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
     """How far a contact may open, mm, and why no farther."""
     region = contact.region_size
     limits = [(_OF_REGION * region, "a tenth of its region")]
-    gap = session.rest_gap(contact.name)
+    gap = session.contact_gap(contact.name).middle
     if gap > _NOTHING * region:
         limits.append((_OF_GAP * gap, f"half its gap of {gap:.2g} mm"))
     for part in (contact.source, contact.target):
@@ -92,7 +98,9 @@ def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
 
 def _loose(session: Preprocessed) -> Iterator[str]:
     for part, (pieces, vertices) in session.loose_pieces.items():
-        what = f'{counted(pieces, "piece", "pieces")} of "{part}" ({vertices} vertices) that '
+        where = at_place(session.loose_places[part])
+        number = counted(pieces, "piece", "pieces")
+        what = f'{number} of "{part}" ({vertices} vertices, one at {where}) that '
         if session.model.unheld == "along":
             yield what + "nothing holds go along with the nearest place of the others"
         else:
@@ -136,13 +144,13 @@ def _unrepaired(result: Answer) -> Iterator[str]:
             )
 
 
-def _stretched(parts: list[dict[str, Any]]) -> Iterator[str]:
-    for entry in parts:
-        strain = entry["quality"]["worst_strain"]
-        if strain is not None and strain > _STRAIN:
+def _unreached(session: Preprocessed) -> Iterator[str]:
+    held = {entry.part for entry in session.model.of_kind("fixed")}
+    for part in session.unreached:
+        if part not in held:
             yield (
-                f'an edge of "{entry["name"]}" changes its length by {100.0 * strain:.0f} % in '
-                "this pose: move less, remesh it, or hold what is small there in a form feature"
+                f'no motion reaches "{part}", so it stays at rest: join it to the others by a '
+                "contact, mark a fixed region on it, or leave it out"
             )
 
 
@@ -158,3 +166,67 @@ def _thinned(parts: list[dict[str, Any]]) -> Iterator[str]:
                 f"({place}), from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: move less, "
                 "mesh it finer there, or hold what is small there in a form feature"
             )
+
+
+def _misshapen(result: Answer, entry: dict[str, Any]) -> Iterator[str]:
+    """What a pose does to the mesh of a part; entry: as the report has it."""
+    name, quality = entry["name"], entry["quality"]
+    if quality["flipped"]:
+        where = f' of "{name}"'
+        yield (
+            f"{folds(quality['flipped'], where)} onto a neighbour in this pose, at "
+            f"{at_place(quality['flipped_place'])}: remesh it, hold slivers in a form feature, or "
+            "turn it less"
+        )
+    yield from _squeezed(name, quality)
+    yield from _crossing(result, name)
+    tear = result.session.cuts(name).tear(result.positions[name])
+    if tear is not None:
+        yield (
+            f'"{name}" is cut: {counted(tear.vertices, "vertex", "vertices")} part from others in '
+            f"the same place, by up to {tear.width:.3g} mm at {at_place(tear.place)}; nothing "
+            'holds the two sides together: set "weld" to join them'
+        )
+
+
+def _crossing(result: Answer, name: str) -> Iterator[str]:
+    triangles, places = result.session.meshes[name].triangles, result.positions[name]
+
+    def where(pairs: Ints) -> str:
+        number = counted(len(pairs), "pair", "pairs")
+        return f"{at_place(places[triangles[pairs[0, 0]]].mean(axis=0))} ({number} of triangles)"
+
+    found, drawn = new_crossings(result, name), result.session.rest_crossings(name)
+    if len(found):
+        yield (
+            f'"{name}" passes through itself in this pose, at {where(found)}: turn it less, or '
+            "remesh it with shorter edges"
+        )
+    if len(drawn) and any(part.name == name and part.thin for part in result.session.model.parts):
+        yield (
+            f'"{name}" passes through itself as it was drawn, at {where(drawn)}: what crosses is '
+            "bent as one surface and its thickness means nothing there; separate it in CAD"
+        )
+
+
+def _squeezed(name: str, quality: dict[str, Any]) -> Iterator[str]:
+    worst, shortest = quality["worst_edge"], quality["shortest_edge"]
+    if quality["collapsed_edges"]:
+        yield (
+            f'{counted(quality["collapsed_edges"], "edge", "edges")} of "{name}" '
+            f"{('collapses', 'collapse')[quality['collapsed_edges'] > 1]} to less than a tenth of "
+            f"the length, from {shortest['before']:.3g} to {shortest['after']:.3g} mm at "
+            f"{at_place(shortest['place'])}: move less, or remesh it"
+        )
+    elif quality["crushed_place"]:
+        yield (
+            f'a triangle of "{name}" loses its height in this pose, at '
+            f"{at_place(quality['crushed_place'])}: move less, or remesh it"
+        )
+    is_told = quality["collapsed_edges"] and worst == shortest
+    if worst is not None and quality["worst_strain"] > _STRAIN and not is_told:
+        yield (
+            f'an edge of "{name}", {worst["before"]:.3g} mm long, changes its length by '
+            f"{100.0 * quality['worst_strain']:.0f} % at {at_place(worst['place'])} in this pose: "
+            "move less, remesh it, or hold what is small there in a form feature"
+        )

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Floats, Ints
+from .decks.following import rigid_motion
 from .part_mesh import PartMesh
 
 
@@ -36,19 +37,33 @@ def feature_edges(mesh: PartMesh, vertices: Ints) -> Ints:
     return found
 
 
-def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats) -> float:
+def best_turn(rest: Floats, positions: Floats, vertices: Ints) -> Floats | None:
+    """The rotation (3, 3) that carries vertices (k,) best, which a file alone tells; None if they
+    lie on a line."""
+    found = rigid_motion(rest[vertices], positions[vertices])
+    return None if found is None else found[0]
+
+
+def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats | None) -> float:
     """Worst |p_i - p_j - R (p_hat_i - p_hat_j)| over edges (e, 2), mm (2.4).
 
-    rest, positions: (n, 3), at rest with the sizes that form features have; rotation: (3, 3).
+    rest, positions: (n, 3), at rest with the sizes that form features have; rotation: (3, 3), None
+    to compare lengths alone.
     """
     before = rest[edges[:, 0]] - rest[edges[:, 1]]
     after = positions[edges[:, 0]] - positions[edges[:, 1]]
+    if rotation is None:
+        lengths = np.linalg.norm(after, axis=1) - np.linalg.norm(before, axis=1)
+        return float(np.abs(lengths).max(initial=0.0))
     return float(np.linalg.norm(after - before @ rotation.T, axis=1).max(initial=0.0))
 
 
-def crossing_count(core: Any, points: Floats, triangles: Ints) -> int:
-    """Pairs of triangles (m, 3) on points (n, 3) that meet though no corner joins them (CGAL).
+def crossings(core: Any, points: Floats, triangles: Ints) -> Ints:
+    """Pairs (k, 2) of triangles (m, 3) on points (n, 3) that meet though no corner joins them, each
+    in order, ascending (CGAL).
 
     core: the kernel module.
     """
-    return len(core.self_intersections(core.TriangleMesh(np.array(points), triangles)))
+    pairs = core.self_intersections(core.TriangleMesh(np.array(points), triangles))
+    found: Ints = np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
+    return found

@@ -16,7 +16,8 @@ from types import FrameType
 from typing import Any, TextIO
 
 from . import __version__
-from .cli_certify import add_certify_arguments, certified_run, run_certify
+from .cli_certify import add_certify_arguments, certified_run, judged_run, require_criteria
+from .cli_certify import run_certify
 from .cli_copy import run_copy
 from .cli_find import add_find_arguments, run_find
 from .cli_flatten import add_flatten_arguments, run_flatten
@@ -138,19 +139,20 @@ def parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"sheetmorph {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     run = commands.add_parser("run", help="deform the parts of a recipe and write them")
-    run.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
-    run.add_argument("-o", "--output", required=True, metavar="DIR", help="folder for the parts")
-    run.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
-    text = "write the parts of CAD files as STEP, too"
-    run.add_argument("--step", action="store_true", help=text)
-    run.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
-    run.add_argument("--json", action="store_true", help="print the report instead of a table")
-    text = "write before.png and after.png beside the parts"
-    run.add_argument("--pictures", action="store_true", help=text)
     check = commands.add_parser("check", help="do what run does, and write nothing")
-    check.add_argument("recipe", help="JSON file")
     add_resolve_arguments(commands)
     for command in (run, check):
+        command.add_argument("recipe", help="JSON or TOML file; the part files are relative to it")
+        text = "folder for the parts"
+        command.add_argument("-o", "--output", required=command is run, metavar="DIR", help=text)
+        command.add_argument("--pose", metavar="POSE", help=_POSE_HELP)
+        text = "write the parts of CAD files as STEP, too"
+        command.add_argument("--step", action="store_true", help=text)
+        command.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
+        text = "print the report instead of a table; check prints its warnings"
+        command.add_argument("--json", action="store_true", help=text)
+        text = "write before.png and after.png beside the parts"
+        command.add_argument("--pictures", action="store_true", help=text)
         text = "warnings (badly opened contacts and others) end with exit status 3"
         command.add_argument("--strict", action="store_true", help=text)
         command.add_argument("--quiet", action="store_true", help="no progress on stderr")
@@ -160,7 +162,7 @@ def parser() -> argparse.ArgumentParser:
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
     add_find_arguments(commands)
     add_flatten_arguments(commands)
-    add_certify_arguments(commands, run)
+    add_certify_arguments(commands, (run, check))
     add_recipe_commands(commands)
     add_study_arguments(commands)
     return parser
@@ -177,6 +179,7 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     # Imported here, so that --help answers at once.
     from .running import run
 
+    require_criteria(wanted)
     with progress_on(sys.stderr, wanted.quiet) as progress:
         report = run(
             wanted.recipe, wanted.output, wanted.pose, wanted.report,
@@ -194,11 +197,22 @@ def _as_json(found: Any) -> list[str]:
 
 
 def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
-    from .running import check
+    from .running import NOT_TRIED, check
 
+    require_criteria(wanted)
+    judge = (lambda folder: judged_run(wanted, folder)) if wanted.certify else None
     with progress_on(sys.stderr, wanted.quiet) as progress:
-        told = check(wanted.recipe, strict=wanted.strict, progress=progress)
-    return ["; ".join([f"{wanted.recipe}: valid", *told])]
+        told = check(
+            wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=wanted.report,
+            strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
+            repair=wanted.repair, judge=judge, progress=progress,
+        )  # fmt: skip
+    untried = [text for text in told if text.startswith(NOT_TRIED)]
+    warnings = [text for text in told if text not in untried]
+    if wanted.json:
+        return _as_json({"valid": True, "warnings": warnings, "notes": untried})
+    verdict = "; ".join([f"{wanted.recipe}: valid", *untried])
+    return [*(f"warning: {text}" for text in warnings), verdict]
 
 
 def _doctor(wanted: argparse.Namespace, _files: FileSet) -> list[str]:

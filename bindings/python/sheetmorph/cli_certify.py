@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,24 +15,25 @@ from .words import counted
 NAMES = ("certificate.json", "certificate.html")
 
 
-def add_certify_arguments(commands: Any, run: argparse.ArgumentParser) -> None:
-    """Adds `certify` and `copy` to the commands of a parser, and options to `run`."""
+def add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]) -> None:
+    """Adds `certify` and `copy` to the commands of a parser, and options to `run` and `check`."""
     text = "a set (standard, crash, static) or a JSON file with criteria (default: standard)"
     add_copy_arguments(commands)
-    run.add_argument("--wide", action="store_true", help="GRID of moved nodes in large fields")
-    run.add_argument(
-        "--repair", metavar="FILE", nargs="?", const="standard",
-        help=f"let nodes of decks slide in the sheet until elements meet criteria, {text}",
-    )  # fmt: skip
-    run.add_argument("--certify", action="store_true", help="certify what was written, in DIR")
-    run.add_argument("--criteria", metavar="FILE", help=f"for --certify, {text}")
+    for run in runs:
+        run.add_argument("--wide", action="store_true", help="GRID of moved nodes in large fields")
+        run.add_argument(
+            "--repair", metavar="FILE", nargs="?", const="standard",
+            help=f"let nodes of decks slide in the sheet until elements meet criteria, {text}",
+        )  # fmt: skip
+        run.add_argument("--certify", action="store_true", help="certify what was written, in DIR")
+        run.add_argument("--criteria", metavar="FILE", help=f"for --certify, {text}")
     command = commands.add_parser("certify", help="measure and judge what a run wrote")
     command.add_argument("recipe", help="the recipe of the run")
     command.add_argument("folder", metavar="DIR", help="the folder that the run wrote")
     command.add_argument("--criteria", metavar="FILE", help=text)
     command.add_argument("--json", metavar="FILE", help="where to write the certificate")
     command.add_argument("--page", metavar="FILE", help="where to write it as a page (HTML)")
-    for one in (run, command, *(commands.choices[name] for name in ("copy", "check"))):
+    for one in (*runs, command, commands.choices["copy"]):
         text = "LS-DYNA decks as if their *KEYWORD said so"
         one.add_argument("--keyword", choices=("long=y", "i10=y"), help=text)
 
@@ -57,6 +59,19 @@ def certified(
         counted(joints, "joint", "joints"),
     ]
     return [f"{folder}: certified by {found['criteria']['name']}: {', '.join(told)}"]
+
+
+def require_criteria(wanted: argparse.Namespace) -> None:
+    """Raises FileError for criteria that `--certify` cannot read, before anything is written."""
+    from .certifying import read_criteria
+
+    if wanted.certify:
+        read_criteria(wanted.criteria)
+
+
+def judged_run(wanted: argparse.Namespace, folder: Path) -> None:
+    """What `check --certify` does with the folder of a run; raises NotCertified."""
+    certified(wanted.recipe, str(folder), wanted.criteria, (None, None))
 
 
 def certified_run(wanted: argparse.Namespace) -> list[str]:

@@ -18,12 +18,7 @@ def ending_of(report: dict[str, Any], output: str, *, is_quiet: bool) -> list[st
     lines += [f"warning: {text}" for text in report["warnings"]]
     parts = counted(len(report["parts"]), "part", "parts")
     lines.append(f"{output}: {parts} written, {_rigid(report)}")
-    lines += _shapes(report)
-    return lines + [
-        f"{part['name']}: not reached by any motion, unchanged"
-        for part in report["parts"]
-        if not part["is_reached"]
-    ]
+    return [*lines, *_shapes(report)]
 
 
 def _parts(report: dict[str, Any]) -> list[str]:
@@ -89,8 +84,11 @@ def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _rigid(report: dict[str, Any]) -> str:
+    # Imported here, so that --help answers at once.
+    from .report import rigidity
+
     features, left_out = report["features"], report.get("found", {}).get("left_out", [])
-    worst = max((feature["edge_error"] for feature in features), default=0.0)
+    worst = max(map(rigidity, features), default=0.0)
     text = f"{counted(len(features), 'form feature', 'form features')} rigid to {worst:.2g} mm"
     if left_out:
         number = counted(len(left_out), "proposal", "proposals")

@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Settings of a recipe that have no effect, and shapes to mistrust, told in the report."""
+"""Settings of a recipe that have no effect, and how steel is strained, for the report."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import Any
 
-from .answer import Answer
 from .preprocessed import Preprocessed
 from .recipe.model import Model, PartEntry
 from .stretch import stretch_words
-from .thin import crossings
-from .words import folds
 
 _MOST_BODIES = 5
 _ALL, _REGIONS, _BOUNDARIES = 1, 2, 3
@@ -46,33 +43,11 @@ def _joined(session: Preprocessed) -> Iterator[str]:
         yield f"so are {len(joined) - _MOST_BODIES} more sets of form features and rigid contacts"
 
 
-def shape_notes(result: Answer, parts: list[dict[str, Any]]) -> Iterator[str]:
-    """What makes the shape of a part doubtful, and what to do; parts: as the report tells them."""
-    asked = {part.name for part in result.session.model.parts if part.thin}
+def shape_notes(parts: list[dict[str, Any]]) -> Iterator[str]:
+    """How a pose strains steel, where that is worst; parts: as the report has them."""
     for entry in parts:
         if entry["steel"] is not None and entry["is_reached"]:
             yield from stretch_words(entry)
-        name, flipped = entry["name"], entry["quality"]["flipped"]
-        if flipped:
-            where = f' of "{name}"'
-            yield (
-                f"{folds(flipped, where)} onto a neighbour in this pose: remesh "
-                "it, hold slivers in a form feature, or turn it less"
-            )
-        if name not in asked:
-            continue
-        rest, deformed = crossings(result, name)
-        if rest:
-            yield (
-                f'"{name}" passes through itself as it was drawn ({rest} pairs of triangles, now '
-                f"{deformed}): what crosses is bent as one surface and its thickness means nothing "
-                "there; separate it in CAD"
-            )
-        elif deformed:
-            yield (
-                f'"{name}" passes through itself in this pose ({deformed} pairs of triangles): '
-                "turn it less, or remesh it with shorter edges"
-            )
 
 
 def _primary(model: Model) -> Iterator[str]:

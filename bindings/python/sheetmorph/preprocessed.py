@@ -12,21 +12,21 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from .arrays import Floats, Ints
-from .certificate import crossing_count, feature_edges
+from .certificate import crossings, feature_edges
+from .gaps import ContactGap, Surface
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 from .progress import Progress
 from .recipe import check_with_meshes
 from .recipe.found import Found
 from .recipe.model import Model, RegionEntry
-from .results import FeatureResult
+from .results import ContactResult, FeatureResult
 from .strain import EdgeChanges
+from .tears import Cuts
 from .translation import Translator, kernel_faults
 
 if TYPE_CHECKING:
     from . import _core
-
-_MOST_SAMPLES = 400
 
 
 class Preprocessed:
@@ -57,10 +57,13 @@ class Preprocessed:
         self._model = model
         self.meshes = {part.name: meshes[part.name] for part in model.parts}
         self._core = load_kernel()
-        self._rest_gaps: dict[str, float] = {}
+        self._contacts = {entry.name: entry for entry in model.contacts}
+        self._rest_surfaces: dict[str, Surface] = {}
+        self._contact_gaps: dict[str, ContactGap] = {}
         self._feature_edges: dict[str, Ints] = {}
         self._edge_changes: dict[str, EdgeChanges] = {}
-        self._crossings: dict[str, int] = {}
+        self._crossings: dict[str, Ints] = {}
+        self._cuts: dict[str, Cuts] = {}
         with kernel_faults(self._core):
             self._translator = Translator(self._core, model, self.meshes)
             assembly = self._translator.assembly()
@@ -116,36 +119,65 @@ class Preprocessed:
     def loose_pieces(self) -> dict[str, tuple[int, int]]:
         """By part: how many pieces, with how many vertices, nothing holds; see `unheld`."""
         found = self._kernel.loose_pieces
-        return {self.parts[part]: (pieces, vertices) for part, pieces, vertices in found}
+        return {self.parts[part]: (pieces, vertices) for part, pieces, vertices, _ in found}
+
+    @property
+    def loose_places(self) -> dict[str, Floats]:
+        """By part: where, at rest, one of the pieces is that nothing holds, (3,) mm."""
+        return {self.parts[part]: place for part, _, _, place in self._kernel.loose_pieces}
 
     def is_held(self, part: str) -> bool:
         """Whether a fixed region holds a part, its own or through rigid contacts."""
         return bool(self._kernel.is_held(self.parts.index(part)))
 
-    def sides_of(self, contact: str) -> tuple[Floats, Floats]:
-        """Rest positions (k, 3) of the sides a and b of a contact, mm."""
-        entry = next(entry for entry in self._model.contacts if entry.name == contact)
-        a, b = (
-            self.meshes[side.part].points[self._translator.indices(side)]
-            for side in (entry.a, entry.b)
-        )
-        return a, b
-
     def region_vertices(self, region: RegionEntry) -> Ints:
         """Indices (k,) of the vertices of a region of the model in its part."""
         return self._translator.indices(region)
 
-    def rest_gap(self, contact: str) -> float:
-        """The median distance at rest of the sides of a contact, mm."""
-        if contact not in self._rest_gaps:
-            self._rest_gaps[contact] = _gap(*self.sides_of(contact))
-        return self._rest_gaps[contact]
+    def contact_gap(self, contact: str) -> ContactGap:
+        """The gap of a contact."""
+        if contact not in self._contact_gaps:
+            entry = self._contacts[contact]
+            rest = self._rest_surface(entry.a.part), self._rest_surface(entry.b.part)
+            sides = self._translator.indices(entry.a), self._translator.indices(entry.b)
+            self._contact_gaps[contact] = ContactGap(rest, sides)
+        return self._contact_gaps[contact]
+
+    def _rest_surface(self, part: str) -> Surface:
+        if part not in self._rest_surfaces:
+            mesh = self.meshes[part]
+            self._rest_surfaces[part] = Surface(mesh.points, mesh.triangles)
+        return self._rest_surfaces[part]
+
+    def kept_contacts(
+        self, deformed: _core.Deformed, positions: Mapping[str, Floats]
+    ) -> list[ContactResult]:
+        """How well the contacts of what the kernel made are kept at positions (n, 3), by part."""
+        names, found = self.parts, []
+        now = {
+            name: Surface(places, self.meshes[name].triangles) for name, places in positions.items()
+        }
+        for told in deformed.contacts:
+            entry = self._model.contacts[told.contact]
+            change = self.contact_gap(entry.name).change((now[entry.a.part], now[entry.b.part]))
+            found.append(
+                ContactResult(
+                    name=entry.name,
+                    type=entry.type,
+                    source=names[told.source_part],
+                    target=names[told.target_part],
+                    deviation=float(told.deviation),
+                    gap_change=change.worst,
+                    place=None if change.place is None else change.place.tolist(),
+                    region_size=float(told.region_size),
+                )
+            )
+        return found
 
     def feature_edges(self, name: str) -> Ints:
         """Edges (e, 2) of a form feature, as `certificate.feature_edges` tells them."""
         if name not in self._feature_edges:
-            part = next(entry.part for entry in self._kernel.features if entry.name == name)
-            mesh = self.meshes[self.parts[part]]
+            mesh = self.meshes[self.parts[self._kernel_features[name].part]]
             self._feature_edges[name] = feature_edges(mesh, self.feature_vertices(name))
         return self._feature_edges[name]
 
@@ -156,12 +188,18 @@ class Preprocessed:
             self._edge_changes[part] = EdgeChanges(mesh.points, mesh.triangles)
         return self._edge_changes[part]
 
-    def rest_crossings(self, part: str) -> int:
-        """Pairs of triangles of a part that meet at rest, as `certificate.crossing_count` tells."""
+    def rest_crossings(self, part: str) -> Ints:
+        """Pairs (k, 2) of triangles of a part that meet at rest: `certificate.crossings`."""
         if part not in self._crossings:
             mesh = self.meshes[part]
-            self._crossings[part] = crossing_count(self._core, mesh.points, mesh.triangles)
+            self._crossings[part] = crossings(self._core, mesh.points, mesh.triangles)
         return self._crossings[part]
+
+    def cuts(self, part: str) -> Cuts:
+        """Where the mesh of a part is cut."""
+        if part not in self._cuts:
+            self._cuts[part] = Cuts(self.meshes[part])
+        return self._cuts[part]
 
     @property
     def timings(self) -> dict[str, float]:
@@ -217,7 +255,13 @@ class Preprocessed:
 
     def feature_vertices(self, name: str) -> Ints:
         """Indices (k,) of a form feature's vertices in its part."""
-        return next(entry.vertices for entry in self._kernel.features if entry.name == name)
+        found: Ints = self._kernel_features[name].vertices
+        return found
+
+    @cached_property
+    def _kernel_features(self) -> dict[str, _core.FormFeature]:
+        """The kernel's form features by name, lumps of thin solids among them."""
+        return {entry.name: entry for entry in self._kernel.features}
 
     def rest_of(self, part: str, features: list[FeatureResult]) -> Floats:
         """Positions (n, 3) of a part at rest, with the sizes its form features have; mm."""
@@ -239,11 +283,3 @@ class Preprocessed:
         number = -1 if contact is None else names.index(contact)
         found = self._kernel.control_mesh(number, deformed)
         return cast("tuple[Floats, Ints] | None", found)
-
-
-def _gap(a: Floats, b: Floats) -> float:
-    """The median distance of vertices of one side (k, 3) from the nearest of the other, mm."""
-    few, many = sorted((a, b), key=len)
-    few = few[:: max(1, len(few) // _MOST_SAMPLES)]
-    nearest = [np.linalg.norm(many - place, axis=1).min() for place in few]
-    return float(np.median(nearest))

@@ -7,26 +7,32 @@ import json
 import math
 import platform
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from importlib import resources
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from .answer import Answer
-from .arrays import Floats
-from .certificate import edge_error, tolerance
+from .arrays import Floats, Ints
+from .certificate import best_turn, edge_error, tolerance
 from .notes import notes_of, shape_notes
+from .part_mesh import PartMesh
+from .preprocessed import Preprocessed
 from .recipe.feature_entries import SymmetryEntry
 from .recipe.pose import entries_of
 from .regions_report import region_entries
 from .results import FeatureResult
 from .sizes_report import measured_size, missed_sizes
 from .shape_report import WrittenShapes, kink_notes, shape_failures, shape_report
+from .strain import Edge, crushed
 from .stretch import steel_report, stretch_report
-from .thin import crossings, thickness_in_file, thin_failures, thin_report
+from .thin import crossed, thickness_in_file, thin_failures, thin_report
 from .cautions import unsettled, warnings_of
+
+
+Shown = TypeVar("Shown", bound=Answer)
 
 
 @dataclass(frozen=True)
@@ -71,11 +77,15 @@ def make_report(
     """The report of a result; `written`: its files read again, by part name; beside: what decks and
     files of joints say; is_brief: without where the sheet is stretched, and the regions."""
     session, files, beside = result.session, written or {}, beside or FilesTold()
+    stored = as_written(result, files)
     rest = (mesh.points for mesh in session.meshes.values())
     tol = tolerance(session.size, [*rest, *result.positions.values()])
     features = _features(result, files)
-    parts = [part_report(result, name, files.get(name), is_brief) for name in session.parts]
-    warnings = warnings_of(result, parts)
+    parts = [
+        part_report(stored, name, files.get(name), is_brief) | _told_of_file(result, name, files)
+        for name in session.parts
+    ]
+    warnings = warnings_of(stored, parts)
     failures = [*_torn(features, tol), *missed_sizes(features, parts, tol)]
     failures += [*thin_failures(result, tol), *unsettled(parts), *shape_faults(parts)]
     failures += beside.texts("failures")
@@ -87,23 +97,33 @@ def make_report(
         "symmetry": _symmetry(session.model.symmetry),
         **{"pose": entries_of(result.pose), "size": session.size, "tolerance": tol},
         "certificate": {"passed": not failures, "failures": failures},
-        "features": features,
-        **{"decks": beside.decks, "joint_files": beside.joint_files},
-        "contacts": [asdict(contact) for contact in result.contacts],
-        "spread": result.spread,
+        **{"features": features, "decks": beside.decks, "joint_files": beside.joint_files},
+        **{"contacts": [asdict(contact) for contact in stored.contacts], "spread": result.spread},
         "regions": [] if is_brief else result.once("regions", partial(region_entries, session)),
         **{"parts": parts, "repairs": result.repairs},
         **{"order": session.order, "levels": session.levels, "unreached": session.unreached},
-        "notes": [*_notes(result, parts, beside), *warnings],
-        "warnings": warnings,
+        **{"notes": [*_notes(session, parts, beside), *warnings], "warnings": warnings},
         "timings": {**session.timings, **(timings or {})},
         **({} if session.model.found is None else {"found": session.model.found}),
     }
 
 
-def _notes(result: Answer, parts: list[dict[str, Any]], beside: FilesTold) -> list[str]:
+def _notes(session: Preprocessed, parts: list[dict[str, Any]], beside: FilesTold) -> list[str]:
     told = [*_kinks(parts), *beside.texts("notes")]
-    return [*notes_of(result.session), *shape_notes(result, parts), *told]
+    return [*notes_of(session), *shape_notes(parts), *told]
+
+
+def warnings_in(result: Answer) -> list[str]:
+    """The warnings of a report of a result whose files are not written."""
+    return warnings_of(result, [part_report(result, name, None, True) for name in result.positions])
+
+
+def as_written(result: Shown, files: Mapping[str, WrittenPart]) -> Shown:
+    """The answer with the positions that its files hold, by part; itself if they are the same."""
+    stored = {name: part.positions for name, part in files.items()}
+    if all(np.array_equal(result.positions[name], places) for name, places in stored.items()):
+        return result
+    return replace(result, positions={**result.positions, **stored})
 
 
 def shape_faults(parts: list[dict[str, Any]]) -> list[str]:
@@ -143,6 +163,12 @@ def _worst_error(feature: Mapping[str, Any]) -> float:
     return found
 
 
+def rigidity(feature: Mapping[str, Any]) -> float:
+    """The edge error of a feature, mm: in its file, or in memory where nothing is written."""
+    written: float | None = feature["file_edge_error"]
+    return float(feature["edge_error"] if written is None else written)
+
+
 def _features(result: Answer, files: Mapping[str, WrittenPart]) -> list[dict[str, Any]]:
     session = result.session
     rests = {part: session.rest_of(part, result.features) for part in session.parts}
@@ -157,20 +183,21 @@ def _feature(
 ) -> dict[str, Any]:
     vertices = result.session.feature_vertices(feature.name)
     edges = result.session.feature_edges(feature.name)
+    rest, written = rests[feature.part], files.get(feature.part)
 
-    def error_of(positions: Floats) -> float:
-        return edge_error(rests[feature.part], positions, edges, feature.rotation)
+    def in_mesh() -> float:
+        return edge_error(rest, result.positions[feature.part], edges, feature.rotation)
 
-    in_mesh = partial(error_of, result.positions[feature.part])
+    def in_file(file: WrittenPart) -> float:
+        return edge_error(rest, file.positions, edges, best_turn(rest, file.positions, vertices))
 
-    written = files.get(feature.part)
     positions = result.positions[feature.part] if written is None else written.positions
     return {
         "name": feature.name,
         "part": feature.part,
         "vertices": len(vertices),
         "edge_error": result.once(("edge error", feature.name), in_mesh),
-        "file_edge_error": None if written is None else error_of(written.positions),
+        "file_edge_error": None if written is None else in_file(written),
         "rotation_type": feature.rotation_type,
         "motion": feature.motion,
         "kind": feature.kind,
@@ -186,7 +213,8 @@ def _feature(
 def part_report(
     result: Answer, name: str, written: WrittenPart | None = None, is_brief: bool = False
 ) -> dict[str, Any]:
-    """The entry of a part in the report; is_brief: without where it is stretched."""
+    """The entry of a part in the report but for its file; is_brief: without where it is
+    stretched."""
     mesh = result.session.meshes[name]
     positions = result.positions[name]
     report = {
@@ -205,16 +233,25 @@ def part_report(
     if writing is not None:
         shapes = None if written is None else written.shapes
         report["shape"] = shape_report(
-            writing, crossings(result, name), shapes, partial(thickness_in_file, result, name)
+            writing, crossed(result, name), shapes, partial(thickness_in_file, result, name)
         )
-    if written is not None:
-        report["file"] = {
-            "name": written.file,
-            "precision": written.precision,
-            "error": _largest_distance(written.positions, positions),
-            "notes": written.notes,
-        }
     return report
+
+
+def _told_of_file(
+    result: Answer, part: str, files: Mapping[str, WrittenPart]
+) -> dict[str, dict[str, Any] | None]:
+    """The entry "file" of a part; result: what its file should hold."""
+    if part not in files:
+        return {"file": None}
+    written = files[part]
+    told = {
+        "name": written.file,
+        "precision": written.precision,
+        "error": _largest_distance(written.positions, result.positions[part]),
+        "notes": written.notes,
+    }
+    return {"file": told}
 
 
 def _measured(result: Answer, part: str, is_brief: bool) -> dict[str, Any]:
@@ -234,14 +271,35 @@ def _largest_distance(a: Floats, b: Floats) -> float:
 def _quality(result: Answer, part: str) -> dict[str, Any]:
     core, mesh = result.session.core, result.session.meshes[part]
     positions, edges = result.positions[part], result.session.edge_changes(part)
-    change = core.compare_quality(mesh.points, positions, mesh.triangles)
+    change, worst = core.compare_quality(mesh.points, positions, mesh.triangles), edges.worst(
+        positions
+    )
     return {
         "before": _shape_of(core.quality(mesh.points, mesh.triangles)),
         "after": _shape_of(change),
         "flipped": int(change.flipped),
-        "worst_strain": edges.worst_strain(positions),
+        "flipped_place": _middle_of_first(mesh, positions, change.flipped_triangles),
+        "crushed_place": _middle_of_first(mesh, positions, crushed(mesh, positions)),
+        "worst_strain": None if worst is None else worst.strain,
+        "worst_edge": _edge_entry(worst),
+        "collapsed_edges": edges.collapsed(positions),
+        "shortest_edge": _edge_entry(edges.shortest(positions)),
         "worst_fold_degrees": edges.worst_fold(positions),
     }
+
+
+def _middle_of_first(mesh: PartMesh, positions: Floats, triangles: Ints) -> list[float] | None:
+    """Where the first of some triangles is; None without any."""
+    if not len(triangles):
+        return None
+    found: list[float] = positions[mesh.triangles[triangles[0]]].mean(axis=0).tolist()
+    return found
+
+
+def _edge_entry(edge: Edge | None) -> dict[str, Any] | None:
+    if edge is None:
+        return None
+    return {"before": edge.before, "after": edge.after, "place": edge.place.tolist()}
 
 
 def _shape_of(found: Any) -> dict[str, Any]:

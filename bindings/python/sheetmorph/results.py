@@ -38,8 +38,9 @@ class ContactResult:
     """How well a contact between two reached parts was kept, mm.
 
     deviation: farthest a driven vertex of `target` is from the best rigid motion of the side on
-    `source`; gap_change: worst change of a driven vertex's distance to that side; region_size:
-    diagonal of both sides at rest, to compare with.
+    `source`; gap_change: worst change of the distance from a vertex of either side to the other
+    part; place: where that vertex is, None without vertices; region_size: diagonal of both sides
+    at rest, to compare with.
     """
 
     name: str
@@ -48,4 +49,5 @@ class ContactResult:
     target: str
     deviation: float
     gap_change: float
+    place: list[float] | None
     region_size: float

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -31,6 +31,10 @@ from .session import Result, Session
 from .shape_report import WrittenShapes
 
 
+# Before why a check could not deform anything.
+NOT_TRIED = "not tried out: "
+
+
 class CertificateError(RuntimeError):
     """A form feature lost its form, a part is not solved to its end, a shape cannot follow its
     mesh, or the warnings of a strict run; ``report`` tells more."""
@@ -49,25 +53,51 @@ class CertificateError(RuntimeError):
 
 
 def check(
-    recipe_path: str | Path, *, strict: bool = False, progress: Progress | None = None
+    recipe_path: str | Path,
+    *,
+    out_dir: str | Path | None = None,
+    pose: str | Path | dict[str, Any] | None = None,
+    report: str | Path | None = None,
+    strict: bool = False,
+    pictures: bool = False,
+    step: bool = False,
+    wide: bool = False,
+    repair: str | None = None,
+    judge: Callable[[Path], object] | None = None,
+    progress: Progress | None = None,
 ) -> list[str]:
     """Do what run() does with a recipe, and with each of its poses, into a folder thrown away.
 
-    So what it passes runs. Returns what could not be checked, one sentence each. Raises what run()
-    raises.
+    Its options are those of run(); out_dir, report: nothing is written there; pose: this one alone;
+    judge(folder): what is done with each folder that was written. Returns the warnings of run(),
+    and what could not be checked, one sentence each. Raises what run() raises.
     """
-    path = Path(recipe_path)
-    ways = Ways(strict, progress or _keep_going)
+    path, found = Path(recipe_path), list[str]()
+    ways = Ways(strict, progress or _keep_going, pictures, step, repair)
     try:
-        with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as folder:
+        with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as place:
+            folder = Path(place) / "parts"
             morph = _Morph(path, ways)
-            places = morph.places([], Path(folder) / "parts", None)
+            morph.widen(wide)
+            read, wanted = morph.pose(pose)
+            targets = folder if out_dir is None else Path(out_dir)
+            morph.places(read, targets, None if report is None else Path(report))
             morph.factorise()
-            for pose in (None, *morph.recipe.get("poses", {})):
-                morph.write(_named_pose(morph.recipe, pose), places, FileSet())
+            named = {} if pose is not None else morph.recipe.get("poses", {})
+            for name, one in {"": wanted, **named}.items():
+                with named_in(read[0] if read else path):
+                    found += _tried(morph, one, folder, f'pose "{name}": ' if name else "")
+                if judge is not None:
+                    judge(folder)
     except KernelError as error:
-        return [f"not tried out: {error}"]
-    return []
+        found.append(f"{NOT_TRIED}{error}")
+    return found
+
+
+def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, lead: str) -> list[str]:
+    """Write a pose into a folder thrown away; returns its warnings, each after a lead."""
+    report = morph.write(pose, morph.places([], folder, None), FileSet())
+    return [f"{lead}{text}" for text in report["warnings"]]
 
 
 def resolve(
@@ -117,14 +147,10 @@ def run(
     path, out = Path(recipe_path), Path(out_dir)
     morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step, repair))
     morph.widen(wide)
-    pose = _named_pose(morph.recipe, pose)
-    pose_path = None if pose is None or isinstance(pose, dict) else Path(pose)
-    with named_in(path):
-        read = [pose_path] if pose_path else []
-        places = morph.places(read, out, None if report is None else Path(report))
-        wanted = pose if pose_path is None else read_json(pose_path)
+    read, wanted = morph.pose(pose)
+    places = morph.places(read, out, None if report is None else Path(report))
     morph.factorise()
-    with named_in(pose_path or path):
+    with named_in(read[0] if read else path):
         return morph.write(wanted, places, files or FileSet())
 
 
@@ -159,6 +185,15 @@ class _Morph:
         for source in self._parts.sources:
             source.file.is_wide = is_wide
 
+    def pose(self, pose: Any) -> tuple[list[Path], dict[str, Any] | None]:
+        """The file of a pose if it has one, and the pose: given as such, by its name in the recipe
+        or by its file; None is the recipe's own. Raises RecipeError."""
+        found = _named_pose(self.recipe, pose)
+        if found is None or isinstance(found, dict):
+            return [], found
+        with named_in(self._path):
+            return [Path(found)], read_json(found)
+
     def places(self, read: list[Path], out: Path, report: Path | None) -> Places:
         """Where its files go. Raises RecipeError."""
         sources = self._parts.sources
@@ -168,7 +203,8 @@ class _Morph:
         read = [*read, *(joints.file.path for joints in self._joints)]
         sourced = [path for source in sources for path in source.file.files_read]
         places = Places([self._path, *read, *sourced], out, targets, report)
-        places.check()
+        with named_in(self._path):
+            places.check()
         return places
 
     def factorise(self) -> None:

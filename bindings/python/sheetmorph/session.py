@@ -17,8 +17,7 @@ from .preprocessed import Preprocessed
 from .progress import Progress
 from .recipe import check_pose
 from .recipe.pose import Pose
-from .report import make_report
-from .results import ContactResult
+from .report import make_report, warnings_in
 from .translation import Numbers, kernel_faults
 
 if TYPE_CHECKING:
@@ -51,6 +50,10 @@ class Result(Answer):
     def report(self) -> dict[str, Any]:
         """The report (report.schema.json) without what concerns files."""
         return make_report(self)
+
+    def warnings(self) -> list[str]:
+        """The report's warnings, one sentence each."""
+        return warnings_in(self)
 
 
 class Session(Preprocessed):
@@ -116,24 +119,11 @@ class Session(Preprocessed):
         return Result(
             session=self,
             positions={name: deformed.positions(k) for k, name in enumerate(self.parts)},
-            contacts=[self._contact(found) for found in deformed.contacts],
             spread=float(deformed.spread),
             pose=dict(wanted),
             deformed=deformed,
             previews=tuple(self.parts[part] for part in deformed.previews),
             unsettled={self.parts[part]: text for part, text in deformed.unsettled},
-        )
-
-    def _contact(self, found: _core.ContactFidelity) -> ContactResult:
-        entry = self._model.contacts[found.contact]
-        return ContactResult(
-            name=entry.name,
-            type=entry.type,
-            source=self.parts[found.source_part],
-            target=self.parts[found.target_part],
-            deviation=float(found.deviation),
-            gap_change=float(found.gap_change),
-            region_size=float(found.region_size),
         )
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 
 from .arrays import Floats
-from .certificate import crossing_count
+from .certificate import crossings
 from .errors import list_ids
 from .files.cad_writing import CadWriting
 from .part_mesh import PartMesh
@@ -44,13 +44,13 @@ Thickness = Callable[[Floats], dict[str, Any] | None]
 
 def shape_report(
     writing: CadWriting,
-    crossings: tuple[int, int],
+    crossed: tuple[int, int],
     shapes: WrittenShapes | None,
     thickness: Thickness,
 ) -> dict[str, Any]:
     """The part's entry "shape" in the report.
 
-    crossings: pairs of triangles of its mesh that meet, at rest and deformed; shapes: None before
+    crossed: pairs of triangles of its mesh that meet, at rest and deformed; shapes: None before
     they are written; thickness: of the part.
     """
     read = [] if shapes is None else shapes.bodies
@@ -58,7 +58,7 @@ def shape_report(
         "format": writing.format,
         "tolerance": writing.tolerance,
         "edge_tolerance": writing.edge_tolerance,
-        "self_intersections": dict(zip(("rest", "deformed"), crossings)),
+        "self_intersections": dict(zip(("rest", "deformed"), crossed)),
         "file": None if shapes is None else shapes.file,
         "bytes": None if shapes is None else shapes.bytes_written,
         "bytes_before": None if shapes is None else shapes.bytes_read,
@@ -72,8 +72,8 @@ def shape_report(
 def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[str]:
     """A sentence for everything that is not as the recipe wants it; flipped: triangles of its mesh
     that fold over."""
-    crossings = shape["self_intersections"]
-    what = _fold(flipped, crossings["rest"], crossings["deformed"])
+    crossed = shape["self_intersections"]
+    what = _fold(flipped, crossed["rest"], crossed["deformed"])
     if what:
         yield (
             f'"{part}" cannot be written as {shape["format"].upper()}: its mesh folds ({what}), '
@@ -91,7 +91,7 @@ def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
     """What of a part's mesh folds at positions (n, 3), in a few words; empty if nothing does."""
     flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
     rest, deformed = (
-        crossing_count(core, points, mesh.triangles) for points in (mesh.points, positions)
+        len(crossings(core, points, mesh.triangles)) for points in (mesh.points, positions)
     )
     return _fold(flipped, rest, deformed)
 

@@ -3,13 +3,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 import numpy as np
 
 from .arrays import Floats, Ints
 from .blocks import in_blocks
+from .part_mesh import PartMesh
 
 # Of the size: edges that short have no length to compare with.
 _NO_LENGTH = 1e-12
+# A triangle with less height than this share of its longest edge has none.
+_NO_HEIGHT = 1e-5
+# An edge that is shorter than this share of its length has collapsed.
+COLLAPSED = 0.1
+
+
+@dataclass(frozen=True)
+class Edge:
+    """An edge of a mesh: its length at rest and now, mm, and its middle (3,)."""
+
+    before: float
+    after: float
+    place: Floats
+
+    @property
+    def strain(self) -> float:
+        """The change of its length over its length at rest, in magnitude."""
+        return abs(self.after / self.before - 1.0)
 
 
 class EdgeChanges:
@@ -26,14 +48,34 @@ class EdgeChanges:
         self._edges, self._lengths = edges[has_length], lengths[has_length]
         self._angles = _angles(rest, triangles, self._sides)
 
-    def worst_strain(self, positions: Floats) -> float | None:
-        """The largest change of an edge's length over its length at rest; None without edges.
+    def worst(self, positions: Floats) -> Edge | None:
+        """The edge with the largest strain; None without edges.
 
         positions: (n, 3).
         """
+        return self._edge(positions, lambda ratio: int(np.abs(ratio - 1.0).argmax()))
+
+    def shortest(self, positions: Floats) -> Edge | None:
+        """The edge that is left with the least share of its length; None without edges.
+
+        positions: (n, 3).
+        """
+        return self._edge(positions, lambda ratio: int(ratio.argmin()))
+
+    def collapsed(self, positions: Floats) -> int:
+        """How many edges are left with less than a tenth of their length.
+
+        positions: (n, 3).
+        """
+        return int((_lengths(positions, self._edges) < COLLAPSED * self._lengths).sum())
+
+    def _edge(self, positions: Floats, choose: Callable[[Floats], int]) -> Edge | None:
         if not len(self._edges):
             return None
-        return float(np.abs(_lengths(positions, self._edges) / self._lengths - 1.0).max())
+        lengths = _lengths(positions, self._edges)
+        k = choose(lengths / self._lengths)
+        place = positions[self._edges[k]].mean(axis=0)
+        return Edge(float(self._lengths[k]), float(lengths[k]), place)
 
     def worst_fold(self, positions: Floats) -> float | None:
         """The largest change of the angle between two triangles with a common edge, degrees; None
@@ -44,6 +86,23 @@ class EdgeChanges:
         change = np.abs(_angles(positions, self._triangles, self._sides) - self._angles)
         change = change[np.isfinite(change)]
         return float(np.degrees(change.max())) if len(change) else None
+
+
+def crushed(mesh: PartMesh, positions: Floats) -> Ints:
+    """(k,) the triangles that lose their height: it was more than 1e-5 of their longest edge."""
+    before, after = (
+        _relative_heights(points, mesh.triangles) for points in (mesh.points, positions)
+    )
+    found: Ints = np.flatnonzero((after <= _NO_HEIGHT) & (before > _NO_HEIGHT))
+    return found
+
+
+def _relative_heights(points: Floats, triangles: Ints) -> Floats:
+    """(m,) the least height of triangles over their longest edge."""
+    sides = [_lengths(points, triangles[:, [k, (k + 1) % 3]]) for k in range(3)]
+    longest = np.maximum.reduce(sides) if len(triangles) else np.empty(0)
+    found: Floats = 2.0 * areas(points, triangles) / np.maximum(longest, 1e-300) ** 2
+    return found
 
 
 def _lengths(points: Floats, edges: Ints) -> Floats:

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from .answer import Answer
-from .arrays import Floats
-from .certificate import crossing_count
+from .arrays import Floats, Ints
+from .certificate import crossings
 
 
 def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
@@ -43,7 +43,7 @@ def thin_report(result: Answer, part: str) -> dict[str, Any] | None:
             if vertex >= 0
             else None
         ),
-        "self_intersections": dict(zip(("rest", "deformed"), crossings(result, part))),
+        "self_intersections": dict(zip(("rest", "deformed"), crossed(result, part))),
     }
 
 
@@ -71,15 +71,31 @@ def thickness_in_file(result: Answer, part: str, points: Floats) -> dict[str, An
     }
 
 
-def crossings(result: Answer, part: str) -> tuple[int, int]:
-    """Pairs of triangles of a part that meet though no corner joins them: at rest, and in the pose
-    (CGAL)."""
-    session = result.session
+def crossed(result: Answer, part: str) -> tuple[int, int]:
+    """How many pairs of triangles of a part meet though no corner joins them: at rest, and in the
+    pose (CGAL)."""
+    return len(result.session.rest_crossings(part)), len(_crossings(result, part))
 
-    def count() -> int:
-        return crossing_count(session.core, result.positions[part], session.meshes[part].triangles)
 
-    return session.rest_crossings(part), result.once(("crossings", part), count)
+def new_crossings(result: Answer, part: str) -> Ints:
+    """Pairs (k, 2) of triangles of a part that meet in the pose and were apart at rest."""
+    pairs, session = _crossings(result, part), result.session
+    if not len(pairs):
+        return pairs
+    triangles = session.meshes[part].triangles
+    width = len(triangles)
+    rest = session.rest_crossings(part)
+    is_new = ~np.isin(pairs @ (width, 1), rest @ (width, 1))
+    corners = session.cuts(part).first[triangles[pairs]]
+    touched = (corners[:, 0, :, None] == corners[:, 1, None, :]).any(axis=(1, 2))
+    found: Ints = pairs[is_new & ~touched]
+    return found
+
+
+def _crossings(result: Answer, part: str) -> Ints:
+    core, triangles = result.session.core, result.session.meshes[part].triangles
+    positions = result.positions[part]
+    return result.once(("crossings", part), lambda: crossings(core, positions, triangles))
 
 
 def thin_failures(result: Answer, tol: float) -> list[str]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 
 def counted(number: int, one: str, many: str) -> str:
@@ -21,6 +21,11 @@ def folds(number: int, where: str = "") -> str:
     """`1 triangle folds over`, `2 triangles of "lid" fold over`."""
     thing, does = ("triangle", "folds") if number == 1 else ("triangles", "fold")
     return f"{number} {thing}{where} {does} over"
+
+
+def at_place(place: Iterable[float]) -> str:
+    """`(1.5, 20, -3)`: a place in mm."""
+    return "({})".format(", ".join(f"{x + 0.0:.6g}" for x in place))
 
 
 def preparation(done: Mapping[str, int]) -> str:

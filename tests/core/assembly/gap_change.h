@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/assembly/links/patch_anchors.h"
 #include "sheetmorph/assembly/session/deformation_session.h"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import itertools
 import json
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -78,8 +78,8 @@ def certify(
     certifier = Certifier(parts, model, criteria, Inputs(path, beside))
     places = {name: at for s in parts.sources for name, at in _places_in(s, folder).items()}
     written = certifier.written(places)
-    sized = {name for name, motion in model.pose.items() if motion.size is not None}
-    certificate = certifier.certificate(folder, written, sized)
+    sizes = {name: motion.size for name, motion in model.pose.items() if motion.size is not None}
+    certificate = certifier.certificate(folder, written, sizes)
     _write(certificate, written, targets)
     if not certificate["passed"]:
         raise NotCertified(certificate)
@@ -106,7 +106,7 @@ class Certifier:
         self._sheets, self._joint_files = _sheets(parts), inputs.joint_files
         regions = [region for region in model.of_kind("feature") if region.part in self._sheets]
         self._features = [self._rest_feature(region) for region in regions]
-        self._sized = {region.name for region in regions if region.size is not None}
+        self._sizes = {region.name: region.size for region in regions if region.size is not None}
         self._contacts = [
             self._rest_contact(contact)
             for contact in model.contacts
@@ -121,16 +121,16 @@ class Certifier:
         return {name: Written(sheet, places[name]) for name, sheet in self._sheets.items()}
 
     def certificate(
-        self, folder: Path, written: dict[str, Written], sized: Collection[str] = ()
+        self, folder: Path, written: dict[str, Written], sizes: Mapping[str, float] = {}
     ) -> dict[str, Any]:
-        """The certificate of the files in a folder; sized: features that a pose gives a size."""
+        """The certificate of the files in a folder; sizes: mm, that a pose gives features."""
         core, criteria = self._core, self._criteria
         files: list[PartFile | JointSource] = [source.file for source in self._sources]
         files += self._joint_files
         entry = {
             "sheetmorph_certificate": 1,
             "criteria": {"name": criteria.name, "elements": criteria.elements},
-            "features": [self._feature(one, written, sized) for one in self._features],
+            "features": [self._feature(one, written, sizes) for one in self._features],
             "contacts": [
                 contact_entry(one, (written[one.parts[0]], written[one.parts[1]]))
                 for one in self._contacts
@@ -159,11 +159,11 @@ class Certifier:
         return RestContact(contact.name, (one, two), rows)
 
     def _feature(
-        self, feature: RestFeature, written: dict[str, Written], sized: Collection[str]
+        self, feature: RestFeature, written: dict[str, Written], sizes: Mapping[str, float]
     ) -> dict[str, Any]:
-        entry = feature_entry(self._core, written[feature.part], feature)
-        is_sized = feature.name in self._sized or feature.name in sized
-        return {**entry, "allowed": None} if is_sized else entry
+        size = sizes.get(feature.name, self._sizes.get(feature.name))
+        entry = feature_entry(self._core, written[feature.part], feature, size)
+        return entry if size is None else {**entry, "allowed": None}
 
 
 def _digests(paths: list[Path]) -> list[dict[str, str]]:
@@ -247,7 +247,7 @@ def _width_error(source: Source, points: Floats) -> float:
 
 
 def _vertices(region: RegionEntry, sheet: Sheet) -> Ints:
-    rows, _ = sheet.mesh.find(region.vertices or [])
+    rows, _ = sheet.mesh.find(region.vertices or [], region.is_prepared)
     return rows
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from types import ModuleType
@@ -14,10 +14,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arrays import Bools, Floats, Ints
-from ..certificate import feature_edges
-from ..decks.following import rigid_motion
+from ..certificate import best_turn, edge_error, feature_edges
 from ..decks.materials import STEEL, Material
-from ..kernel import load_kernel
+from ..gaps import ContactGap, Surface
 from ..part_mesh import PartMesh
 from .criteria import Criteria
 from .quality import MEASURES, areas, measured, step_length
@@ -29,29 +28,20 @@ _ROUND = 0.12
 _BINS = 20
 
 
-@dataclass(frozen=True, eq=False)
-class Shape:
-    """Places (n, 3) of a part in one state, faces (m, 4) with -1 in the last corner of triangles;
-    what is measured of it is measured once."""
+class Shape(Surface):
+    """A part in one state with its faces (m, 4), -1 in the last corner of triangles; what is
+    measured of it is measured once."""
 
-    places: Floats
-    faces: Ints
-    triangles: Ints
-    _known: dict[Any, Floats] = field(default_factory=dict)
+    def __init__(self, places: Floats, faces: Ints, triangles: Ints):
+        super().__init__(places, triangles)
+        self.faces = faces
+        self._known: dict[Any, Floats] = {}
 
     def measured(self, measure: Callable[[Floats], Floats]) -> Floats:
         """(m,) a measure of its elements."""
         if measure not in self._known:
             self._known[measure] = measured(measure, self.places, self.faces)
         return self._known[measure]
-
-    @cached_property
-    def tree(self) -> _core.PickingTree:
-        """Finds the nearest place on it."""
-        found: _core.PickingTree = load_kernel().PickingTree(
-            np.ascontiguousarray(self.places), self.triangles
-        )
-        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,39 +76,49 @@ class RestFeature:
     """What a form feature was: its vertices, its edges (e, 2), and its round rims."""
 
     def __init__(self, core: ModuleType, sheet: Sheet, name: str, vertices: Ints):
+        self._core, self._mesh = core, sheet.mesh
         self.name, self.part, self.vertices = name, sheet.name, vertices
         self.edges = feature_edges(sheet.mesh, vertices)
         self.rims = _round_rims(core, sheet.mesh, vertices)
 
+    @cached_property
+    def _form(self) -> _core.FeatureShape | None:
+        found: _core.FeatureShape | None = self._core.feature_shape(
+            self._mesh.points, self._mesh.triangles, self.vertices
+        )
+        return found
+
+    def rest(self, size: float | None) -> Floats:
+        """(n, 3) its part at rest with the size that a pose gives it."""
+        points = self._mesh.points
+        if size is None or self._form is None:
+            return points
+        found = points.copy()
+        found[self.vertices] = self._form.resized(points[self.vertices], size)
+        return found
+
 
 class RestContact:
-    """What a contact was: names of its parts, vertices of both sides, and from each vertex how far
-    the other part is."""
+    """A contact at rest: names of its parts, and its gap."""
 
-    def __init__(self, name: str, sheets: tuple[Sheet, Sheet], rows: tuple[Any, Any]):
-        self.name, self.rows = name, rows
-        self.parts = tuple(sheet.name for sheet in sheets)
-        self.gaps = _gaps(tuple(sheet.shape for sheet in sheets), rows)
+    def __init__(self, name: str, sheets: tuple[Sheet, Sheet], rows: tuple[Ints, Ints]):
+        self.name = name
+        self.parts = sheets[0].name, sheets[1].name
+        self.gap = ContactGap((sheets[0].shape, sheets[1].shape), rows)
 
 
-def feature_entry(core: ModuleType, part: Written, feature: RestFeature) -> dict[str, Any]:
+def feature_entry(
+    core: ModuleType, part: Written, feature: RestFeature, size: float | None
+) -> dict[str, Any]:
     """How a form feature came out: worst edge error against the best rigid motion, and round rims
-    before and after."""
-    rest, moved = part.mesh.points, part.places
-    vertices, edges = feature.vertices, feature.edges
-    found = rigid_motion(rest[vertices], moved[vertices])
-    turn = np.eye(3) if found is None else found[0]
-    before = rest[edges[:, 0]] - rest[edges[:, 1]]
-    after = moved[edges[:, 0]] - moved[edges[:, 1]]
-    if found is None:
-        error = np.abs(np.linalg.norm(after, axis=1) - np.linalg.norm(before, axis=1))
-    else:
-        error = np.linalg.norm(after - before @ turn.T, axis=1)
+    before and after; size: mm, None as at rest."""
+    rest, moved, vertices = feature.rest(size), part.places, feature.vertices
+    turn = best_turn(rest, moved, vertices)
     return {
         "name": feature.name,
         "part": feature.part,
         "vertices": len(vertices),
-        "edge_error": float(error.max(initial=0.0)),
+        "edge_error": edge_error(rest, moved, feature.edges, turn),
         "allowed": 4.0 * part.sheet.width_error + 1e-9 * float(np.abs(moved).max(initial=1.0)),
         "rims": [_rim_entry(core, one, moved[rim]) for rim, one in feature.rims],
     }
@@ -156,24 +156,14 @@ def _rim_entry(core: ModuleType, one: _core.CircleFit, places: Floats) -> dict[s
 
 
 def contact_entry(contact: RestContact, parts: tuple[Written, Written]) -> dict[str, Any]:
-    """The gap of a contact before and after, and its worst change: from the vertices of the one
-    side to the surface of the other part, both ways."""
-    before, after = contact.gaps, _gaps(tuple(part.now for part in parts), contact.rows)
+    """The gap of a contact before and after, and its worst change."""
+    change = contact.gap.change((parts[0].now, parts[1].now))
     return {
         "name": contact.name,
-        "gap_before": float(before.mean()) if len(before) else 0.0,
-        "gap_after": float(after.mean()) if len(after) else 0.0,
-        "worst_change": float(np.abs(after - before).max(initial=0.0)),
+        "gap_before": change.before,
+        "gap_after": change.after,
+        "worst_change": change.worst,
     }
-
-
-def _gaps(shapes: tuple[Shape, ...], rows: tuple[Any, ...]) -> Floats:
-    """(k,) how far the vertices of either side are from the other part, mm."""
-    gaps: list[float] = []
-    for own, other, vertices in zip(shapes, shapes[::-1], rows):
-        hits = [other.tree.nearest_point(place) for place in own.places[vertices]]
-        gaps += [0.0 if hit is None else float(hit.distance) for hit in hits]
-    return np.array(gaps)
 
 
 def part_entry(core: ModuleType, part: Written, criteria: Criteria) -> dict[str, Any]:
@@ -283,25 +273,15 @@ def penetrations(one: Written, other: Written) -> dict[str, Any] | None:
     near = np.flatnonzero(((one.places >= low) & (one.places <= high)).all(axis=1))
     if not len(near):
         return None
-    before, after = other.rest.tree, other.now.tree
+    now = other.now.distances(one.places[near])
+    then = np.minimum(other.rest.distances(one.mesh.points[near]), room)
     rounding = 4.0 * (one.sheet.width_error + other.sheet.width_error)
-    count, worst = 0, 0.0
-    for k in near.tolist():
-        now = _away(after, one.places[k])
-        if now >= room:
-            continue
-        then = min(_away(before, one.mesh.points[k]), room)
-        if then - now > max(0.1 * room, rounding):
-            count, worst = count + 1, max(worst, room - now)
-    if not count:
+    nearer = (now < room) & (then - now > max(0.1 * room, rounding))
+    if not nearer.any():
         return None
-    return {"part": one.sheet.name, "into": other.sheet.name, "vertices": count, "depth": worst}
-
-
-def _away(tree: _core.PickingTree, place: Floats) -> float:
-    """How far a place is from a part; infinite if that has no triangle."""
-    hit = tree.nearest_point(place)
-    return np.inf if hit is None else hit.distance
+    depth = float((room - now[nearer]).max())
+    names = {"part": one.sheet.name, "into": other.sheet.name}
+    return {**names, "vertices": int(nearer.sum()), "depth": depth}
 
 
 def digest(path: Path) -> str:

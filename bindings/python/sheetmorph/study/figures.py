@@ -12,8 +12,8 @@ import numpy as np
 
 from ..answer import Answer
 from ..arrays import Floats
-from ..report import part_report
-from ..thin import crossings
+from ..report import part_report, rigidity
+from ..thin import new_crossings
 from .gaps import touching
 
 # Worst is the smallest of these, the largest of all others.
@@ -67,17 +67,14 @@ class Figures:
         if name in _OF_PART:
             return [_OF_PART[name](entry) for entry in _of(report["parts"], "name", part)]
         if name == "edge error":
-            return [entry["edge_error"] for entry in _of(report["features"], "part", part)]
+            features = _of(report["features"], "part", part)
+            return [rigidity(entry) for entry in features]
         if name == "gap change":
             pairs = [(c["gap_change"], c["source"], c["target"]) for c in report["contacts"]]
             return [change for change, *parts in pairs if not part or part in parts]
         if name == "crossings":
-            return [self._new_crossings(entry) for entry in self._result.positions]
+            return [len(new_crossings(self._result, entry)) for entry in self._result.positions]
         return [len(report["warnings"])] if name == "warnings" else [self._touching]
-
-    def _new_crossings(self, part: str) -> int:
-        rest, deformed = crossings(self._result, part)
-        return max(0, deformed - rest)
 
     @cached_property
     def _touching(self) -> int:

@@ -8,8 +8,12 @@ import math
 import numpy as np
 
 from ..arrays import Floats, Ints
+from ..gaps import Surface
 from ..kernel import load_kernel
 from ..part_mesh import PartMesh
+
+# So many vertices are measured before the next ones may be too far to matter.
+_AT_ONCE = 1000
 
 
 class Gap:
@@ -25,22 +29,23 @@ class Gap:
         """
         if touching(a, self._triangles[0], b, self._triangles[1]):
             return 0.0
-        return min(self._from(0, a, b), self._from(1, b, a))
+        one, other = (Surface(at, rows) for at, rows in zip((a, b), self._triangles))
+        return min(_least(one, other), _least(other, one))
 
-    def _from(self, which: int, points: Floats, others: Floats) -> float:
-        """The smallest distance of points (k, 3) from the other part's triangles."""
-        tree = load_kernel().PickingTree(np.array(others), self._triangles[1 - which])
-        used = points[np.unique(self._triangles[which])]
-        low, high = others.min(axis=0), others.max(axis=0)
-        # The nearest by their distance from the other's box first; the rest cannot be nearer.
-        boxed = np.linalg.norm(np.maximum(0.0, np.maximum(low - used, used - high)), axis=1)
-        best = math.inf
-        for k in np.argsort(boxed, kind="stable"):
-            if boxed[k] >= best:
-                break
-            hit = tree.nearest_point(used[k])
-            best = min(best, hit.distance)
-        return best
+
+def _least(one: Surface, other: Surface) -> float:
+    """The smallest distance of a vertex of a surface from another one, mm."""
+    used = one.places[np.unique(one.triangles)]
+    low, high = other.places.min(axis=0), other.places.max(axis=0)
+    # The nearest by their distance from the other's box first; the rest cannot be nearer.
+    boxed = np.linalg.norm(np.maximum(0.0, np.maximum(low - used, used - high)), axis=1)
+    order, best = np.argsort(boxed, kind="stable"), math.inf
+    for first in range(0, len(order), _AT_ONCE):
+        if boxed[order[first]] >= best:
+            break
+        some = used[order[first : first + _AT_ONCE]]
+        best = min(best, float(other.distances(some).min()))
+    return best
 
 
 def touching(a: Floats, of_a: Ints, b: Floats, of_b: Ints) -> int:

@@ -22,7 +22,7 @@ from ..joint_files.following import JointSource, joint_sources
 from ..places import Places
 from ..recipe import prepare
 from ..recipe.parts import Parts, Source
-from ..report import make_report
+from ..report import as_written, make_report
 from ..running import Writer, told_of_files
 from ..session import Result, Session
 from .certifying import certificate, failures_of, judged
@@ -192,7 +192,7 @@ class Workshop:
         base = self._base(variant)
         with self._watch.kernel_works():
             result = base.session.deform(variant.pose)
-        report, proof = self._written(base, variant, result, folder)
+        report, proof, result = self._written(base, variant, result, folder)
         figures = Figures(result, report)
         scene = Scene(result.positions, row.parameters, figures.figure)
         measures = base.measures.taken(scene)
@@ -208,18 +208,18 @@ class Workshop:
 
     def _written(
         self, base: _Base, variant: Variant, result: Result, folder: Path
-    ) -> tuple[dict[str, Any], dict[str, Any]]:
+    ) -> tuple[dict[str, Any], dict[str, Any], Result]:
         """Write the parts, read them again and certify them; only what is asked for stays.
 
-        Returns the report and the certificate.
+        Returns the report, the certificate, and the answer as the files hold it.
         """
         sources, wanted = base.parts.sources, self.plan.study.write
         places, joints = Places([], folder, [], None), base.joint_files
         writer = Writer(result, sources, places, {}, [], joint_files=joints)
         report, parts = writer.write_parts()
         written = base.certifier.written({name: part.positions for name, part in parts.items()})
-        sized = [name for name, motion in variant.pose.items() if "size" in motion]
-        proof = base.certifier.certificate(folder, written, sized)
+        sizes = {name: move["size"] for name, move in variant.pose.items() if "size" in move}
+        proof = base.certifier.certificate(folder, written, sizes)
         for source in sources:
             is_deck = isinstance(source.file, DeckFile)
             if "parts" not in wanted and not ("decks" in wanted and is_deck):
@@ -227,7 +227,7 @@ class Workshop:
         for place in (p for one in joints for p in one.targets(folder)):
             if "parts" not in wanted and "decks" not in wanted:
                 place.unlink(missing_ok=True)
-        return report, proof
+        return report, proof, as_written(result, parts)
 
     def _write_rest(self, folder: Path, proof: dict[str, Any], result: Result) -> None:
         wanted = self.plan.study.write

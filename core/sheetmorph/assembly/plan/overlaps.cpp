@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/overlaps.h"
 
-#include "sheetmorph/base/counted.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 
@@ -28,15 +27,18 @@ VertexIds shared_vertices(const PartRegion& fixed, const PartHandle& handle, int
     return shared;
 }
 
-[[noreturn]] void refuse(const Part& part, const PartRegion& fixed, const PartHandle& handle,
-                         const VertexIds& moved, double farthest)
+[[noreturn]] void refuse(const Assembly& assembly, const Overlap& overlap, const VertexIds& moved,
+                         double farthest)
 {
+    const PartHandle& handle = assembly.handles[at(overlap.handle)];
+    const Part& part = assembly.parts[at(handle.part)];
     const bool is_one = moved.size() == 1;
     std::ostringstream after;
     after << "), which the handle moves by " << (is_one ? "" : "up to ") << farthest << " mm; take "
           << (is_one ? "it" : "them") << " out of one of the two";
-    throw InvalidInput("fixed region '" + fixed.name + "' and handle '" + handle.name + "' share "
-                           + counted_vertices(moved) + " (",
+    throw InvalidInput("fixed region '" + assembly.fixed[at(overlap.fixed)].name + "' and handle '"
+                           + handle.name + "' share " + std::to_string(moved.size())
+                           + (is_one ? " vertex (" : " vertices ("),
                        moved, after.str())
         .in_part(part.name, part.ids);
 }
@@ -76,7 +78,7 @@ void check_overlaps(const Assembly& assembly, const std::vector<Overlap>& overla
             if (!(way(static_cast<Eigen::Index>(k)) <= tolerance))
                 moved.push_back(overlap.vertices[k]);
         if (!moved.empty())
-            refuse(part, assembly.fixed[at(overlap.fixed)], handle, moved, way.maxCoeff());
+            refuse(assembly, overlap, moved, way.maxCoeff());
     }
 }
 

@@ -161,10 +161,12 @@ bool is_wide(const PreparedAssembly& prepared, const PartRegion& source,
            || (is_whole(prepared.assembly) && !has_triangles(geometry, source.vertices));
 }
 
+// What is told of poses: how contacts fare, and where handles meet fixed regions.
 void add_gauges(PreparedAssembly& prepared)
 {
     for (const DirectedContact& contact : prepared.plan.measured)
         prepared.gauges.emplace_back(prepared.whole(), contact);
+    prepared.overlaps = overlaps_of(prepared.whole());
 }
 
 // By measured contact that is not rigid: where its sides lie on each other.
@@ -376,7 +378,6 @@ PreparedAssembly prepare_assembly(Assembly assembly, const Progress& progress,
     if (!is_whole(given))
         prepared.pairs = plan_pairs(given, prepared.plan);
     add_gauges(prepared);
-    prepared.overlaps = overlaps_of(prepared.whole());
     for (const PlannedLink& planned : prepared.planned)
         prepared.links.push_back(described_link(given, planned, boxes));
     add_problems(prepared);

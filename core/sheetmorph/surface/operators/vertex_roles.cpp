@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/vertex_roles.h"
 
-#include "sheetmorph/base/counted.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/constraint_checks.h"
@@ -56,7 +55,8 @@ void mark_handle(VertexRoles& roles, const SurfaceConstraints& constraints, int 
     }
     if (!shared.empty())
         throw InvalidInput(constraints.handles[at(other)].label() + " and " + region.label()
-                               + " both move " + counted_vertices(shared) + " (",
+                               + " both move " + std::to_string(shared.size())
+                               + (shared.size() == 1 ? " vertex (" : " vertices ("),
                            shared, "); take these out of one of them");
     if (!moves_something)
         throw InvalidInput("every vertex of " + region.label()

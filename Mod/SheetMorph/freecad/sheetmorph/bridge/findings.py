@@ -25,6 +25,7 @@ class Findings:
     """By object name of a contact: change of the gap and deviation, mm."""
     warnings: dict[str, str] = field(default_factory=dict)
     """By object name of a contact that opens or closes too far: the sentence that says so."""
+    sentences: tuple[str, ...] = ()  # all warnings, those of contacts among them
 
 
 def findings_of(session, result, contacts: dict[str, str]) -> Findings:
@@ -37,7 +38,8 @@ def findings_of(session, result, contacts: dict[str, str]) -> Findings:
     }
     opened = kernel.load().open_contacts(result)
     warnings = {contacts[name]: text for name, text in opened.items()}
-    return Findings(tuple(session.order), tuple(session.unreached), fidelity, warnings)
+    order, unreached = tuple(session.order), tuple(session.unreached)
+    return Findings(order, unreached, fidelity, warnings, tuple(result.warnings()))
 
 
 def steps_of(session, parts: dict[str, str], contacts: dict[str, str]) -> list[Step]:
@@ -59,6 +61,7 @@ def show(assembly, outcome) -> None:
     set_where_new(assembly, "Status", outcome.status)
     set_where_new(assembly, "Order", list(found.order))
     set_where_new(assembly, "Unreached", list(found.unreached))
+    set_where_new(assembly, "Warnings", list(found.sentences))
     for contact in model.contacts(assembly):
         gap, deviation = found.fidelity.get(contact.Name, NO_FIDELITY)
         set_length(contact, "GapChange", gap)

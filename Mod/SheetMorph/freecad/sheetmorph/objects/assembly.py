@@ -115,6 +115,14 @@ class AssemblyProxy(ObjectProxy):
             is_output=True,
         ),
         Property(
+            "StringList",
+            "Warnings",
+            "Morph",
+            "What the pose does that is likely not wanted, and what to do",
+            mode=READ_ONLY,
+            is_output=True,
+        ),
+        Property(
             "String", "Extras", "Morph", "What a recipe held beyond regions, as JSON", "", HIDDEN
         ),
     )

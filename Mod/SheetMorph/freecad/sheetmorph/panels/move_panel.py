@@ -25,6 +25,9 @@ from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
+# Sentences that a panel has room for; the property Warnings of the morph has them all.
+MOST_WARNINGS = 3
+
 
 def open_panel(handle):
     """Opens the panel for a handle; returns the panel, None if the user cancels the set-up."""
@@ -301,18 +304,25 @@ class MovePanel(Panel):
         self._fill()
 
     def _tell_who_stays(self) -> None:
-        """Says which parts will not follow, as no contact leads there, and what opens too far."""
+        """Says which parts will not follow, as no contact leads there, and other warnings."""
         assembly = self._handles.assembly
-        names, opened = ", ".join(assembly.Unreached), propagation_tree.opened(assembly)
+        names, opened = assembly.Unreached, propagation_tree.opened(assembly)
         text = translate("SheetMorph_panels", "Will not follow, no contact leads there: {0}")
-        texts = [text.format(names)] if names else []
+        texts = [text.format(", ".join(names))] if names else []
         if len(opened) > 1:
             text = translate(
                 "SheetMorph_panels", "{0} contacts open too far, see Propagation; the first:"
             )
             texts.append(text.format(len(opened)))
         texts += [contact.Warning for contact in opened[:1]]
-        say(self.form.staying, "\n".join(texts))
+        told = {contact.Warning for contact in opened}
+        others = [
+            text
+            for text in assembly.Warnings
+            if text not in told and not any(f'reaches "{name}"' in text for name in names)
+        ]
+        texts += others[:MOST_WARNINGS] + ["…"] * (len(others) > MOST_WARNINGS)
+        say(self.form.staying, "\n".join(texts), bool(texts))
 
     def _fill(self) -> None:
         """Shows the motion of the handle."""

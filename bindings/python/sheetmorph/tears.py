@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a mesh is cut: vertices that stand in one place but belong to different triangles."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from .arrays import Floats, Ints
+from .part_mesh import PartMesh
+
+# Of the size: vertices that near are in one place; places that far apart are torn.
+_SAME, _TORN = 1e-6, 1e-4
+
+
+@dataclass(frozen=True)
+class Tear:
+    """How many vertices part from one that stood in the same place, the widest gap, mm, and where
+    it is (3,)."""
+
+    vertices: int
+    width: float
+    place: Floats
+
+
+class Cuts:
+    """The cuts of a mesh at rest.
+
+    first: (n,) of every vertex the first one that stands in its place.
+    """
+
+    def __init__(self, mesh: PartMesh):
+        used = np.unique(mesh.triangles)
+        points = mesh.points[used]
+        self._size = float(np.linalg.norm(np.ptp(points, axis=0))) if len(used) else 0.0
+        self._pairs = used[_same_places(points, _SAME * self._size)]
+        self.first = np.arange(len(mesh.points))
+        for low, high in self._pairs.tolist():
+            self.first[high] = self.first[low]
+
+    def tear(self, positions: Floats) -> Tear | None:
+        """What a pose with positions (n, 3) tears open; None if nothing."""
+        ends = positions[self._pairs]
+        width = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
+        torn = np.flatnonzero(width > _TORN * self._size)
+        if not len(torn):
+            return None
+        widest = int(width.argmax())
+        vertices = len(np.unique(self._pairs[torn, 0]))
+        return Tear(vertices, float(width[widest]), ends[widest].mean(axis=0))
+
+
+def _same_places(points: Floats, reach: float) -> Ints:
+    """(k, 2) rows of points that are nearer to each other than a length: neighbours in a list that
+    is sorted by cells, of a grid and of the same grid shifted by half a cell."""
+    found = [np.empty((0, 2), dtype=np.int64)]
+    cell = 2.0 * reach or 1.0
+    for shift in itertools.product((0, 1), repeat=3):
+        cells = np.floor(points / cell + 0.5 * np.array(shift)).astype(np.int64)
+        order = np.lexsort(cells.T)
+        same = (cells[order[1:]] == cells[order[:-1]]).all(axis=1)
+        found.append(np.stack([order[:-1][same], order[1:][same]], axis=1))
+    pairs = np.unique(np.sort(np.concatenate(found), axis=1), axis=0)
+    near = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1) <= reach
+    result: Ints = pairs[near]
+    return result
