@@ -65,7 +65,7 @@ std::vector<int> labels_of(const std::vector<Connection>& connections)
     {
         const Connection& c = connections[i];
         const int own = static_cast<int>(i);
-        for (const std::pair<char, int> key :
+        for (const std::pair<char, int>& key :
              {std::pair('a', c.vertex_a), std::pair('b', c.vertex_b), std::pair('j', c.joint)})
             if (key.second >= 0)
                 sets.join(first.emplace(key, own).first->second, own);
