@@ -25,8 +25,8 @@ MUTATIONS = [
     ),
     Mutation(
         FIDELITY,
-        "(now - expected.row(k)).norm()",
-        "(now - target_rest_.row(k)).norm()",
+        "(now - expected.row(static_cast<Eigen::Index>(k))).norm()",
+        "(now - target_rest_.row(static_cast<Eigen::Index>(k))).norm()",
         "DeformationSession.*:AssemblyInvariants.*",
     ),
     Mutation(
