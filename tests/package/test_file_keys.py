@@ -100,7 +100,9 @@ def test_the_doctor_gives_one_part_in_mm_for_a_file_in_metres(tmp_path: Path):
     write_plate(
         Plate(soup, np.arange(len(soup)).reshape(-1, 3), [], []), tmp_path / "plate.obj", "obj"
     )
-    (told,) = sheetmorph.doctor.diagnose_files([tmp_path / "plate.obj"])["files"]
+    (unsure,) = sheetmorph.doctor.diagnose_files([tmp_path / "plate.obj"])["files"]
+    assert "scale" not in unsure["part"] and "--unit m" in unsure["findings"][-1]["text"]
+    (told,) = sheetmorph.doctor.diagnose_files([tmp_path / "plate.obj"], unit="m")["files"]
     size = 1000.0 * told["size"]
     assert size / 400.0 < told["suggested_edge"] < size
     entry = told["part"]

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -19,11 +17,8 @@ SUMMIT = "05-robotnik-summit-stl"
 def cured(name: str, edge: float) -> PartMesh:
     """A file after the cures that the doctor offers for it, with an edge length of our own, mm."""
     mesh = read_part(real_file(f"{SUMMIT}/{name}.stl")).mesh
-    keys: dict[str, Any] = {}
-    for finding in diagnose(mesh)["findings"]:
-        if finding["cure"] in ("scale", "weld"):
-            keys |= finding["recipe"]
-    made, _ = prepared_mesh(_core, mesh, Wanted(keys.get("weld", 0.0), edge, scale=keys["scale"]))
+    part = diagnose(mesh, unit="m")["part"]
+    made, _ = prepared_mesh(_core, mesh, Wanted(part.get("weld", 0.0), edge, scale=part["scale"]))
     return made
 
 

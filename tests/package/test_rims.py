@@ -73,11 +73,18 @@ def test_find_and_size_agree_on_a_rim_and_the_size_is_the_one_requested(seed: in
     assert again.size == pytest.approx(wanted, rel=1e-6)
 
 
-@pytest.mark.parametrize("count", [6, 7, 8, 12])
-def test_a_coarse_round_hole_is_round(count: int):
+@pytest.mark.parametrize(
+    ("count", "between"), [(6, 0), (7, 0), (8, 0), (12, 0), (8, 1), (8, 3), (9, 2), (12, 1)]
+)
+def test_a_coarse_round_hole_is_round_however_often_its_sides_are_cut(count: int, between: int):
     rng = np.random.default_rng(count)
     uneven = rng.uniform(np.cos(np.pi / count), 1.0, (count, 1))
-    rim = (60, 45) + uneven * circle((0, 0), 4.0, count)
+    if between:
+        uneven = 1.0
+    corners = (60, 45) + uneven * circle((0, 0), 4.0, count)
+    shares = np.arange(between + 1)[:, None] / (between + 1)
+    following = np.roll(corners, -1, axis=0)
+    rim = np.concatenate([a + shares * (b - a) for a, b in zip(corners, following)])
     plane, triangles = flat(polygon([(0, 0), (120, 0), (120, 90), (0, 90)], 9.0), [rim], 6.0)
     points = lifted(plane)
     (entry,) = features_of(points, triangles)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from .file_unit import UNITS
+from .file_unit import AS_GIVEN
 from .words import counted, either
 
 # Shares of the longest edge from which the mesh is too coarse to bend round its features.
@@ -163,9 +163,11 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         yield "components", number, text, "split", {"split": True}
     guess = diagnosis["unit"]
     if guess["scale"] != 1.0:
-        text = f"the unit seems to be {unit}: {guess['reason']}"
+        text = f"the unit is {unit}, {guess['reason']}"
+        if guess["reason"] != AS_GIVEN:
+            text = f"the unit seems to be {unit}: {guess['reason']}"
         yield "unit", 1, text, "scale", {"scale": guess["scale"]}
     elif not guess["is_certain"]:
-        scales = either([f"{UNITS[name]:g} for {name}" for name in guess["plausible"]])
-        text = f'the unit is not certain: {guess["reason"]}; give "scale": {scales}'
+        options = either([f"--unit {name}" for name in guess["plausible"]])
+        text = f'the unit is not certain: {guess["reason"]}; say it with {options}'
         yield "unit", 1, text, None, None

@@ -22,7 +22,7 @@ from .cli_copy import run_copy
 from .cli_find import add_find_arguments, run_find
 from .cli_flatten import add_flatten_arguments, run_flatten
 from .cli_progress import progress_on
-from .cli_recipes import RECIPE_COMMANDS, add_recipe_commands
+from .cli_recipes import RECIPE_COMMANDS, add_recipe_commands, add_unit_argument
 from .cli_resolve import add_resolve_arguments, run_resolve
 from .cli_table import ending_of
 from .cli_study import add_study_arguments, run_study_command
@@ -160,6 +160,7 @@ def parser() -> argparse.ArgumentParser:
     doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
     text = "vertices nearer than this are one place (mm; a millionth of the size)"
     doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
+    add_unit_argument(doctor)
     add_find_arguments(commands)
     add_flatten_arguments(commands)
     add_certify_arguments(commands, (run, check))
@@ -218,7 +219,7 @@ def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
 def _doctor(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     from .doctor import diagnose_files
 
-    found = diagnose_files(wanted.files, wanted.tolerance)
+    found = diagnose_files(wanted.files, wanted.tolerance, wanted.unit)
     return _as_json(found)
 
 

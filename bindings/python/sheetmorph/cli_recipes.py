@@ -13,6 +13,7 @@ from typing import Any
 from .cli_find import write_text
 from .cli_progress import progress_on
 from .errors import Fault, RecipeError
+from .file_unit import UNITS
 from .files.atomic import FileSet
 
 _SCHEMAS = ("recipe", "report", "find", "doctor", "certificate", "study")
@@ -23,6 +24,7 @@ def add_recipe_commands(commands: Any) -> None:
     init = commands.add_parser("init", help="write a first recipe of some files, to be edited")
     init.add_argument("files", nargs="+", metavar="FILE", help="mesh, deck or CAD file")
     init.add_argument("-o", "--output", metavar="FILE", help="write there instead of printing")
+    add_unit_argument(init)
     init.add_argument("--quiet", action="store_true", help="no progress on stderr")
     show = commands.add_parser("show", help="draw what a recipe means")
     show.add_argument("recipe", help="JSON or TOML file")
@@ -35,6 +37,12 @@ def add_recipe_commands(commands: Any) -> None:
     schema = commands.add_parser("schema", help="print the JSON Schema of recipes")
     text = "of what (default: recipe)"
     schema.add_argument("of", nargs="?", choices=_SCHEMAS, default="recipe", help=text)
+
+
+def add_unit_argument(command: argparse.ArgumentParser) -> None:
+    """Adds what a user says of the unit of mesh files."""
+    text = "the unit of mesh files (default: the one that makes them usual sheet-metal parts)"
+    command.add_argument("--unit", choices=tuple(UNITS), help=text)
 
 
 def _direction(text: str) -> tuple[float, float, float]:
@@ -57,7 +65,9 @@ def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     folder = Path(wanted.output).parent if wanted.output else Path()
     with progress_on(sys.stderr, wanted.quiet) as progress:
         is_toml = bool(wanted.output) and Path(wanted.output).suffix.lower() == ".toml"
-        text = starting_recipe(wanted.files, folder, progress, is_toml=is_toml)
+        text = starting_recipe(
+            wanted.files, folder, progress, is_toml=is_toml, unit=wanted.unit
+        )
     if not wanted.output:
         return [text.rstrip("\n")]
     path = write_text(wanted, text, files)

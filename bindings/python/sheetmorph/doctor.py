@@ -32,39 +32,46 @@ def schema() -> dict[str, Any]:
     return found
 
 
-def diagnose_files(files: list[str | Path], tolerance: float | None = None) -> dict[str, Any]:
-    """The diagnosis of every file, as `doctor` prints it; tolerance: see diagnose().
+def diagnose_files(
+    files: list[str | Path], tolerance: float | None = None, unit: str | None = None
+) -> dict[str, Any]:
+    """The diagnosis of every file, as `doctor` prints it; tolerance, unit: see diagnose().
 
     Raises FileError, KernelError, OSError.
     """
     found = []
     for file in map(str, files):
-        told = diagnose_file(read_part(file), tolerance)
+        told = diagnose_file(read_part(file), tolerance, unit)
         name = {} if "split" in told["part"] else {"name": unpacked_name(file).stem}
         found.append({"file": file, **told, "part": {**name, "file": file, **told["part"]}})
     return {"sheetmorph_doctor": 1, "files": found}
 
 
-def diagnose_file(file: PartFile, tolerance: float | None = None) -> dict[str, Any]:
+def diagnose_file(
+    file: PartFile, tolerance: float | None = None, unit: str | None = None
+) -> dict[str, Any]:
     """The diagnosis of a file: of its mesh, and what was not read of it. Of a deck without cures
     that would make another mesh, the unit also by the thickness of its sections. Raises as
     diagnose() does."""
-    told = diagnose(file.mesh, tolerance)
+    told = diagnose(file.mesh, tolerance, unit)
     if isinstance(file, DeckFile):
         thickness = file.thickness_of(np.arange(len(file.mesh.triangles))) or None
         if told["thickness"] is None and thickness is not None:
-            told["unit"] = unit_of(told["size"], thickness)
+            told["unit"] = unit_of(told["size"], thickness, unit)
             told["findings"] = findings_of(told)
         told["findings"] = for_deck(told["findings"])
         told["part"] = part_entry(told["findings"])
     return {**told, "findings": missing_findings(file.missing) + told["findings"]}
 
 
-def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
+def diagnose(
+    mesh: PartMesh, tolerance: float | None = None, unit: str | None = None
+) -> dict[str, Any]:
     """What a mesh is and what is wrong with it, each with a cure; ready for JSON.
 
     tolerance: mm, below which two vertices are one place; a millionth of the size if None. Vertices
-    of no triangle do not count for the size.
+    of no triangle do not count for the size. unit: of its lengths, one of file_unit.UNITS; guessed
+    if None.
     Raises KernelError, InvalidInput of the kernel (a ValueError) for a bad tolerance.
     """
     core = load_kernel()
@@ -74,7 +81,7 @@ def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
         tolerance = _NEAR * float(np.linalg.norm(np.ptp(used, axis=0))) if len(used) else 0.0
     found = core.diagnose(kernel_mesh, tolerance)
     thickness = _thickness(found.pieces)
-    unit = unit_of(found.size, thickness)
+    guess = unit_of(found.size, thickness, unit)
     diagnosis = {
         "vertices": len(mesh.points),
         "triangles": len(mesh.triangles),
@@ -82,7 +89,7 @@ def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
         "tolerance": found.tolerance,
         "kind": _kind(found.pieces),
         "thickness": thickness,
-        "unit": unit,
+        "unit": guess,
         "edge_lengths": dict(zip(("shortest", "median", "longest"), found.edge_lengths)),
         "round_rims": _rims(found),
         "components": [_piece(piece) for piece in found.pieces],
@@ -91,7 +98,7 @@ def diagnose(mesh: PartMesh, tolerance: float | None = None) -> dict[str, Any]:
             "folded_slivers": _folded_slivers(mesh) if found.slivers else 0,
         },
         "is_one_sided": found.is_one_sided,
-        "suggested_edge": _in_mm(_suggested_edge(found), unit["scale"]),
+        "suggested_edge": _in_mm(_suggested_edge(found), guess["scale"]),
     }
     findings = findings_of(diagnosis)
     return {**diagnosis, "findings": findings, "part": part_entry(findings)}

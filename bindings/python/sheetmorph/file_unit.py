@@ -7,6 +7,9 @@ from typing import Any
 
 from .words import either
 
+AS_GIVEN = "as given"
+"""The reason for a unit that the user named."""
+
 UNITS = {"mm": 1.0, "cm": 10.0, "inch": 25.4, "foot": 304.8, "m": 1000.0}
 
 # What sheet-metal parts usually are, mm. Files are usually in mm, so there the ranges are wider.
@@ -18,13 +21,16 @@ _THICKEST = 40.0
 _LARGE = 80.0
 
 
-def unit_of(size: float, thickness: float | None) -> dict[str, Any]:
+def unit_of(size: float, thickness: float | None, given: str | None = None) -> dict[str, Any]:
     """The unit of a part, for the diagnosis: guess, scale, reason, plausible, is_certain.
 
-    size: the diagonal in the unit of the file; thickness: of the sheet, None if it is not known.
+    size: the diagonal in the unit of the file; thickness: of the sheet, None if it is not known;
+    given: one of UNITS if the user knows it.
     guess: "unknown" where several units are plausible and none of them is mm; scale is 1 then.
     is_certain: whether no other unit is plausible, or only this one makes the sheet a usual gauge.
     """
+    if given is not None:
+        return _unit(given, AS_GIVEN, [given], True)
     if not size > 0.0:
         return _unit("mm", "it has no extent", ["mm"], True)
     plausible = [name for name in UNITS if _is_plausible(name, size, thickness)]

@@ -131,7 +131,8 @@ class Preprocessed:
         return bool(self._kernel.is_held(self.parts.index(part)))
 
     def region_vertices(self, region: RegionEntry) -> Ints:
-        """Indices (k,) of the vertices of a region of the model in its part."""
+        """Indices (k,) of the vertices of a region of the model, or of the triangle of a point,
+        in its part."""
         return self._translator.indices(region)
 
     def contact_gap(self, contact: str) -> ContactGap:

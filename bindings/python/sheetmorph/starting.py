@@ -59,6 +59,7 @@ def starting_recipe(
     progress: Progress | None = None,
     *,
     is_toml: bool = False,
+    unit: str | None = None,
 ) -> str:
     """Return the text of a recipe with comments for mesh, deck or CAD files.
 
@@ -72,12 +73,14 @@ def starting_recipe(
         ``progress(fraction, task)`` returns whether to go on.
     is_toml
         Write TOML in place of JSON.
+    unit
+        Of mesh files, one of ``file_unit.UNITS``; guessed if None.
 
     Raises
     ------
     FileError, RecipeError, KernelError
     """
-    entries = [_entry(str(file)) for file in files]
+    entries = [_entry(str(file), unit) for file in files]
     parts = _read([entry.keys for entry in entries], progress)
     found = find(find_parts(parts), FindOptions(), connections_of(parts), progress)
     beside = [_beside(entry, Path(folder)) for entry in entries]
@@ -85,13 +88,13 @@ def starting_recipe(
     return _toml_text(keys) if is_toml else _json_text(keys)
 
 
-def _entry(file: str) -> Entry:
+def _entry(file: str, unit: str | None) -> Entry:
     """The part that the doctor proposes for a file."""
     name = unpacked_name(file).stem
     if is_cad(file):
         return Entry({"file": file, "split": True, "thin": "auto"}, "every solid is a part")
     read = read_part(file)
-    told = diagnose_file(read)
+    told = diagnose_file(read, unit=unit)
     keys = {} if "split" in told["part"] else {"name": name}
     cures = [
         finding["text"]

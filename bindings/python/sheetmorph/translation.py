@@ -46,7 +46,10 @@ class Translator:
         self._places = {region.name: self._place(region) for region in model.regions}
 
     def indices(self, region: RegionEntry) -> Ints:
-        """Indices (k,) of a region's vertices in its part."""
+        """Indices (k,) of a region's vertices in its part; of a point, those of its triangle."""
+        if region.is_point:
+            triangle, _ = self._on_mesh(region)
+            return self._meshes[region.part].triangles[triangle]
         return self._indices[region.where]
 
     def _place(self, region: RegionEntry) -> Floats:

@@ -24,8 +24,12 @@ inline double gap_change(const Assembly& assembly, const ContactFidelity& fideli
     const PartGeometry below(assembly.parts[at(source.part)].mesh);
     const Points rest = rows_of(assembly.parts[at(target.part)].mesh.points(), target.vertices);
     const Points now = rows_of(shape.parts[at(target.part)].positions, target.vertices);
-    const std::vector<Anchor> anchors =
-        nearest_anchors(below, with_triangles_below(below, source.vertices, rest), rest);
+    // A wall, or a row of vertices, has no triangles of its own.
+    const bool is_wide =
+        assembly.parts[at(source.part)].thin != Thin::no || !has_triangles(below, source.vertices);
+    const std::vector<Anchor> anchors = nearest_anchors(
+        below, is_wide ? with_triangles_below(below, source.vertices, rest) : source.vertices,
+        rest);
     double worst = 0.0;
     for (Eigen::Index k = 0; k < rest.rows(); ++k)
     {

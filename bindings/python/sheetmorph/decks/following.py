@@ -88,6 +88,34 @@ def rigid_motion(rest: Floats, moved: Floats) -> tuple[Floats, Floats] | None:
     return turn, other - turn @ middle
 
 
+def rigid_along(motion: Motion, held: Ints) -> tuple[Floats, Floats]:
+    """Rotation (3, 3) and shift (3,) of what a sheet holds at some of its nodes (j,), j >= 1: what
+    the places of the nodes leave open is turned as the sheet around them."""
+    rest, moved = motion.rest[held], motion.moved[held]
+    found = rigid_motion(rest, moved)
+    if found is not None:
+        return found
+    turn = _rotations(motion.turns(held).sum(axis=0)[None])[0]
+    middle, other = rest.mean(axis=0), moved.mean(axis=0)
+    along = np.linalg.svd(rest - middle)[2][0]
+    wanted = (moved - other).T @ ((rest - middle) @ along)
+    if np.linalg.norm(wanted) > 0.0:
+        turn = _shortest_turn(turn @ along, wanted / np.linalg.norm(wanted)) @ turn
+    return turn, other - turn @ middle
+
+
+def _shortest_turn(start: Floats, end: Floats) -> Floats:
+    """(3, 3) the smallest rotation from one unit vector to another; any, if they are opposite."""
+    half = start + end
+    if np.linalg.norm(half) < 1e-9:
+        half = np.cross(start, np.eye(3)[np.abs(start).argmin()])
+    half /= np.linalg.norm(half)
+    # Two reflections make a rotation, by twice the angle from start to half.
+    mirrors = [np.eye(3) - 2.0 * np.outer(a, a) for a in (start, half)]
+    found: Floats = mirrors[1] @ mirrors[0]
+    return found
+
+
 def blended(motion: Motion, held: Ints, points: Floats) -> Floats:
     """(k, 3) places of points that go along with the sheet around some of its nodes (j,)."""
     turns = motion.turns(held)

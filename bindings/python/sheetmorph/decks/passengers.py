@@ -14,7 +14,7 @@ from ..kernel import load_kernel
 from ..strain import middle_edge
 from .attachment import Group, groups_of
 from .deck import Deck
-from .following import Motion, blended, on_triangle, rigid_motion
+from .following import Motion, blended, on_triangle, rigid_along, rigid_motion
 from .shells import Sheet
 
 if TYPE_CHECKING:
@@ -133,10 +133,8 @@ class Passengers:
         if motion.stays(group.held):
             return points
         if rule == "rigid":
-            found = rigid_motion(motion.rest[group.held], motion.moved[group.held])
-            if found is not None:
-                turn, shift = found
-                return points @ turn.T + shift
+            turn, shift = rigid_along(motion, group.held)
+            return points @ turn.T + shift
         return blended(motion, group.held, points)
 
     def _nearest(

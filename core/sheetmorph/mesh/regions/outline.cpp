@@ -15,6 +15,7 @@ namespace
 {
 
 using Plane = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+using Corners = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -35,6 +36,12 @@ constexpr double roundest_rectangle = 0.8;
 
 // What a formed hole may be off over its radius, however fine its polygon is.
 constexpr double least_tolerance = 0.03;
+
+// Of the mean turn of a rim's vertices, the least that a corner makes.
+constexpr double least_turn = 0.5;
+
+// Corners of a rim that may have vertices between them and still be a coarse circle.
+constexpr Eigen::Index fewest_refined = 8;
 
 // Vertices at each end of a slot: a rectangle's corners alone are no slot.
 constexpr Eigen::Index fewest_at_end = 3;
@@ -173,6 +180,28 @@ double sagitta(Eigen::Index corners)
     return 1.0 - std::cos(pi / static_cast<double>(std::max<Eigen::Index>(corners, 3)));
 }
 
+double faceting_tolerance(Eigen::Index corners)
+{
+    return std::max(least_tolerance, sagitta(corners));
+}
+
+// Which vertices turn: refining a mesh puts others on the chords of a hole, which tell nothing.
+Corners corners_of(const Plane& points)
+{
+    const Eigen::Index count = points.rows();
+    const double least = least_turn * 2.0 * pi / static_cast<double>(count);
+    Corners corners(count);
+    for (Eigen::Index k = 0; k < count; ++k)
+    {
+        const Eigen::Vector2d in = points.row(k) - points.row((k + count - 1) % count);
+        const Eigen::Vector2d out = points.row((k + 1) % count) - points.row(k);
+        const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+        corners(k) = std::abs(turn) >= least;
+    }
+    // With fewer it is as likely a polygon that was meant.
+    return corners.count() < fewest_refined ? Corners::Constant(count, true) : corners;
+}
+
 // Faceting makes a circle as uneven and as long as its polygon: only what goes beyond is a slot.
 bool is_round(const Outline& circle, const RoundedBox& box, const Slack& slack, Eigen::Index count)
 {
@@ -190,18 +219,20 @@ bool is_slot(const RoundedBox& box)
     return box.radius >= roundest_rectangle * box.half.y();
 }
 
-// Of a slot: the vertices on its round ends.
+// Of a slot: the vertices on its round ends, and how many of them are corners.
 struct RoundEnds
 {
     Eigen::Index left = 0;
     Eigen::Index right = 0;
+    Eigen::Index corners = 0;
 
-    RoundEnds(const Plane& points, const RoundedBox& box)
+    RoundEnds(const Plane& points, const RoundedBox& box, const Corners& is_corner)
     {
         const double straight = box.half.x() - box.half.y() - least_tolerance * box.half.y();
         const Eigen::ArrayXd along = (points.rowwise() - box.center.transpose()) * box.along;
         left = (along < -straight).count();
         right = (along > straight).count();
+        corners = (is_corner && along.abs() > straight).count();
     }
 };
 
@@ -225,16 +256,17 @@ Outline outline_of(const RoundedBox& box, const Outline& circle, const Matrix3& 
 }
 
 // The slot or rectangle that the points are; a slot is as exact as the facets of its ends.
-Outline boxed(const Plane& points, const Outline& circle, const Matrix3& frame, Slack slack)
+Outline boxed(const Plane& points, const Corners& corners, const Outline& circle,
+              const Matrix3& frame, Slack slack)
 {
     const RoundedBox box = rounded_box(points);
     Outline found = outline_of(box, circle, frame);
     if (found.kind == OutlineKind::slotted)
     {
-        const RoundEnds ends(points, box);
+        const RoundEnds ends(points, box, corners);
         if (std::min(ends.left, ends.right) < fewest_at_end)
             found.kind = OutlineKind::other;
-        slack.form = std::min(slack.form, faceting_tolerance(ends.left + ends.right));
+        slack.form = std::min(slack.form, faceting_tolerance(ends.corners));
     }
     found.tolerance = slack.at(box.half.y());
     if (found.kind == OutlineKind::other || !fits(box, circle.area, found.tolerance))
@@ -267,11 +299,6 @@ Vector3 doubled_area(const Points& loop)
     return area;
 }
 
-double faceting_tolerance(Eigen::Index corners)
-{
-    return std::max(least_tolerance, sagitta(corners));
-}
-
 Outline fit_outline(const Points& loop, double roundness, double scatter)
 {
     Outline circle;
@@ -292,10 +319,11 @@ Outline fit_outline(const Points& loop, double roundness, double scatter)
     circle.bulge = (off * circle.axis).cwiseAbs().maxCoeff();
 
     const Slack most{roundness, scatter};
-    const Slack slack{std::min(roundness, faceting_tolerance(loop.rows())), scatter};
+    const Corners corners = corners_of(flat);
+    const Slack slack{std::min(roundness, faceting_tolerance(corners.count())), scatter};
     if (!fit.convergence.is_converged || loop.rows() < fewest_outline_vertices
-        || !is_round(circle, rounded_box(flat), slack, loop.rows()))
-        return boxed(flat, circle, frame, most);
+        || !is_round(circle, rounded_box(flat), slack, corners.count()))
+        return boxed(flat, corners, circle, frame, most);
     circle.kind = OutlineKind::round;
     circle.tolerance = slack.at(circle.radius);
     return circle;

@@ -37,13 +37,12 @@ constexpr double default_roundness = 0.12;
 //! Fewest vertices of a rim that may be a circle or a slot.
 constexpr int fewest_outline_vertices = 6;
 
-//! How far the vertices of a round rim may be from its circle, over the radius: as far as the sides
-//! of a regular polygon with so many corners, its sagitta 1 - cos(pi / corners), because a mesher
-//! may put vertices anywhere between arc and chord; 3 % at least, which formed holes need.
-double faceting_tolerance(Eigen::Index corners);
-
-//! The simplest outline that fits closed points: a circle or slot to its faceting_tolerance(), a
-//! rectangle to `roundness` of its half width. The one place that decides what a rim is.
+//! The simplest outline that fits closed points: a circle or slot to its own faceting, a rectangle
+//! to `roundness` of its half width. The one place that decides what a rim is.
+//!
+//! Faceting is the sagitta of a regular polygon with as many corners, 1 - cos(pi / corners) of the
+//! radius, because a mesher may put vertices anywhere between arc and chord; 3 % at least, which
+//! formed holes need. Vertices within straight sides are no corners.
 //! \param loop       (k, 3) mm, k >= 3, in order around, not on one line
 //! \param roundness  no unit: the most that any tolerance may be
 //! \param scatter    standard deviation of the points in one direction, mm: a fit may be off by

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 namespace sheetmorph
 {
@@ -171,8 +172,21 @@ private:
         result_.is_lump[at(facet)] = other.distance > thickest_of_skin * thickness(facet);
     }
 
+    // A ledge is low with all its facets; beside a rim every wall has low ones.
+    void keep_whole_ledges()
+    {
+        std::set<int> high;
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            if (is_wall_[at(t)] && !is_ledge_[at(t)])
+                high.insert(cells_.patch[at(t)]);
+        for (int t = 0; t < graph_.facet_count(); ++t)
+            if (high.count(cells_.patch[at(t)]) != 0)
+                is_ledge_[at(t)] = 0;
+    }
+
     void give_steps_to_their_skin()
     {
+        keep_whole_ledges();
         DisjointSets walls(graph_.facet_count());
         for (const FacetJoint& joint : graph_.joints)
             if (is_wall_[at(joint.one)] && is_wall_[at(joint.other)]

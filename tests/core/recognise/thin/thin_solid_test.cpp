@@ -94,6 +94,26 @@ TEST(ThinSolid, APlateWithHolesHasTwoSkinsAWallAndItsHoles)
         EXPECT_NEAR(solid.thicknesses(i), 2.0, 1e-9);
 }
 
+TEST(ThinSolid, AWallIsNoSkinHoweverLowItsFacetsAreBesideTheRim)
+{
+    const shapes::PlateWithHoles plate = shapes::plate_with_holes();
+    const TriangleMesh even = shapes::two_skinned(plate.mesh, 2.0);
+    const double top = even.points().col(2).maxCoeff(), bottom = even.points().col(2).minCoeff();
+    for (const double height : {0.001, 0.03, 1.96})
+    {
+        const TriangleMesh mesh = shapes::mapped(even,
+                                                 [&](Vector3 p)
+                                                 {
+                                                     if (p.z() > bottom && p.z() < top)
+                                                         p.z() = bottom + height;
+                                                     return p;
+                                                 });
+        const ThinSolid solid = found(mesh);
+        EXPECT_EQ(count_of(solid.facets, SolidSide::main), plate.mesh.triangle_count()) << height;
+        EXPECT_EQ(count_of(solid.facets, SolidSide::opposite), plate.mesh.triangle_count());
+    }
+}
+
 TEST(ThinSolid, TheHugeSliversOfACadTessellationTellAsMuch)
 {
     const ThinSolid solid = found(cad_plate());
