@@ -87,15 +87,21 @@ TEST(ConstrainedMinimiser, TheFirstSolutionIsTheMinimumAlready)
     }
 }
 
+// Also the multipliers of a supporting constraint, whose weight is in the factor.
 TEST(ConstrainedMinimiser, MultipliersAndResidualsAreInBalanceHoweverOftenTheyAreRefined)
 {
     const Small small;
-    const ConstrainedMinimiser minimiser(small.problem());
-    for (const int refinements : {0, 1, 4})
+    for (const std::vector<int>& supporting : {std::vector<int>{}, std::vector<int>{1}})
     {
-        const auto found = minimiser.minimum(small.targets, refinements);
-        const auto left = minimiser.balance(small.targets, found);
-        EXPECT_LT((small.basis.transpose() * left.forces).norm(), 1e-9) << refinements;
+        QuadraticProblem problem = small.problem();
+        problem.supporting = supporting;
+        const ConstrainedMinimiser minimiser(problem);
+        for (const int refinements : {0, 1, 4})
+        {
+            const auto found = minimiser.minimum(small.targets, refinements);
+            const auto left = minimiser.balance(small.targets, found);
+            EXPECT_LT((small.basis.transpose() * left.forces).norm(), 1e-9) << refinements;
+        }
     }
 }
 

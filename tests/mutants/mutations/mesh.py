@@ -9,7 +9,7 @@ ORIENTATION = "mesh/topology/orientation.cpp"
 PROFILE = "forms/rim_profile.cpp"
 SHAPE = "forms/feature_shape.cpp"
 NEAREST = "TriangleQueries.*:Picking.*"
-SHAPES = "FeatureShape.*:RimProfile.*"
+SHAPES = "FeatureShape.*:RimProfile.*:CylinderFit.*"
 
 MUTATIONS = [
     Mutation(OPERATORS, "0.125 * cotangent", "0.25 * cotangent", "Operators.*"),
@@ -66,7 +66,7 @@ MUTATIONS = [
         ORIENTATION,
         "corner(1).cross(corner(2))) / 6.0",
         "corner(1).cross(corner(2))) / 3.0",
-        "Orientation.*:Diagnosis.*:Quality.*",
+        "Orientation.*",
     ),
     Mutation("mesh/quality/quality.cpp", "std::sqrt(0.75) * longest", "longest", "Quality.*"),
     Mutation(

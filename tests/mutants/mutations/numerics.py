@@ -33,7 +33,12 @@ MUTATIONS = [
     Mutation(BUILDER, "+= product(i, j);", "-= product(i, j);", FACTORS),
     Mutation(BUILDER, "j < std::min(own, i + 1)", "j < std::min(own, i)", FACTORS),
     Mutation(BUILDER, "if (row >= column)", "if (row > column)", FACTORS),
-    Mutation("numerics/cholesky/front_solver.cpp", "+= part[g].row(", "-= part[g].row(", FACTORS),
+    Mutation(
+        "numerics/cholesky/front_solver.cpp",
+        "+= part[g].row(",
+        "-= part[g].row(",
+        "*LargeFactors*",
+    ),
     Mutation(
         "numerics/cholesky/frontal_cholesky.cpp",
         "if (parent >= 0 && !work.is_kept[at(parent)])",

@@ -45,8 +45,8 @@ MUTATIONS = [
     ),
     Mutation(
         PATCHES,
-        "(side == 0 ? 0 : touches_[0].size())",
-        "(side == 0 ? touches_[1].size() : 0)",
+        "(i + (side == 0 ? 0 : touches_[0].size()))",
+        "(i)",
         "Contacts.*",
     ),
     Mutation(
@@ -78,6 +78,6 @@ MUTATIONS = [
         "recognise/thin/thickness_gauge.cpp",
         "distance.after / distance.before - 1.0",
         "distance.before / distance.after - 1.0",
-        "ThinSolid.*",
+        "ThicknessGauge.*",
     ),
 ]

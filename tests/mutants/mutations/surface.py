@@ -10,7 +10,7 @@ MOTIONS = "surface/bodies/body_motions.cpp"
 BODY_RATES = "surface/rates/body_rates.cpp"
 ELEMENT = "surface/steel/shell_element.cpp"
 INVARIANTS = "Invariants.*:SurfaceDeformer.*"
-RELATIONS = "FeatureMotions.*:FeatureRelations.*"
+RELATIONS = "AllowedMotion.*"
 RATES = "WaveRates.*"
 SHELLS = "ShellElement.*"
 
@@ -31,8 +31,7 @@ MUTATIONS = [
         FOLLOWERS,
         "(shift + rotation_from_log(log) * arm - arm).transpose()",
         "shift.transpose()",
-        "Whole*:CutPlates.*:HangingSheets.*",
-        "assembly",
+        "Followers.*",
     ),
     Mutation(
         FOLLOWERS,
@@ -74,7 +73,7 @@ MUTATIONS = [
         "surface/bodies/joints.cpp",
         "rotation_from_log(0.5 * amount)",
         "rotation_from_log(amount)",
-        "FreeFeatures.*",
+        "Joints.*",
     ),
     Mutation(
         "surface/bodies/sheet_growth.cpp",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/features.h"
 
+#include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/recognise/features/bends.h"
 #include "sheetmorph/recognise/features/holes.h"
 #include "sheetmorph/recognise/features/strips.h"
@@ -33,11 +34,21 @@ void renumber(const FacetGraph& graph, Feature& feature)
         ring = graph.originals(ring);
 }
 
-// Whether most of a raised place is one that its sharp edge has told already.
+bool is_same_rim(VertexIds one, VertexIds other)
+{
+    make_set(one);
+    make_set(other);
+    return one == other;
+}
+
+// Whether most of a raised place is one that its sharp edge has told already, or its rim that of a
+// hole: a blind one is not an emboss as well.
 bool is_known(const std::vector<Feature>& features, const Feature& raised)
 {
     for (const Feature& feature : features)
     {
+        if (is_hole(feature) && is_same_rim(feature.rims.front(), raised.rims.front()))
+            return true;
         if (feature.kind != FeatureKind::bead && feature.kind != FeatureKind::emboss)
             continue;
         VertexIds both;

@@ -2,8 +2,10 @@
 #include "sheetmorph/cad/splines/parameter_curve.h"
 
 #include <Geom2d_Line.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <cmath>
 #include <gp_Ax2.hxx>
 #include <gtest/gtest.h>
@@ -43,6 +45,25 @@ TEST(CurveBeneath, HasTheParametersOfThePointsBeneathElse)
             EXPECT_NEAR(found->Value(t).X(), t, 2e-5 / 5.0);
             EXPECT_NEAR(found->Value(t).Y(), 2.0, 2e-5);
         }
+    }
+}
+
+// A flat patch whose parameters are at 53 degrees to each other: x = 10 u + 6 v, y = 8 v.
+TEST(CurveBeneath, HasTheParametersOfSkewedSurfaces)
+{
+    TColgp_Array2OfPnt corners(1, 2, 1, 2);
+    for (const int u : {0, 1})
+        for (const int v : {0, 1})
+            corners.SetValue(u + 1, v + 1, gp_Pnt(10.0 * u + 6.0 * v, 8.0 * v, 0.0));
+    const Handle(Geom_BezierSurface) patch = new Geom_BezierSurface(corners);
+    const Handle(Geom_Circle) round = new Geom_Circle(gp_Ax2(gp_Pnt(8, 4, 0), gp::DZ()), 2.0);
+    const Handle(Geom2d_Line) of_file = new Geom2d_Line(gp_Pnt2d(0.5, 0.5), gp_Dir2d(1.0, 0.2));
+    const auto found = curve_beneath(round, patch, of_file, 0.0, 0.4, 1e-5);
+    for (const double t : {0.0, 0.1, 0.27, 0.4})
+    {
+        const gp_Pnt above = round->Value(t);
+        EXPECT_NEAR(found->Value(t).Y(), above.Y() / 8.0, 1e-6);
+        EXPECT_NEAR(found->Value(t).X(), (above.X() - 0.75 * above.Y()) / 10.0, 1e-6);
     }
 }
 

@@ -43,6 +43,8 @@ TEST(Contacts, OverlappingSheetsTouchWhereTheyOverlap)
     EXPECT_EQ(found[0].a.size(), 7u * 11u);
     EXPECT_EQ(found[0].b.size(), 7u * 11u);
     EXPECT_NEAR(found[0].distance, 1.2, 1e-12);
+    EXPECT_NEAR(found[0].size, Vector3(30.0, 50.0, 1.2).norm(), 1e-12);
+    EXPECT_LT((found[0].center - Vector3(85.0, 25.0, 0.6)).norm(), 1e-12);
 }
 
 TEST(Contacts, KnownThicknessAddsToTheGap)
@@ -64,6 +66,24 @@ TEST(Contacts, TwoPlacesOfOnePairAreTwoContacts)
     EXPECT_EQ(find_contacts({part_of(base), part_of(bridge)}, {}, tolerances).size(), 2u);
     tolerances.joins_pairs = true;
     EXPECT_EQ(find_contacts({part_of(base), part_of(bridge)}, {}, tolerances).size(), 1u);
+}
+
+TEST(Contacts, TheNumbersOfVerticesDoNotDecideWhatOneContactIs)
+{
+    const auto base = shapes::grid(40, 10, 200.0, 50.0);
+    const auto bridge =
+        shapes::mapped(shapes::grid(20, 5, 200.0, 50.0), [](Vector3 p)
+                       { return Vector3(p.x(), p.y(), p.x() < 41 || p.x() > 139 ? 1.0 : 20.0); });
+    for (unsigned seed = 1; seed <= 5; ++seed)
+    {
+        const shapes::Renumbered one = shapes::renumbered(base, seed);
+        const shapes::Renumbered other = shapes::renumbered(bridge, seed + 100);
+        const auto found =
+            find_contacts({part_of(one.mesh), part_of(other.mesh)}, {}, with_gap(1.2));
+        ASSERT_EQ(found.size(), 2u) << seed;
+        for (const FoundContact& contact : found)
+            EXPECT_LT(contact.size, 100.0) << seed;
+    }
 }
 
 TEST(Contacts, CoaxialHolesAreABolt)

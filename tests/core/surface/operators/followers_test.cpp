@@ -96,5 +96,41 @@ TEST(Followers, TrianglesWithoutAreaMayComeFirst)
               1e-9 * one.mesh.size());
 }
 
+// What stands on a sheet moves with it as one body, at any distance and over any turn.
+TEST(Followers, ATiedVertexKeepsItsPlaceOnASheetThatMovesRigidly)
+{
+    const TriangleMesh sheet = shapes::grid(4, 4, 40.0, 40.0);
+    const int count = sheet.vertex_count();
+    Points points(count + 2, 3);
+    points << sheet.points(), Eigen::RowVector3d(11.0, 12.0, 7.0),
+        Eigen::RowVector3d(25.0, 3.0, -4.0);
+    const TriangleMesh mesh(points, sheet.triangles());
+    const auto corner = [&](int k, int c) { return sheet.triangles()(k, c); };
+    VertexRoles roles;
+    roles.role.assign(static_cast<std::size_t>(count + 2), Role::free);
+    for (const int k : {0, 1})
+    {
+        const int triangle = 9 * k + 3;
+        roles.role[static_cast<std::size_t>(count + k)] = Role::tied;
+        roles.ties.push_back(
+            {count + k,
+             {{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)}, {0.2, 0.3, 0.5}}});
+    }
+    const Followers followers(mesh, roles);
+    for (const double degrees : {20.0, 120.0, 300.0})
+    {
+        const RigidMotion motion =
+            cases::motion({5.0, -3.0, 8.0}, {0.2, 1.0, 0.4}, degrees, {10.0, 0.0, 0.0});
+        Points positions = motion.apply(points);
+        Points logs = motion.rotation_log.transpose().replicate(count + 2, 1);
+        const Points expected = positions;
+        positions.bottomRows(2).setZero();
+        logs.bottomRows(2).setZero();
+        followers.place(mesh, positions, logs);
+        EXPECT_LT((positions - expected).cwiseAbs().maxCoeff(), 1e-11) << degrees;
+        EXPECT_LT((logs.bottomRows(2).rowwise() - motion.rotation_log.transpose()).norm(), 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace sheetmorph

@@ -59,6 +59,53 @@ TEST(NaturalEnergy, AClampedRoundPlateConverges)
                            1.9, 0.03);
 }
 
+// A cantilever 40 mm wide up to its middle and 10 mm from there to its tip, lifted by 1 mm: the
+// deflection where it becomes narrow.
+double deflection_at_step(int cells_across)
+{
+    const TriangleMesh whole = shapes::grid(20 * cells_across, 4 * cells_across, 200.0, 40.0);
+    std::vector<int> kept;
+    for (int t = 0; t < whole.triangle_count(); ++t)
+    {
+        const VertexIds corners = {whole.triangles()(t, 0), whole.triangles()(t, 1),
+                                   whole.triangles()(t, 2)};
+        const Eigen::RowVector3d middle =
+            whole.points()(corners, Eigen::indexing::all).colwise().mean();
+        if (middle.x() < 100.0 || (middle.y() > 10.0 && middle.y() < 20.0))
+            kept.push_back(t);
+    }
+    const TriangleMesh mesh = shapes::welded(
+        {TriangleMesh(whole.points(), whole.triangles()(kept, Eigen::indexing::all))});
+    Case one{"stepped", mesh, {}, {}};
+    one.constraints.energy = Energy::natural;
+    one.constraints.fixed = {
+        cases::region("root", mesh, [](const Vector3& p) { return p.x() < 1e-6; })};
+    for (int f = 0; f < mesh.triangle_count(); ++f)
+        for (int k = 0; k < 3; ++k)
+        {
+            const Eigen::RowVector3d a = mesh.points().row(mesh.triangles()(f, k));
+            const Eigen::RowVector3d b = mesh.points().row(mesh.triangles()(f, (k + 1) % 3));
+            if (a.x() < 199.999 || b.x() < 199.999)
+                continue;
+            Vector3 middle = Vector3::Zero();
+            middle(k) = middle((k + 1) % 3) = 0.5;
+            one.constraints.points.push_back({"tip" + std::to_string(f), f, middle, false});
+            one.targets.points.push_back(
+                {0.5 * (a + b).transpose() + Vector3(0.0, 0.0, 1.0), Vector3::Zero()});
+        }
+    return solve(one).positions(shapes::vertex_at(mesh, {100.0, 10.0, 0.0}), 2);
+}
+
+// A load P at the tip of two beams of length 1, of stiffness 4 and 1: P (5 / 24) and P (11 / 12).
+// Where the narrow one is one cell wide, hinges alone make it stiff.
+TEST(NaturalEnergy, ANarrowStripIsAsStiffAsItsWidth)
+{
+    const double exact = (5.0 / 24.0) / (11.0 / 12.0);
+    EXPECT_NEAR(deflection_at_step(1), exact, 0.09);
+    EXPECT_NEAR(deflection_at_step(2), exact, 0.01);
+    EXPECT_NEAR(deflection_at_step(4), exact, 0.005);
+}
+
 // The case with everything free but what its points say.
 Case held_by_points(const TriangleMesh& mesh, const std::vector<int>& triangles)
 {

@@ -180,6 +180,104 @@ TEST(ShellElement, TheTangentOfTensionHasNoNegativeDirection)
     }
 }
 
+// A triangle in its plane at rest, directors along z.
+Place flat_place(const ShellElement::Corners& corners)
+{
+    return {corners, {Vector3::UnitZ(), Vector3::UnitZ(), Vector3::UnitZ()}};
+}
+
+// The sheet resists alike in all directions: whichever corner comes first, and with it the axes of
+// the triangle.
+TEST(ShellElement, ItsEnergyDoesNotDependOnTheFirstCorner)
+{
+    for (unsigned seed = 1; seed <= 12; ++seed)
+    {
+        Triangle draw(seed);
+        const Place rest =
+            draw.place({Vector3(0.1 * draw.vector()), Vector3(1.5, 0.2, 0.1) + 0.2 * draw.vector(),
+                        Vector3(0.4, 1.1, -0.1) + 0.2 * draw.vector()});
+        const Place now = moved(rest, 0.1 * draw.step());
+        const auto of = [&](std::size_t first, double thickness)
+        {
+            const auto turned = [&](const Place& place)
+            {
+                Place found;
+                for (std::size_t k = 0; k < 3; ++k)
+                {
+                    found.corners[k] = place.corners[(k + first) % 3];
+                    found.directors[k] = place.directors[(k + first) % 3];
+                }
+                return found;
+            };
+            const ShellElement element(turned(rest), 0.3);
+            return element.energy(element.strain(turned(now)), thickness);
+        };
+        // Of a thick sheet, so that bending counts.
+        for (const double thickness : {0.0, 10.0})
+            for (const std::size_t first : {1u, 2u})
+                EXPECT_NEAR(of(first, thickness), of(0, thickness), 1e-10 * of(0, thickness));
+    }
+}
+
+// Plane stress: of a sheet of unit stiffness E h and Poisson's ratio nu.
+TEST(ShellElement, PlainStrainsCostWhatPlaneStressSays)
+{
+    const ShellElement::Corners rest = {Vector3(0.2, 0.1, 0.0), Vector3(1.7, 0.4, 0.0),
+                                        Vector3(0.5, 1.3, 0.0)};
+    for (const double nu : {0.0, 0.3, 0.45})
+    {
+        const ShellElement element(flat_place(rest), nu);
+        const auto energy_of = [&](const Matrix3& stretch)
+        {
+            ShellElement::Corners now;
+            for (std::size_t k = 0; k < 3; ++k)
+                now[k] = stretch * rest[k];
+            return element.energy(element.strain(flat_place(now)), bending) / element.area();
+        };
+        const double small = 1e-5;
+        Matrix3 pull = Matrix3::Identity(), shear = Matrix3::Identity();
+        pull(0, 0) += small;
+        shear(0, 1) += small;
+        EXPECT_NEAR(energy_of(pull) / (small * small), 0.5 / (1.0 - nu * nu), 1e-4);
+        EXPECT_NEAR(energy_of(shear) / (small * small), 0.25 / (1.0 + nu), 1e-4);
+    }
+}
+
+// A flat triangle whose directors are the normals of a surface of small curvatures in its middle:
+// z = (a x^2 + c y^2) / 2 + b x y.
+TEST(ShellElement, CurvaturesCostWhatAThinPlateSays)
+{
+    const ShellElement::Corners rest = {Vector3(-0.7, -0.5, 0.0), Vector3(0.8, -0.3, 0.0),
+                                        Vector3(-0.1, 0.8, 0.0)};
+    const double nu = 0.3, small = 1e-5;
+    const ShellElement element(flat_place(rest), nu);
+    for (const Vector3& curved : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1),
+                                  Vector3(1, 1, 0), Vector3(0.3, -0.8, 0.5)})
+    {
+        const double a = small * curved(0), c = small * curved(1), b = small * curved(2);
+        Place now = flat_place(rest);
+        const auto slope = [&](const Vector3& p)
+        { return Vector3(a * p.x() + b * p.y(), b * p.x() + c * p.y(), 0.0); };
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const Vector3& p = rest[k];
+            now.corners[k].z() = 0.5 * (a * p.x() * p.x() + c * p.y() * p.y()) + b * p.x() * p.y();
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const Vector3 side = (now.corners[(k + 1) % 3] - now.corners[k]).normalized();
+            const Vector3 middle = 0.5 * (rest[k] + rest[(k + 1) % 3]);
+            const Vector3 normal = Vector3::UnitZ() - slope(middle);
+            now.directors[k] = (normal - normal.dot(side) * side).normalized();
+        }
+        const double thick = 4.0;
+        const double expected = 0.5 * thick * element.area() / (1.0 - nu * nu)
+                                * (a * a + c * c + 2.0 * nu * a * c + 2.0 * (1.0 - nu) * b * b);
+        const double found = element.energy(element.strain(now), thick);
+        EXPECT_NEAR(found / expected, 1.0, 1e-3) << curved.transpose();
+    }
+}
+
 TEST(ShellElement, ItTakesEverMoreToCrushATriangle)
 {
     const ShellElement::Corners rest = {Vector3(0.0, 0.0, 0.0), Vector3(1.0, 0.0, 0.0),
