@@ -85,6 +85,21 @@ DeformationSession changed(const Frame& frame)
     }
 }
 
+// Whether a part may turn by 60 degrees between two things that move it: there `natural` bends a
+// laid shape, which no response holds.
+bool may_turn_far(const Frame& frame)
+{
+    constexpr double half_of_half = shapes::pi / 12.0;  // logs are of half the angle
+    double farthest = 0.0;
+    for (const auto& [name, motion] : frame.pose.handles)
+        farthest = std::max(farthest, motion.rotation_log.norm());
+    for (const auto& [name, log] : frame.pose.feature_logs)
+        farthest = std::max(farthest, log.norm());
+    for (const auto& [name, target] : frame.pose.points)
+        farthest = std::max(farthest, target.rotation_log.norm());
+    return frame.assembly.energy == Energy::natural && farthest > half_of_half;
+}
+
 class DrawnAssemblies : public testing::TestWithParam<unsigned>
 {
 };
@@ -102,7 +117,7 @@ TEST_P(DrawnAssemblies, AreAnsweredAlikeInEveryWay)
     EXPECT_LT(miss(frame, *drag->frame(frame.pose), exact), 1e-6) << "while it learns";
     drag->wait();
     EXPECT_LT(miss(frame, *drag->frame(frame.pose), exact), 1e-6) << "learnt";
-    EXPECT_TRUE(drag->answered()[0] || session.thin_solid(0) != nullptr);
+    EXPECT_TRUE(drag->answered()[0] || session.thin_solid(0) != nullptr || may_turn_far(frame));
     for (int k = 0; k < 3; ++k)
     {
         const Pose pose = drawn.another_pose();
