@@ -141,7 +141,7 @@ def test_a_contact_that_opens_too_far_is_told_in_the_tree_and_while_moving():
     yield from new_assembly(is_joined=True)
     (contact,) = contacts()
     assembly().Smoothness = 1000.0  # follows too stiffly for so sharp a bend
-    api.set_motion(regions("handle")[0], (0, 0, 60), (1, 0, 0), 90)
+    api.set_motion(regions("handle")[0], (0, 0, 60), (1, 0, 0), 150)
     App.ActiveDocument.recompute()
     assert "make it tied or rigid" in contact.Warning, contact.GapChange
     yield from press_tool("Propagation…")
