@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sets 01 and 02 with all their rivets, bushes and rigid elements: certified, joints hold or are named."""
+"""Sets 01 and 02 with all their rivets, bushes and rigid elements: joints hold or are named."""
 
 from __future__ import annotations
 

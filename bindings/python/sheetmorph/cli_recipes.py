@@ -65,9 +65,7 @@ def _init(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     folder = Path(wanted.output).parent if wanted.output else Path()
     with progress_on(sys.stderr, wanted.quiet) as progress:
         is_toml = bool(wanted.output) and Path(wanted.output).suffix.lower() == ".toml"
-        text = starting_recipe(
-            wanted.files, folder, progress, is_toml=is_toml, unit=wanted.unit
-        )
+        text = starting_recipe(wanted.files, folder, progress, is_toml=is_toml, unit=wanted.unit)
     if not wanted.output:
         return [text.rstrip("\n")]
     path = write_text(wanted, text, files)

@@ -49,10 +49,12 @@ class WrittenPart:
 
 @dataclass(frozen=True)
 class FilesTold:
-    """What PartFile.told() says of every deck, JointSource.told() of every file of joints."""
+    """What PartFile.told() says of every deck, JointSource.told() of every file of joints; missing:
+    what could not be read, a sentence each."""
 
     decks: list[dict[str, Any]] = field(default_factory=list)
     joint_files: list[dict[str, Any]] = field(default_factory=list)
+    missing: list[str] = field(default_factory=list)
 
     def texts(self, key: str) -> list[str]:
         """All `failures` or `notes`."""
@@ -85,7 +87,7 @@ def make_report(
         part_report(stored, name, files.get(name), is_brief) | _told_of_file(result, name, files)
         for name in session.parts
     ]
-    warnings = warnings_of(stored, parts)
+    warnings = [*beside.missing, *warnings_of(stored, parts)]
     failures = [*_torn(features, tol), *missed_sizes(features, parts, tol)]
     failures += [*thin_failures(result, tol), *unsettled(parts), *shape_faults(parts)]
     failures += beside.texts("failures")

@@ -354,7 +354,7 @@ class Writer:
                 file.output_name,
                 stored[vertices],
                 file.precision,
-                [*file.notes, *file.missing],
+                file.notes,
                 None if shapes is None else shapes.of_part(name),
             )  # fmt: skip
             for name, vertices in source.members.items()
@@ -385,7 +385,10 @@ def told_of_files(
     """What the report tells of every deck, and of every file of welds and bolts."""
     told = (source.file.told(source.positions(result.positions)) for source in sources)
     joints = [one.told(result.positions) for one in joint_files]
-    return FilesTold([one for one in told if one is not None], joints)
+    missing = [
+        f"{source.file.origin}: {text}" for source in sources for text in source.file.missing
+    ]
+    return FilesTold([one for one in told if one is not None], joints, missing)
 
 
 def _remove_empty(folders: list[Path]) -> None:

@@ -49,7 +49,8 @@ class Translator:
         """Indices (k,) of a region's vertices in its part; of a point, those of its triangle."""
         if region.is_point:
             triangle, _ = self._on_mesh(region)
-            return self._meshes[region.part].triangles[triangle]
+            corners: Ints = self._meshes[region.part].triangles[triangle]
+            return corners
         return self._indices[region.where]
 
     def _place(self, region: RegionEntry) -> Floats:

@@ -106,10 +106,10 @@ def rigid_along(motion: Motion, held: Ints) -> tuple[Floats, Floats]:
 
 def _shortest_turn(start: Floats, end: Floats) -> Floats:
     """(3, 3) the smallest rotation from one unit vector to another; any, if they are opposite."""
-    half = start + end
+    half: Floats = start + end
     if np.linalg.norm(half) < 1e-9:
-        half = np.cross(start, np.eye(3)[np.abs(start).argmin()])
-    half /= np.linalg.norm(half)
+        half = np.cross(start, np.eye(3)[int(np.abs(start).argmin())])
+    half = half / np.linalg.norm(half)
     # Two reflections make a rotation, by twice the angle from start to half.
     mirrors = [np.eye(3) - 2.0 * np.outer(a, a) for a in (start, half)]
     found: Floats = mirrors[1] @ mirrors[0]

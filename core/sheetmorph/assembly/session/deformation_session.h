@@ -47,7 +47,7 @@ struct LoosePieces
 {
     int part = 0;
     int pieces = 0;
-    int vertices = 0;  //!< of all of them, on the skin of a thin solid
+    int vertices = 0;                 //!< of all of them, on the skin of a thin solid
     Vector3 place = Vector3::Zero();  //!< of one of the first piece's vertices at rest, mm
 };
 

@@ -29,8 +29,8 @@ FrontList SparseCholesky::fronts(const SparseCholesky* earlier) const
     catch (const SolverError&)
     {
         throw SolverError(
-            "the energy's matrix is not positive definite; "
-            "the part has no unique shape under these constraints");
+            "it has no unique shape under these constraints (the energy's matrix is not positive "
+            "definite): hold it by a fixed region, and cure its triangles without height");
     }
 }
 
