@@ -108,7 +108,8 @@ def _shortest_turn(start: Floats, end: Floats) -> Floats:
     """(3, 3) the smallest rotation from one unit vector to another; any, if they are opposite."""
     half: Floats = start + end
     if np.linalg.norm(half) < 1e-9:
-        half = np.cross(start, np.eye(3)[int(np.abs(start).argmin())])
+        across: Floats = np.eye(3)[int(np.abs(start).argmin())]
+        half = np.array([*np.cross(start, across)], float)
     half = half / np.linalg.norm(half)
     # Two reflections make a rotation, by twice the angle from start to half.
     mirrors = [np.eye(3) - 2.0 * np.outer(a, a) for a in (start, half)]

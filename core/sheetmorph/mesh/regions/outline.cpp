@@ -226,13 +226,13 @@ struct RoundEnds
     Eigen::Index right = 0;
     Eigen::Index corners = 0;
 
-    RoundEnds(const Plane& points, const RoundedBox& box, const Corners& is_corner)
+    RoundEnds(const Plane& points, const RoundedBox& box)
     {
         const double straight = box.half.x() - box.half.y() - least_tolerance * box.half.y();
         const Eigen::ArrayXd along = (points.rowwise() - box.center.transpose()) * box.along;
         left = (along < -straight).count();
         right = (along > straight).count();
-        corners = (is_corner && along.abs() > straight).count();
+        corners = (corners_of(points) && along.abs() > straight).count();
     }
 };
 
@@ -256,14 +256,13 @@ Outline outline_of(const RoundedBox& box, const Outline& circle, const Matrix3& 
 }
 
 // The slot or rectangle that the points are; a slot is as exact as the facets of its ends.
-Outline boxed(const Plane& points, const Corners& corners, const Outline& circle,
-              const Matrix3& frame, Slack slack)
+Outline boxed(const Plane& points, const Outline& circle, const Matrix3& frame, Slack slack)
 {
     const RoundedBox box = rounded_box(points);
     Outline found = outline_of(box, circle, frame);
     if (found.kind == OutlineKind::slotted)
     {
-        const RoundEnds ends(points, box, corners);
+        const RoundEnds ends(points, box);
         if (std::min(ends.left, ends.right) < fewest_at_end)
             found.kind = OutlineKind::other;
         slack.form = std::min(slack.form, faceting_tolerance(ends.corners));
@@ -319,11 +318,11 @@ Outline fit_outline(const Points& loop, double roundness, double scatter)
     circle.bulge = (off * circle.axis).cwiseAbs().maxCoeff();
 
     const Slack most{roundness, scatter};
-    const Corners corners = corners_of(flat);
-    const Slack slack{std::min(roundness, faceting_tolerance(corners.count())), scatter};
+    const Eigen::Index corners = corners_of(flat).count();
+    const Slack slack{std::min(roundness, faceting_tolerance(corners)), scatter};
     if (!fit.convergence.is_converged || loop.rows() < fewest_outline_vertices
-        || !is_round(circle, rounded_box(flat), slack, corners.count()))
-        return boxed(flat, corners, circle, frame, most);
+        || !is_round(circle, rounded_box(flat), slack, corners))
+        return boxed(flat, circle, frame, most);
     circle.kind = OutlineKind::round;
     circle.tolerance = slack.at(circle.radius);
     return circle;
