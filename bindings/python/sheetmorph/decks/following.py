@@ -109,7 +109,7 @@ def _shortest_turn(start: Floats, end: Floats) -> Floats:
     half: Floats = start + end
     if np.linalg.norm(half) < 1e-9:
         across: Floats = np.eye(3)[int(np.abs(start).argmin())]
-        half = np.array([*np.cross(start, across)], float)
+        half = across - float(across @ start) * start
     half = half / np.linalg.norm(half)
     # Two reflections make a rotation, by twice the angle from start to half.
     mirrors = [np.eye(3) - 2.0 * np.outer(a, a) for a in (start, half)]
