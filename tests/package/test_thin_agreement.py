@@ -20,12 +20,13 @@ from finding_scores import data_folder
 from thin_plates import thin_plate
 
 FILES = [
+    "05-robotnik-summit-stl/summit_xl_covers.stl",
     "10-cases/05-touching-corner/corner_gap_0_5.step",
     "10-cases/07-ledge-in-a-skin/ledge.step",
     "10-cases/07-ledge-in-a-skin/veneer.step",
     "10-cases/18-inside-out/plate_mostly_inside_out.stl",
     "10-cases/19-thin-lost/default_fender.stl",
-    "11-bent-sheets/0.stp",
+    *(f"11-bent-sheets/{number}.stp" for number in range(6)),
 ]
 PLATE = thin_plate()
 

@@ -108,11 +108,12 @@ def _shortest_turn(start: Floats, end: Floats) -> Floats:
     """(3, 3) the smallest rotation from one unit vector to another; any, if they are opposite."""
     half: Floats = start + end
     if np.linalg.norm(half) < 1e-9:
-        across: Floats = np.eye(3)[int(np.abs(start).argmin())]
+        across = np.zeros(3)
+        across[np.abs(start).argmin()] = 1.0
         half = across - float(across @ start) * start
     half = half / np.linalg.norm(half)
     # Two reflections make a rotation, by twice the angle from start to half.
-    mirrors = [np.eye(3) - 2.0 * np.outer(a, a) for a in (start, half)]
+    mirrors: list[Floats] = [np.eye(3) - 2.0 * np.outer(a, a) for a in (start, half)]
     found: Floats = mirrors[1] @ mirrors[0]
     return found
 
