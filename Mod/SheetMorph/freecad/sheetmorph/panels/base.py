@@ -139,6 +139,11 @@ def say(label, text: str, is_error: bool = False) -> None:
     label.setVisible(bool(text))
 
 
+def listed(texts: list[str]) -> str:
+    """Several sentences below each other, a dot before each."""
+    return "\n".join(texts) if len(texts) < 2 else "\n".join(f"• {text}" for text in texts)
+
+
 def vertices_said(count: int) -> str:
     """How many vertices are picked."""
     if count == 1:

@@ -10,7 +10,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.panels import progress, propagation_tree
-from freecad.sheetmorph.panels.base import Panel, legend, say
+from freecad.sheetmorph.panels.base import Panel, legend, listed, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.interaction.handle_drag import HandleDrag
@@ -322,7 +322,7 @@ class MovePanel(Panel):
             if text not in told and not any(f'reaches "{name}"' in text for name in names)
         ]
         texts += others[:MOST_WARNINGS] + ["…"] * (len(others) > MOST_WARNINGS)
-        say(self.form.staying, "\n".join(texts), bool(texts))
+        say(self.form.staying, listed(texts), bool(texts))
 
     def _fill(self) -> None:
         """Shows the motion of the handle."""

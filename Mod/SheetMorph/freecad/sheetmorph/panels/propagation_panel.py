@@ -11,7 +11,7 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.assembly import PROPAGATIONS, UNHELD, WHOLE
 from freecad.sheetmorph.interaction import control_meshes
 from freecad.sheetmorph.panels import contact_types, propagation_tree
-from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.panels.base import Panel, listed, say
 from freecad.sheetmorph.qt import QtWidgets, number, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
@@ -115,14 +115,15 @@ class PropagationPanel(Panel):
         propagation_tree.fill(form.tree, self._assembly, self._steps)
         form.tree.setCurrentItem(propagation_tree.row_of(form.tree, chosen) if chosen else None)
         self._is_filling = False
-        say(form.hint, self._hint())
+        opened = propagation_tree.opened(self._assembly) if self._steps else []
+        say(form.hint, self._hint(opened), bool(opened))
         self._choose()
 
     def _has_meshes(self) -> bool:
         """Whether control meshes and modes have any effect."""
         return self._assembly.Propagation != WHOLE
 
-    def _hint(self) -> str:
+    def _hint(self, opened: list) -> str:
         """What to do next, if anything."""
         if not self._steps:
             return (
@@ -130,10 +131,10 @@ class PropagationPanel(Panel):
                 if self.form.message.text()
                 else translate("SheetMorph_panels", "Mark a fixed region and a handle first.")
             )
-        hints = [contact.Warning for contact in propagation_tree.opened(self._assembly)[:1]]
+        hints = [contact.Warning for contact in opened[:1]]
         if any(step.level < 0 for step in self._steps):
             hints.append(propagation_tree.HINT)
-        return "\n".join(hints)
+        return listed(hints)
 
     def _choose(self) -> None:
         """Shows what belongs to the row that is chosen."""
