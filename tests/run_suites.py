@@ -176,8 +176,8 @@ class Suites:
         return self._pytest("real", ["tests/real"], self.staged)
 
     def mutants(self) -> Count:
-        """100 mistakes planted in the kernel, of which its tests must notice 95; may take an
-        hour. Its log is the table; an interrupted run continues."""
+        """Mistakes planted in the kernel, of which its tests must notice 95 %; takes a quarter of
+        an hour. Its log is the table; an interrupted run continues."""
         command = [PYTHON, "-B", "tests/mutants/run_mutants.py", str(self.build)]
         return self._checked([command], **{SLOW: "1"})
 

@@ -57,7 +57,36 @@ def test_the_score_fails_below_95_and_if_something_was_not_tested(
     runner, killed, survived, unsound, status
 ):
     kinds = ["killed"] * killed + ["survived"] * survived + ["unsound"] * unsound
-    assert runner.score([runner.Verdict(kind, "") for kind in kinds]) == status
+    mutation = runner.Mutation("base/rotation.cpp", "old", "new", "*")
+    assert runner.score([(mutation, runner.Verdict(kind, "")) for kind in kinds]) == status
+
+
+def test_the_output_names_the_survivors_and_the_score_of_every_folder(runner, capsys):
+    judged = [
+        (runner.Mutation("base/rotation.cpp", "a", "b", "*"), runner.Verdict("killed", "")),
+        (runner.Mutation("base/rates.cpp", "c", "d", "*"), runner.Verdict("survived", "")),
+        (runner.Mutation("pick/sight.cpp", "e", "f", "*"), runner.Verdict("killed", "")),
+    ]
+    assert runner.score(judged) == 1
+    said = capsys.readouterr().out
+    for line in (
+        "1 of   2 killed in base",
+        "1 of   1 killed in pick",
+        "survived: base/rates.cpp: d",
+    ):
+        assert line in said
+
+
+# They choose instructions of the processor, and have no number of an answer.
+WITHOUT_NUMBERS = {"base/instructions"}
+
+
+def test_every_folder_of_the_kernel_has_mutations(runner):
+    folders = {
+        path.parent.relative_to(runner.KERNEL).as_posix() for path in runner.KERNEL.rglob("*.cpp")
+    }
+    mutated = {mutation.folder for mutation in runner.MUTATIONS}
+    assert folders - mutated == WITHOUT_NUMBERS
 
 
 @pytest.mark.parametrize(

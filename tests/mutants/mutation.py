@@ -28,6 +28,11 @@ class Mutation(NamedTuple):
         return f"sheetmorph_{self.layer or self.file.split('/')[0]}_tests"
 
     @property
+    def folder(self) -> str:
+        """The folder of the kernel that the mistake is in."""
+        return self.file.rpartition("/")[0]
+
+    @property
     def label(self) -> str:
         """One line: the file and the first line that changes, as it becomes."""
         before, after = self.old.splitlines(), self.new.splitlines() or [""]

@@ -3,6 +3,7 @@
 
     run_mutants.py BUILD [WORD...]
 
+The output ends with the score of every folder of the kernel, the survivors and the whole score.
 BUILD is a build folder in which the C++ tests are built. WORDs restrict the run to mutations whose
 label contains one of them. The source and the build folder stay as they are: each mistake is
 compiled from a copy of its file, and the object is linked into a copy of the test program in
@@ -192,10 +193,19 @@ def verdict_of(ended: Ended, seconds: float) -> Verdict:
     return Verdict("killed", failed[1] if failed else f"ended with {ended.status}", seconds)
 
 
-def score(verdicts: list[Verdict]) -> int:
-    """Print the score; 0 if enough mistakes were noticed and all of them were tested."""
-    kinds = [verdict.kind for verdict in verdicts]
+def score(judged: list[tuple[Mutation, Verdict]]) -> int:
+    """Print the score of every folder, the survivors and the score of the whole.
+
+    Returns 0 if enough mistakes were noticed and all of them were tested.
+    """
+    kinds = [verdict.kind for _, verdict in judged]
     killed, unsound = kinds.count("killed"), kinds.count("unsound")
+    for folder in sorted({mutation.folder for mutation, _ in judged}):
+        own = [verdict.kind for mutation, verdict in judged if mutation.folder == folder]
+        print(f"{own.count('killed'):4} of {len(own):3} killed in {folder}")
+    for mutation, verdict in judged:
+        if verdict.kind != "killed":
+            print(f"{verdict.kind}: {mutation.label}")
     print(f"mutants: {killed} of {len(kinds)} killed, {unsound} could not be tested")
     return 0 if kinds and unsound == 0 and killed >= LEAST_SHARE * len(kinds) else 1
 
@@ -213,15 +223,15 @@ def main(arguments: list[str]) -> int:
     ]
     laboratory = Laboratory(options.build.resolve())
     laboratory.prepare({mutation.program for _, mutation in chosen})
-    verdicts = []
+    judged = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        judged = pool.map(lambda one: laboratory.judge(*one), chosen)
-        for (_, mutation), verdict in zip(chosen, judged):
-            verdicts.append(verdict)
+        verdicts = pool.map(lambda one: laboratory.judge(*one), chosen)
+        for (_, mutation), verdict in zip(chosen, verdicts):
+            judged.append((mutation, verdict))
             told = f"{verdict.kind:8} {verdict.seconds:5.0f} s  {mutation.label}"
             mark = "" if verdict.kind == "killed" else "NOTE "
             print(f"{mark}{told}  [{verdict.reason}]", flush=True)
-    return score(verdicts)
+    return score(judged)
 
 
 if __name__ == "__main__":

@@ -26,7 +26,11 @@ TEST(TriangleMesh, ItsSizeIsTheDiagonalOfItsBox)
 {
     Triangles triangles(1, 3);
     triangles << 0, 1, 2;
-    EXPECT_DOUBLE_EQ(TriangleMesh(three_points(), triangles).size(), 50.0);
+    for (const double away : {0.0, 500.0, -2000.0})
+    {
+        const Points points = three_points().array() + away;
+        EXPECT_DOUBLE_EQ(TriangleMesh(points, triangles).size(), 50.0) << away;
+    }
     EXPECT_EQ(TriangleMesh().size(), 0.0);
 }
 

@@ -5,6 +5,9 @@ from mutation import Mutation
 ROTATION = "base/rotation.cpp"
 MOTION = "base/rigid_motion.cpp"
 RATES = "base/rates.cpp"
+BATCH = "base/rotations/rotation_batch.cpp"
+POOL = "base/threads/thread_pool.cpp"
+BATCHES = "*RotationBatch.*"
 MOTIONS = "*RigidMotion*"
 
 MUTATIONS = [
@@ -49,4 +52,23 @@ MUTATIONS = [
     ),
     Mutation(RATES, " + rest * known.spin;", " + known.spin;", "Rates.*"),
     Mutation(RATES, " - rotation * pivot;", ";", "Rates.*"),
+    # Many rotations at once.
+    Mutation(BATCH, "yz = f * v.y * v.z;", "yz = f * v.y * v.y;", BATCHES),
+    Mutation(BATCH, "xy - e * v.z,   -f * (xx + zz)", "xy + e * v.z,   -f * (xx + zz)", BATCHES),
+    Mutation(BATCH, "-f * (xx + zz), yz", "-f * (xx - zz), yz", BATCHES),
+    Mutation(BATCH, "1.0 / 362880.0", "1.0 / 362800.0", BATCHES),
+    Mutation(
+        BATCH,
+        "rounded((along - half) * (1.0 / pi)) : none",
+        "rounded((along + half) * (1.0 / pi)) : none",
+        BATCHES,
+    ),
+    # Threads: work that is lost, and a wait that ends too early or never.
+    Mutation(POOL, "item < count; item = next++", "item + 1 < count; item = next++", "*Parallel.*"),
+    Mutation(
+        POOL,
+        "if (!failure || item < failed)",
+        "if (!failure || item > failed)",
+        "*Parallel.*",
+    ),
 ]

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mistakes in splines and in what carries CAD shapes along."""
+"""Mistakes in CAD files, their meshes and features, splines and shapes that are carried along."""
 from mutation import Mutation
 
 BASIS = "cad/splines/cubic_basis.cpp"
 KEPT = "cad/carry/kept_motion.cpp"
+FEATURES = "AnalyticFeatures.*"
+WRITER = "CadWriter.HeldHoles*"
 
 MUTATIONS = [
     Mutation(BASIS, "degree * (degree - 1)", "degree * degree", "CubicBasis*"),
@@ -38,5 +40,68 @@ MUTATIONS = [
         "if (tie.row() != tie.col())",
         "if (tie.row() == tie.col())",
         "GridCholesky.*",
+    ),
+    # Features, healing, meshes and files.
+    Mutation(
+        "cad/analytic_features.cpp",
+        "groups_.root(face_of(use.triangle)) == group",
+        "groups_.root(face_of(use.triangle)) != group",
+        FEATURES,
+    ),
+    Mutation("cad/analytic_features.cpp", "0.5 * (low + high)", "0.5 * (high - low)", FEATURES),
+    Mutation(
+        "cad/analytic_features.cpp",
+        "found.is_hollow = facing < 0.0;",
+        "found.is_hollow = facing > 0.0;",
+        FEATURES,
+    ),
+    Mutation(
+        "cad/cad_reader.cpp",
+        "motion.Value(r + 1, c + 1)",
+        "motion.Value(c + 1, r + 1)",
+        "CadReader.*",
+    ),
+    Mutation(
+        "cad/healing/healing.cpp",
+        "worst = std::max(worst, BRep_Tool::Tolerance(TopoDS::Vertex",
+        "worst = std::min(worst, BRep_Tool::Tolerance(TopoDS::Vertex",
+        "Healing.*",
+    ),
+    Mutation("cad/healing/healing.cpp", "farthest = 0.01;", "farthest = 1.0;", "Healing.*"),
+    Mutation(
+        "cad/meshing/part_mesher.cpp",
+        "if (part.is_closed && signed_volume(part.mesh) < 0)",
+        "if (part.is_closed && signed_volume(part.mesh) > 0)",
+        "CadReader.*:AnalyticFeatures.*",
+    ),
+    Mutation(
+        "cad/meshing/edge_discretisation.cpp",
+        "(target - count[k]) / (count[k + 1] - count[k])",
+        "(target - count[k + 1]) / (count[k + 1] - count[k])",
+        "CadReader.*:MeshEstimate.*",
+    ),
+    Mutation(
+        "cad/carry/face_motions.cpp",
+        "(motion.point(before) - after).norm()",
+        "(motion.point(before) + after).norm()",
+        WRITER,
+    ),
+    Mutation(
+        "cad/carry/shape_carrier.cpp",
+        "0.5 * (a.slope + sign * b.slope)",
+        "0.5 * (a.slope - sign * b.slope)",
+        WRITER,
+    ),
+    Mutation(
+        "cad/writing/body_measurer.cpp",
+        "if (distance > found.distance.value)",
+        "if (distance < found.distance.value)",
+        WRITER,
+    ),
+    Mutation(
+        "cad/writing/document_copy.cpp",
+        "ranges_[product].second = k + 1;",
+        "ranges_[product].second = k;",
+        "CadWriter.Instances*:CadWriter.AnInstance*",
     ),
 ]

@@ -114,4 +114,20 @@ MUTATIONS = [
         SHAPES,
     ),
     Mutation(SHAPE, "profile.centre += 0.5 * way;", "profile.centre += way;", SHAPES),
+    # Meshes themselves.
+    Mutation(
+        "mesh/triangle_mesh.cpp",
+        "triangles.row(t).minCoeff() < 0 || triangles",
+        "triangles.row(t).minCoeff() < 0 && triangles",
+        "TriangleMesh.*",
+    ),
+    Mutation(
+        "mesh/triangle_mesh.cpp",
+        "(points_.colwise().maxCoeff() - points_.colwise().minCoeff())",
+        "points_.colwise().maxCoeff()",
+        "TriangleMesh.*",
+    ),
+    Mutation(
+        "mesh/triangle_mesh.cpp", "1e-12 * size + 8.0", "1e-12 * size - 8.0", "TriangleMesh.*"
+    ),
 ]

@@ -80,4 +80,16 @@ MUTATIONS = [
         "distance.before / distance.after - 1.0",
         "ThicknessGauge.*",
     ),
+    Mutation(
+        "recognise/sheet_diagnosis.cpp",
+        "if (piece.area - areas[0.0] < least_share * piece.area",
+        "if (piece.area - areas[0.0] > least_share * piece.area",
+        "SheetDiagnosis.*",
+    ),
+    Mutation(
+        "recognise/sheet_diagnosis.cpp",
+        "whole += sample.second;",
+        "whole = sample.second;",
+        "SheetDiagnosis.*",
+    ),
 ]

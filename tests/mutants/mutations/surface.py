@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mistakes in bending energies, rotation fields, bodies and shells."""
+"""Mistakes in energies, rotation fields, bodies, shells, flat sheets and live answers."""
 from mutation import Mutation
 
 NATURAL = "surface/operators/natural_rows.cpp"
@@ -13,6 +13,12 @@ INVARIANTS = "Invariants.*:SurfaceDeformer.*"
 RELATIONS = "AllowedMotion.*"
 RATES = "WaveRates.*"
 SHELLS = "ShellElement.*"
+CONSTRAINT_CHECKS = "surface/constraint_checks.cpp"
+REFUSALS = "ConstraintChecks.*"
+FLAT = "surface/flat/flat_system.cpp"
+FLATTENING = "Flattening.*"
+LIVE = "*ResponseCases.*:Response.*"
+EXPANSIONS = "*TurnExpansions.*:FreeFeatures.*"
 
 MUTATIONS = [
     Mutation(
@@ -121,4 +127,109 @@ MUTATIONS = [
         SHELLS,
     ),
     Mutation(ELEMENT, "pull << s(0), s(2), s(2), s(1);", "pull << s(0), 0.0, 0.0, s(1);", SHELLS),
+    # What is refused.
+    Mutation(
+        CONSTRAINT_CHECKS,
+        "point.triangle < 0 || point.triangle",
+        "point.triangle < 0 && point.triangle",
+        REFUSALS,
+    ),
+    Mutation(
+        CONSTRAINT_CHECKS,
+        "std::abs(weights.sum() - 1.0) > 1e-9",
+        "weights.sum() - 1.0 > 1e-9",
+        REFUSALS,
+    ),
+    Mutation(
+        CONSTRAINT_CHECKS,
+        "(rotations != 0 && rotations != count)",
+        "(rotations != 0 && rotations == count)",
+        REFUSALS,
+    ),
+    # Laid flat.
+    Mutation(FLAT, "(a * f.col(1) + b * f.col(0))", "(a * f.col(1) - b * f.col(0))", FLATTENING),
+    Mutation(
+        FLAT, "stress << s(0), s(2), s(2), s(1);", "stress << s(1), s(2), s(2), s(0);", FLATTENING
+    ),
+    Mutation(FLAT, "mirrored.col(0) *= -1.0;", "mirrored.col(0) *= 1.0;", FLATTENING),
+    Mutation(
+        FLAT,
+        "product(0, 1) - product(1, 0), product(0, 0)",
+        "product(1, 0) - product(0, 1), product(0, 0)",
+        FLATTENING,
+    ),
+    Mutation(
+        "surface/flat/flattening.cpp",
+        "emplace_back(row, u + 1, -b)",
+        "emplace_back(row, u + 1, b)",
+        FLATTENING,
+    ),
+    Mutation(
+        "surface/flat/flattening.cpp",
+        "sides += (input.factors(t) - 1.0) * along",
+        "sides += input.factors(t) * along",
+        FLATTENING,
+    ),
+    # Live answers, learnt beforehand.
+    Mutation(
+        "surface/live/span.cpp",
+        "direction -= earlier * (earlier.transpose() * direction).eval();",
+        "direction += earlier * (earlier.transpose() * direction).eval();",
+        "Span.*",
+    ),
+    Mutation(
+        "surface/live/span.cpp",
+        "columns.noalias() -= direction * share;",
+        "columns.noalias() -= 0.5 * direction * share;",
+        "Span.*",
+    ),
+    Mutation(
+        "surface/live/pose_numbers.cpp",
+        "(turn - Matrix3::Identity()).transpose();",
+        "(turn - Matrix3::Identity());",
+        LIVE,
+    ),
+    Mutation(
+        "surface/live/response.cpp",
+        "spread_.row(k).cwiseMax(",
+        "spread_.row(k).cwiseMin(",
+        LIVE,
+    ),
+    # The minimum over what features turn.
+    Mutation(
+        "surface/solve/reduced_expansion.cpp",
+        "change.rotation = cross_matrix(outer.axis) * first.rotation;",
+        "change.rotation = first.rotation * cross_matrix(outer.axis);",
+        EXPANSIONS,
+    ),
+    Mutation(
+        "surface/solve/reduced_expansion.cpp",
+        "2.0 * (m.trace() * Matrix3::Identity() - m.transpose())",
+        "2.0 * (m.trace() * Matrix3::Identity() - m)",
+        EXPANSIONS,
+    ),
+    Mutation(
+        "surface/solve/feature_responses.cpp",
+        "mesh_.points()(vertex, b) - centre(b)",
+        "mesh_.points()(vertex, b) + centre(b)",
+        "FreeFeatures.*",
+    ),
+    Mutation(
+        "surface/solve/placement.cpp",
+        "displacements.row(first).transpose() - (motion.apply(start) - start)",
+        "displacements.row(first).transpose()",
+        "SurfaceDeformer.*:FreeFeatures.*",
+    ),
+    Mutation(
+        "surface/solve/reachable_size.cpp",
+        "now.dot(rotation_from_log(log) * before) < 0.0",
+        "now.dot(before) < 0.0",
+        "FeatureSizes.*",
+    ),
+    Mutation(
+        "surface/solve/reachable_size.cpp",
+        "(is_reached(excess, tried) ? reached : refused)",
+        "(is_reached(excess, tried) ? refused : reached)",
+        "FeatureSizes.*",
+    ),
 ]

@@ -6,6 +6,7 @@
 #include "assembly/frames.h"
 #include "assembly/refusals.h"
 
+#include <functional>
 #include <gmock/gmock.h>
 
 namespace sheetmorph
@@ -188,6 +189,99 @@ TEST(SymmetryPlan, AHandleWhoseMirrorIsFixedIsRefused)
     frame.assembly.fixed.push_back({"clamp", 0, near(mesh, {-90, 60, 0}, 8.0)});
     EXPECT_THAT(refusal(frame), HasSubstr("the mirror of handle 'corner' covers a part of fixed "
                                           "region 'clamp'"));
+}
+
+using Edit = std::function<void(PartFeature&)>;
+
+std::string refusal_of(Assembly assembly)
+{
+    try
+    {
+        complete_by_symmetry(assembly);
+    }
+    catch (const InvalidInput& fault)
+    {
+        return fault.what();
+    }
+    return "";
+}
+
+// A patch on either side that moves along a line.
+Assembly both_patches()
+{
+    Assembly both = one_sided().assembly;
+    const TriangleMesh& mesh = both.parts[0].mesh;
+    PartFeature& own = both.features[0];
+    own.motion = {FeatureMotion::Type::line, Vector3::Zero(), Vector3(0.6, 0.8, 0.0)};
+    both.features.push_back({"left patch",
+                             0,
+                             near(mesh, {-45, 30, 0}, 10.0),
+                             FeatureRotation::prescribed,
+                             {FeatureMotion::Type::line, Vector3::Zero(), {-0.6, 0.8, 0.0}},
+                             {},
+                             false});
+    return both;
+}
+
+TEST(SymmetryPlan, FeaturesThatMirrorEachOtherAreDeclaredAlike)
+{
+    Assembly both = both_patches();
+    EXPECT_EQ(refusal_of(both), "");
+    const std::vector<std::pair<const char*, Edit>> edits = {
+        {"differ in their rotation", [](auto& f) { f.rotation = FeatureRotation::interpolated; }},
+        {"differ in their motion", [](auto& f) { f.motion.type = FeatureMotion::Type::plane; }},
+        {"differ in their motion",
+         [](auto& f) {
+             f.motion.direction = {0.6, 0.8, 0.0};
+         }},
+    };
+    for (const auto& [told, edit] : edits)
+    {
+        Assembly wrong = both;
+        edit(wrong.features[1]);
+        EXPECT_THAT(refusal_of(wrong), HasSubstr(told));
+    }
+    // The direction of a motion that has none is not read.
+    for (PartFeature& feature : both.features)
+        feature.motion.type = FeatureMotion::Type::translation;
+    both.features[1].motion.direction = Vector3::UnitY();
+    EXPECT_EQ(refusal_of(both), "");
+    both.features[0].size = 5.0;
+    Assembly sized = both;
+    complete_by_symmetry(sized);
+    EXPECT_EQ(sized.features[1].size, 5.0);
+    EXPECT_TRUE(sized.features[1].is_resizable);
+    both.features[1].size = 6.0;
+    EXPECT_THAT(refusal_of(both), HasSubstr("differ in their size"));
+}
+
+// A sheet on one side only: what the description moves must have a mirror, the rest need not.
+TEST(SymmetryPlan, AFeatureWithoutAMirrorIsRefusedWhereItIsMoved)
+{
+    Assembly assembly;
+    assembly.parts.push_back({"half",
+                              shapes::mapped(shapes::grid(8, 8, 80.0, 80.0), [](const Vector3& p)
+                                             { return Vector3(p + Vector3(5.0, 0.0, 0.0)); }),
+                              {},
+                              Mode::automatic});
+    assembly.symmetry = SymmetryPlane{};
+    assembly.features = {{"patch",
+                          0,
+                          near(assembly.parts[0].mesh, {45, 40, 0}, 12.0),
+                          FeatureRotation::free,
+                          {},
+                          {},
+                          false}};
+    EXPECT_EQ(refusal_of(assembly), "");
+    for (const Edit& edit :
+         std::vector<Edit>{[](auto& f) { f.rotation = FeatureRotation::prescribed; },
+                           [](auto& f) { f.size = 3.0; }, [](auto& f) { f.is_resizable = true; },
+                           [](auto& f) { f.motion.type = FeatureMotion::Type::fixed; }})
+    {
+        Assembly moved = assembly;
+        edit(moved.features[0]);
+        EXPECT_THAT(refusal_of(moved), HasSubstr("feature 'patch' has no mirror"));
+    }
 }
 
 }  // namespace sheetmorph

@@ -110,6 +110,53 @@ INSTANTIATE_TEST_SUITE_P(Motions, ThinSolids,
                                          std::pair("twist90", twisted(90.0))),
                          [](const auto& each) { return std::string(each.param.first); });
 
+// The solid of a sheet with a vertex more in the middle of every triangle of its lower skin.
+TriangleMesh finer_below(const TriangleMesh& sheet)
+{
+    const TriangleMesh solid = shapes::two_skinned(sheet, thickness);
+    const int count = solid.vertex_count(), more = sheet.triangle_count();
+    Points points(count + more, 3);
+    points.topRows(count) = solid.points();
+    Triangles triangles(solid.triangle_count() + 2 * more, 3);
+    triangles.topRows(solid.triangle_count()) = solid.triangles();
+    for (int t = 0; t < more; ++t)
+    {
+        const Eigen::RowVector3i own = solid.triangles().row(2 * t + 1);
+        const int middle = count + t, added = solid.triangle_count() + 2 * t;
+        points.row(middle) = (points.row(own(0)) + points.row(own(1)) + points.row(own(2))) / 3.0;
+        triangles.row(2 * t + 1) << own(0), own(1), middle;
+        triangles.row(added) << own(1), own(2), middle;
+        triangles.row(added + 1) << own(2), own(0), middle;
+    }
+    return TriangleMesh(points, triangles);
+}
+
+// A plate bent to an arc: the vertices inside facets of the other skin lie on the arc, not in the
+// plane of its corners, which is a third of the sagitta nearer to the axis.
+TEST(ThinSolid, AVertexInsideAFacetLiesOnTheArcOfItsCorners)
+{
+    const TriangleMesh sheet = shapes::grid(20, 6, length, 60.0);
+    const TriangleMesh mesh = finer_below(sheet);
+    const Assembly assembly = plate_assembly(mesh, Thin::yes);
+    const Points shape =
+        DeformationSession(assembly).deform(pose_of(bent(60.0))).parts[0].positions;
+    const double radius = length / (shapes::pi / 3.0), edge = length / 20.0;
+    const double sagitta = edge * edge / (9.0 * radius);
+    const auto away = [&](int vertex)
+    { return std::hypot(shape(vertex, 0), shape(vertex, 2) - radius); };
+    for (int t = 0; t < sheet.triangle_count(); ++t)
+    {
+        const int middle = mesh.vertex_count() - sheet.triangle_count() + t;
+        const Eigen::RowVector3d place = mesh.points().row(middle);
+        if (place.x() < 40.0 || place.x() > 140.0 || place.y() < 15.0 || place.y() > 45.0)
+            continue;
+        double of_corners = 0.0;
+        for (int k = 0; k < 3; ++k)
+            of_corners += away(sheet.triangles()(t, k) + sheet.vertex_count()) / 3.0;
+        EXPECT_NEAR(away(middle), of_corners, 0.4 * sagitta) << t;
+    }
+}
+
 TEST(ThinSolid, FixedAndHandleVerticesAreMetBitwiseOnEverySide)
 {
     const TriangleMesh mesh = shapes::two_skinned(shapes::plate_with_holes().mesh, thickness);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/cad_writer.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/cad/cad_reader.h"
 #include "sheetmorph/cad/cad_shapes.h"
 #include "cad/cad_files.h"
@@ -58,10 +59,14 @@ std::map<BOPAlgo_CheckStatus, int> boolean_faults(const TopoDS_Shape& shape)
     return found;
 }
 
+double lift(double x)
+{
+    return 0.0004 * x * x * (1.0 + 0.02 * x);
+}
+
 // The plate: lifted along its length, the holes with what is 4 mm around them as rigid bodies.
 Points bent_plate(const Points& rest)
 {
-    const auto lift = [](double x) { return 0.0004 * x * x * (1.0 + 0.02 * x); };
     Points found = rest;
     for (Eigen::Index i = 0; i < rest.rows(); ++i)
     {
@@ -177,6 +182,38 @@ TEST(CadWriter, FreeCADsBooleanCheckAcceptsBentParts)
     ASSERT_EQ(source->bodies.size(), 3U);
     for (const NamedShape& body : source->bodies)
         EXPECT_THAT(boolean_faults(body.shape), testing::IsEmpty()) << body.name;
+}
+
+// Read again by a reader that knows nothing of the bending: the held holes are cylinders of the
+// same radius where their rigid motions put them.
+TEST(CadWriter, HeldHolesAreExactCylindersWhereTheyMoved)
+{
+    const TemporaryFolder folder;
+    write_plate_step(folder.file("in.step"));
+    const CadModel model = read_cad(folder.file("in.step"), coarse, Progress());
+    const auto measures =
+        write_cad(model, {bent_plate(model.parts[0].mesh.points())}, {folder.file("out.step")}, {});
+    ASSERT_EQ(measures.size(), 1U);
+    EXPECT_LT(measures[0].distance.value, 0.01);
+    EXPECT_LT(measures[0].kink.value, 0.1);
+    EXPECT_LT(measures[0].gap.value, 0.0005);
+    EXPECT_THAT(measures[0].far_faces, testing::IsEmpty());
+    const CadModel again = read_cad(folder.file("out.step"), coarse, Progress());
+    std::map<double, CadFeature> holes;
+    for (const CadFeature& feature : analytic_features(again.parts[0]))
+        if (feature.kind == CadFeatureKind::round_hole)
+            holes[std::round(feature.radius)] = feature;
+    ASSERT_EQ(holes.size(), 2U);
+    for (const auto& [middle, radius] : {std::pair(15.0, 3.0), {40.0, 5.0}})
+    {
+        const double turn = std::atan(lift(middle + 0.5) - lift(middle - 0.5));
+        const Vector3 axis(-std::sin(turn), 0.0, std::cos(turn));
+        const CadFeature& hole = holes.at(radius);
+        EXPECT_NEAR(hole.radius, radius, 1e-9);
+        EXPECT_LT(hole.residual, 1e-9);
+        EXPECT_LT((hole.axis - axis).norm(), 1e-9);
+        EXPECT_LT((hole.centre - Vector3(middle, 20.0, lift(middle)) - axis).norm(), 1e-8);
+    }
 }
 
 TEST(CadWriter, IsCancelledInEveryStageAndSaysHowFarItIs)
