@@ -4,6 +4,7 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
 #include "sheetmorph/numerics/halving.h"
+#include "sheetmorph/numerics/vertex_cover.h"
 
 #include <algorithm>
 #include <numeric>
@@ -20,6 +21,10 @@ constexpr std::ptrdiff_t smallest_set = 12;
 // From so many rows on the halves of a set are cut at the same time.
 constexpr std::ptrdiff_t large_set = 20000;
 
+constexpr int unnumbered = -1;
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
 // What separates two halves ends here in the order; it begins where the set before it ends.
 struct Set
 {
@@ -30,8 +35,8 @@ struct Set
 class Dissection
 {
 public:
-    Dissection(const Eigen::SparseMatrix<double>& matrix, const Points& places)
-        : matrix_(matrix), places_(places), order_(at(matrix.rows())), is_right_(order_.size(), 0)
+    Dissection(const SparseMatrix& matrix, const Points& places)
+        : matrix_(matrix), places_(places), order_(at(matrix.rows())), mark_(order_.size(), 0)
     {
         std::iota(order_.begin(), order_.end(), 0);
     }
@@ -100,26 +105,57 @@ private:
         return sets;
     }
 
-    // left, separator, right -> left, right, separator; where right begins and ends.
+    // left, right -> left, right, separator; where right begins and ends. The separator has rows of
+    // both halves: as few as touch all entries between them.
     std::pair<Place, Place> cut(Place begin, Place end)
     {
         const Place middle = begin + (end - begin) / 2;
         halve(begin, middle, end, places_);
-        for (Place place = middle; place != end; ++place)
-            is_right_[at(*place)] = 1;
-        const Place coupled = std::stable_partition(
-            begin, middle, [this](int unknown) { return !touches_right(unknown); });
-        for (Place place = middle; place != end; ++place)
-            is_right_[at(*place)] = 0;
-        return {coupled, std::rotate(coupled, middle, end)};
+        const std::vector<int> separator = separator_of(begin, middle, end);
+        for (const int row : separator)
+            mark_[at(row)] = 1;
+        const auto is_apart = [this](int row) { return mark_[at(row)] == 0; };
+        const Place left_end = std::stable_partition(begin, middle, is_apart);
+        const Place right_end = std::stable_partition(middle, end, is_apart);
+        for (const int row : separator)
+            mark_[at(row)] = 0;
+        return {left_end, std::rotate(left_end, middle, right_end)};
     }
 
-    bool touches_right(int unknown) const
+    std::vector<int> separator_of(Place begin, Place middle, Place end)
     {
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix_, unknown); entry; ++entry)
-            if (is_right_[at(entry.row())] != 0)
-                return true;
-        return false;
+        BipartiteGraph graph;
+        std::vector<int> left, right;  // rows of the graph's vertices
+        std::for_each(middle, end, [this](int row) { mark_[at(row)] = unnumbered; });
+        std::for_each(begin, middle,
+                      [&](int row)
+                      {
+                          for (SparseMatrix::InnerIterator entry(matrix_, row); entry; ++entry)
+                              if (int& mark = mark_[at(entry.row())]; mark != 0)
+                              {
+                                  if (mark == unnumbered)
+                                  {
+                                      right.push_back(static_cast<int>(entry.row()));
+                                      mark = static_cast<int>(right.size());
+                                  }
+                                  graph.right.push_back(mark - 1);
+                              }
+                          if (at(graph.first.back()) == graph.right.size())
+                              return;
+                          left.push_back(row);
+                          graph.first.push_back(static_cast<int>(graph.right.size()));
+                      });
+        std::for_each(middle, end, [this](int row) { mark_[at(row)] = 0; });
+        graph.right_count = static_cast<int>(right.size());
+        const VertexCover cover = smallest_vertex_cover(graph);
+        std::vector<int> separator;
+        for (std::size_t k = 0; k < left.size(); ++k)
+            if (cover.left[k] != 0)
+                separator.push_back(left[k]);
+        for (std::size_t k = 0; k < right.size(); ++k)
+            if (cover.right[k] != 0)
+                separator.push_back(right[k]);
+        return separator;
     }
 
     // Sets in reverse are nodes: children before parents, subtrees together.
@@ -142,10 +178,10 @@ private:
         return tree;
     }
 
-    const Eigen::SparseMatrix<double>& matrix_;
+    const SparseMatrix& matrix_;
     const Points& places_;
     std::vector<int> order_;
-    std::vector<char> is_right_;
+    std::vector<int> mark_;  // of rows while their set is cut
 };
 
 }  // namespace
