@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 namespace sheetmorph
@@ -147,7 +148,9 @@ Convergence flip_to_delaunay(LaidFaces& faces, int most_a_side)
     std::vector<int> waiting;
     for (int side = 3 * faces.count() - 1; side >= 0; --side)
         waiting.push_back(side);
-    const int most = most_a_side * static_cast<int>(waiting.size());
+    const std::int64_t most = std::min<std::int64_t>(
+        static_cast<std::int64_t>(most_a_side) * static_cast<std::int64_t>(waiting.size()),
+        std::numeric_limits<int>::max());
     Convergence found{"the triangles laid over the sheet", false, 0, 0.0, "of a cotangent"};
     while (!waiting.empty() && found.rounds < most)
     {

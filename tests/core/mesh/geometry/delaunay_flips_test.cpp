@@ -6,6 +6,7 @@
 #include "shapes/ugly.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace sheetmorph
 {
@@ -75,6 +76,15 @@ TEST(DelaunayFlips, TellWhenTheyEndBefore)
     EXPECT_DOUBLE_EQ(flips.miss, -worst_cotangent_sum(faces));
     EXPECT_NE(flips.sentence().find("the triangles laid over the sheet have not settled"),
               std::string::npos);
+}
+
+// As the usual limit has for some million vertices.
+TEST(DelaunayFlips, SettleWhereTheirLimitExceedsAnInt)
+{
+    LaidFaces faces = laid_faces(sheared_sheet());
+    const Convergence flips = flip_to_delaunay(faces, std::numeric_limits<int>::max());
+    EXPECT_TRUE(flips.is_converged);
+    EXPECT_GT(flips.rounds, 0);
 }
 
 TEST(DelaunayFlips, KeepAFlatSheetFlatAndItsLinearFunctionsHarmonic)
