@@ -163,6 +163,40 @@ TEST(Compression, WhateverClaimsToHaveConvergedIsStationaryAndNotCrushed)
     EXPECT_EQ(converged, poses);
 }
 
+// A shallow roof between two clamped edges; its middle is moved down. The force falls after the
+// limit load and rises again once the roof has snapped through.
+TEST(Compression, ARoofThatIsPushedThroughSnapsAndIsNotCrushed)
+{
+    constexpr double radius = 2540.0, half = 0.1, thickness = 3.0;
+    const auto bent = [](const Vector3& p)
+    {
+        const double turn = half * (2.0 * p.x() - 1.0);
+        return Vector3(radius * std::sin(turn), 508.0 * p.y(), radius * std::cos(turn));
+    };
+    Case one{"roof", shapes::mapped(shapes::grid(20, 20, 1.0, 1.0), bent), {}, {}};
+    one.constraints.energy = Energy::neumann;
+    one.constraints.fixed = {region("edges", one.mesh,
+                                    [](const Vector3& p)
+                                    { return std::abs(p.x()) > radius * std::sin(half) - 1e-6; })};
+    one.constraints.handles = {region("middle", one.mesh,
+                                      [](const Vector3& p)
+                                      { return std::hypot(p.x(), p.y() - 254.0) < 1e-6; })};
+    one.targets.handles.resize(1);
+    const auto energy_at = [&](double depth)
+    {
+        one.targets.handles[0] = moved({0.0, 0.0, -depth});
+        Answered answer(one, thickness);
+        EXPECT_TRUE(answer.convergence.is_converged) << depth;
+        EXPECT_GT(shortest_edge(one, answer.positions()), 0.95) << depth;
+        return answer.energy();
+    };
+    const auto force_at = [&](double depth)
+    { return (energy_at(depth + 0.05) - energy_at(depth - 0.05)) / 0.1; };
+    const double limit = force_at(8.0);
+    EXPECT_LT(force_at(15.0), 0.6 * limit);
+    EXPECT_GT(force_at(26.0), 2.0 * limit);
+}
+
 // The elastica between two clamps that come closer by d: four quarter waves of modulus k, with
 // d / L = 2 - 2 E(k) / K(k), the force E I (4 K / L)^2 and the rise k L / K.
 struct Buckled

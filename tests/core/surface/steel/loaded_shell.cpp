@@ -75,6 +75,17 @@ double LoadedShell::moved(int vertex, int axis) const
     return shell_->shape().positions(vertex, axis) - rest_.points()(vertex, axis);
 }
 
+double LoadedShell::shortest_edge() const
+{
+    double shortest = 1e300;
+    for (const auto& [a, b] : shell_mesh_.edges)
+        shortest = std::min(
+            shortest,
+            (place(shell_->shape().positions, a) - place(shell_->shape().positions, b)).norm()
+                / (place(rest_.points(), a) - place(rest_.points(), b)).norm());
+    return shortest;
+}
+
 int LoadedShell::number(int vertex, int axis) const
 {
     return vertices_[static_cast<std::size_t>(vertex)].index + axis;

@@ -40,6 +40,9 @@ public:
     //! mm, along an axis.
     double moved(int vertex, int axis) const;
 
+    //! Of its length at rest.
+    double shortest_edge() const;
+
     const TriangleMesh& rest() const { return rest_; }
 
 private:

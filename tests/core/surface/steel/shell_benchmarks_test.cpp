@@ -181,6 +181,10 @@ TEST(ShellBenchmarks, AShallowRoofCarriesItsLimitLoadAndNoMore)
         EXPECT_TRUE(shell.carry(load)) << load;
     EXPECT_NEAR(-shell.moved(middle, 2), 9.5, 2.0);
     EXPECT_FALSE(shell.carry(2.35));
+    // An answer beyond it is the snapped roof.
+    if (shell.carry(3.0))
+        EXPECT_GT(-shell.moved(middle, 2), 25.0);
+    EXPECT_GT(shell.shortest_edge(), 0.95);
 }
 
 }  // namespace
