@@ -32,6 +32,14 @@ std::vector<int> sorted_by(const std::vector<int>& keys, int count, std::vector<
 
 }  // namespace
 
+MergedMatrix unmerged(std::shared_ptr<const SparseMatrix> whole)
+{
+    std::vector<int> own(at(whole->rows()));
+    std::iota(own.begin(), own.end(), 0);
+    const int count = static_cast<int>(whole->rows());
+    return {std::move(whole), std::move(own), count};
+}
+
 Elimination::Elimination(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree)
     : matrix_(std::move(matrix)), tree_(std::move(tree))
 {

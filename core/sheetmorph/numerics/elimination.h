@@ -19,6 +19,9 @@ struct MergedMatrix
     int count = 0;
 };
 
+//! Every row an unknown of its own.
+MergedMatrix unmerged(std::shared_ptr<const SparseMatrix> whole);
+
 //! Where in a tree of the whole matrix every unknown is eliminated: at the lowest node that has
 //! all its rows below it. Unknowns are told by slots, the places of their first rows in the tree's
 //! order, which stay the same when other unknowns come and go.

@@ -32,7 +32,7 @@ MUTATIONS = [
     Mutation(KERNEL, "sum -= row[r][c] * known[r];", "sum -= row[r][c] * known[0];", FACTORS),
     Mutation(BUILDER, "+= product(i, j);", "-= product(i, j);", FACTORS),
     Mutation(BUILDER, "j < std::min(own, i + 1)", "j < std::min(own, i)", FACTORS),
-    Mutation(BUILDER, "if (row >= column)", "if (row > column)", FACTORS),
+    Mutation(BUILDER, "rank_of(other) >= rank)", "rank_of(other) > rank)", FACTORS),
     Mutation(
         "numerics/cholesky/front_solver.cpp",
         "+= part[g].row(",
@@ -40,9 +40,9 @@ MUTATIONS = [
         "*LargeFactors*",
     ),
     Mutation(
-        "numerics/cholesky/frontal_cholesky.cpp",
-        "if (parent >= 0 && !work.is_kept[at(parent)])",
-        "if (parent >= 0 && work.is_kept[at(parent)])",
+        "numerics/cholesky/front_pattern.cpp",
+        "if (parent >= 0 && !is_unchanged(parent))",
+        "if (parent >= 0 && is_unchanged(parent))",
         FACTORS,
     ),
     Mutation(
@@ -53,6 +53,13 @@ MUTATIONS = [
     ),
     Mutation(
         "numerics/cholesky/half_solve.cpp", "+= entry.value();", "= entry.value() / 2.0;", FACTORS
+    ),
+    Mutation(SPARSE, "front.use_count() > 1", "front.use_count() > 2", FACTORS),
+    Mutation(
+        "numerics/vertex_cover.cpp",
+        "found.left[at(searched)] = 0;",
+        "found.left[at(searched)] = 1;",
+        "VertexCover.*",
     ),
     Mutation(
         SPARSE, "rows_scaled(rows, weights.cwiseSqrt())", "rows_scaled(rows, weights)", MINIMA

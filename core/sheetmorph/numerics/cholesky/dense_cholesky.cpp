@@ -2,10 +2,11 @@
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/parallel.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,9 +18,11 @@ namespace
 
 // Rows of a block: the triangular work inside blocks is slow, the products between them are fast,
 // but read all columns before them once a block.
+constexpr Eigen::Index largest_block = 48;
+
 Eigen::Index block_rows(Eigen::Index columns)
 {
-    return std::min<Eigen::Index>(columns, columns <= 96 ? 16 : 48);
+    return std::min<Eigen::Index>(columns, columns <= 96 ? 16 : largest_block);
 }
 
 // columns first .. of `rows`, once the columns before them are subtracted, times (L_jj)^-T.
@@ -44,16 +47,34 @@ Eigen::Index least_items(Eigen::Index items, double work)
     return static_cast<Eigen::Index>(std::ceil(static_cast<double>(items) / ranges));
 }
 
-// Cholesky factor of one diagonal block, and its inverse.
+// Cholesky factor of one diagonal block, and its inverse, whose upper triangle is zero already.
+// The inner loops run along rows, which are contiguous.
 void factorise_block(WeightsTarget diagonal, WeightsTarget inverse)
 {
-    const Eigen::LLT<Eigen::MatrixXd> factor(diagonal);
-    if (factor.info() != Eigen::Success)
-        throw SolverError("a dense matrix is not positive definite");
-    const Eigen::MatrixXd lower = factor.matrixL();
-    diagonal = lower;
-    inverse = lower.triangularView<Eigen::Lower>().solve(
-        Eigen::MatrixXd::Identity(lower.rows(), lower.rows()));
+    const Eigen::Index size = diagonal.rows();
+    std::array<double, largest_block> column;
+    for (Eigen::Index k = 0; k < size; ++k)
+    {
+        const double pivot = diagonal(k, k);
+        if (!(pivot > 0.0))
+            throw SolverError("a dense matrix is not positive definite");
+        const double root = std::sqrt(pivot);
+        diagonal(k, k) = root;
+        for (Eigen::Index i = k + 1; i < size; ++i)
+        {
+            column[at(i)] = diagonal(i, k) /= root;
+            for (Eigen::Index j = k + 1; j <= i; ++j)
+                diagonal(i, j) -= column[at(i)] * column[at(j)];
+        }
+    }
+    for (Eigen::Index i = 0; i < size; ++i)
+    {
+        for (Eigen::Index k = 0; k < i; ++k)
+            for (Eigen::Index j = 0; j <= k; ++j)
+                inverse(i, j) -= diagonal(i, k) * inverse(k, j);
+        inverse.row(i).head(i) /= diagonal(i, i);
+        inverse(i, i) = 1.0 / diagonal(i, i);
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/numerics/cholesky/front_pattern.h"
 #include "sheetmorph/numerics/dense_products.h"
 
 #include <memory>
@@ -14,11 +15,14 @@ namespace sheetmorph
 struct Front
 {
     int columns = 0;
-    std::vector<int> rows;              //!< slots, in the order of elimination
+    FrontRows shared_rows;
     std::unique_ptr<double[]> entries;  //!< (rows, columns), rows contiguous; above the diagonal
                                         //!< undefined
 
-    int height() const { return static_cast<int>(rows.size()); }
+    //! Slots, in the order of elimination.
+    const std::vector<int>& rows() const { return *shared_rows; }
+
+    int height() const { return static_cast<int>(rows().size()); }
     int below() const { return height() - columns; }
     double count() const { return static_cast<double>(height()) * columns; }
 
@@ -28,9 +32,9 @@ struct Front
 //! A factor L L^T in fronts, every one before that which it updates.
 struct FrontList
 {
-    int slots = 0;                                     //!< rows of right sides
-    std::vector<std::shared_ptr<const Front>> fronts;  //!< (f)
-    std::vector<int> parent;                           //!< (f) front above, -1: none
+    int slots = 0;                               //!< rows of right sides
+    std::vector<std::shared_ptr<Front>> fronts;  //!< (f)
+    std::vector<int> parent;                     //!< (f) front above, -1: none
 
     //! Entries of the factor.
     double count() const

@@ -12,41 +12,36 @@ namespace sheetmorph
 namespace
 {
 
-constexpr int none = -1;
-
 // Memory of so many updates is kept for the next ones.
 constexpr std::size_t most_spare = 6;
 
 Eigen::Map<Weights> square(Update& update, int rows)
 {
-    return {update.data(), rows, rows};
+    return {update.entries.get(), rows, rows};
 }
 
 }  // namespace
 
 FrontBuilder::FrontBuilder(FrontWork& work)
     : work_(work),
-      elimination_(work.elimination),
-      tree_(elimination_.tree()),
-      local_(at(elimination_.slots()), none)
+      elimination_(work.pattern.elimination()),
+      tree_(work.pattern.tree()),
+      local_(at(elimination_.slots()), 0)
 {
 }
 
 void FrontBuilder::build(int node)
 {
-    auto front = std::make_shared<Front>();
-    front->columns = static_cast<int>(elimination_.own_end(node) - elimination_.own_begin(node));
-    collect_rows(node, *front);
-    front->entries.reset(new double[front->rows.size() * at(front->columns)]());
-    Update update = zero_update(*front);
-    add_entries(node, *front);
+    Front& front = *work_.factor.fronts[at(node)];
+    std::fill_n(front.entries.get(), front.rows().size() * at(front.columns), 0.0);
+    Update update = zero_update(front);
+    number_rows(front, 0);
+    add_entries(node, front);
     for (const int child : children(node))
-        add_update(child, *front, update);
-    forget_rows(*front);
-    factorise_columns(front->panel(), inverse_blocks_);
-    subtract_own_product(front->panel().bottomRows(front->below()), square(update, front->below()));
+        add_update(child, front, update);
+    factorise_columns(front.panel(), inverse_blocks_);
+    subtract_own_product(front.panel().bottomRows(front.below()), square(update, front.below()));
     work_.updates[at(node)] = std::move(update);
-    work_.factor.fronts[at(node)] = std::move(front);
 }
 
 void FrontBuilder::gather(int node)
@@ -60,9 +55,9 @@ void FrontBuilder::gather(int node)
     {
         const Front& front = work_.front(below);
         const auto first = std::partition_point(
-            front.rows.begin(), front.rows.end(),
+            front.rows().begin(), front.rows().end(),
             [&](int slot) { return elimination_.rank_of_slot(slot) < beyond; });
-        const auto count = front.rows.end() - first;
+        const auto count = front.rows().end() - first;
         if (count == 0)
             continue;
         Weights product = Weights::Zero(count, count);
@@ -71,7 +66,6 @@ void FrontBuilder::gather(int node)
             for (Eigen::Index j = 0; j <= i; ++j)
                 sum(local_[at(first[i])], local_[at(first[j])]) += product(i, j);
     }
-    forget_rows(top);
     work_.updates[at(node)] = std::move(update);
 }
 
@@ -86,69 +80,25 @@ std::vector<int> FrontBuilder::children(int node) const
 void FrontBuilder::number_rows(const Front& front, int from)
 {
     for (int row = from; row < front.height(); ++row)
-        local_[at(front.rows[at(row)])] = row - from;
+        local_[at(front.rows()[at(row)])] = row - from;
 }
 
-void FrontBuilder::forget_rows(const Front& front)
-{
-    for (const int slot : front.rows)
-        local_[at(slot)] = none;
-}
-
-// use(unknown, other, value) for all entries in the columns of a node's unknowns.
-template <typename Use>
-void FrontBuilder::for_entries(int node, const Use& use) const
-{
-    const MergedMatrix& matrix = elimination_.matrix();
-    for (const int* own = elimination_.own_begin(node); own != elimination_.own_end(node); ++own)
-        for (const int* row = elimination_.rows_begin(*own); row != elimination_.rows_end(*own);
-             ++row)
-            for (SparseMatrix::InnerIterator entry(*matrix.whole, *row); entry; ++entry)
-                if (const int other = matrix.unknown_of[at(static_cast<int>(entry.row()))];
-                    other >= 0)
-                    use(*own, other, entry.value());
-}
-
-void FrontBuilder::add_rank(int rank, int after)
-{
-    const int slot = elimination_.slot_of_rank(rank);
-    if (rank < after || local_[at(slot)] != none)
-        return;
-    local_[at(slot)] = 0;
-    ranks_.push_back(rank);
-}
-
-// Own unknowns, then all later ones that they or the children are coupled with.
-void FrontBuilder::collect_rows(int node, Front& front)
-{
-    for (const int* own = elimination_.own_begin(node); own != elimination_.own_end(node); ++own)
-    {
-        local_[at(elimination_.slot_of(*own))] = front.height();
-        front.rows.push_back(elimination_.slot_of(*own));
-    }
-    ranks_.clear();
-    const int after = elimination_.rank_after(node);
-    for (const int child : children(node))
-        for (int row = work_.front(child).columns; row < work_.front(child).height(); ++row)
-            add_rank(elimination_.rank_of_slot(work_.front(child).rows[at(row)]), after);
-    for_entries(node,
-                [&](int, int other, double) { add_rank(elimination_.rank_of(other), after); });
-    std::sort(ranks_.begin(), ranks_.end());
-    for (const int rank : ranks_)
-        front.rows.push_back(elimination_.slot_of_rank(rank));
-    number_rows(front, 0);
-}
-
+// All entries on and below the diagonal, in the columns of the node's unknowns.
 void FrontBuilder::add_entries(int node, Front& front)
 {
-    for_entries(node,
-                [&](int unknown, int other, double value)
-                {
-                    const int column = local_[at(elimination_.slot_of(unknown))];
-                    const int row = local_[at(elimination_.slot_of(other))];
-                    if (row >= column)
-                        front.panel()(row, column) += value;
-                });
+    const std::vector<int>& unknown_of = elimination_.matrix().unknown_of;
+    Eigen::Map<Weights> panel = front.panel();
+    for (const int* own = elimination_.own_begin(node); own != elimination_.own_end(node); ++own)
+    {
+        const int column = local_[at(elimination_.slot_of(*own))];
+        const int rank = elimination_.rank_of(*own);
+        for (const int* row = elimination_.rows_begin(*own); row != elimination_.rows_end(*own);
+             ++row)
+            for (SparseMatrix::InnerIterator entry(work_.values, *row); entry; ++entry)
+                if (const int other = unknown_of[at(entry.row())];
+                    other >= 0 && elimination_.rank_of(other) >= rank)
+                    panel(local_[at(elimination_.slot_of(other))], column) += entry.value();
+    }
 }
 
 void FrontBuilder::add_update(int child, const Front& front, Update& update)
@@ -158,12 +108,12 @@ void FrontBuilder::add_update(int child, const Front& front, Update& update)
     const int count = from.below();
     targets_.resize(at(count));
     for (int i = 0; i < count; ++i)
-        targets_[at(i)] = local_[at(from.rows[at(from.columns + i)])];
+        targets_[at(i)] = local_[at(from.rows()[at(from.columns + i)])];
     const int own = static_cast<int>(
         std::lower_bound(targets_.begin(), targets_.end(), front.columns) - targets_.begin());
     for (int i = 0; i < count; ++i)
     {
-        const double* source = taken.data() + static_cast<Eigen::Index>(i) * count;
+        const double* source = taken.entries.get() + static_cast<Eigen::Index>(i) * count;
         double* const left =
             front.entries.get() + static_cast<std::ptrdiff_t>(targets_[at(i)]) * front.columns;
         for (int j = 0; j < std::min(own, i + 1); ++j)
@@ -171,7 +121,7 @@ void FrontBuilder::add_update(int child, const Front& front, Update& update)
         if (i < own)
             continue;
         double* const right =
-            update.data()
+            update.entries.get()
             + static_cast<Eigen::Index>(targets_[at(i)] - front.columns) * front.below()
             - front.columns;
         for (int j = own; j <= i; ++j)
@@ -184,18 +134,21 @@ void FrontBuilder::add_update(int child, const Front& front, Update& update)
 // The smallest spare memory that has room for it, or fresh one.
 Update FrontBuilder::zero_update(const Front& front)
 {
-    const std::size_t size = at(front.below()) * at(front.below());
+    const std::size_t rows = at(front.below());
     auto best = spare_.end();
     for (auto one = spare_.begin(); one != spare_.end(); ++one)
-        if (one->capacity() >= size && (best == spare_.end() || one->capacity() < best->capacity()))
+        if (one->room >= rows * rows && (best == spare_.end() || one->room < best->room))
             best = one;
     Update update;
     if (best != spare_.end())
     {
-        update.swap(*best);
+        update = std::move(*best);
         spare_.erase(best);
     }
-    update.assign(size, 0.0);
+    else
+        update = {std::unique_ptr<double[]>(new double[rows * rows]), rows * rows};
+    for (std::size_t row = 0; row < rows; ++row)
+        std::fill_n(update.entries.get() + row * rows, row + 1, 0.0);
     return update;
 }
 

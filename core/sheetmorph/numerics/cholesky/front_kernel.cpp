@@ -137,7 +137,7 @@ struct Substitution
     {
         Lanes known[together];
         for (int r = 0; r < together; ++r)
-            known[r] = load(x, front.rows[static_cast<std::size_t>(first + r)]);
+            known[r] = load(x, front.rows()[static_cast<std::size_t>(first + r)]);
         spread(Rows<together>(front, first), front.columns, known, w);
     }
 
@@ -162,13 +162,13 @@ struct Substitution
     static SHEETMORPH_INLINE void gather(const Front& front, const double* x, double* w)
     {
         for (int row = 0; row < front.columns; ++row)
-            store(load(x, front.rows[static_cast<std::size_t>(row)]), w, row);
+            store(load(x, front.rows()[static_cast<std::size_t>(row)]), w, row);
     }
 
     static SHEETMORPH_INLINE void scatter(const Front& front, const double* w, double* x)
     {
         for (int row = 0; row < front.columns; ++row)
-            store(load(w, row), x, front.rows[static_cast<std::size_t>(row)]);
+            store(load(w, row), x, front.rows()[static_cast<std::size_t>(row)]);
     }
 
     static SHEETMORPH_INLINE void forward_own(const Front& front, double* w)
@@ -232,7 +232,7 @@ struct Substitution
             {
                 const Front& front = *run.factor.fronts[static_cast<std::size_t>(node)];
                 double* const above = run.above.empty() ? nullptr : run.above[g];
-                forward(front, {front.rows.data(), run.x[g], run.top_row, above}, run.scratch);
+                forward(front, {front.rows().data(), run.x[g], run.top_row, above}, run.scratch);
             }
     }
 

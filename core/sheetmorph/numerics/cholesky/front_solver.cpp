@@ -87,7 +87,7 @@ void FrontSolver::share_subtrees()
         owner[at(s)]->push_back(s);
         for (int row = 0; row < front(s).columns && owner[at(s)] == &top_; ++row)
         {
-            const int slot = front(s).rows[at(row)];
+            const int slot = front(s).rows()[at(row)];
             top_row_[at(slot)] = static_cast<int>(top_rows_.size());
             top_rows_.push_back(slot);
         }

@@ -22,6 +22,9 @@ public:
 
     const FrontList& factor() const { return factor_; }
 
+    //! To change values, never the rows.
+    FrontList& factor() { return factor_; }
+
     //! \param x  right sides in, solutions out; all groups of one width
     void solve(Groups& x) const;
 

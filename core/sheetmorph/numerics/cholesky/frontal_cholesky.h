@@ -2,22 +2,19 @@
 #pragma once
 
 #include "sheetmorph/numerics/cholesky/front.h"
-#include "sheetmorph/numerics/elimination.h"
 
 namespace sheetmorph
 {
 
-//! A factor made before, and where it eliminated what.
-struct EarlierFactor
-{
-    const Elimination& elimination;
-    const FrontList& fronts;
-};
+//! Fronts of a pattern without values.
+//! \param earlier  a factor of the earlier pattern, if there is one: unchanged fronts are shared,
+//!                 values included
+FrontList new_fronts(const FrontPattern& pattern, const FrontList* earlier = nullptr);
 
-//! Cholesky factor of a merged matrix by the multifrontal method, a front for every node of its
-//! tree, subtrees at the same time.
-//! \param earlier  of the same whole matrix and tree: fronts that are still right are shared
-//! \throws SolverError if the matrix is not positive definite
-FrontList frontal_cholesky(const Elimination& elimination, const EarlierFactor* earlier = nullptr);
+//! Computes the values of all fronts that the earlier factor does not share, by the multifrontal
+//! method, subtrees at the same time.
+//! \param values  a matrix of the pattern
+//! \throws SolverError if the matrix is not positive definite; the values are then undefined
+void factorise_fronts(const FrontPattern& pattern, const SparseMatrix& values, FrontList& factor);
 
 }  // namespace sheetmorph

@@ -114,7 +114,7 @@ private:
         if (!reached.columns.empty())
         {
             for (int row = 0; row < own.height(); ++row)
-                scratch.rows[at(own.rows[at(row)])] = row;
+                scratch.rows[at(own.rows()[at(row)])] = row;
             for (std::size_t k = 0; k < reached.columns.size(); ++k)
                 scratch.columns[at(reached.columns[k])] = static_cast<int>(k);
             gather(f, scratch);
@@ -131,7 +131,7 @@ private:
                 reached.columns.insert(reached.columns.end(), reached_[at(child)].columns.begin(),
                                        reached_[at(child)].columns.end());
         for (int row = 0; row < front(f).columns; ++row)
-            for (SparseRows::InnerIterator entry(right_, front(f).rows[at(row)]); entry; ++entry)
+            for (SparseRows::InnerIterator entry(right_, front(f).rows()[at(row)]); entry; ++entry)
                 reached.columns.push_back(static_cast<int>(entry.col()));
         make_set(reached.columns);
     }
@@ -143,7 +143,7 @@ private:
         const std::size_t groups = (reached.columns.size() + at(sides_) - 1) / at(sides_);
         reached.values.assign(groups * at(own.height()) * at(sides_), 0.0);
         for (int row = 0; row < own.columns; ++row)
-            for (SparseRows::InnerIterator entry(right_, own.rows[at(row)]); entry; ++entry)
+            for (SparseRows::InnerIterator entry(right_, own.rows()[at(row)]); entry; ++entry)
                 value(reached, own, row, scratch.columns[at(entry.col())]) += entry.value();
         for (const int child : children_[at(f)])
         {
@@ -151,7 +151,7 @@ private:
             Reached& passed = reached_[at(child)];
             for (std::size_t k = 0; k < passed.columns.size(); ++k)
                 for (int row = from.columns; row < from.height(); ++row)
-                    value(reached, own, scratch.rows[at(from.rows[at(row)])],
+                    value(reached, own, scratch.rows[at(from.rows()[at(row)])],
                           scratch.columns[at(passed.columns[k])]) +=
                         value(passed, from, row, static_cast<int>(k));
         }

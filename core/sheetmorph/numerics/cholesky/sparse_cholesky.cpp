@@ -13,18 +13,41 @@ namespace sheetmorph
 
 SparseCholesky::SparseCholesky(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree,
                                const SparseCholesky* earlier)
-    : elimination_(std::move(matrix), std::move(tree)), solver_(fronts(earlier))
+    : SparseCholesky(std::make_shared<const FrontPattern>(
+                         Elimination(std::move(matrix), std::move(tree)),
+                         earlier != nullptr ? earlier->pattern_.get() : nullptr),
+                     earlier)
+{
+    find_values(*pattern_->elimination().matrix().whole);
+}
+
+SparseCholesky::SparseCholesky(std::shared_ptr<const FrontPattern> pattern)
+    : SparseCholesky(std::move(pattern), nullptr)
 {
 }
 
-FrontList SparseCholesky::fronts(const SparseCholesky* earlier) const
+SparseCholesky::SparseCholesky(std::shared_ptr<const FrontPattern> pattern,
+                               const SparseCholesky* earlier)
+    : pattern_(std::move(pattern)),
+      solver_(new_fronts(*pattern_, earlier != nullptr ? &earlier->solver_.factor() : nullptr))
+{
+}
+
+void SparseCholesky::factorise(const SparseMatrix& whole)
+{
+    const auto& fronts = solver_.factor().fronts;
+    if (!pattern_->unchanged_subtrees().empty()
+        || std::any_of(fronts.begin(), fronts.end(),
+                       [](const auto& front) { return front.use_count() > 1; }))
+        *this = SparseCholesky(std::make_shared<const FrontPattern>(pattern_->elimination()));
+    find_values(whole);
+}
+
+void SparseCholesky::find_values(const SparseMatrix& whole)
 {
     try
     {
-        if (earlier == nullptr)
-            return frontal_cholesky(elimination_);
-        const EarlierFactor before{earlier->elimination_, earlier->solver_.factor()};
-        return frontal_cholesky(elimination_, &before);
+        factorise_fronts(*pattern_, whole, solver_.factor());
     }
     catch (const SolverError&)
     {
@@ -36,8 +59,6 @@ FrontList SparseCholesky::fronts(const SparseCholesky* earlier) const
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& right_sides) const
 {
-    const auto slot_of = [this](Eigen::Index row)
-    { return elimination_.slot_of(static_cast<int>(row)); };
     const Eigen::Index sides =
         right_sides.cols() > few_sides && has_many_sides() ? many_sides : few_sides;
     FrontSolver::Groups groups(static_cast<std::size_t>((right_sides.cols() + sides - 1) / sides));
@@ -78,8 +99,7 @@ Weights SparseCholesky::solved_product(const SparseMatrix& right) const
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index column = 0; column < right.outerSize(); ++column)
         for (SparseMatrix::InnerIterator entry(right, column); entry; ++entry)
-            entries.emplace_back(elimination_.slot_of(static_cast<int>(entry.row())),
-                                 static_cast<int>(column), entry.value());
+            entries.emplace_back(slot_of(entry.row()), static_cast<int>(column), entry.value());
     Eigen::SparseMatrix<double, Eigen::RowMajor> by_slot(solver_.factor().slots, right.cols());
     by_slot.setFromTriplets(entries.begin(), entries.end());
     Weights product = half_solved_product(solver_.factor(), by_slot);

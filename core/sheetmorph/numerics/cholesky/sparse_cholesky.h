@@ -2,7 +2,6 @@
 #pragma once
 
 #include "sheetmorph/numerics/cholesky/front_solver.h"
-#include "sheetmorph/numerics/elimination.h"
 
 #include <string>
 
@@ -10,8 +9,7 @@ namespace sheetmorph
 {
 
 //! Factor of a sparse symmetric positive definite matrix along a tree of separators.
-//! The constructor factorises, solve() only substitutes; solve() may run in several threads at
-//! once.
+//! solve() only substitutes and may run in several threads at once.
 class SparseCholesky
 {
 public:
@@ -22,6 +20,16 @@ public:
     SparseCholesky(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree,
                    const SparseCholesky* earlier = nullptr);
 
+    //! A factor without values: factorise() comes before solve().
+    explicit SparseCholesky(std::shared_ptr<const FrontPattern> pattern);
+
+    //! Factorises another matrix of the same pattern in the same memory. Fronts shared with other
+    //! factors are not touched.
+    //! \param whole  before rows are merged or left out
+    //! \throws SolverError if the merged matrix is not positive definite; then only factorise() may
+    //!                     follow
+    void factorise(const SparseMatrix& whole);
+
     //! \param right_sides  (n, k)
     //! \returns            (n, k), the solutions
     Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides) const;
@@ -30,15 +38,20 @@ public:
     //! \param right  (n, k)
     Weights solved_product(const SparseMatrix& right) const;
 
-    Eigen::Index size() const { return elimination_.matrix().count; }
+    Eigen::Index size() const { return pattern_->elimination().matrix().count; }
 
     //! Entries of the factor, for memory and fill reports.
     double factor_entries() const { return solver_.factor().count(); }
 
 private:
-    FrontList fronts(const SparseCholesky* earlier) const;
+    SparseCholesky(std::shared_ptr<const FrontPattern> pattern, const SparseCholesky* earlier);
+    void find_values(const SparseMatrix& whole);
+    int slot_of(Eigen::Index unknown) const
+    {
+        return pattern_->elimination().slot_of(static_cast<int>(unknown));
+    }
 
-    Elimination elimination_;
+    std::shared_ptr<const FrontPattern> pattern_;
     FrontSolver solver_;
 };
 

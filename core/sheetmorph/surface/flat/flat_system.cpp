@@ -6,7 +6,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <numeric>
 
 namespace sheetmorph
 {
@@ -264,21 +263,22 @@ double FlatSystem::length_of(const Eigen::VectorXd& change) const
     return worst;
 }
 
-std::optional<Eigen::VectorXd> FlatSystem::solved(const std::shared_ptr<const SparseMatrix>& whole,
-                                                  const Eigen::VectorXd& right)
+std::optional<Eigen::VectorXd> FlatSystem::solved(
+    const std::shared_ptr<const SparseMatrix>& tangent, const Eigen::VectorXd& right)
 {
-    if (!tree_)
+    if (!factor_)
     {
         Points places(count_, 3);
         for (int k = 0; k < count_; ++k)
             places.row(k) = places_[at(k)].transpose();
-        tree_ = std::make_shared<const SeparatorTree>(nested_dissection(*whole, places));
+        auto tree = std::make_shared<const SeparatorTree>(nested_dissection(*tangent, places));
+        factor_.emplace(
+            std::make_shared<const FrontPattern>(Elimination(unmerged(tangent), std::move(tree))));
     }
-    std::vector<int> own(at(count_));
-    std::iota(own.begin(), own.end(), 0);
     try
     {
-        return SparseCholesky({whole, own, count_}, tree_).solve(right);
+        factor_->factorise(*tangent);
+        return factor_->solve(right);
     }
     catch (const SolverError&)
     {

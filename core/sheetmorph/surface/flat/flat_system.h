@@ -51,7 +51,7 @@ private:
     };
     void place_rims(const FlatInput& input);
     void number();
-    std::optional<Eigen::VectorXd> solved(const std::shared_ptr<const SparseMatrix>& whole,
+    std::optional<Eigen::VectorXd> solved(const std::shared_ptr<const SparseMatrix>& tangent,
                                           const Eigen::VectorXd& right);
     Columns columns_of(const FlatTriangle& triangle) const;
     double length_of(const Eigen::VectorXd& change) const;
@@ -65,8 +65,8 @@ private:
     std::vector<int> rim_of_;  // by vertex, or -1
     std::vector<int> first_;   // by vertex, then by rim: unknowns
     int count_ = 0;
-    std::vector<Vector3> places_;                // of the unknowns at rest
-    std::shared_ptr<const SeparatorTree> tree_;  // of all tangents: their pattern does not change
+    std::vector<Vector3> places_;           // of the unknowns at rest
+    std::optional<SparseCholesky> factor_;  // of the last tangent; all have one pattern
 };
 
 }  // namespace sheetmorph

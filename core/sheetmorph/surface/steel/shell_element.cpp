@@ -213,8 +213,11 @@ ShellElement::Matrix ShellElement::stiffness(const Strain& strain, double bendin
 {
     const Rows membrane = membrane_rows(strain);
     const Rows angles = angle_rows(strain);
-    Matrix sum = membrane.transpose() * membrane_tangent(strain) * membrane;
-    sum.noalias() += bending * (angles.transpose() * bending_ * angles);
+    // Eigen's products for large matrices take longer on ones of this size.
+    const Rows stress_rows = membrane_tangent(strain).lazyProduct(membrane);
+    const Rows moment_rows = (bending * bending_).lazyProduct(angles);
+    Matrix sum = membrane.transpose().lazyProduct(stress_rows);
+    sum += angles.transpose().lazyProduct(moment_rows);
     const Vector3& s = of_second_order.membrane;
     Eigen::Matrix2d pull;
     pull << s(0), s(2), s(2), s(1);

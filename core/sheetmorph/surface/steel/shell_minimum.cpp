@@ -7,7 +7,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 
 namespace sheetmorph
@@ -44,20 +43,20 @@ public:
         add_rows();
     }
 
-    //! Nothing where the tangent, with a share added to its diagonal, is not positive definite.
-    std::unique_ptr<const SparseCholesky> factor(double shift) const
+    //! False where the tangent, with a share added to its diagonal, is not positive definite.
+    bool factorise(SparseCholesky& factor, double shift) const
     {
         try
         {
-            MergedMatrix whole{shift > 0.0 ? shifted(shift) : tangent_.matrix,
-                               std::vector<int>(static_cast<std::size_t>(shell_.unknowns())),
-                               shell_.unknowns()};
-            std::iota(whole.unknown_of.begin(), whole.unknown_of.end(), 0);
-            return std::make_unique<const SparseCholesky>(std::move(whole), shell_.tree());
+            if (shift > 0.0)
+                factor.factorise(shifted(shift));
+            else
+                factor.factorise(*tangent_.matrix);
+            return true;
         }
         catch (const SolverError&)
         {
-            return nullptr;
+            return false;
         }
     }
 
@@ -92,11 +91,11 @@ private:
             }
     }
 
-    std::shared_ptr<const SparseMatrix> shifted(double shift) const
+    SparseMatrix shifted(double shift) const
     {
-        auto matrix = std::make_shared<SparseMatrix>(*tangent_.matrix);
-        for (Eigen::Index column = 0; column < matrix->outerSize(); ++column)
-            for (SparseMatrix::InnerIterator entry(*matrix, column); entry; ++entry)
+        SparseMatrix matrix = *tangent_.matrix;
+        for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+            for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
                 if (entry.row() == column)
                     entry.valueRef() *= 1.0 + shift;
         return matrix;
@@ -118,7 +117,8 @@ public:
           task_(task),
           bending_(task.thickness * task.thickness / 12.0),
           before_(shell.shape()),
-          stresses_(shell.no_stresses())
+          stresses_(shell.no_stresses()),
+          factor_(pattern_of(shell))
     {
     }
 
@@ -155,14 +155,19 @@ public:
     }
 
 private:
+    static std::shared_ptr<const FrontPattern> pattern_of(const ShellSystem& shell)
+    {
+        return std::make_shared<const FrontPattern>(
+            Elimination(unmerged(shell.pattern()), shell.tree()));
+    }
+
     std::optional<NewtonStep> mixed_step()
     {
         const ShellSystem::Tangent tangent = shell_.tangent(bending_, stresses_);
         const StepProblem problem(tangent, shell_, task_.targets);
-        const auto factor = problem.factor(0.0);
-        if (!factor)
+        if (!problem.factorise(factor_, 0.0))
             return std::nullopt;
-        NewtonStep found = bounded(tangent.gradient, problem.solve(*factor));
+        NewtonStep found = bounded(tangent.gradient, problem.solve(factor_));
         found.is_exact = are_true(stresses_);
         return found;
     }
@@ -175,14 +180,13 @@ private:
             const ShellSystem::Tangent tangent =
                 shell_.tangent(bending_, shell_.eased(bending_, share), share);
             const StepProblem problem(tangent, shell_, task_.targets);
-            const auto factor = problem.factor(0.0);
-            if (!factor)
+            if (!problem.factorise(factor_, 0.0))
                 continue;
             share_ = share;
-            NewtonStep found = bounded(tangent.gradient, problem.solve(*factor));
+            NewtonStep found = bounded(tangent.gradient, problem.solve(factor_));
             found.is_exact = share == 1.0;
             if (!found.is_exact && found.length <= near_saddle * task_.size)
-                if (const auto buckling = buckling_step(*factor, tangent.gradient, share))
+                if (const auto buckling = buckling_step(tangent.gradient, share))
                     return buckling;
             return found;
         }
@@ -191,11 +195,10 @@ private:
     }
 
     // Near a saddle: the direction in which the sheet buckles first, along the gradient. Inverse
-    // iteration with the factor of the eased tangent K + share (H - K), H the whole tangent and K
-    // that of tension: its largest eigenvalue against K is 1 / (1 - share mu), where H = (1 - mu)
-    // K.
-    std::optional<NewtonStep> buckling_step(const SparseCholesky& factor,
-                                            const Eigen::VectorXd& gradient, double share)
+    // iteration with the factor at hand, of the eased tangent K + share (H - K), H the whole
+    // tangent and K that of tension: its largest eigenvalue against K is 1 / (1 - share mu), where
+    // H = (1 - mu) K.
+    std::optional<NewtonStep> buckling_step(const Eigen::VectorXd& gradient, double share)
     {
         const ShellSystem::Tangent tension =
             shell_.tangent(bending_, shell_.eased(bending_, 0.0), 0.0);
@@ -208,7 +211,7 @@ private:
             const double energy = mode.dot(load);
             if (!(energy > 0.0))
                 return std::nullopt;
-            const Eigen::VectorXd next = factor.solve(load);
+            const Eigen::VectorXd next = factor_.solve(load);
             largest = load.dot(next) / energy;
             mode = next / next.norm();
         }
@@ -228,14 +231,15 @@ private:
         const ShellSystem::Tangent tangent =
             shell_.tangent(bending_, shell_.eased(bending_, 0.0), 0.0);
         const StepProblem problem(tangent, shell_, task_.targets);
-        std::unique_ptr<const SparseCholesky> factor;
-        for (double shift = 0.0; !factor && shift < 1.0; shift = std::max(1e-10, 100.0 * shift))
-            factor = problem.factor(shift);
-        if (!factor)
+        bool is_factorised = false;
+        for (double shift = 0.0; !is_factorised && shift < 1.0;
+             shift = std::max(1e-10, 100.0 * shift))
+            is_factorised = problem.factorise(factor_, shift);
+        if (!is_factorised)
             throw SolverError(
                 "the sheet has no unique shape under these constraints; hold it by a fixed "
                 "region, or choose another energy");
-        NewtonStep found = bounded(tangent.gradient, problem.solve(*factor));
+        NewtonStep found = bounded(tangent.gradient, problem.solve(factor_));
         found.is_exact = false;
         return found;
     }
@@ -276,7 +280,8 @@ private:
     double bending_;
     ShellShape before_;
     ShellSystem::Stresses stresses_, last_;
-    double share_ = 1.0;  // of the compression in the last eased step
+    double share_ = 1.0;     // of the compression in the last eased step
+    SparseCholesky factor_;  // of the last tangent
 };
 
 }  // namespace

@@ -55,11 +55,14 @@ ShellSystem::ShellSystem(const ShellInput& input, ShellMovers movers, Joints& jo
         }
         triangles_.push_back(t);
         elements_.emplace_back(rest, input.poisson);
-        freedoms_.push_back({{}, columns, 0, false});
+        freedoms_.push_back({{}, columns, {}, 0, false});
     }
     find_columns();
-    find_pattern();
-    find_tree();
+    find_things();
+    const SparseMatrix coupled = coupled_things();
+    find_pattern(coupled);
+    find_slots(coupled);
+    find_tree(coupled);
     restore(movers_.start);
 }
 
@@ -112,44 +115,59 @@ void ShellSystem::find_columns()
     }
 }
 
-void ShellSystem::find_pattern()
+// The sparse matrices count their entries by int.
+void ShellSystem::check_count(std::size_t entries)
 {
-    const auto count = static_cast<std::size_t>(unknowns());
-    std::vector<std::vector<int>> rows(count);
-    for (std::size_t column = 0; column < count; ++column)
-        rows[column].push_back(static_cast<int>(column));
-    for (const Freedom& freedom : freedoms_)
-        for (const int column : freedom.columns)
-            rows[at(column)].insert(rows[at(column)].end(), freedom.columns.begin(),
-                                    freedom.columns.end());
-    std::size_t entries = 0;
-    for (std::vector<int>& own : rows)
-    {
-        make_set(own);
-        entries += own.size();
-    }
     if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw SolverError(
             "the sheet has too many vertices for the energy steel and for refine: "
             "about ten million are possible; take a coarser mesh");
+}
+
+// Couplings of things expand to blocks of the matrix: the columns of one thing have the same rows.
+void ShellSystem::find_pattern(const SparseMatrix& coupled)
+{
+    const auto count_of = [this](Eigen::Index thing) { return things_[at(thing)].count; };
+    std::vector<int> heights(things_.size(), 0);
+    std::size_t entries = 0;
+    for (Eigen::Index k = 0; k < coupled.outerSize(); ++k)
+    {
+        for (SparseMatrix::InnerIterator entry(coupled, k); entry; ++entry)
+            heights[at(k)] += count_of(entry.row());
+        entries += at(heights[at(k)]) * at(count_of(k));
+    }
+    check_count(entries);
     matrix_ = std::make_shared<SparseMatrix>(unknowns(), unknowns());
-    std::vector<int> starts(count + 1, 0);
-    for (std::size_t column = 0; column < count; ++column)
-        starts[column + 1] = starts[column] + static_cast<int>(rows[column].size());
-    matrix_->resizeNonZeros(starts.back());
-    std::copy(starts.begin(), starts.end(), matrix_->outerIndexPtr());
-    for (std::size_t column = 0; column < count; ++column)
-        std::copy(rows[column].begin(), rows[column].end(),
-                  matrix_->innerIndexPtr() + starts[column]);
+    matrix_->resizeNonZeros(static_cast<Eigen::Index>(entries));
+    int* const starts = matrix_->outerIndexPtr();
+    int* row = matrix_->innerIndexPtr();
+    for (Eigen::Index k = 0; k < coupled.outerSize(); ++k)
+        for (int column = 0; column < count_of(k); ++column)
+        {
+            const int unknown = things_[at(k)].first + column;
+            starts[unknown + 1] = starts[unknown] + heights[at(k)];
+            for (SparseMatrix::InnerIterator entry(coupled, k); entry; ++entry)
+                for (int r = 0; r < count_of(entry.row()); ++r)
+                    *row++ = things_[at(entry.row())].first + r;
+        }
+}
+
+void ShellSystem::find_slots(const SparseMatrix& coupled)
+{
     for (Freedom& freedom : freedoms_)
     {
         freedom.first_slot = slots_.size();
-        for (const int column : freedom.columns)
-            for (const int row : freedom.columns)
-                slots_.push_back(starts[at(column)]
-                                 + static_cast<int>(std::lower_bound(rows[at(column)].begin(),
-                                                                     rows[at(column)].end(), row)
-                                                    - rows[at(column)].begin()));
+        for (const int column : freedom.things)
+        {
+            int slot = matrix_->outerIndexPtr()[things_[at(column)].first];
+            SparseMatrix::InnerIterator entry(coupled, column);
+            for (const int thing : freedom.things)
+            {
+                for (; entry.row() != thing; ++entry)
+                    slot += things_[at(entry.row())].count;
+                slots_.push_back(slot);
+            }
+        }
     }
 }
 
@@ -337,6 +355,9 @@ ShellSystem::Stresses ShellSystem::eased(double bending, double share) const
                         {
                             const ShellElement::Stress whole =
                                 elements_[e].stress(elements_[e].strain(place_of(e)), bending);
+                            found[e] = whole;
+                            if (share == 1.0)
+                                continue;
                             const ShellElement::Stress pull = ShellElement::tension(whole);
                             found[e].membrane =
                                 pull.membrane + share * (whole.membrane - pull.membrane);
@@ -369,23 +390,44 @@ ShellSystem::Tangent ShellSystem::tangent(double bending, const Stresses& stress
         parallel_ranges(static_cast<Eigen::Index>(count), least_elements, work);
         for (std::size_t k = 0; k < count; ++k)
         {
-            const Freedom& freedom = freedoms_[first + k];
-            const int* slot = slots_.data() + freedom.first_slot;
-            const double* value = parts[k].matrix.data();
-            for (Eigen::Index entry = 0; entry < parts[k].matrix.size(); ++entry)
-                matrix_->valuePtr()[slot[entry]] += value[entry];
-            for (std::size_t c = 0; c < freedom.columns.size(); ++c)
-                found.gradient(freedom.columns[c]) +=
-                    parts[k].gradient(static_cast<Eigen::Index>(c));
+            add_to_matrix(freedoms_[first + k], parts[k].matrix);
+            const std::vector<int>& columns = freedoms_[first + k].columns;
+            for (std::size_t c = 0; c < columns.size(); ++c)
+                found.gradient(columns[c]) += parts[k].gradient(static_cast<Eigen::Index>(c));
         }
     }
     brace_joints();
     return found;
 }
 
+void ShellSystem::add_to_matrix(const Freedom& freedom, const Eigen::MatrixXd& part)
+{
+    const int* slot = slots_.data() + freedom.first_slot;
+    const double* column_values = part.data();
+    for (const int column : freedom.things)
+    {
+        const Thing& across = things_[at(column)];
+        const int height =
+            matrix_->outerIndexPtr()[across.first + 1] - matrix_->outerIndexPtr()[across.first];
+        Eigen::Index row = 0;
+        for (const int thing : freedom.things)
+        {
+            const int rows = things_[at(thing)].count;
+            double* to = matrix_->valuePtr() + *slot++;
+            for (int c = 0; c < across.count; ++c, to += height)
+                for (int r = 0; r < rows; ++r)
+                    to[r] += column_values[c * part.rows() + row + r];
+            row += rows;
+        }
+        column_values += across.count * part.rows();
+    }
+}
+
 // Freedoms that no triangle feels, as a body of one vertex has: they need a pivot and stay.
 void ShellSystem::brace_joints()
 {
+    if (joints_.freedoms() == 0)
+        return;
     const double brace = 1e-10 * matrix_->diagonal().mean();
     for (int k = movers_.open; k < unknowns(); ++k)
         matrix_->coeffRef(k, k) += brace;

@@ -62,6 +62,9 @@ public:
     //! \param share     of the second-order part of bodies
     Tangent tangent(double bending, const Stresses& stresses, double share = 1.0);
 
+    //! A matrix of the pattern that all tangents have.
+    std::shared_ptr<const SparseMatrix> pattern() const { return matrix_; }
+
     //! Order of elimination of the tangents.
     const std::shared_ptr<const SeparatorTree>& tree() const { return tree_; }
 
@@ -74,18 +77,18 @@ private:
     struct Freedom
     {
         std::array<int, 12> direct;  // unknown of each local number, or -1
-        std::vector<int> columns;    // unknowns of the element
+        std::vector<int> columns;    // unknowns of the element, ascending
+        std::vector<int> things;     // theirs, ascending
         std::size_t first_slot = 0;
         bool is_jointed = false;
     };
 
-    //! Unknowns that belong together, and where they are.
+    //! Unknowns that belong together: an element has all of them or none.
     struct Thing
     {
         int first, count;
         Vector3 place;
     };
-    using Things = std::vector<Thing>;
     struct Projected
     {
         Eigen::MatrixXd matrix;
@@ -94,10 +97,13 @@ private:
 
     void brace_joints();
     void find_columns();
-    void find_pattern();
-    Things things() const;
-    SparseMatrix coupled(const Things& things) const;
-    void find_tree();
+    static void check_count(std::size_t entries);
+    void find_things();
+    SparseMatrix coupled_things() const;
+    void find_pattern(const SparseMatrix& coupled);
+    void find_slots(const SparseMatrix& coupled);
+    void find_tree(const SparseMatrix& coupled);
+    void add_to_matrix(const Freedom& freedom, const Eigen::MatrixXd& part);
     std::vector<int> columns_of(const ShellMesh::Triangle& triangle) const;
     ShellElement::Place place_of(std::size_t element) const;
     Local local_rows(std::size_t element) const;
@@ -117,7 +123,8 @@ private:
     std::vector<std::size_t> triangles_;  // of the mesh, that can move
     std::vector<ShellElement> elements_;
     std::vector<Freedom> freedoms_;
-    std::vector<int> slots_;
+    std::vector<Thing> things_;  // by their unknowns
+    std::vector<int> slots_;     // by element, column and row of things: where their block begins
     std::shared_ptr<SparseMatrix> matrix_;
     std::shared_ptr<const SeparatorTree> tree_;
 };

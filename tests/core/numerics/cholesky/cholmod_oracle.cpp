@@ -59,11 +59,7 @@ SparseMatrix written_out(const MergedMatrix& matrix)
 
 MergedMatrix all_of(const SparseMatrix& matrix)
 {
-    MergedMatrix all{std::make_shared<const SparseMatrix>(matrix), {}, 0};
-    all.unknown_of.resize(static_cast<std::size_t>(matrix.rows()));
-    std::iota(all.unknown_of.begin(), all.unknown_of.end(), 0);
-    all.count = static_cast<int>(matrix.rows());
-    return all;
+    return unmerged(std::make_shared<const SparseMatrix>(matrix));
 }
 
 std::shared_ptr<const SeparatorTree> one_node(int rows)

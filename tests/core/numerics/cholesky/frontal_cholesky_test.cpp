@@ -73,6 +73,13 @@ std::vector<int> block(int column, int row, int wide)
     return rows;
 }
 
+FrontList factorised(const FrontPattern& pattern, const FrontList* earlier = nullptr)
+{
+    FrontList fronts = new_fronts(pattern, earlier);
+    factorise_fronts(pattern, *pattern.elimination().matrix().whole, fronts);
+    return fronts;
+}
+
 double miss(const SparseCholesky& factor, const MergedMatrix& matrix)
 {
     const Eigen::MatrixXd wanted = Eigen::MatrixXd::Random(matrix.count, 5);
@@ -96,17 +103,16 @@ TEST(FrontalCholesky, TakesOverWhatAnEditLeavesAsItWas)
 {
     const Sheet given = sheet();
     const std::vector<int> held = block(60, 60, 5);
-    const Elimination before(merged(given, held, {block(30, 30, 3)}), given.tree);
-    const FrontList first = frontal_cholesky(before);
+    const FrontPattern before({merged(given, held, {block(30, 30, 3)}), given.tree});
+    const FrontList first = factorised(before);
     const Elimination after(merged(given, held, {block(30, 30, 3), block(8, 50, 2)}), given.tree);
-    const EarlierFactor earlier{before, first};
-    const FrontList edited = frontal_cholesky(after, &earlier);
-    const FrontList fresh = frontal_cholesky(after);
+    const FrontList edited = factorised(FrontPattern(after, &before), &first);
+    const FrontList fresh = factorised(FrontPattern(after));
     int shared = 0;
     for (std::size_t k = 0; k < edited.fronts.size(); ++k)
     {
         shared += edited.fronts[k] == first.fronts[k] ? 1 : 0;
-        ASSERT_EQ(edited.fronts[k]->rows, fresh.fronts[k]->rows);
+        ASSERT_EQ(edited.fronts[k]->rows(), fresh.fronts[k]->rows());
         const Weights difference = edited.fronts[k]->panel() - fresh.fronts[k]->panel();
         for (Eigen::Index row = 0; row < difference.rows(); ++row)
             for (Eigen::Index column = 0; column <= row && column < difference.cols(); ++column)
@@ -137,6 +143,54 @@ TEST(FrontalCholesky, FollowsAnyRowOfEdits)
         EXPECT_LT(miss(*next, matrix), 1e-6);
         last = std::move(next);
     }
+}
+
+// The same pattern, other values.
+MergedMatrix scaled_at_random(const MergedMatrix& matrix, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> number(0.5, 2.0);
+    const Eigen::VectorXd scales =
+        Eigen::VectorXd::NullaryExpr(matrix.whole->rows(), [&] { return number(random); });
+    MergedMatrix scaled = matrix;
+    scaled.whole = std::make_shared<const SparseMatrix>(scales.asDiagonal() * *matrix.whole
+                                                        * scales.asDiagonal());
+    return scaled;
+}
+
+TEST(FrontalCholesky, FactorisesOneMatrixAfterTheOtherAlongOnePattern)
+{
+    const Sheet given = sheet();
+    const MergedMatrix matrix = merged(given, block(60, 60, 5), {block(30, 30, 3)});
+    SparseCholesky factor(std::make_shared<const FrontPattern>(Elimination(matrix, given.tree)));
+    std::mt19937 random(11);
+    SparseMatrix indefinite = *matrix.whole;
+    indefinite.diagonal().array() -= 1.0;
+    for (int k = 0; k < 5; ++k)
+    {
+        const MergedMatrix next = scaled_at_random(matrix, random);
+        factor.factorise(*next.whole);
+        EXPECT_LT(miss(factor, next), 1e-6);
+        EXPECT_THROW(factor.factorise(indefinite), SolverError);
+    }
+}
+
+TEST(FrontalCholesky, AnotherFactorKeepsTheFrontsItShares)
+{
+    const Sheet given = sheet();
+    const std::vector<int> held = block(60, 60, 5);
+    const MergedMatrix first_matrix = merged(given, held, {block(30, 30, 3)});
+    const MergedMatrix edited_matrix = merged(given, held, {});
+    std::mt19937 random(12);
+    SparseCholesky first(first_matrix, given.tree);
+    SparseCholesky edited(edited_matrix, given.tree, &first);
+    const MergedMatrix next = scaled_at_random(first_matrix, random);
+    first.factorise(*next.whole);
+    EXPECT_LT(miss(first, next), 1e-6);
+    EXPECT_LT(miss(edited, edited_matrix), 1e-6);
+    const MergedMatrix last = scaled_at_random(edited_matrix, random);
+    edited.factorise(*last.whole);
+    EXPECT_LT(miss(edited, last), 1e-6);
+    EXPECT_LT(miss(first, next), 1e-6);
 }
 
 TEST(FrontalCholesky, RefusesAMatrixThatIsNotPositiveDefinite)
