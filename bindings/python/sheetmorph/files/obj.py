@@ -17,7 +17,7 @@ from .text import CUT_LINE, CoordinateText, Source, TextPartFile, TOKEN, show
 _COMMENT_OR_JOIN = re.compile(rb"#[^\r\n]*|\\(?:\r\n|\n|\r)")
 _NEXT = re.compile(rb"[ \t]*[vf][ \t]")
 _STATEMENT = re.compile(rb"^[^\S\n]*([^\s#]+)([^\n#]*)", re.MULTILINE)
-_CORNER = re.compile(rb"([+-]?\d+)(/([+-]?\d+)?)?(/([+-]?\d+)?)?")
+_CORNER = re.compile(rb"([+-]?\d+)(?:/(?:[+-]?\d+)?){0,2}")
 # Statements of the format besides those of a polygon mesh: the first ones say nothing of its shape,
 # the others are surfaces, curves and files that are not read.
 _WITHOUT_SHAPE = frozenset(
@@ -171,9 +171,10 @@ def _face(source: Source, tokens: list[re.Match[bytes]], count: int, offset: int
     face = []
     forms = set()
     for token in tokens:
-        corner = _CORNER.fullmatch(token.group())
-        forms.add(corner and tuple(map(bool, corner.groups())))
-        number = source.integer(corner.group(1) if corner else token.group(), token.start())
+        text = token.group()
+        corner = None if text.isdigit() else _CORNER.fullmatch(text)
+        forms.add((text.count(b"/"), b"//" in text, text.endswith(b"/")))
+        number = source.integer(corner.group(1) if corner else text, token.start())
         # Negative indices count back from the last vertex before this line.
         index = number - 1 if number > 0 else count + number
         if number == 0 or index < 0:
