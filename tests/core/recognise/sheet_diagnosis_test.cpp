@@ -5,6 +5,7 @@
 #include "sheetmorph/recognise/thin/thin_solid.h"
 #include "shapes.h"
 #include "shapes/thick.h"
+#include "shapes/thin.h"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +37,20 @@ TEST(SheetDiagnosis, TellsAThinSolidAndItsThickness)
     EXPECT_NEAR(found.pieces[0].thinnest, 1.5, 1e-6);
     EXPECT_NEAR(found.pieces[0].thickest, 1.5, 1e-6);
     EXPECT_EQ(found.open_edges, 0);
+}
+
+// A plate whose thickness grows evenly from 1.5 to 2.5 mm: a twentieth of it is below 1.55 mm.
+TEST(SheetDiagnosis, TellsTheThicknessesOfATaperedPlateByArea)
+{
+    const TriangleMesh plate = shapes::two_skinned(shapes::grid(60, 10, 120.0, 40.0), 2.0);
+    const TriangleMesh tapered =
+        shapes::mapped(plate, [](const Vector3& p)
+                       { return Vector3(p.x(), p.y(), p.z() * (1.5 + p.x() / 120.0) / 2.0); });
+    const Diagnosis found = diagnose_sheets(tapered, 1e-6);
+    ASSERT_EQ(found.pieces.size(), 1U);
+    ASSERT_EQ(found.pieces[0].kind, PieceKind::thin_solid);
+    EXPECT_NEAR(found.pieces[0].thinnest, 1.55, 0.03);
+    EXPECT_NEAR(found.pieces[0].thickest, 2.45, 0.03);
 }
 
 // A sheet, a block and a sheet of another thickness, every triangle with corners of its own and

@@ -11,7 +11,9 @@
 #include "shapes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <random>
 
 namespace sheetmorph
@@ -90,6 +92,16 @@ TEST(Remeshing, FollowsCurvedFacetsWithItsVerticesOnThem)
     EXPECT_NEAR(diagnose(found.mesh, 1e-6).pieces[0].area, area, 0.002 * area);
 }
 
+// A bend much tighter than the edges wanted: facets as long as its radius would cut it off.
+TEST(Remeshing, EdgesOnABendFollowItsRadius)
+{
+    const double radius = 10.0;
+    const TriangleMesh pipe = shapes::half_pipe(60, 1, radius, 100.0);
+    const RemeshedMesh found = remeshed(pipe, edges_of(20.0));
+    const double longest = 0.35 * radius * 4.0 / 3.0;
+    EXPECT_LT(found.deviation, 2.0 * longest * longest / (8.0 * radius));
+}
+
 TEST(Remeshing, KeepsSheetsTogetherThatMeetInAnEdge)
 {
     Points points(8, 3);
@@ -137,6 +149,27 @@ TEST(Remeshing, MeshesTheSkinsOfAPlateAlike)
     EXPECT_EQ(without_twin(found.mesh, 0.0, 3.0), 0);
     EXPECT_EQ(without_twin(found.mesh, 3.0, 0.0), 0);
     EXPECT_TRUE(self_intersections(found.mesh).empty());
+}
+
+TEST(Remeshing, MeshesTheSkinsOfTwoPlatesAlikeInWhateverOrderTheirFacetsCome)
+{
+    const TriangleMesh other =
+        shapes::mapped(shapes::box(1, Vector3(50, 30, 4)),
+                       [](const Vector3& p) { return Vector3(p + Vector3(100.0, 0.0, 10.0)); });
+    const TriangleMesh both = shapes::welded({shapes::box(1, Vector3(60, 40, 3)), other});
+    std::vector<int> order(static_cast<std::size_t>(both.triangle_count()));
+    std::iota(order.begin(), order.end(), 0);
+    for (unsigned seed = 1; seed <= 4; ++seed)
+    {
+        std::shuffle(order.begin(), order.end(), std::mt19937(seed));
+        const TriangleMesh shuffled(both.points(), both.triangles()(order, Eigen::indexing::all));
+        const RemeshedMesh found = remeshed(shuffled, edges_of(5.0));
+        for (const auto& [low, high] : {std::pair(0.0, 3.0), {10.0, 14.0}})
+        {
+            EXPECT_EQ(without_twin(found.mesh, low, high), 0) << seed;
+            EXPECT_EQ(without_twin(found.mesh, high, low), 0) << seed;
+        }
+    }
 }
 
 TEST(Remeshing, MeshesSkinsAlikeThoughARimHasAVertexMoreOnOneSide)
