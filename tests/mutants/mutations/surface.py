@@ -16,7 +16,7 @@ SHELLS = "ShellElement.*"
 CONSTRAINT_CHECKS = "surface/constraint_checks.cpp"
 REFUSALS = "ConstraintChecks.*"
 FLAT = "surface/flat/flat_system.cpp"
-FLATTENING = "Flattening.*"
+FLATTENING = "Flattening.*:FlatSystem.*"
 LIVE = "*ResponseCases.*:Response.*"
 EXPANSIONS = "*TurnExpansions.*:FreeFeatures.*"
 
