@@ -105,7 +105,7 @@ def test_folders_made_for_a_failed_run_are_removed(folder: Path, monkeypatch):
 
 def files_of(folder: Path, names: list[str]) -> FileSet:
     """A set with a new text in every file."""
-    files = FileSet()
+    files = FileSet(force=True)
     for name in names:
         files.temporary_for(folder / name).write_text(f"new {name}")
     return files
@@ -223,7 +223,7 @@ def test_what_a_recipe_beside_it_reads_is_not_written_over(name, spelling, folde
     (out / "linked.obj").symlink_to("plate.obj")
     save_reader(out, name, spelling)
     before = tree(folder)
-    assert main(["run", "recipe.json", "-o", "out", "--report", "report.json"]) == 2
+    assert main(["run", "recipe.json", "-o", "out", "--report", "report.json", "--force"]) == 2
     error = capsys.readouterr().err
     assert error.startswith("out/plate.obj") and error.count("\n") == 1
     assert f'"{name}" beside it reads this file' in error
@@ -237,7 +237,7 @@ def test_what_is_no_recipe_protects_nothing(text: str, folder: Path):
     (folder / "out").mkdir()
     (folder / "out" / "plate.obj").write_text("an earlier result")
     (folder / "out" / "notes.json").write_bytes(text.encode("latin-1"))
-    assert main(["run", "recipe.json", "-o", "out"]) == 0
+    assert main(["run", "recipe.json", "-o", "out", "--force"]) == 0
     assert (folder / "out" / "plate.obj").read_text() != "an earlier result"
 
 

@@ -7,7 +7,7 @@ read and checked without it.
 
 from .cautions import open_contacts
 from .doctor import diagnose
-from .errors import Fault, FileError, KernelError, RecipeError
+from .errors import Fault, FileError, KernelError, OccupiedError, RecipeError
 from .files import PartFile, read_part
 from .live import LiveFrames
 from .morph import Morph, open
@@ -53,6 +53,7 @@ __all__ = [
     "KernelError",
     "LiveFrames",
     "Morph",
+    "OccupiedError",
     "PartFile",
     "PartMesh",
     "RecipeError",

@@ -38,15 +38,15 @@ _POSE_HELP = "name of one of the recipe's poses, or JSON file with a pose, inste
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns 0 done, 2 bad input, 3 no certificate (130 interrupted)."""
     wanted = parser().parse_args(arguments)
-    files = FileSet()
+    files = FileSet(wanted.command, force=getattr(wanted, "force", False))
     numbers = [number for number in stopping_signals() if number != signal.SIGINT]
     previous = {number: signal.signal(number, _interrupt) for number in numbers}
     try:
         with _deck_options(wanted):
             _say(_COMMANDS[wanted.command](wanted, files))
         return DONE
-    except KeyboardInterrupt:
-        _complain(f"interrupted; {_state(files)}")
+    except KeyboardInterrupt as stopped:
+        _complain(f"interrupted; {stopped or _state(files)}")
         return _INTERRUPTED
     except Exception as error:  # the edge of the program: every error becomes a sentence
         text, status = _explain(error, _input_of(wanted), files)
@@ -156,17 +156,28 @@ def parser() -> argparse.ArgumentParser:
         text = "warnings (badly opened contacts and others) end with exit status 3"
         command.add_argument("--strict", action="store_true", help=text)
         command.add_argument("--quiet", action="store_true", help="no progress on stderr")
-    doctor = commands.add_parser("doctor", help="say what meshes are and what is wrong with them")
-    doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
-    text = "vertices nearer than this are one place (mm; a millionth of the size)"
-    doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
-    add_unit_argument(doctor)
+    _add_doctor(commands)
     add_find_arguments(commands)
     add_flatten_arguments(commands)
     add_certify_arguments(commands, (run, check))
     add_recipe_commands(commands)
     add_study_arguments(commands)
+    _add_force(commands)
     return parser
+
+
+def _add_doctor(commands: Any) -> None:
+    doctor = commands.add_parser("doctor", help="say what meshes are and what is wrong with them")
+    doctor.add_argument("files", nargs="+", metavar="FILE", help="mesh file")
+    text = "vertices nearer than this are one place (mm; a millionth of the size)"
+    doctor.add_argument("--tolerance", type=_length, metavar="MM", help=text)
+    add_unit_argument(doctor)
+
+
+def _add_force(commands: Any) -> None:
+    text = "write over files that SheetMorph did not write, too"
+    for name in ("run", "resolve", "find", "flatten", "copy", "certify", "show", "study"):
+        commands.choices[name].add_argument("--force", action="store_true", help=text)
 
 
 def _length(text: str) -> float:

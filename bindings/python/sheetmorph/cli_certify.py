@@ -38,19 +38,27 @@ def add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]
         one.add_argument("--keyword", choices=("long=y", "i10=y"), help=text)
 
 
-def run_certify(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
+def run_certify(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     """Certifies; returns what to print. Raises NotCertified."""
-    return certified(wanted.recipe, wanted.folder, wanted.criteria, (wanted.json, wanted.page))
+    places = (wanted.json, wanted.page)
+    return certified(wanted.recipe, wanted.folder, wanted.criteria, places, files=files)
 
 
 def certified(
-    recipe: str, folder: str, criteria: str | None, places: tuple[str | None, str | None]
+    recipe: str,
+    folder: str,
+    criteria: str | None,
+    places: tuple[str | None, str | None],
+    *,
+    files: FileSet,
 ) -> list[str]:
-    """The same for a recipe, a folder, criteria and the files for the certificate."""
+    """The same for a recipe, a folder, criteria and the files for the certificate; files: a new
+    FileSet for these."""
     from .certifying import Targets, certify, read_criteria
 
-    files = [None if place is None else Path(place) for place in places]
-    found = certify(recipe, folder, read_criteria(criteria), Targets(*files))
+    targets = Targets(*(None if place is None else Path(place) for place in places))
+    files.reads += [] if criteria is None else [Path(criteria)]
+    found = certify(recipe, folder, read_criteria(criteria), targets, files=files)
     joints = sum(deck["joints"]["count"] for deck in found["decks"])
     told = [
         counted(len(found["parts"]), "part", "parts"),
@@ -71,10 +79,11 @@ def require_criteria(wanted: argparse.Namespace) -> None:
 
 def judged_run(wanted: argparse.Namespace, folder: Path) -> None:
     """What `check --certify` does with the folder of a run; raises NotCertified."""
-    certified(wanted.recipe, str(folder), wanted.criteria, (None, None))
+    certified(wanted.recipe, str(folder), wanted.criteria, (None, None), files=FileSet())
 
 
 def certified_run(wanted: argparse.Namespace) -> list[str]:
     """What `run --certify` does once the parts are written."""
     json, page = (str(Path(wanted.output) / name) for name in NAMES)
-    return certified(wanted.recipe, wanted.output, wanted.criteria, (json, page))
+    files = FileSet("certify", force=wanted.force)
+    return certified(wanted.recipe, wanted.output, wanted.criteria, (json, page), files=files)

@@ -75,6 +75,7 @@ def write_text(wanted: argparse.Namespace, text: str, files: FileSet) -> Path:
     path = Path(wanted.output)
     if any(path.resolve() == Path(file).resolve() for file in wanted.files):
         raise RecipeError([Fault("-o", f"{path} is one of the files", "name another file")])
+    files.reads += [Path(file) for file in wanted.files]
     with files:
         files.temporary_for(path).write_text(text, "utf-8")
         files.commit()

@@ -67,6 +67,7 @@ def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     if output is None:
         return told
     try:
+        files.reads += [Path(wanted.file), *([Path(wanted.k_table)] if wanted.k_table else [])]
         written = write_patterns(patterns, output, files)
     except ValueError as error:
         what, _, todo = str(error).rpartition("; ")

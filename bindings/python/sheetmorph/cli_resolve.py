@@ -40,6 +40,7 @@ def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     read = [source, *(source.parent / part["file"] for part in recipe["parts"] if "file" in part)]
     if any(path.resolve() == other.resolve() for other in read):
         raise RecipeError([Fault("-o", f"{path} is read by this recipe", "name another file")])
+    files.reads += read
     with files:
         text = one_line_each(_seen_from(recipe, source.parent, path.parent))
         files.temporary_for(path).write_text(text + "\n", "utf-8")

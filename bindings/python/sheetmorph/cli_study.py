@@ -48,7 +48,7 @@ def _runs(text: str) -> tuple[int, int]:
     return int(found[1]), int(found[2])
 
 
-def run_study_command(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
+def run_study_command(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     """Computes the study; what to print. Raises RecipeError, FileError, KernelError."""
     # Imported here, so that --help answers at once.
     from .study.running import Ways, run_study, study_range
@@ -59,7 +59,7 @@ def run_study_command(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     if wanted.evaluate is not None:
         from .study.coupling import evaluate_files
 
-        return evaluate_files(wanted.recipe, *wanted.evaluate)
+        return evaluate_files(wanted.recipe, *wanted.evaluate, files=files)
     if wanted.output is None:
         raise RecipeError([Fault("-o", "no folder is named", "add -o DIR, for the variants")])
     with progress_on(sys.stderr, wanted.quiet) as progress:

@@ -26,7 +26,9 @@ def copy_files(paths: Sequence[str | Path], out: str | Path, files: FileSet) -> 
         what = f"two of the files would become {sorted(twice)[0]}"
         raise RecipeError([Fault("-o", what, "copy them into different folders")])
     read = [path for copy in work for path in copy.read]
-    Places(read, folder, targets, None).check()
+    places = Places(read, folder, targets, None)
+    places.check()
+    places.require_ours(files)
     with files:
         folder.mkdir(parents=True, exist_ok=True)
         told = [copy.write(files) for copy in work]

@@ -61,6 +61,14 @@ class KernelError(RuntimeError):
     """The compiled kernel ``sheetmorph._core`` is missing, broken or of another version."""
 
 
+class OccupiedError(FileError):
+    """A file that SheetMorph did not write stands where it would write one."""
+
+    def __init__(self, path: str | Path):
+        what = "it is there already, and SheetMorph did not write it as it is now"
+        super().__init__(path, what, "name another place, remove it, or add --force (force=True)")
+
+
 def list_ids(ids: Sequence[int], shown: int = 8) -> str:
     """ "3, 7, 12 and 5 more": the first ids of a list, for messages."""
     text = ", ".join(str(int(i)) for i in list(ids)[:shown])

@@ -116,21 +116,23 @@ class Morph:
         self._last = self.session().deform(self.recipe.get("pose", {}))
         return self._last
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the recipe; its files are named relative to it."""
+    def save(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Write the recipe; its files are named relative to it. force: over a file that SheetMorph
+        did not write, too."""
         target = Path(path)
-        with FileSet() as files:
+        with FileSet("recipe", force=force) as files:
             recipe = self._seen_from(target.parent)
             text = json.dumps(recipe, indent=2, ensure_ascii=False, allow_nan=False)
             files.temporary_for(target).write_text(text + "\n", "utf-8")
             files.commit()
 
-    def write(self, folder: str | os.PathLike[str]) -> dict[str, Any]:
-        """Write the deformed parts into a folder, as the command run does; returns the report."""
+    def write(self, folder: str | os.PathLike[str], *, force: bool = False) -> dict[str, Any]:
+        """Write the deformed parts into a folder, as the command run does; returns the report.
+        force: over files that SheetMorph did not write, too."""
         with tempfile.TemporaryDirectory(prefix="sheetmorph-") as place:
             recipe = Path(place) / "recipe.json"
             recipe.write_text(json.dumps(self._seen_from(None)), "utf-8")
-            return run(recipe, Path(folder))
+            return run(recipe, Path(folder), force=force)
 
     def _region(self, where: Region, part: str | None) -> dict[str, Any]:
         if part is None and len(self.parts) != 1:

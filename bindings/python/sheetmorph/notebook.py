@@ -19,7 +19,7 @@ def picture_html(scene: Scene | None, title: str, told: str = "") -> str:
         try:
             with tempfile.TemporaryDirectory(prefix="sheetmorph-") as folder:
                 path = Path(folder) / "picture.png"
-                with FileSet() as files:
+                with FileSet(is_own=True) as files:
                     draw([(scene, path)], files)
                     files.commit()
                 data = base64.b64encode(path.read_bytes()).decode("ascii")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .errors import Fault, FileError, RecipeError
-from .files.atomic import require_file_place
+from .files.atomic import FileSet, require_file_place
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,14 @@ class Places:
             faults += self._report_faults(self.report)
         if faults:
             raise RecipeError(faults)
+
+    def require_ours(self, files: FileSet) -> None:
+        """Raises FileError for targets that `files` must not write over, before any work."""
+        files.reads += self.read
+        for target in self.parts:
+            files.require_ours(target)
+        if self.report is not None:
+            files.require_ours(self.report, "report")
 
     def _report_faults(self, report: Path) -> list[Fault]:
         if _is_one_of(report, [self.out]):

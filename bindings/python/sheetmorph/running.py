@@ -131,6 +131,7 @@ def run(
     wide: bool = False,
     repair: str | None = None,
     progress: Progress | None = None,
+    force: bool = False,
 ) -> dict[str, Any]:
     """Deform the parts of a recipe file and write them under out_dir; returns the report.
 
@@ -141,17 +142,20 @@ def run(
     certificate; pictures: before.png and after.png beside the parts; step: parts of CAD files are
     written as STEP, too; wide: moved nodes of decks get long fields; repair: criteria until which
     nodes of decks slide in their sheet; progress(fraction, task)
-    returns whether to go on. Raises RecipeError, FileError, KernelError, CertificateError,
-    PictureError, OSError; then no part is written.
+    returns whether to go on; force: files that SheetMorph did not write are written over. Raises
+    RecipeError, FileError, KernelError, CertificateError, PictureError, OSError; then no part is
+    written.
     """
     path, out = Path(recipe_path), Path(out_dir)
     morph = _Morph(path, Ways(strict, progress or _keep_going, pictures, step, repair))
     morph.widen(wide)
     read, wanted = morph.pose(pose)
     places = morph.places(read, out, None if report is None else Path(report))
+    files = files or FileSet(force=force)
+    places.require_ours(files)
     morph.factorise()
     with named_in(read[0] if read else path):
-        return morph.write(wanted, places, files or FileSet())
+        return morph.write(wanted, places, files)
 
 
 @dataclass(frozen=True)
@@ -224,7 +228,7 @@ class _Morph:
         result = self._repaired(result)
         timings = {**self._timings, "deform": time.perf_counter() - begin}
         told = told_of_files(result, self._parts.sources, self._joints)
-        _certify(result, told, (timings, places.report, self._ways.strict))
+        _certify(result, told, (timings, places.report, self._ways.strict), files)
         self._ways.progress(0.97, "writing")
         scenes = before_and_after(result) if self._ways.pictures else ()
         pictures = [
@@ -268,19 +272,23 @@ def _keep_going(_fraction: float, _task: str) -> bool:
 
 
 def _certify(
-    result: Result, beside: FilesTold, ways: tuple[dict[str, float], Path | None, bool]
+    result: Result,
+    beside: FilesTold,
+    ways: tuple[dict[str, float], Path | None, bool],
+    files: FileSet,
 ) -> None:
     timings, report, strict = ways
     found = make_report(result, None, timings, beside=beside)
     if found["certificate"]["passed"] and not (strict and found["warnings"]):
         return
-    _fail(found, report)
+    _fail(found, report, files)
 
 
-def _fail(found: dict[str, Any], report: Path | None) -> None:
-    """Leave the report alone. Raises CertificateError."""
+def _fail(found: dict[str, Any], report: Path | None, files: FileSet) -> None:
+    """Write the report alone, by the rules of `files`. Raises CertificateError."""
     if report is not None:
-        with FileSet() as out:
+        with FileSet(force=files.force) as out:
+            out.reads = files.reads
             _put_report(out, report, found)
             out.commit()
     raise CertificateError(found)
@@ -312,7 +320,7 @@ class Writer:
             if not files.committed:
                 _remove_empty(new_folders)
         if not files.committed:
-            _fail(report, self.places.report)
+            _fail(report, self.places.report, files)
         return report
 
     def write_parts(self) -> tuple[dict[str, Any], dict[str, WrittenPart]]:
@@ -401,6 +409,6 @@ def _remove_empty(folders: list[Path]) -> None:
 
 def _put_report(files: FileSet, path: Path, report: dict[str, Any]) -> None:
     text = json.dumps(report, indent=2, ensure_ascii=False, allow_nan=False)
-    temporary = files.temporary_for(path)
+    temporary = files.temporary_for(path, "report")
     with files.named(temporary):
         temporary.write_text(text + "\n", "utf-8")

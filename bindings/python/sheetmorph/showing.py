@@ -48,7 +48,8 @@ def show(
         else:
             model = check_with_meshes(parts.resolved.recipe, parts.meshes, parts.found)
             scene = scene_of_recipe(model, parts.meshes, _title(path, pose), pose or "")
-    with files or FileSet() as out:
+    with files or FileSet("show") as out:
+        out.reads += [path, *(file for source in parts.sources for file in source.file.files_read)]
         draw([(_seen_from(scene, view), Path(picture))], out)
         out.commit()
 

@@ -61,11 +61,16 @@ class Targets:
 
 
 def certify(
-    recipe_path: str | Path, out_dir: str | Path, criteria: Criteria, targets: Targets = Targets()
+    recipe_path: str | Path,
+    out_dir: str | Path,
+    criteria: Criteria,
+    targets: Targets = Targets(),
+    *,
+    files: FileSet | None = None,
 ) -> dict[str, Any]:
     """Certify what a run of a recipe wrote into a folder; returns the certificate.
 
-    Raises RecipeError, FileError, KernelError, OSError, and NotCertified once the certificate is
+    files: a new FileSet for the targets. Raises RecipeError, FileError, KernelError, OSError, and NotCertified once the certificate is
     written.
     """
     path, folder = Path(recipe_path), Path(out_dir)
@@ -77,10 +82,17 @@ def certify(
     model = model_of(whole if parts.found is None else filled(whole, parts.found))
     certifier = Certifier(parts, model, criteria, Inputs(path, beside))
     places = {name: at for s in parts.sources for name, at in _places_in(s, folder).items()}
+    files = files or FileSet("certify")
+    files.reads += [path, *(file for s in parts.sources for file in s.file.files_read)]
+    files.reads += [file for s in parts.sources for file in s.file.targets(folder)]
+    files.reads += [file for one in beside for file in (one.file.path, *one.targets(folder))]
+    for target in (targets.json, targets.page):
+        if target is not None:
+            files.require_ours(target)
     written = certifier.written(places)
     sizes = {name: motion.size for name, motion in model.pose.items() if motion.size is not None}
     certificate = certifier.certificate(folder, written, sizes)
-    _write(certificate, written, targets)
+    _write(certificate, written, targets, files)
     if not certificate["passed"]:
         raise NotCertified(certificate)
     return certificate
@@ -170,8 +182,10 @@ def _digests(paths: list[Path]) -> list[dict[str, str]]:
     return [{"file": path.name, "sha256": digest(path)} for path in dict.fromkeys(paths)]
 
 
-def _write(certificate: dict[str, Any], written: dict[str, Written], targets: Targets) -> None:
-    with FileSet() as files:
+def _write(
+    certificate: dict[str, Any], written: dict[str, Written], targets: Targets, files: FileSet
+) -> None:
+    with files:
         if targets.json is not None:
             text = json.dumps(certificate, indent=2, ensure_ascii=False, allow_nan=False)
             files.temporary_for(targets.json).write_text(text + "\n", "utf-8")

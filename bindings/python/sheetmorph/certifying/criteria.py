@@ -11,6 +11,7 @@ from typing import Any
 
 from ..errors import FileError
 from ..files.comments import plain_json
+from ..files.reading import read_text
 from .quality import MEASURES
 
 _OTHERS = ("set", "comment", "elements", "time_step", "features", "contacts")
@@ -45,7 +46,7 @@ def read_criteria(name: str | Path | None) -> Criteria:
         return _criteria(Path(key), key, sets[key])
     path = Path(name)
     try:
-        found = json.loads(plain_json(path.read_text("utf-8-sig")))
+        found = json.loads(plain_json(read_text(path)))
     except OSError as error:
         todo = f"name a file, or one of the sets {', '.join(sets)}"
         raise FileError(path, f"cannot be read ({error.strerror or error})", todo) from None

@@ -8,11 +8,12 @@ import os
 import secrets
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from ..errors import FileError
+from ..errors import FileError, OccupiedError
 from .beside import require_unread
+from .ledger import Ledger
 from .signals import postponed
 
 
@@ -21,11 +22,20 @@ class FileSet:
 
     Use it in a ``with`` block; leaving the block without ``commit()`` removes the temporaries.
     ``committed`` is true as soon as every file has its name. flushed: whether the files are on the
-    disk before they get their names; whoever says no sees to it by himself.
+    disk before they get their names; whoever says no sees to it by himself. ``force``: whether
+    files that the program did not write are written over; ``reads``: those that are never written
+    over, as what is written was made of them; by: the command that writes, which may replace what
+    it wrote before; is_own: the folder is the program's own, where everything may be replaced.
     """
 
-    def __init__(self, *, flushed: bool = True) -> None:
+    def __init__(
+        self, by: str = "run", *, flushed: bool = True, force: bool = False, is_own: bool = False
+    ) -> None:
+        self._by, self._other = by, dict[Path, str]()
         self._flushed = flushed
+        self.force = force
+        self.reads: list[Path] = []
+        self._is_own = is_own
         self._pending: list[tuple[Path, Path]] = []
         self.committed = False
 
@@ -41,13 +51,16 @@ class FileSet:
         if isinstance(error, OSError) and pending:
             raise _of_target(error, pending) from error
 
-    def temporary_for(self, path: Path) -> Path:
+    def temporary_for(self, path: Path, by: str = "") -> Path:
         """A new name beside `path`, hidden, with the same suffix (readers go by it).
 
-        Raises FileError if the folder does not exist.
+        by: what writes it, if it is not the command of the set. Raises FileError if the folder does
+        not exist.
         """
         if not path.parent.is_dir():
             raise FileError(path, "its folder does not exist", "create the folder first")
+        if by:
+            self._other[path] = by
         temporary = _hidden(path)
         self._pending.append((temporary, path))
         return temporary
@@ -69,20 +82,43 @@ class FileSet:
         """Give every file its name, with SIGINT, SIGTERM and SIGHUP put off meanwhile.
 
         Raises FileError, also for a file that a recipe beside it reads and that would be another
-        one; then every place is as it was before.
+        one, OccupiedError for one that the program did not write; then every place is as it was
+        before.
         """
         places = [final for _temporary, final in self._pending]
         for temporary, final in self._pending:
             require_file_place(final)
             if final.exists() and not filecmp.cmp(temporary, final, shallow=False):
                 require_unread(final, places)
+                self.require_ours(final)
             if self._flushed:
                 with self.named(temporary):
                     flush(temporary)
+        made = [final for final in places if not final.exists() or self._may_replace(final)]
         with postponed():
             _rename_all(self._pending)
             self._pending.clear()
             self.committed = True
+            for folder in {final.parent for final in places} if self._flushed else ():
+                flush_folder(folder)
+        if not self._is_own:
+            Ledger().add((path, self._other.get(path, self._by)) for path in made)
+
+    def require_ours(self, path: Path, by: str = "") -> None:
+        """Raises FileError if what is written is made of a file, OccupiedError if the file stands
+        there, this command did not write it and `force` does not say to go on; by: as for
+        temporary_for()."""
+        if by:
+            self._other[path] = by
+        if not path.exists():
+            return
+        if any(other.exists() and os.path.samefile(path, other) for other in self.reads):
+            raise FileError(path, "it is read by this command", "name another file")
+        if not self._may_replace(path):
+            raise OccupiedError(path)
+
+    def _may_replace(self, path: Path) -> bool:
+        return self._is_own or self.force or Ledger().has(path, self._other.get(path, self._by))
 
 
 def _of_target(error: OSError, pairs: list[tuple[Path, Path]]) -> OSError:
@@ -99,6 +135,16 @@ def flush(path: Path) -> None:
     """Returns when a file is on the disk."""
     with open(path, "rb") as written:
         os.fsync(written.fileno())
+
+
+def flush_folder(folder: Path) -> None:
+    """Returns when the names in a folder are on the disk; systems that cannot say so are trusted."""
+    with suppress(OSError):
+        opened = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(opened)
+        finally:
+            os.close(opened)
 
 
 def require_file_place(path: Path) -> None:

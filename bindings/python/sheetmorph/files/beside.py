@@ -10,6 +10,7 @@ from pathlib import Path
 
 from ..errors import FileError
 from .comments import plain_json
+from .reading import read_text
 
 
 def require_unread(path: Path, replaced: Collection[Path]) -> None:
@@ -30,7 +31,7 @@ def require_unread(path: Path, replaced: Collection[Path]) -> None:
 def _read_by(path: Path) -> set[Path]:
     """The mesh files that a recipe names; none if the file is no recipe."""
     try:
-        text = path.read_text("utf-8-sig")
+        text = read_text(path)
         is_toml = path.suffix.lower() == ".toml"
         recipe = tomllib.loads(text) if is_toml else json.loads(plain_json(text))
     except (OSError, ValueError, RecursionError):

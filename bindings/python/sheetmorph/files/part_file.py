@@ -75,13 +75,14 @@ class PartFile(ABC):
     def stored_positions(self, path: Path) -> Floats:
         """Read `path`, a file written by save(), again: (n, 3) positions of the same vertices."""
 
-    def write(self, path: str | Path, positions: Floats) -> None:
+    def write(self, path: str | Path, positions: Floats, *, force: bool = False) -> None:
         """Write the deformed part beside `path`, then rename: never a half file.
 
-        positions: (n, 3) float64, mm, one row a vertex of ``mesh``.
-        Raises ValueError for another shape or numbers that are not finite, OSError.
+        positions: (n, 3) float64, mm, one row a vertex of ``mesh``; force: over a file that
+        SheetMorph did not write, too. Raises ValueError for another shape or numbers that are not
+        finite, FileError, OSError.
         """
-        with FileSet() as files:
+        with FileSet(force=force) as files:
             self.write_into(files, Path(path), positions)
             files.commit()
 

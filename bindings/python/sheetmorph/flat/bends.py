@@ -14,6 +14,7 @@ import numpy as np
 
 from ..arrays import Bools, Floats, Ints
 from ..errors import FileError
+from ..files.reading import read_bytes
 
 if TYPE_CHECKING:
     from .. import _core
@@ -37,7 +38,9 @@ class KTable:
     def read(cls, path: str | Path) -> KTable:
         """From a text file with a ratio and a K-factor a line. Raises FileError, OSError."""
         place, rows = Path(path), []
-        for number, line in enumerate(place.read_text("utf-8-sig", "replace").splitlines(), 1):
+        for number, line in enumerate(
+            read_bytes(place).decode("utf-8-sig", "replace").splitlines(), 1
+        ):
             words = line.split("#")[0].replace(",", " ").split()
             if words:
                 rows.append(_row(place, number, words))

@@ -15,6 +15,7 @@ from typing import Any
 
 from ..errors import Fault, RecipeError
 from ..files.comments import plain_json
+from ..files.reading import read_text
 from .lines import Lines, repeated_key
 
 _TOML_PLACE = re.compile(r" \((?:at line (\d+), column (\d+)|at end of document)\)$")
@@ -69,7 +70,7 @@ def _with_lines(path: str | Path, faults: Sequence[Fault]) -> list[Fault]:
 
 def _text_of(path: str | Path) -> str:
     try:
-        return Path(path).read_text("utf-8-sig")
+        return read_text(path)
     except OSError as error:
         what = f"cannot be read ({error.strerror or error})"
         raise _error(path, what, "check the path and its rights") from None

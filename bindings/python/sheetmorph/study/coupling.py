@@ -12,6 +12,7 @@ from typing import Any
 
 from ..errors import FileError, RecipeError
 from ..files.atomic import FileSet
+from ..files.reading import read_text
 from .evaluating import Evaluator
 
 _VALUE, _GRADIENT, _HESSIAN = 1, 2, 4
@@ -30,13 +31,18 @@ class Request:
     is_json: bool = False
 
 
-def evaluate_files(study: str | Path, asked: str | Path, answer: str | Path) -> list[str]:
+def evaluate_files(
+    study: str | Path, asked: str | Path, answer: str | Path, *, files: FileSet | None = None
+) -> list[str]:
     """Answer one request of another program; returns what to tell.
 
     What cannot be computed is answered as a failure, which Dakota captures. Raises RecipeError,
-    FileError, KernelError.
+    FileError, KernelError. files: a new FileSet.
     """
     evaluator = Evaluator(study)
+    files = files or FileSet("study")
+    files.reads += [Path(study), Path(asked), *evaluator.files_read]
+    files.require_ours(Path(answer))
     request = read_request(Path(asked), evaluator.columns)
     try:
         text = _answered(evaluator, request)
@@ -45,7 +51,7 @@ def evaluate_files(study: str | Path, asked: str | Path, answer: str | Path) -> 
         why = "; ".join(map(str, error.faults))
         text = _json({"status": "refused", "why": why}) if request.is_json else f"FAIL\n{why}\n"
         told = f"{answer}: not computed: {why}"
-    with FileSet() as files:
+    with files:
         files.temporary_for(Path(answer)).write_text(text, "utf-8")
         files.commit()
     return [told]
@@ -54,7 +60,7 @@ def evaluate_files(study: str | Path, asked: str | Path, answer: str | Path) -> 
 def read_request(path: Path, columns: list[str]) -> Request:
     """What is asked for; columns: the measures there are. Raises FileError."""
     try:
-        text = path.read_text("utf-8-sig")
+        text = read_text(path)
     except (OSError, UnicodeDecodeError) as error:
         raise FileError(path, f"cannot be read ({error})", "check the path") from None
     request = _from_json(path, text) if text.lstrip().startswith(("{\n", '{"', "{}")) else None

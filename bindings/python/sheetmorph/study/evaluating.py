@@ -56,6 +56,12 @@ class Evaluator:
         self.columns: list[str] = self._plan.columns
         self.bounds = np.array([_bounds(entry) for entry in self._plan.study.parameters])
 
+    @property
+    def files_read(self) -> list[Path]:
+        """The study, its recipe and the files of its parts."""
+        found: list[Path] = self._plan.files_read
+        return found
+
     def __call__(self, values: Given) -> dict[str, float | None]:
         """The measures, by column. Raises RecipeError for values that cannot be computed."""
         return self._measured(self._values(values))

@@ -61,6 +61,12 @@ class Plan:
         self._check_first()
 
     @property
+    def files_read(self) -> list[Path]:
+        """The study, its recipe and the files of its parts."""
+        parts = (path for source in self.parts.sources for path in source.file.files_read)
+        return [self.study.path, self.study.recipe, *parts]
+
+    @property
     def columns(self) -> list[str]:
         """The names of the measures, column by column."""
         return self.measures.columns

@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from ..files.reading import read_text
 from .plan import Plan
 from .ranges import FILE
 from .sampling import Values
@@ -53,7 +54,7 @@ def _limits(found: dict[str, Any]) -> list[tuple[Values, Values, str]]:
 def _read(path: Path) -> dict[str, Any]:
     """What a range.json says; nothing if there is none, or it cannot be understood."""
     try:
-        found = json.loads(path.read_text("utf-8"))
+        found = json.loads(read_text(path))
     except (OSError, ValueError):
         return {}
     return found if isinstance(found, dict) else {}

@@ -3,17 +3,16 @@
 
 from __future__ import annotations
 
-import fcntl
 import os
 import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ..errors import Fault, FileError, RecipeError
 from ..progress import Progress
+from ..words import counted
 from .engines.dask import dask_driver
 from .engines.driving import Hopes
 from .engines.processes import processes_driver
@@ -21,6 +20,7 @@ from .engines.scripts import Call
 from .engines.slurm import submit
 from .engines.snakemake import write_snakefile
 from . import ranges
+from .leases import alone, among_others
 from .plan import Plan
 from .refusing import Refusals
 from .rows import ERROR, FILE, REFUSED, Row
@@ -59,8 +59,9 @@ def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> li
     store = Store(Path(out))
     store.open()
     if ways.runs is not None:
-        return _Run(plan, store, ways).some(*ways.runs)
-    with _alone(store.out):
+        with among_others(store.out):
+            return _Run(plan, store, ways).some(*ways.runs)
+    with alone(store.out):
         run = _Run(plan, store, ways)
         store.tidy(run.hashes)
         if ways.engine in ("slurm", "snakemake"):
@@ -124,12 +125,17 @@ class _Run:
             self._compute(range(len(self.hashes)))
         except KeyboardInterrupt:
             self._tell()
-            raise
+            done = f"{len(self._rows)} of {self._total} variants are finished"
+            raise KeyboardInterrupt(f"{done}. Run the same command to continue.") from None
         self._store.sweep()
         summary = self._tell()
         costs = self._costs_of(time.perf_counter() - begin)
         write_json(self._store.out, {COSTS: costs})
-        return [_sentence(self._store.out, summary, costs)]
+        told = [_sentence(self._store.out, summary, costs)]
+        if aside := self._store.aside():
+            what = counted(aside, "finished variant", "finished variants")
+            told.append(f"{what} of other settings stay in it, under hidden names (.*.kept)")
+        return told
 
     def _tell(self) -> dict[str, Any]:
         return write_summary(self._plan, self._rows, self._store.out)
@@ -232,15 +238,3 @@ def _require_apart(plan: Plan, out: Path) -> None:
     if out.resolve() in [path.parent.resolve() for path in read]:
         what = f"{out} is the folder of the study, its recipe or a part"
         raise RecipeError([Fault("-o", what, "name a folder of its own")])
-
-
-@contextmanager
-def _alone(out: Path) -> Iterator[None]:
-    """Raises RecipeError where another process computes a study into the folder."""
-    with open(out / ".lock", "w", encoding="utf-8") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            what = f"another process computes a study in {out}"
-            raise RecipeError([Fault("-o", what, "wait for it, or name another folder")]) from None
-        yield

@@ -28,7 +28,7 @@ def write_summary(plan: Plan, rows: Rows, out: Path) -> dict[str, Any]:
         JSON: json.dumps(summary, indent=1, ensure_ascii=False, allow_nan=False) + "\n",
         PAGE: page_of(summary, out),
     }
-    with FileSet() as files:
+    with FileSet(is_own=True) as files:
         for name, text in texts.items():
             files.temporary_for(out / name).write_text(text, "utf-8", newline="")
         files.commit()

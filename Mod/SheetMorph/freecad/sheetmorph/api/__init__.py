@@ -47,6 +47,7 @@ from freecad.sheetmorph.api.files import (
     export_recipe,
     import_part,
     import_recipe,
+    in_the_way,
     write_parts,
 )
 from freecad.sheetmorph.api.finding import (
@@ -184,6 +185,7 @@ __all__ = [
     "import_cad",
     "import_deck",
     "import_part",
+    "in_the_way",
     "import_recipe",
     "invert",
     "keep_distance",

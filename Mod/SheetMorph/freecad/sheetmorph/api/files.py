@@ -70,13 +70,24 @@ def is_deck(path: str | os.PathLike) -> bool:
     return package.decks.is_deck(package.files.unpacked_name(path))
 
 
-def write_parts(assembly, folder: str | os.PathLike) -> list[Path]:
+def in_the_way(assembly, place: str | os.PathLike) -> list[Path]:
+    """Return the files of others that `write_parts` into a folder, or `export_recipe` to a path
+    that ends in .json, would write over: both refuse that, unless `force` says otherwise."""
+    require_assembly(assembly)
+    morph, path = solving.read_morph(assembly), Path(place)
+    if path.suffix.lower() == ".json":
+        return written.in_the_way(assembly, morph, path.parent, "recipe", path.name)
+    return written.in_the_way(assembly, morph, path, "run", "report.json")
+
+
+def write_parts(assembly, folder: str | os.PathLike, *, force: bool = False) -> list[Path]:
     """Write every part, deformed exactly, into `folder` and return the files and the report.
 
     An imported part is written in its own format with only the coordinates changed, any other as
     OBJ; coordinates are global, in double. Where a part has a deformed shape, that is brought up to
     date and written beside it as STEP. `report.json` says how good the result is. Either all
-    files appear or none. Raises MorphError, ValueError, OSError.
+    files appear or none; those that SheetMorph did not write stay, unless `force`. Raises
+    MorphError, ValueError, OSError.
     """
     require_assembly(assembly)
     morph = solving.read_morph(assembly)
@@ -84,28 +95,29 @@ def write_parts(assembly, folder: str | os.PathLike) -> list[Path]:
     cache = solving.cache_of(assembly)
     positions = solving.deform(assembly)
     report = cache.result(morph).report() if morph.is_held() else None
-    return written.write_parts(assembly, morph, positions, (Path(folder), report))
+    return written.write_parts(assembly, morph, positions, (Path(folder), report), force=force)
 
 
-def export_recipe(assembly, path: str | os.PathLike) -> Path:
+def export_recipe(assembly, path: str | os.PathLike, *, force: bool = False) -> Path:
     """Write an assembly as a recipe, its parts at rest beside it, and return the path.
 
     `python3 -m sheetmorph run` and `import_recipe` give the same morph again, to the last digit.
     Imported parts whose source was moved have the coordinates of their file and a `placement`.
-    Raises MorphError, ValueError, OSError; then nothing is written.
+    Files that SheetMorph did not write stay, unless `force`. Raises MorphError, ValueError,
+    OSError; then nothing is written.
     """
     require_assembly(assembly)
-    return write_recipe(assembly, Path(path))
+    return write_recipe(assembly, Path(path), force=force)
 
 
-def write_recipe(assembly, path: Path, *, is_placed: bool = True) -> Path:
+def write_recipe(assembly, path: Path, *, is_placed: bool = True, force: bool = False) -> Path:
     """Do what `export_recipe` does; if not `is_placed`, parts are written where they stand, as
     `write_parts` writes them."""
     morph = solving.read_morph(assembly)
     if not morph.rests:
         raise ValueError(f"The morph '{assembly.Label}' has no part yet; add one first.")
     poses = named_poses(assembly, morph.names)
-    return written.write_recipe(assembly, morph, path, poses, is_placed=is_placed)
+    return written.write_recipe(assembly, morph, path, poses, is_placed=is_placed, force=force)
 
 
 @together()

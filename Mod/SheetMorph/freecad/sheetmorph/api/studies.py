@@ -309,7 +309,7 @@ def apply(places: dict[str, tuple], values: dict[str, float]) -> None:
 
 def write(path: Path, data: dict) -> None:
     """Write a JSON file, whole or not at all."""
-    with kernel.load().files.atomic.FileSet() as files:
+    with kernel.load().files.atomic.FileSet("recipe") as files:
         text = json.dumps(data, indent=1, ensure_ascii=False)
         files.temporary_for(path).write_text(text + "\n", "utf-8")
         files.commit()

@@ -20,15 +20,26 @@ Meshes = dict[str, Callable[[], Any]]
 """By object name of a part, what makes a sheetmorph.PartMesh of it, vertices called by indices."""
 
 
-def write_parts(assembly, morph, positions: dict[str, np.ndarray], place: tuple) -> list[Path]:
+def in_the_way(assembly, morph, folder: Path, by: str, *others: str) -> list[Path]:
+    """Return the files that exporting into a folder would write over and that are not from an
+    earlier export; `by`: what exports, `others`: names besides those of the parts."""
+    ledger = kernel.load().files.ledger.Ledger()
+    names = dict.fromkeys((*file_names(assembly, morph).values(), *others))
+    places = (folder / name for name in names)
+    return [place for place in places if place.exists() and not ledger.has(place, by)]
+
+
+def write_parts(
+    assembly, morph, positions: dict[str, np.ndarray], place: tuple, *, force: bool = False
+) -> list[Path]:
     """Write all parts at global `positions` (n, 3) by object name; return the paths.
 
-    `place`: the folder, made if missing, and the report, None for none. Raises MorphError if a
-    joint of a deck comes apart.
+    `place`: the folder, made if missing, and the report, None for none; `force`: over files that
+    SheetMorph did not write, too. Raises MorphError if a joint of a deck comes apart.
     """
     folder, report = place
     folder.mkdir(parents=True, exist_ok=True)
-    with kernel.load().files.atomic.FileSet() as files:
+    with kernel.load().files.atomic.FileSet(force=force) as files:
         paths, told, _ = write_files(files, assembly, morph, (folder, positions))
         for part in model.parts(assembly):
             if part.DeformedShape is not None:
@@ -86,12 +97,14 @@ def writers(assembly, morph) -> dict[str, tuple]:
     return found
 
 
-def write_recipe(assembly, morph, path: Path, poses: dict, *, is_placed: bool = True) -> Path:
+def write_recipe(
+    assembly, morph, path: Path, poses: dict, *, is_placed: bool = True, force: bool = False
+) -> Path:
     """Write the recipe with its poses to `path`, the parts at rest beside it; return the path.
 
     Regions say what they are, where that stands for their vertices in the files too. A part whose
     source stands elsewhere than its file says keeps the coordinates of that, and has a placement,
-    if `is_placed`.
+    if `is_placed`. `force`: over files that SheetMorph did not write, too.
     """
     names = file_names(assembly, morph)
     owners = writers(assembly, morph).values()
@@ -112,7 +125,7 @@ def write_recipe(assembly, morph, path: Path, poses: dict, *, is_placed: bool = 
     recipe |= said
     rests = {name: rest.points for name, rest in morph.rests.items()}
     rests |= {p.Name: read_kept(p).points for p in model.parts(assembly) if p.Name in placed}
-    with kernel.load().files.atomic.FileSet() as files:
+    with kernel.load().files.atomic.FileSet("recipe", force=force) as files:
         _, _, meshes = write_files(files, assembly, morph, (path.parent, rests))
         for name, text in texts.items():
             files.temporary_for(path.parent / name).write_bytes(text.encode("latin-1"))

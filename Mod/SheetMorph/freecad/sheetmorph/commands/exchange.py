@@ -6,13 +6,14 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.sheetmorph import actions, paths, subject
+from freecad.sheetmorph import actions, api, paths, subject
 from freecad.sheetmorph.actions import DOCUMENT, call, name
 from freecad.sheetmorph.commands.base import Command
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 QT_TRANSLATE_NOOP = QtCore.QT_TRANSLATE_NOOP
 RECIPES = "Recipes (*.json)"
+MOST_NAMES = 8
 CRITERIA = ["standard", "crash", "static"]
 
 
@@ -39,6 +40,26 @@ def example_recipes() -> dict[str, str]:
     return found
 
 
+def asked_to_write(title: str, owner, place: str) -> dict[str, str] | None:
+    """The keywords of a call that writes to a place; None if files of others stand there and the
+    user wants to keep them."""
+    found = api.in_the_way(owner, place)
+    if not found:
+        return {}
+    text = translate(
+        "SheetMorph_ExportParts",
+        "These files are there already, and SheetMorph did not write them as they are now:",
+    )
+    names = "\n".join(file.name for file in found[:MOST_NAMES])
+    names += "\n…" if len(found) > MOST_NAMES else ""
+    question = translate("SheetMorph_ExportParts", "Write over them?")
+    box = QtWidgets.QMessageBox
+    answer = box.question(
+        Gui.getMainWindow(), title, f"{text}\n\n{names}\n\n{question}", box.Yes | box.No, box.No
+    )
+    return {"force": "True"} if answer == box.Yes else None
+
+
 class ExportParts(Command):
     """Writes the deformed parts, each in the format it came in."""
 
@@ -60,7 +81,10 @@ class ExportParts(Command):
         window = Gui.getMainWindow()
         title = translate("SheetMorph_ExportParts", "Export Parts")
         folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
-        if folder and actions.wait(title, call("write_parts", name(owner), repr(folder))):
+        ways = asked_to_write(title, owner, folder) if folder else None
+        if ways is None:
+            return
+        if actions.wait(title, call("write_parts", name(owner), repr(folder), **ways)):
             App.Console.PrintMessage(f"SheetMorph: parts written to {folder}\n")
 
 
@@ -92,8 +116,11 @@ class Certify(Command):
         if not is_chosen:
             return
         folder = QtWidgets.QFileDialog.getExistingDirectory(window, title)
-        line = call("certify", name(owner), repr(folder), repr(criteria))
-        if folder and actions.wait(title, f"certificate = {line}"):
+        ways = asked_to_write(title, owner, folder) if folder else None
+        if ways is None:
+            return
+        line = call("certify", name(owner), repr(folder), repr(criteria), **ways)
+        if actions.wait(title, f"certificate = {line}"):
             certificate_dialog.show(folder)
 
 
@@ -116,8 +143,10 @@ class ExportRecipe(Command):
         window = Gui.getMainWindow()
         title = translate("SheetMorph_ExportRecipe", "Export Recipe")
         path, _ = QtWidgets.QFileDialog.getSaveFileName(window, title, "recipe.json", RECIPES)
-        if path:
-            actions.record(call("export_recipe", name(subject.assembly()), repr(path)))
+        owner = subject.assembly()
+        ways = asked_to_write(title, owner, path) if path else None
+        if ways is not None:
+            actions.record(call("export_recipe", name(owner), repr(path), **ways))
 
 
 class ImportRecipe(Command):

@@ -41,6 +41,6 @@ def path() -> str:
 
 def write_script(place: Path, text: str) -> None:
     """Write a script, whole or not at all."""
-    with FileSet() as files:
+    with FileSet(is_own=True) as files:
         files.temporary_for(place).write_text(text, "utf-8")
         files.commit()

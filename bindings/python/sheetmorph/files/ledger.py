@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which files the program wrote: only these may be written over without being asked to.
+
+One line a file in the user's folder for the state of programs: its size, its time of change in
+nanoseconds, what wrote it (run, find, ...) and its path. A file that somebody changed since, or
+that another command wrote, is not ours to replace.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Iterable
+from contextlib import suppress
+from pathlib import Path
+
+# Bytes of the ledger from which its older half is forgotten.
+_LARGEST = 4_000_000
+
+
+class Ledger:
+    """place: the file of the ledger, that of the user if None."""
+
+    def __init__(self, place: Path | None = None) -> None:
+        self._place = place or _of_user()
+
+    def has(self, path: Path, by: str) -> bool:
+        """Whether a command wrote the file, and it stayed as it was written."""
+        with suppress(OSError):
+            return self._lines()[0].get(_name_of(path)) == _line_of(path, by)
+        return False
+
+    def add(self, written: Iterable[tuple[Path, str]]) -> None:
+        """Note files and the command that wrote each. A ledger that cannot be written is no fault
+        of a run: the next one asks once more."""
+        with suppress(OSError):
+            text = "".join(_line_of(path, by) for path, by in written)
+            self._place.parent.mkdir(parents=True, exist_ok=True)
+            known, size = self._lines()
+            if size > _LARGEST:
+                kept = list(known.values())
+                self._place.write_text("".join(kept[len(kept) // 2 :]), "utf-8")
+            # One write to the end, so that processes beside each other lose no line.
+            with self._place.open("ab") as file:
+                file.write(text.encode("utf-8"))
+
+    def _lines(self) -> tuple[dict[str, str], int]:
+        """The last line of every path, by path; how many bytes there are."""
+        try:
+            text = self._place.read_text("utf-8", errors="replace")
+        except FileNotFoundError:
+            return {}, 0
+        lines = text.splitlines(keepends=True)
+        return {line.split(" ", 3)[-1]: line for line in lines}, len(text)
+
+
+def _name_of(path: Path) -> str:
+    return json.dumps(str(path.parent.resolve() / path.name)) + "\n"
+
+
+def _line_of(path: Path, by: str) -> str:
+    found = path.stat()
+    return f"{found.st_size} {found.st_mtime_ns} {by} {_name_of(path)}"
+
+
+def _of_user() -> Path:
+    if sys.platform == "win32":
+        state = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
+    elif sys.platform == "darwin":
+        state = "~/Library/Application Support"
+    else:
+        state = os.environ.get("XDG_STATE_HOME") or "~/.local/state"
+    return Path(state).expanduser() / "sheetmorph" / "written.txt"

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Who works on what in the folder of a study: locks that end with their process, however it ends."""
+
+from __future__ import annotations
+
+import errno
+import fcntl
+import os
+import stat
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import TracebackType
+
+from ..errors import Fault, FileError, RecipeError
+
+# Seconds for which a job of a batch system waits until the call that started it is done.
+_PATIENCE = 60.0
+# Seconds after which a folder without a lease, as older versions made them, is nobody's.
+_LONG_AGO = 3600.0
+_LOCK = ".lock"
+_TAKEN = (errno.EAGAIN, errno.EACCES)
+
+
+class Lease:
+    """A file that this process has locked as long as the ``with`` block lasts."""
+
+    def __init__(self, place: Path):
+        self._place, self._file = place, -1
+
+    def __enter__(self) -> Lease:
+        self._file = os.open(self._place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+        _try_lock(self._file, fcntl.LOCK_EX)
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._place.unlink(missing_ok=True)
+        os.close(self._file)
+
+
+def is_abandoned(lease: Path, folder: Path) -> bool:
+    """Whether nobody works on a folder any more: the process that held its lease has ended."""
+    try:
+        file = os.open(lease, os.O_RDWR | os.O_CLOEXEC)
+    except FileNotFoundError:
+        try:
+            return time.time() - folder.stat().st_mtime > _LONG_AGO
+        except OSError:
+            return False
+    except OSError:
+        return False
+    try:
+        return _try_lock(file, fcntl.LOCK_EX)
+    finally:
+        os.close(file)
+
+
+@contextmanager
+def alone(out: Path) -> Iterator[None]:
+    """Raises RecipeError where another call computes a study, or some of its runs, in a folder."""
+    with _opened(out) as file:
+        if not _try_lock(file, fcntl.LOCK_EX):
+            raise _busy(out)
+        yield
+
+
+@contextmanager
+def among_others(out: Path) -> Iterator[None]:
+    """For calls that compute some of the runs each. Raises RecipeError where a call that computes
+    all of them goes on for long."""
+    with _opened(out) as file:
+        deadline = time.monotonic() + _PATIENCE
+        while not _try_lock(file, fcntl.LOCK_SH):
+            if time.monotonic() > deadline:
+                raise _busy(out)
+            time.sleep(0.1)
+        yield
+
+
+@contextmanager
+def _opened(out: Path) -> Iterator[int]:
+    place = out / _LOCK
+    # A pipe without a reader must not make it wait.
+    file = os.open(place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC | os.O_NONBLOCK, 0o666)
+    try:
+        if not stat.S_ISREG(os.fstat(file).st_mode):
+            raise FileError(place, "it is a device or a pipe", "remove it")
+        yield file
+    finally:
+        os.close(file)
+
+
+def _try_lock(file: int, how: int) -> bool:
+    """Whether a file could be locked; where locks do not exist, nobody is known to hold one."""
+    try:
+        fcntl.flock(file, how | fcntl.LOCK_NB)
+    except OSError as error:
+        return error.errno not in _TAKEN and how == fcntl.LOCK_SH
+    return True
+
+
+def _busy(out: Path) -> RecipeError:
+    what = f"another process computes a study in {out}"
+    return RecipeError([Fault("-o", what, "wait for it, or name another folder")])
