@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wrong with a morph is one sentence in the panel, with buttons that show and mend it."""
 
+import threading
+import time
 from pathlib import Path
 
 import FreeCAD as App
@@ -11,6 +13,7 @@ from checks_tutorial import answer, menu
 from desk import WORK, answered, child, clear_report_view, click_point, click_widget, enter, panel
 from desk import picture, press, press_tool, report_view, settled, until
 from freecad.sheetmorph import api
+from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
 from scenes import assembly, drawn, handle_vertices, look, new_assembly, new_morph, part, regions
@@ -24,7 +27,78 @@ __all__ = [
     "test_a_region_that_cannot_be_is_refused_in_its_panel",
     "test_a_pick_leaves_out_what_another_handle_has_and_says_so",
     "test_a_recipe_keeps_the_meshes_that_it_reads",
+    "test_whatever_a_frame_raises_is_shown_and_the_next_one_follows",
+    "test_what_is_under_way_ends_when_nobody_listens",
 ]
+
+
+class Listener:
+    """Notes what a worker delivers; raises what it is told to when it draws."""
+
+    def __init__(self):
+        self.answers, self.faults = [], []
+
+    def on_answer(self, answer):
+        if isinstance(answer, BaseException):
+            raise answer
+        self.answers.append(answer)
+
+    def on_fault(self, text):
+        self.faults.append(text)
+
+    def on_progress(self, _task):
+        pass
+
+
+RAISED = [
+    ValueError("v"), RuntimeError("r"), OSError(28, "full"), TypeError("t"), KeyError("k"),
+    MemoryError(), ArithmeticError("a"), ZeroDivisionError("z"), OverflowError("o"),
+    FloatingPointError("f"), AssertionError(), AttributeError("x"), BufferError("b"),
+    EOFError(), ImportError("i"), IndexError("n"), NameError("m"), RecursionError("d"),
+    ReferenceError("e"), StopIteration(), SystemError("s"), UnicodeError("u"),
+    np.linalg.LinAlgError("singular"), Exception(),
+]  # fmt: skip
+
+
+def test_whatever_a_frame_raises_is_shown_and_the_next_one_follows():
+    def compute(question):
+        where, error = question
+        if where == "thread":
+            raise error
+        return error
+
+    listener = Listener()
+    worker = FrameWorker(compute, listener)
+    try:
+        for where in ("thread", "window"):
+            for count, error in enumerate(RAISED, 1):
+                worker.ask((where, error))
+                yield from until(lambda n=count: len(listener.faults) == n, repr(error))
+                assert listener.faults[-1].strip(), repr(error)
+                worker.ask(("", where))
+                yield from until(lambda n=count: len(listener.answers) == n, "the next frame")
+            listener.faults.clear()
+            listener.answers.clear()
+    finally:
+        worker.stop()
+
+
+def test_what_is_under_way_ends_when_nobody_listens():
+    begun = threading.Event()
+
+    def compute(_question):
+        begun.set()
+        while worker.is_free:
+            time.sleep(0.001)
+        return "ended"
+
+    listener = Listener()
+    worker = FrameWorker(compute, listener)
+    worker.ask("what takes for ever")
+    yield from until(begun.is_set, "the thread")
+    worker.stop()
+    yield from settled()
+    assert listener.answers == [] and listener.faults == []
 
 
 def add_overlapping_handle():

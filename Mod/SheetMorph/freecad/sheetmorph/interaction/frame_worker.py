@@ -5,7 +5,7 @@ from concurrent import futures
 
 from freecad.sheetmorph import actions
 from freecad.sheetmorph.garbage import collecting
-from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.latest import Latest
 
 
@@ -14,8 +14,9 @@ class FrameWorker(QtCore.QObject):
 
     ``compute(question)`` runs in the thread; the listener's ``on_answer(answer)`` or
     ``on_fault(text)`` runs in the thread of the window, before the next question begins, and
-    ``on_progress(task)`` for what ``compute`` hands to ``tell`` meanwhile. Whoever makes one calls
-    ``stop``: until then garbage is collected in the thread of the window alone.
+    ``on_progress(task)`` for what ``compute`` hands to ``tell`` meanwhile. Whatever either raises is
+    a fault, and the next question is answered all the same. Whoever makes one calls ``stop``: until
+    then garbage is collected in the thread of the window alone.
     """
 
     _computed = QtCore.Signal(object, str)
@@ -39,8 +40,9 @@ class FrameWorker(QtCore.QObject):
 
     @property
     def is_free(self) -> bool:
-        """Whether nothing newer has been asked for."""
-        return not self._latest.is_waiting
+        """Whether what is under way is still wanted: somebody listens, and nothing newer has been
+        asked for."""
+        return self._listener is not None and not self._latest.is_waiting
 
     def ask(self, question) -> None:
         """Begins, or lets the question wait in place of another one."""
@@ -58,7 +60,8 @@ class FrameWorker(QtCore.QObject):
         self._listener = None
 
     def stop(self) -> None:
-        """Returns when the thread has ended; nothing is delivered any more."""
+        """Returns when the thread has ended; nothing is delivered any more. What is under way ends
+        as soon as it looks at `is_free`."""
         self.hush()
         self._thread.shutdown(wait=True)
         if self._is_running:
@@ -72,8 +75,8 @@ class FrameWorker(QtCore.QObject):
     def _run(self, question) -> None:
         try:
             answer, fault = self._compute(question), ""
-        except actions.FAULTS as error:
-            answer, fault = None, str(error) or type(error).__name__
+        except Exception as error:  # whatever it is, it is shown and the next frame is tried
+            answer, fault = None, told(error)
         self._computed.emit(answer, fault)
 
     def _pass_on(self, task: str) -> None:
@@ -83,9 +86,27 @@ class FrameWorker(QtCore.QObject):
     def _deliver(self, answer, fault: str) -> None:
         if self._listener is None:
             return
-        if fault:
+        if not fault:
+            try:
+                self._listener.on_answer(answer)
+            except Exception as error:  # as above: the worker must not stay busy for ever
+                fault = told(error)
+        if fault and self._listener is not None:
             self._listener.on_fault(fault)
-        else:
-            self._listener.on_answer(answer)
         if self._listener is not None:
             self._begin(self._latest.finish())
+
+
+def told(error: Exception) -> str:
+    """What went wrong, in words for the panel."""
+    if isinstance(error, MemoryError):
+        return translate(
+            "SheetMorph_panels",
+            "There is not enough memory for this shape. Close other documents, or mesh it coarser.",
+        )
+    if isinstance(error, actions.FAULTS) and str(error):
+        return str(error)
+    text = translate(
+        "SheetMorph_panels", "This shape failed for an unknown reason ({0}). Please report it."
+    )
+    return text.format(" ".join(f"{type(error).__name__} {error}".split()))
