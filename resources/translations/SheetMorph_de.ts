@@ -109,6 +109,14 @@
  <context>
   <name>SheetMorph_ExportParts</name>
   <message>
+   <source>These files are there already, and SheetMorph did not write them as they are now:</source>
+   <translation>Diese Dateien gibt es schon, und SheetMorph hat sie nicht so geschrieben, wie sie jetzt sind:</translation>
+  </message>
+  <message>
+   <source>Write over them?</source>
+   <translation>Sollen sie überschrieben werden?</translation>
+  </message>
+  <message>
    <source>Export Parts…</source>
    <translation>Teile exportieren…</translation>
   </message>
@@ -1257,6 +1265,14 @@
  </context>
  <context>
   <name>SheetMorph_panels</name>
+  <message>
+   <source>This shape failed for an unknown reason ({0}). Please report it.</source>
+   <translation>Diese Form konnte aus unbekanntem Grund nicht berechnet werden ({0}). Bitte melden Sie das.</translation>
+  </message>
+  <message>
+   <source>There is not enough memory for this shape. Close other documents, or mesh it coarser.</source>
+   <translation>Der Speicher reicht für diese Form nicht. Schließen Sie andere Dokumente, oder vernetzen Sie gröber.</translation>
+  </message>
   <message>
    <source>There is nothing to show: no contact is in use.</source>
    <translation>Es gibt nichts zu zeigen: kein Kontakt ist in Gebrauch.</translation>

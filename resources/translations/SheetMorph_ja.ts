@@ -109,6 +109,14 @@
  <context>
   <name>SheetMorph_ExportParts</name>
   <message>
+   <source>These files are there already, and SheetMorph did not write them as they are now:</source>
+   <translation>次のファイルはすでにあり、SheetMorph が書いたままのものではありません:</translation>
+  </message>
+  <message>
+   <source>Write over them?</source>
+   <translation>上書きしますか?</translation>
+  </message>
+  <message>
    <source>Export Parts…</source>
    <translation>部品を書き出す…</translation>
   </message>
@@ -1257,6 +1265,14 @@
  </context>
  <context>
   <name>SheetMorph_panels</name>
+  <message>
+   <source>This shape failed for an unknown reason ({0}). Please report it.</source>
+   <translation>原因不明のエラーでこの形状を計算できませんでした ({0})。ご報告ください。</translation>
+  </message>
+  <message>
+   <source>There is not enough memory for this shape. Close other documents, or mesh it coarser.</source>
+   <translation>この形状を計算するにはメモリが足りません。ほかのドキュメントを閉じるか、メッシュを粗くしてください。</translation>
+  </message>
   <message>
    <source>There is nothing to show: no contact is in use.</source>
    <translation>表示するものがありません。使用中の接触がありません。</translation>

@@ -70,8 +70,8 @@ def certify(
 ) -> dict[str, Any]:
     """Certify what a run of a recipe wrote into a folder; returns the certificate.
 
-    files: a new FileSet for the targets. Raises RecipeError, FileError, KernelError, OSError, and NotCertified once the certificate is
-    written.
+    files: a new FileSet for the targets. Raises RecipeError, FileError, KernelError, OSError, and
+    NotCertified once the certificate is written.
     """
     path, folder = Path(recipe_path), Path(out_dir)
     recipe = read_json(path)

@@ -138,7 +138,7 @@ def flush(path: Path) -> None:
 
 
 def flush_folder(folder: Path) -> None:
-    """Returns when the names in a folder are on the disk; systems that cannot say so are trusted."""
+    """Returns when the names in a folder are on the disk, where a system can tell."""
     with suppress(OSError):
         opened = os.open(folder, os.O_RDONLY)
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who works on what in the folder of a study: locks that end with their process, however it ends."""
+"""Who works on what in the folder of a study: locks that end with their process."""
 
 from __future__ import annotations
 

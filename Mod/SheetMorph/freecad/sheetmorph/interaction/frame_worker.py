@@ -14,8 +14,8 @@ class FrameWorker(QtCore.QObject):
 
     ``compute(question)`` runs in the thread; the listener's ``on_answer(answer)`` or
     ``on_fault(text)`` runs in the thread of the window, before the next question begins, and
-    ``on_progress(task)`` for what ``compute`` hands to ``tell`` meanwhile. Whatever either raises is
-    a fault, and the next question is answered all the same. Whoever makes one calls ``stop``: until
+    ``on_progress(task)`` for what ``compute`` hands to ``tell`` meanwhile. What either raises is a
+    fault, and the next question is answered all the same. Whoever makes one calls ``stop``: until
     then garbage is collected in the thread of the window alone.
     """
 
