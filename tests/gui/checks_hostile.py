@@ -6,6 +6,7 @@ other workbenches, a spreadsheet on top, other views, saving, going back to the 
 renaming, the tree: under every panel there is.
 """
 
+import gc
 import pathlib
 import re
 import time
@@ -15,6 +16,8 @@ import FreeCADGui as Gui
 import settling
 from desk import POLL, answered, clear_report_view, panel, press, say_yes, settled, until, view
 from freecad.sheetmorph import panels
+from freecad.sheetmorph.interaction.live_update import LiveUpdate
+from freecad.sheetmorph.panels.base import Panel
 from hostile_acts import DELETIONS, DESTRUCTIVE, FROM_ELSEWHERE, GENTLE, OF_A_PERSON, STEPS
 from hostile_acts import undo_and_redo
 from hostile_panels import PANELS, is_shown, prepared, with_step
@@ -25,6 +28,7 @@ from scenes import labelled
 __all__ = [
     "test_every_panel_is_among_those_that_suffer",
     "test_a_panel_begins_nothing_while_another_command_asks",
+    "test_a_panel_that_was_closed_leaves_nothing_behind",
 ]
 OWN_WIDGETS = r"super\(\)\.__init__\(\w+(?:\(\))?, \"(\w+)\","
 
@@ -79,6 +83,26 @@ def test_every_panel_is_among_those_that_suffer():
         Gui.Control.closeDialog()
         yield from settled()
     assert opened == kinds and len(kinds) > 8, opened ^ kinds
+
+
+def test_a_panel_that_was_closed_leaves_nothing_behind():
+    """Neither the panel nor, with it, its solution: each of them was kept by a callback."""
+    yield from prepared()
+    for name, (opener, used, _) in PANELS.items():
+        opener()
+        yield from until(is_shown, f"the panel {name}")
+        used()
+        yield from settled()
+        yield from press_if_there("Cancel", "Close")
+        yield from until(lambda: not Gui.Control.activeDialog(), f"{name} to close")
+        yield from settled()
+        yield from until(lambda: not left_behind(), f"{name} to go: {left_behind()}")
+
+
+def left_behind() -> list[str]:
+    """The panels and live updates that are still in memory."""
+    gc.collect()
+    return [type(one).__name__ for one in gc.get_objects() if isinstance(one, (Panel, LiveUpdate))]
 
 
 def test_a_panel_begins_nothing_while_another_command_asks():

@@ -67,6 +67,7 @@ class FrameWorker(QtCore.QObject):
         if self._is_running:
             collecting().release()
         self._is_running = False
+        self._compute = None
 
     def _begin(self, question) -> None:
         if question is not None:

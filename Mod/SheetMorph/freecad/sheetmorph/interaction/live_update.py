@@ -86,9 +86,10 @@ class LiveUpdate(QtCore.QObject):
         self._worker.hush()
 
     def remove(self) -> None:
-        """Shows the meshes as the document has them."""
+        """Shows the meshes as the document has them, and lets the solution go."""
         self._worker.stop()
         self.scene.remove()
+        self._live = self._frame = self._valuer = self.legend = None
 
     # -- what the worker calls
 

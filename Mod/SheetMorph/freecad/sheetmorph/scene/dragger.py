@@ -7,6 +7,7 @@ from pivy import coin
 
 from freecad.sheetmorph import generations
 from freecad.sheetmorph.scene.hanging import Hanging
+from freecad.sheetmorph.scene.relay import Relay
 from freecad.sheetmorph.scene.viewport import camera_node, mm_per_px
 
 SIZE = 8.0  # px: what the dragger takes for one, its arrows are ten times as long
@@ -41,12 +42,13 @@ class Dragger:
         self._root.addChild(self._dragger)
         self._hanging = Hanging(view.getSceneGraph(), self._root)
         self._camera = camera_node(view)
-        self._sensor = coin.SoNodeSensor(self.resize, None)
+        self._resized = Relay(self.resize)
+        self._sensor = coin.SoNodeSensor(self._resized, None)
         self._sensor.attach(self._camera)
         self._callbacks = {
-            "addStartCallback": self._grabbed,
-            "addMotionCallback": self._moved,
-            "addFinishCallback": self._released,
+            "addStartCallback": Relay(self._grabbed),
+            "addMotionCallback": Relay(self._moved),
+            "addFinishCallback": Relay(self._released),
         }
         for kind, function in self._callbacks.items():
             view.addDraggerCallback(self._dragger, kind, function)
@@ -78,8 +80,10 @@ class Dragger:
         try:
             for kind, function in self._callbacks.items():
                 self._view.removeDraggerCallback(self._dragger, kind, function)
-        except RuntimeError:
-            return
+        except RuntimeError:  # the view is closed
+            pass
+        for relay in (self._resized, *self._callbacks.values()):
+            relay.let_go()
 
     def _set_steps(self) -> None:
         length, angle = self._steps
