@@ -177,6 +177,10 @@ def ids_of(vertices: np.ndarray, owner: tuple, ids: np.ndarray) -> list[int]:
     word, part = owner
     if len(vertices) == 0:
         raise ValueError(f"{word} has no vertices; pick some or delete it.")
+    if vertices.min() < 0:
+        raise ValueError(
+            f"The vertices of {word[0].lower()}{word[1:]} are damaged; pick them again."
+        )
     if vertices.max() >= len(ids):
         raise ValueError(
             f"{word}: vertex {vertices.max()} is no longer in part "

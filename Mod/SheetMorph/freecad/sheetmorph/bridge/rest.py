@@ -135,7 +135,7 @@ def read_rest_data(path: str) -> dict | None:
     """Return what `write_rest_data` stored; None without a path."""
     if not path:
         return None
-    with np.load(path, allow_pickle=False) as data:
+    with stored_arrays.opened(path) as data:
         stored = {name: data[name] for name in ("points", "ids", "origin")}
         # Earlier documents have the triangles themselves.
         is_early = "triangles" in data

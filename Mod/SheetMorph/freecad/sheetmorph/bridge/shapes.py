@@ -31,7 +31,7 @@ def keep_shape(part, model, number: int) -> None:
 
 def kept_model(part):
     """The CadModel of the kept shape. Raises ValueError."""
-    with np.load(part.ShapeData, allow_pickle=False) as data:
+    with stored_arrays.opened(part.ShapeData) as data:
         brep, mesh = stored_arrays.text_in(data["brep"]), data["mesh"].tobytes()
     return kernel.load().kernel.load_cad().kept_model(brep, mesh, part.Label)
 

@@ -7,7 +7,12 @@ can do anything else meanwhile.
 
 from __future__ import annotations
 
+import os
 import zipfile
+import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
 
 import numpy as np
 
@@ -20,6 +25,22 @@ def write(path: str, **arrays: np.ndarray) -> None:
         for name, array in arrays.items():
             with archive.open(f"{name}.npy", "w", force_zip64=True) as file:
                 np.lib.format.write_array(file, np.asanyarray(array), allow_pickle=False)
+
+
+@contextmanager
+def opened(path: str) -> Iterator[Any]:
+    """Context with the arrays of a file by name. Raises ValueError, in words, for a damaged one."""
+    name = os.path.basename(path)
+    damaged = ValueError(f"The file '{name}' in this document is damaged; add the part again.")
+    try:
+        data = np.load(path, allow_pickle=False)
+    except (ValueError, EOFError, zipfile.BadZipFile) as error:
+        raise damaged from error
+    with data:
+        try:
+            yield data
+        except (KeyError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+            raise damaged from error
 
 
 def of_text(text: str) -> np.ndarray:

@@ -115,5 +115,8 @@ def to_numbers(ids: Iterable[int]) -> list[float]:
 
 
 def to_ids(numbers: list[float]) -> np.ndarray:
-    """Return indices (k,) int64 from what `to_numbers` made of them."""
-    return np.asarray(numbers, dtype=float).astype(np.int64)
+    """Return indices (k,) int64 from what `to_numbers` made of them; -1 for what cannot be one, as
+    in a damaged document."""
+    found = np.asarray(numbers, dtype=float)
+    is_index = (found >= 0.0) & (found < 2.0**53)
+    return np.where(is_index, found, -1.0).astype(np.int64)
