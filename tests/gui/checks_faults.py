@@ -16,6 +16,7 @@ from freecad.sheetmorph import api
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.objects import model
 from hostile_panels import is_shown
+from PySide import QtGui
 from scenes import assembly, drawn, handle_vertices, look, new_assembly, new_morph, part, regions
 from scenes import stored
 from shapes import sheet
@@ -240,10 +241,18 @@ def test_a_recipe_keeps_the_meshes_that_it_reads():
     yield from answer(str(folder / "recipe.json"))
     yield from until((folder / "recipe.json").is_file, "the recipe")
     kept = {path.name: path.read_bytes() for path in folder.iterdir()}
-    with answered(lambda box: box.accept()):
+    asked = []
+
+    def overwrite(box) -> None:
+        yes = box.button(QtGui.QMessageBox.Yes)
+        asked.append(box.text())
+        box.accept() if yes is None else yes.click()
+
+    with answered(overwrite):
         yield from menu("SheetMorph", "Export Parts…")
         yield from answer(str(folder))
         yield from until(lambda: "reads this file" in report_view(), "the refusal")
+    assert "did not write them as they are now" in asked[0], asked
     assert 'the recipe "recipe.json" beside it reads this file' in report_view()
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == kept
     yield from menu("File", "Std_New")
