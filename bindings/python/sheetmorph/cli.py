@@ -46,7 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             _say(_COMMANDS[wanted.command](wanted, files))
         return DONE
     except KeyboardInterrupt as stopped:
-        _complain(f"interrupted; {stopped or _state(files)}")
+        _complain(f"interrupted; {str(stopped) or _state(files)}")
         return _INTERRUPTED
     except Exception as error:  # the edge of the program: every error becomes a sentence
         text, status = _explain(error, _input_of(wanted), files)
@@ -176,7 +176,7 @@ def _add_doctor(commands: Any) -> None:
 
 def _add_force(commands: Any) -> None:
     text = "write over files that SheetMorph did not write, too"
-    for name in ("run", "resolve", "find", "flatten", "copy", "certify", "show", "study"):
+    for name in ("run", "check", "resolve", "find", "flatten", "copy", "certify", "show", "study"):
         commands.choices[name].add_argument("--force", action="store_true", help=text)
 
 
@@ -217,7 +217,7 @@ def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
         told = check(
             wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=wanted.report,
             strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
-            repair=wanted.repair, judge=judge, progress=progress,
+            repair=wanted.repair, judge=judge, progress=progress, force=wanted.force,
         )  # fmt: skip
     untried = [text for text in told if text.startswith(NOT_TRIED)]
     warnings = [text for text in told if text not in untried]

@@ -65,26 +65,26 @@ def check(
     repair: str | None = None,
     judge: Callable[[Path], object] | None = None,
     progress: Progress | None = None,
+    force: bool = False,
 ) -> list[str]:
     """Do what run() does with a recipe, and with each of its poses, into a folder thrown away.
 
     Its options are those of run(); out_dir, report: nothing is written there; pose: this one alone;
-    judge(folder): what is done with each folder that was written. Returns the warnings of run(),
-    and what could not be checked, one sentence each. Raises what run() raises.
+    judge(folder): called for each folder that was written. Returns the warnings of run(), and what
+    could not be checked, one sentence each. Raises what run() raises.
     """
     path, found = Path(recipe_path), list[str]()
     ways = Ways(strict, progress or _keep_going, pictures, step, repair)
     try:
         with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as place:
-            folder = Path(place) / "parts"
-            morph = _Morph(path, ways)
+            folder, morph = Path(place) / "parts", _Morph(path, ways)
             morph.widen(wide)
             read, wanted = morph.pose(pose)
-            targets = folder if out_dir is None else Path(out_dir)
-            morph.places(read, targets, None if report is None else Path(report))
+            told = Path(report) if report else None
+            morph.places(read, Path(out_dir or folder), told).require_ours(FileSet(force=force))
             morph.factorise()
-            named = {} if pose is not None else morph.recipe.get("poses", {})
-            for name, one in {"": wanted, **named}.items():
+            named = {"": wanted, **({} if pose is not None else morph.recipe.get("poses", {}))}
+            for name, one in named.items():
                 with named_in(read[0] if read else path):
                     found += _tried(morph, one, folder, f'pose "{name}": ' if name else "")
                 if judge is not None:
