@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from plates import plate, write_plate
-from sheetmorph import FileError, RecipeError
+from sheetmorph import FileError, OccupiedError, RecipeError
 from sheetmorph.study.leases import Lease, alone, among_others, is_abandoned
 from sheetmorph.study.running import Ways, run_study
 
@@ -123,6 +123,19 @@ def test_finished_variants_of_other_settings_are_kept_and_come_back(study: Path)
     with_seed(study, 1)
     assert "0 computed" in run_study(study, out)[0]
     assert {name: data for name, data in contents(out).items() if name[0] != "."} == first
+
+
+@pytest.mark.parametrize("name", ["summary.csv", "summary.html", "costs.json", "Snakefile"])
+def test_a_summary_of_somebody_else_stays(name: str, study: Path):
+    out = study.parent / "out"
+    out.mkdir()
+    (out / name).write_text("precious")
+    with pytest.raises(OccupiedError, match=name):
+        run_study(study, out)
+    assert (out / name).read_text() == "precious" and not (out / "000000").exists()
+    (out / name).unlink()
+    assert f"{COUNT} computed" in run_study(study, out)[0]
+    assert "0 computed" in run_study(study, out)[0]
 
 
 def test_a_lock_that_is_a_pipe_is_refused(study: Path):

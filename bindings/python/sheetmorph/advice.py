@@ -163,9 +163,8 @@ def _shape(diagnosis: dict[str, Any]) -> Iterator[_Found]:
         yield "components", number, text, "split", {"split": True}
     guess = diagnosis["unit"]
     if guess["scale"] != 1.0:
-        text = f"the unit is {unit}, {guess['reason']}"
-        if guess["reason"] != AS_GIVEN:
-            text = f"the unit seems to be {unit}: {guess['reason']}"
+        is_given = guess["reason"] == AS_GIVEN
+        text = f"the unit {'is' if is_given else 'seems to be'} {unit}: {guess['reason']}"
         yield "unit", 1, text, "scale", {"scale": guess["scale"]}
     elif not guess["is_certain"]:
         options = either([f"--unit {name}" for name in guess["plausible"]])

@@ -41,9 +41,11 @@ def diagnose_files(
     """
     found = []
     for file in map(str, files):
-        told = diagnose_file(read_part(file), tolerance, unit)
-        name = {} if "split" in told["part"] else {"name": unpacked_name(file).stem}
-        found.append({"file": file, **told, "part": {**name, "file": file, **told["part"]}})
+        diagnosis = diagnose_file(read_part(file), tolerance, unit)
+        name = {} if "split" in diagnosis["part"] else {"name": unpacked_name(file).stem}
+        found.append(
+            {"file": file, **diagnosis, "part": {**name, "file": file, **diagnosis["part"]}}
+        )
     return {"sheetmorph_doctor": 1, "files": found}
 
 
@@ -53,15 +55,15 @@ def diagnose_file(
     """The diagnosis of a file: of its mesh, and what was not read of it. Of a deck without cures
     that would make another mesh, the unit also by the thickness of its sections. Raises as
     diagnose() does."""
-    told = diagnose(file.mesh, tolerance, unit)
+    diagnosis = diagnose(file.mesh, tolerance, unit)
     if isinstance(file, DeckFile):
         thickness = file.thickness_of(np.arange(len(file.mesh.triangles))) or None
-        if told["thickness"] is None and thickness is not None:
-            told["unit"] = unit_of(told["size"], thickness, unit)
-            told["findings"] = findings_of(told)
-        told["findings"] = for_deck(told["findings"])
-        told["part"] = part_entry(told["findings"])
-    return {**told, "findings": missing_findings(file.missing) + told["findings"]}
+        if diagnosis["thickness"] is None and thickness is not None:
+            diagnosis["unit"] = unit_of(diagnosis["size"], thickness, unit)
+            diagnosis["findings"] = findings_of(diagnosis)
+        diagnosis["findings"] = for_deck(diagnosis["findings"])
+        diagnosis["part"] = part_entry(diagnosis["findings"])
+    return {**diagnosis, "findings": missing_findings(file.missing) + diagnosis["findings"]}
 
 
 def diagnose(

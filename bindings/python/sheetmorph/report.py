@@ -49,8 +49,8 @@ class WrittenPart:
 
 @dataclass(frozen=True)
 class FilesTold:
-    """What PartFile.told() says of every deck, JointSource.told() of every file of joints; missing:
-    what could not be read, a sentence each."""
+    """The report's entries of decks and files of joints; missing: what the readers could not read,
+    one sentence each."""
 
     decks: list[dict[str, Any]] = field(default_factory=list)
     joint_files: list[dict[str, Any]] = field(default_factory=list)

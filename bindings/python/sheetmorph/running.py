@@ -76,12 +76,12 @@ def check(
     path, found = Path(recipe_path), list[str]()
     ways = Ways(strict, progress or _keep_going, pictures, step, repair)
     try:
-        with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as place:
-            folder, morph = Path(place) / "parts", _Morph(path, ways)
+        with tempfile.TemporaryDirectory(prefix="sheetmorph-check-") as scratch:
+            folder, morph = Path(scratch) / "parts", _Morph(path, ways)
             morph.widen(wide)
             read, wanted = morph.pose(pose)
-            told = Path(report) if report else None
-            morph.places(read, Path(out_dir or folder), told).require_ours(FileSet(force=force))
+            place = Path(report) if report else None
+            morph.places(read, Path(out_dir or folder), place).require_ours(FileSet(force=force))
             morph.factorise()
             named = {"": wanted, **({} if pose is not None else morph.recipe.get("poses", {}))}
             for name, one in named.items():

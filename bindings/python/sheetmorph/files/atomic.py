@@ -36,6 +36,7 @@ class FileSet:
         self.force = force
         self.reads: list[Path] = []
         self._is_own = is_own
+        self._ledger = Ledger()
         self._pending: list[tuple[Path, Path]] = []
         self.committed = False
 
@@ -102,7 +103,7 @@ class FileSet:
             for folder in {final.parent for final in places} if self._flushed else ():
                 flush_folder(folder)
         if not self._is_own:
-            Ledger().add((path, self._other.get(path, self._by)) for path in made)
+            self._ledger.add((path, self._other.get(path, self._by)) for path in made)
 
     def require_ours(self, path: Path, by: str = "") -> None:
         """Raises FileError if what is written is made of a file, OccupiedError if the file stands
@@ -118,7 +119,8 @@ class FileSet:
             raise OccupiedError(path)
 
     def _may_replace(self, path: Path) -> bool:
-        return self._is_own or self.force or Ledger().has(path, self._other.get(path, self._by))
+        by = self._other.get(path, self._by)
+        return self._is_own or self.force or self._ledger.has(path, by)
 
 
 def _of_target(error: OSError, pairs: list[tuple[Path, Path]]) -> OSError:

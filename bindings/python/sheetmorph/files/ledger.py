@@ -13,6 +13,7 @@ import os
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
+from functools import cached_property
 from pathlib import Path
 
 # Bytes of the ledger from which its older half is forgotten.
@@ -28,31 +29,38 @@ class Ledger:
     def has(self, path: Path, by: str) -> bool:
         """Whether a command wrote the file, and it stayed as it was written."""
         with suppress(OSError):
-            return self._lines()[0].get(_name_of(path)) == _line_of(path, by)
+            return self._lines.get(_name_of(path)) == _line_of(path, by)
         return False
 
     def add(self, written: Iterable[tuple[Path, str]]) -> None:
-        """Note files and the command that wrote each. A ledger that cannot be written is no fault
-        of a run: the next one asks once more."""
+        """Record files and the command that wrote each.
+
+        A run succeeds without a ledger; the next run then refuses to replace the files.
+        """
         with suppress(OSError):
             text = "".join(_line_of(path, by) for path, by in written)
             self._place.parent.mkdir(parents=True, exist_ok=True)
-            known, size = self._lines()
-            if size > _LARGEST:
-                kept = list(known.values())
+            if self._place.exists() and self._place.stat().st_size > _LARGEST:
+                kept = list(_read(self._place).values())
                 self._place.write_text("".join(kept[len(kept) // 2 :]), "utf-8")
             # One write to the end, so that processes beside each other lose no line.
             with self._place.open("ab") as file:
                 file.write(text.encode("utf-8"))
+            self.__dict__.pop("_lines", None)
 
-    def _lines(self) -> tuple[dict[str, str], int]:
-        """The last line of every path, by path; how many bytes there are."""
-        try:
-            text = self._place.read_text("utf-8", errors="replace")
-        except FileNotFoundError:
-            return {}, 0
-        lines = text.splitlines(keepends=True)
-        return {line.split(" ", 3)[-1]: line for line in lines}, len(text)
+    @cached_property
+    def _lines(self) -> dict[str, str]:
+        """Read once for all files of a command."""
+        return _read(self._place)
+
+
+def _read(place: Path) -> dict[str, str]:
+    """Return the last line of every path, by path."""
+    try:
+        text = place.read_text("utf-8", errors="replace")
+    except FileNotFoundError:
+        return {}
+    return {line.split(" ", 3)[-1]: line for line in text.splitlines(keepends=True)}
 
 
 def _name_of(path: Path) -> str:

@@ -19,7 +19,7 @@ from ..errors import Fault, FileError, RecipeError
 _PATIENCE = 60.0
 # Seconds after which a folder without a lease, as older versions made them, is nobody's.
 _LONG_AGO = 3600.0
-_LOCK = ".lock"
+LOCK = ".lock"
 _TAKEN = (errno.EAGAIN, errno.EACCES)
 
 
@@ -85,7 +85,7 @@ def among_others(out: Path) -> Iterator[None]:
 
 @contextmanager
 def _opened(out: Path) -> Iterator[int]:
-    place = out / _LOCK
+    place = out / LOCK
     # A pipe without a reader must not make it wait.
     file = os.open(place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC | os.O_NONBLOCK, 0o666)
     try:

@@ -17,7 +17,8 @@ from .engines.dask import dask_driver
 from .engines.driving import Hopes
 from .engines.processes import processes_driver
 from .engines.scripts import Call
-from .engines.slurm import submit
+from .engines.slurm import ARRAY, END, submit
+from .engines.snakemake import FILE as SNAKEFILE
 from .engines.snakemake import write_snakefile
 from . import ranges
 from .leases import alone, among_others
@@ -25,7 +26,7 @@ from .plan import Plan
 from .refusing import Refusals
 from .rows import ERROR, FILE, REFUSED, Row
 from .storing import Store, write_json
-from .summary import write_summary
+from .summary import CSV, JSON, PAGE, write_summary
 from .working import Cost, Task, Workshop, adopt, work
 
 ENGINES = ("local", "processes", "dask", "slurm", "snakemake")
@@ -57,7 +58,7 @@ def run_study(path: str | Path, out: str | Path, ways: Ways | None = None) -> li
     plan = Plan(path, ways.progress)
     _require_apart(plan, Path(out))
     store = Store(Path(out))
-    store.open()
+    store.open(CSV, JSON, PAGE, COSTS, ARRAY, END, SNAKEFILE)
     if ways.runs is not None:
         with among_others(store.out):
             return _Run(plan, store, ways).some(*ways.runs)
@@ -80,8 +81,9 @@ def study_range(path: str | Path, out: str | Path, progress: Progress | None = N
     _require_apart(plan, Path(out))
     found = ranges.possible_ranges(plan, progress)
     store = Store(Path(out))
-    store.open()
-    write_json(store.out, {ranges.FILE: found})
+    store.open(ranges.FILE)
+    with alone(store.out):
+        write_json(store.out, {ranges.FILE: found})
     return [_range_sentence(name, entry) for name, entry in found["parameters"].items()]
 
 

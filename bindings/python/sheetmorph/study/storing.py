@@ -18,9 +18,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from ..errors import FileError
+from ..errors import FileError, OccupiedError
 from ..files.atomic import FileSet, flush, flush_folder
-from .leases import Lease, is_abandoned
+from .leases import LOCK, Lease, is_abandoned
 from .rows import FILE, Row, folder_name, read_row
 
 _AT_ONCE = 8
@@ -45,13 +45,21 @@ class Store:
         is_done = row is not None and row.hash == wanted and not _lost(folder, row)
         return row if is_done else None
 
-    def open(self) -> None:
-        """Make the folder. Raises FileError."""
+    def open(self, *names: str) -> None:
+        """Make the folder. Raises FileError.
+
+        names: files that the call will write. Only in a folder without the lock of a study can they
+        belong to somebody else; then OccupiedError is raised.
+        """
         try:
             self.out.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             todo = "name another folder with -o"
             raise FileError(self.out, f"is no folder ({error.strerror})", todo) from None
+        if not (self.out / LOCK).exists():
+            for name in names:
+                if (self.out / name).exists():
+                    raise OccupiedError(self.out / name)
 
     def tidy(self, wanted: list[str]) -> None:
         """Before a study goes on: what was left half done goes, what is done comes to its place.

@@ -40,8 +40,8 @@ class FrameWorker(QtCore.QObject):
 
     @property
     def is_free(self) -> bool:
-        """Whether what is under way is still wanted: somebody listens, and nothing newer has been
-        asked for."""
+        """Whether the current computation still matters: a listener is there, and no newer question
+        waits."""
         return self._listener is not None and not self._latest.is_waiting
 
     def ask(self, question) -> None:
@@ -77,7 +77,7 @@ class FrameWorker(QtCore.QObject):
         try:
             answer, fault = self._compute(question), ""
         except Exception as error:  # whatever it is, it is shown and the next frame is tried
-            answer, fault = None, told(error)
+            answer, fault = None, sentence_of(error)
         self._computed.emit(answer, fault)
 
     def _pass_on(self, task: str) -> None:
@@ -91,14 +91,14 @@ class FrameWorker(QtCore.QObject):
             try:
                 self._listener.on_answer(answer)
             except Exception as error:  # as above: the worker must not stay busy for ever
-                fault = told(error)
+                fault = sentence_of(error)
         if fault and self._listener is not None:
             self._listener.on_fault(fault)
         if self._listener is not None:
             self._begin(self._latest.finish())
 
 
-def told(error: Exception) -> str:
+def sentence_of(error: Exception) -> str:
     """What went wrong, in words for the panel."""
     if isinstance(error, MemoryError):
         return translate(
