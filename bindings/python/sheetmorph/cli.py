@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import json
 import math
 import signal
 import sys
@@ -26,7 +25,8 @@ from .cli_recipes import RECIPE_COMMANDS, add_recipe_commands, add_unit_argument
 from .cli_resolve import add_resolve_arguments, run_resolve
 from .cli_table import ending_of
 from .cli_study import add_study_arguments, run_study_command
-from .errors import FileError, KernelError, RecipeError
+from .cli_values import STDOUT, Parser, add_json_argument, as_json, json_file
+from .errors import Fault, FileError, KernelError, RecipeError
 from .files.atomic import FileSet
 from .files.signals import stopping_signals
 
@@ -50,6 +50,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _INTERRUPTED
     except Exception as error:  # the edge of the program: every error becomes a sentence
         text, status = _explain(error, _input_of(wanted), files)
+        if wanted.command == "certify" and wanted.json == STDOUT and hasattr(error, "certificate"):
+            _say(as_json(error.certificate))
         _complain(text)
         return status
     finally:
@@ -130,7 +132,7 @@ def _printable(text: str, stream: TextIO | None) -> str:
 def parser() -> argparse.ArgumentParser:
     """The command line's arguments; manual page and completion are made from them."""
     started = Path(sys.argv[0]).name
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="python3 -m sheetmorph" if started == "__main__.py" else started,
         description="Deform sheet-metal parts as a recipe says; form features stay rigid.",
         epilog="Exit status: 0 done; 2 bad input, nothing written; 3 a certificate fails; "
@@ -149,8 +151,6 @@ def parser() -> argparse.ArgumentParser:
         text = "write the parts of CAD files as STEP, too"
         command.add_argument("--step", action="store_true", help=text)
         command.add_argument("--report", metavar="FILE", help="where to write the report (JSON)")
-        text = "print the report instead of a table; check prints its warnings"
-        command.add_argument("--json", action="store_true", help=text)
         text = "write before.png and after.png beside the parts"
         command.add_argument("--pictures", action="store_true", help=text)
         text = "warnings (badly opened contacts and others) end with exit status 3"
@@ -162,6 +162,7 @@ def parser() -> argparse.ArgumentParser:
     add_certify_arguments(commands, (run, check))
     add_recipe_commands(commands)
     add_study_arguments(commands)
+    add_json_argument([commands.choices[name] for name in ("run", "check", "certify")])
     _add_force(commands)
     return parser
 
@@ -194,18 +195,24 @@ def _run(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     require_criteria(wanted)
     with progress_on(sys.stderr, wanted.quiet) as progress:
         report = run(
-            wanted.recipe, wanted.output, wanted.pose, wanted.report,
+            wanted.recipe, wanted.output, wanted.pose, _report_of(wanted),
             files=files, strict=wanted.strict, pictures=wanted.pictures, step=wanted.step,
             wide=wanted.wide, repair=wanted.repair, progress=progress,
         )  # fmt: skip
     certified = certified_run(wanted) if wanted.certify else []
-    if wanted.json:
-        return _as_json(report)
+    if wanted.json == STDOUT:
+        return as_json(report)
     return [*ending_of(report, wanted.output, is_quiet=wanted.quiet), *certified]
 
 
-def _as_json(found: Any) -> list[str]:
-    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False).splitlines()
+def _report_of(wanted: argparse.Namespace) -> Path | str | None:
+    """Return the file for the report, that of `--json` or of its older name `--report`."""
+    named: str | None = wanted.report
+    file = json_file(wanted)
+    if named is not None and file is not None:
+        what = f"--report names {named} already"
+        raise RecipeError([Fault("--json", what, "leave out one of the two files")])
+    return named if file is None else file
 
 
 def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
@@ -215,14 +222,14 @@ def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     judge = (lambda folder: judged_run(wanted, folder)) if wanted.certify else None
     with progress_on(sys.stderr, wanted.quiet) as progress:
         told = check(
-            wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=wanted.report,
+            wanted.recipe, out_dir=wanted.output, pose=wanted.pose, report=_report_of(wanted),
             strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
             repair=wanted.repair, judge=judge, progress=progress, force=wanted.force,
         )  # fmt: skip
     untried = [text for text in told if text.startswith(NOT_TRIED)]
     warnings = [text for text in told if text not in untried]
-    if wanted.json:
-        return _as_json({"valid": True, "warnings": warnings, "notes": untried})
+    if wanted.json == STDOUT:
+        return as_json({"valid": True, "warnings": warnings, "notes": untried})
     verdict = "; ".join([f"{wanted.recipe}: valid", *untried])
     return [*(f"warning: {text}" for text in warnings), verdict]
 
@@ -231,7 +238,7 @@ def _doctor(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
     from .doctor import diagnose_files
 
     found = diagnose_files(wanted.files, wanted.tolerance, wanted.unit)
-    return _as_json(found)
+    return as_json(found)
 
 
 def _find(wanted: argparse.Namespace, files: FileSet) -> list[str]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .cli_copy import add_copy_arguments
+from .cli_values import STDOUT, as_json, json_file
 from .files.atomic import FileSet
 from .words import counted
 
@@ -31,7 +32,6 @@ def add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]
     command.add_argument("recipe", help="the recipe of the run")
     command.add_argument("folder", metavar="DIR", help="the folder that the run wrote")
     command.add_argument("--criteria", metavar="FILE", help=text)
-    command.add_argument("--json", metavar="FILE", help="where to write the certificate")
     command.add_argument("--page", metavar="FILE", help="where to write it as a page (HTML)")
     for one in (*runs, command, commands.choices["copy"]):
         text = "LS-DYNA decks as if their *KEYWORD said so"
@@ -39,26 +39,26 @@ def add_certify_arguments(commands: Any, runs: Sequence[argparse.ArgumentParser]
 
 
 def run_certify(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Certifies; returns what to print. Raises NotCertified."""
-    places = (wanted.json, wanted.page)
-    return certified(wanted.recipe, wanted.folder, wanted.criteria, places, files=files)
+    """Certify; returns what to print. Raises NotCertified."""
+    from .certifying import Targets
+
+    targets = Targets(json_file(wanted), None if wanted.page is None else Path(wanted.page))
+    found = _certificate(wanted, Path(wanted.folder), targets, files)
+    return as_json(found) if wanted.json == STDOUT else _summary(found, wanted.folder)
 
 
-def certified(
-    recipe: str,
-    folder: str,
-    criteria: str | None,
-    places: tuple[str | None, str | None],
-    *,
-    files: FileSet,
-) -> list[str]:
-    """The same for a recipe, a folder, criteria and the files for the certificate; files: a new
-    FileSet for these."""
-    from .certifying import Targets, certify, read_criteria
+def _certificate(
+    wanted: argparse.Namespace, folder: Path, targets: Any, files: FileSet
+) -> dict[str, Any]:
+    """Return the certificate of a folder, written to the targets. Raises NotCertified."""
+    from .certifying import certify, read_criteria
 
-    targets = Targets(*(None if place is None else Path(place) for place in places))
-    files.reads += [] if criteria is None else [Path(criteria)]
-    found = certify(recipe, folder, read_criteria(criteria), targets, files=files)
+    files.reads += [] if wanted.criteria is None else [Path(wanted.criteria)]
+    criteria = read_criteria(wanted.criteria)
+    return certify(wanted.recipe, folder, criteria, targets, files=files)
+
+
+def _summary(found: dict[str, Any], folder: str) -> list[str]:
     joints = sum(deck["joints"]["count"] for deck in found["decks"])
     told = [
         counted(len(found["parts"]), "part", "parts"),
@@ -79,11 +79,16 @@ def require_criteria(wanted: argparse.Namespace) -> None:
 
 def judged_run(wanted: argparse.Namespace, folder: Path) -> None:
     """What `check --certify` does with the folder of a run; raises NotCertified."""
-    certified(wanted.recipe, str(folder), wanted.criteria, (None, None), files=FileSet())
+    from .certifying import Targets
+
+    _certificate(wanted, folder, Targets(), FileSet())
 
 
 def certified_run(wanted: argparse.Namespace) -> list[str]:
     """What `run --certify` does once the parts are written."""
-    json, page = (str(Path(wanted.output) / name) for name in NAMES)
-    files = FileSet("certify", force=wanted.force)
-    return certified(wanted.recipe, wanted.output, wanted.criteria, (json, page), files=files)
+    from .certifying import Targets
+
+    folder = Path(wanted.output)
+    targets = Targets(*(folder / name for name in NAMES))
+    found = _certificate(wanted, folder, targets, FileSet("certify", force=wanted.force))
+    return _summary(found, wanted.output)

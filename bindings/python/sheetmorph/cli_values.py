@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Options with an optional value: the value never takes the place of an argument."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+STDOUT = "-"
+"""What `--json` means without a file."""
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser that gives a word to an option with an optional value only if it is to spare.
+
+    argparse itself takes the recipe of `run -o x --repair recipe.json` for the criteria.
+    """
+
+    def __init__(self, *arguments: Any, **keywords: Any):
+        self._known: dict[str, argparse.Action] = {}
+        self._required = 0
+        super().__init__(*arguments, **keywords)
+
+    def add_argument(self, *names: Any, **keywords: Any) -> argparse.Action:
+        """Add an argument as argparse does."""
+        action = super().add_argument(*names, **keywords)
+        self._known.update(dict.fromkeys(action.option_strings, action))
+        if not action.option_strings and action.nargs in (None, "+"):
+            self._required += 1
+        return action
+
+    def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
+        """Parse as argparse does, once every optional value is settled."""
+        return super().parse_known_args(
+            args if args is None else self._settled(list(args)), namespace
+        )
+
+    def _settled(self, words: list[str]) -> list[str]:
+        """Return the words with `--option=default` where the next word is an argument."""
+        values, free = self._values(words)
+        missing = self._required - free
+        if not values or missing <= 0:
+            return words
+        if missing < len(values):
+            options = " or ".join(f"{words[k]}={words[k + 1]}" for k in values)
+            self.error(f"which word is the value of an option? Write {options}")
+        for k in values:
+            action = self._action(words[k])
+            words[k] = f"{words[k]}={action.const}" if action is not None else words[k]
+        return words
+
+    def _values(self, words: list[str]) -> tuple[list[int], int]:
+        """Return where options stand whose next word may be their value, and count the words that
+        are arguments for certain."""
+        values: list[int] = []
+        free, k = 0, 0
+        while k < len(words):
+            if words[k] == "--":
+                return values, free + len(words) - k - 1
+            if not _is_option(words[k]):
+                free += 1
+                k += 1
+                continue
+            action = self._action(words[k])
+            k += 1
+            if action is None:
+                continue
+            if action.nargs == "?":
+                if k < len(words) and not _is_option(words[k]):
+                    values.append(k - 1)
+                    k += 1
+            else:
+                k += action.nargs if isinstance(action.nargs, int) else action.nargs is None
+        return values, free
+
+    def _action(self, word: str) -> argparse.Action | None:
+        """Return the option that takes the next words: none for `--option=value` and `-ovalue`."""
+        if word in self._known:
+            return self._known[word]
+        found = {id(a): a for name, a in self._known.items() if name.startswith(word)}
+        is_short = not word.startswith("--")
+        return None if is_short or len(found) != 1 else next(iter(found.values()))
+
+
+def _is_option(word: str) -> bool:
+    return word.startswith("-") and word != STDOUT
+
+
+def add_json_argument(commands: Sequence[argparse.ArgumentParser]) -> None:
+    """Add `--json` to commands; it means the same in each."""
+    text = "the result as JSON: in FILE, or on stdout in place of the text"
+    for command in commands:
+        command.add_argument("--json", nargs="?", const=STDOUT, metavar="FILE", help=text)
+
+
+def json_file(wanted: argparse.Namespace) -> Path | None:
+    """Return the file that `--json` names, None if it names none."""
+    return None if wanted.json in (None, STDOUT) else Path(wanted.json)
+
+
+def as_json(found: Any) -> list[str]:
+    """Return the lines of a result as JSON."""
+    return json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False).splitlines()
