@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 
 from .arrays import Floats
-from .preprocessed import Preprocessed
+from .preprocessed import Preprocessed, RestShape
 from .recipe.pose import Pose
 from .results import ContactResult, FeatureResult
 
@@ -62,6 +62,16 @@ class Answer:
     def contacts(self) -> list[ContactResult]:
         """How well every contact was kept; empty if the answer is not exact."""
         return self.session.kept_contacts(self.deformed, self.positions)
+
+    @property
+    def sizes(self) -> dict[str, float]:
+        """The sizes that form features have in this pose, mm, by name; only those that are set."""
+        return {one.name: one.size for one in self.features if one.size is not None}
+
+    @cached_property
+    def rest(self) -> RestShape:
+        """The shape that strains compare with: at rest, with the sizes of this pose."""
+        return self.session.rest_shape(self.sizes)
 
     def once(self, what: object, measure: Callable[[], Measured]) -> Measured:
         """What is measured when it is first asked for, under a key; each gets a copy."""

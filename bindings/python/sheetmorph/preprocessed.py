@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, cast
@@ -17,7 +17,7 @@ from .gaps import ContactGap, Surface
 from .kernel import load_kernel
 from .part_mesh import PartMesh
 from .progress import Progress
-from .recipe import check_with_meshes
+from .recipe import check_pose, check_with_meshes
 from .recipe.found import Found
 from .recipe.model import Model, RegionEntry
 from .results import ContactResult, FeatureResult
@@ -27,6 +27,15 @@ from .translation import Translator, kernel_faults
 
 if TYPE_CHECKING:
     from . import _core
+
+
+@dataclass(frozen=True, eq=False)
+class RestShape:
+    """All parts with nothing moved, by name: positions (n, 3) mm, and those of the sheets that are
+    deformed of them."""
+
+    positions: dict[str, Floats]
+    sheets: dict[str, Floats]
 
 
 class Preprocessed:
@@ -63,6 +72,7 @@ class Preprocessed:
         self._feature_edges: dict[str, Ints] = {}
         self._edge_changes: dict[str, EdgeChanges] = {}
         self._crossings: dict[str, Ints] = {}
+        self._rest_shapes: dict[Any, RestShape] = {}
         self._cuts: dict[str, Cuts] = {}
         with kernel_faults(self._core):
             self._translator = Translator(self._core, model, self.meshes)
@@ -232,6 +242,40 @@ class Preprocessed:
         """How many places of thin solids are not thin; each is a form feature after the others."""
         solids = [self.thin_solid(part) for part in self.parts]
         return sum(len(solid.lumps) for solid in solids if solid is not None)
+
+    def rest_shape(
+        self, sizes: Mapping[str, float], exact: bool = True, progress: Progress | None = None
+    ) -> RestShape:
+        """Return all parts with nothing moved, their form features in the sizes, mm, by name.
+
+        A new size moves the vertices around a hole in the sheet: that is another rest shape and
+        no stretch. `exact`, `progress`: as for Session.deform().
+        """
+        key = (exact, *sorted(sizes.items()))
+        if key not in self._rest_shapes:
+            found = self._resized(sizes, exact, progress)
+            self._rest_shapes = {key: found}  # the last one: a study has many
+        return self._rest_shapes[key]
+
+    def _resized(
+        self, sizes: Mapping[str, float], exact: bool, progress: Progress | None
+    ) -> RestShape:
+        if sizes:
+            pose = check_pose(self._model, {name: {"size": size} for name, size in sizes.items()})
+            try:
+                deformed = self._kernel.deform(self._translator.pose(pose), exact, progress)
+            except self._core.InvalidInput:
+                pass  # only the pose makes room for the size
+            else:
+                names = list(enumerate(self.parts))
+                return RestShape(
+                    {name: np.asarray(deformed.positions(k)) for k, name in names},
+                    {name: np.asarray(deformed.sheet_positions(k)) for k, name in names},
+                )
+        return RestShape(
+            {name: mesh.points for name, mesh in self.meshes.items()},
+            {name: np.asarray(self.sheet(name).points) for name in self.parts},
+        )
 
     def moved_features(self, deformed: _core.Deformed) -> list[FeatureResult]:
         """How every form feature moved in what the kernel made, lumps of thin solids last."""

@@ -273,9 +273,8 @@ def _largest_distance(a: Floats, b: Floats) -> float:
 def _quality(result: Answer, part: str) -> dict[str, Any]:
     core, mesh = result.session.core, result.session.meshes[part]
     positions, edges = result.positions[part], result.session.edge_changes(part)
-    change, worst = core.compare_quality(mesh.points, positions, mesh.triangles), edges.worst(
-        positions
-    )
+    change = core.compare_quality(mesh.points, positions, mesh.triangles)
+    worst = edges.worst(positions, result.rest.positions[part])
     return {
         "before": _shape_of(core.quality(mesh.points, mesh.triangles)),
         "after": _shape_of(change),

@@ -48,12 +48,13 @@ class EdgeChanges:
         self._edges, self._lengths = edges[has_length], lengths[has_length]
         self._angles = _angles(rest, triangles, self._sides)
 
-    def worst(self, positions: Floats) -> Edge | None:
+    def worst(self, positions: Floats, rest: Floats | None = None) -> Edge | None:
         """The edge with the largest strain; None without edges.
 
-        positions: (n, 3).
+        positions: (n, 3). rest: (n, 3), another shape to compare with.
         """
-        return self._edge(positions, lambda ratio: int(np.abs(ratio - 1.0).argmax()))
+        before = None if rest is None else np.maximum(_lengths(rest, self._edges), 1e-300)
+        return self._edge(positions, lambda ratio: int(np.abs(ratio - 1.0).argmax()), before)
 
     def shortest(self, positions: Floats) -> Edge | None:
         """The edge that is left with the least share of its length; None without edges.
@@ -69,13 +70,16 @@ class EdgeChanges:
         """
         return int((_lengths(positions, self._edges) < COLLAPSED * self._lengths).sum())
 
-    def _edge(self, positions: Floats, choose: Callable[[Floats], int]) -> Edge | None:
+    def _edge(
+        self, positions: Floats, choose: Callable[[Floats], int], before: Floats | None = None
+    ) -> Edge | None:
         if not len(self._edges):
             return None
+        before = self._lengths if before is None else before
         lengths = _lengths(positions, self._edges)
-        k = choose(lengths / self._lengths)
+        k = choose(lengths / before)
         place = positions[self._edges[k]].mean(axis=0)
-        return Edge(float(self._lengths[k]), float(lengths[k]), place)
+        return Edge(float(before[k]), float(lengths[k]), place)
 
     def worst_fold(self, positions: Floats) -> float | None:
         """The largest change of the angle between two triangles with a common edge, degrees; None
@@ -160,7 +164,8 @@ def principal_stretches(
     wanted: tuple[Floats, Floats] | None = None,
 ) -> Floats:
     """(m, 2) how much longer the sheet is, in a triangle, along the direction that is stretched
-    most and across it; 1: as at rest. NaN where a triangle has no area at rest.
+    most and across it; 1: as at rest. NaN where a triangle has no height at rest: its corners are
+    rounded by as much as it is high.
 
     rest, positions: (n, 3); triangles: (m, 3). Singular values of the deformation gradient. wanted:
     directions (m, 3) of length 1 and factors (m,) by which each triangle is longer along them
@@ -188,6 +193,7 @@ class PrincipalStretches:
             along = np.einsum("mik,mk->mi", axes, wanted[0])
             shorter = (1.0 / np.asarray(wanted[1]) - 1.0)[:, None, None]
             gradients = gradients @ (np.eye(2) + shorter * along[:, :, None] * along[:, None, :])
+        gradients[_relative_heights(rest, triangles) <= _NO_HEIGHT] = np.nan
         self._triangles = np.asarray(triangles)
         # The gradients of the three corners add up to nothing: two sides tell the deformation.
         with np.errstate(all="ignore"):

@@ -39,17 +39,17 @@ def steel_report(session: Preprocessed, part: str) -> dict[str, Any] | None:
 
 
 def stretch_report(result: Answer, part: str) -> dict[str, Any] | None:
-    """The entry "stretch" of a part; None if it has no triangle of some area."""
+    """The entry "stretch" of a part; None if no triangle has a height."""
     session = result.session
     sheet = session.sheet(part)
-    rest, triangles = np.asarray(sheet.points), np.asarray(sheet.triangles)
+    rest, triangles = result.rest.sheets[part], np.asarray(sheet.triangles)
     now = np.asarray(result.deformed.sheet_positions(session.parts.index(part)))
-    area = areas(rest, triangles)
-    sound = np.flatnonzero(area > 1e-12 * max(sheet.size, 1e-300) ** 2)
+    stretches = principal_stretches(rest, now, triangles)
+    sound = np.flatnonzero(np.isfinite(stretches).all(axis=1))
     if not len(sound):
         return None
-    triangles, area = triangles[sound], area[sound]
-    stretches = principal_stretches(rest, now, triangles)
+    triangles, stretches = triangles[sound], stretches[sound]
+    area = areas(rest, triangles)
     strain = np.abs(stretches - 1.0).max(axis=1)
     order = np.argsort(strain)
     reached = np.cumsum(area[order]) / area.sum()

@@ -165,6 +165,20 @@ class LiveSession:
         reached = tuple(limit.share * end for limit, end in zip(found, ends))
         return Reached(asked, reached, tuple(limit.why for limit in found))
 
+    def rest_of(self, frame: Frame, goes_on: Progress | None = None) -> dict[str, np.ndarray]:
+        """Return all parts at rest with the sizes of a frame, (n, 3) mm, by document object name.
+
+        The arrays stay the same ones while the sizes do. `goes_on`: as for `answer`.
+        """
+        if frame.result is None:
+            return {name: rest.points for name, rest in self.parts.items()}
+        sizes, is_exact = frame.result.sizes, frame.question.is_exact
+        try:
+            found = self._session.rest_shape(sizes, is_exact, goes_on if is_exact else None)
+        except kernel.core().Cancelled:
+            found = self._session.rest_shape(sizes, False)
+        return {name: found.positions[self.names[name]] for name in self.parts}
+
     def keep(self, frame: Frame) -> None:
         """Let the next recompute in the pose of an exact frame find its result."""
         if frame.result is not None and frame.question.is_exact:

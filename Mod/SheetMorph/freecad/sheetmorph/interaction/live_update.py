@@ -158,6 +158,8 @@ class LiveUpdate(QtCore.QObject):
         start, valuer = time.perf_counter(), self._valuer
         is_shown = question is SHOWN
         frame = self._frame if is_shown else self._live.answer(question, self._goes_on)
+        if isinstance(valuer, live_values.Stretch):
+            valuer.start_from(self._live.rest_of(frame, self._goes_on))
         values = None if valuer is None else valuer(frame.positions)
         legend = None
         if valuer is not None:

@@ -58,28 +58,40 @@ class Quality:
 
 
 class Stretch:
-    """By how much the sheet is stretched or pressed around every vertex at most, percent."""
+    """By how much the sheet is stretched or pressed around every vertex at most, percent.
+
+    Compared with the shape at rest that has the sizes of the pose: ``start_from``.
+    """
 
     unit, worst = "%", "largest stretch"
 
     def __init__(self, stretches, meshes: dict[str, tuple], regions: Iterable[Region] = ()):
         """``stretches``: sheetmorph.strain.PrincipalStretches; ``meshes``: by part points (n, 3)
         at rest and triangles (m, 3)."""
+        self._stretches = stretches
         self._parts = {
-            name: (stretches(rest, triangles), len(rest), *_around(triangles))
+            name: (triangles, len(rest), *_around(triangles))
             for name, (rest, triangles) in meshes.items()
         }
+        self._from: dict[str, tuple] = {}
+        self.start_from({name: rest for name, (rest, _) in meshes.items()})
         self._sizes = {
             name: float(np.linalg.norm(np.ptp(rest, axis=0))) if len(rest) else 0.0
             for name, (rest, _) in meshes.items()
         }
         self._regions = tuple(regions)
 
+    def start_from(self, rest: Positions) -> None:
+        """Compare with other positions (n, 3) from now on; the same arrays cost nothing."""
+        for name, points in rest.items():
+            if name not in self._from or self._from[name][0] is not points:
+                self._from[name] = points, self._stretches(points, self._parts[name][0])
+
     def __call__(self, positions: Positions) -> Positions:
         """The values (n,) by part."""
         found = {}
-        for name, (stretches, count, vertices, order, starts) in self._parts.items():
-            strain = 100.0 * np.abs(stretches(positions[name]) - 1.0).max(axis=1)
+        for name, (_, count, vertices, order, starts) in self._parts.items():
+            strain = 100.0 * np.abs(self._from[name][1](positions[name]) - 1.0).max(axis=1)
             values = np.full(count, np.nan)
             if len(order):
                 values[vertices] = np.maximum.reduceat(np.nan_to_num(strain)[order], starts)
