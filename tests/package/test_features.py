@@ -118,6 +118,27 @@ def test_too_large_a_size_names_the_largest_that_can_be():
     assert "mm" in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    "what, kind", [("fixed region", "fixed"), ("handle", "handles"), ("feature", "features")]
+)
+@pytest.mark.parametrize("with_rim", [False, True])
+def test_a_size_that_something_stops_names_what_it_is(what: str, kind: str, with_rim: bool):
+    """Around the hole, or around and on its rim; a size that fits is set all the same."""
+    part = plate()
+    centre = part.points[part.rims[1]].mean(axis=0)
+    near = np.flatnonzero(np.linalg.norm(part.points - centre, axis=1) < 7.5).tolist()
+    held = near if with_rim else [vertex for vertex in near if vertex not in part.rims[1]]
+    recipe = recipe_of(part, "plate.obj")
+    recipe["features"][1]["size"] = 10.0
+    recipe[kind].append({"name": "Base", "part": "plate", "vertices": held})
+    session = Session(recipe, {"plate": PartMesh(part.points, part.triangles)})
+    session.deform({})
+    with pytest.raises(RecipeError) as caught:
+        session.deform({"hole1": {"size": 14.0}})
+    assert f"{what} 'Base' holds the sheet around it" in str(caught.value)
+    assert "largest that can be reached" in str(caught.value)
+
+
 def test_a_size_of_other_vertices_is_refused():
     part = plate()
     with pytest.raises(RecipeError, match="no hole, slot or cylinder"):

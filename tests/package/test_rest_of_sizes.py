@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +53,9 @@ def test_a_new_size_is_no_stretch(energy: str, diameter: float):
 
 def test_a_size_hides_no_stretch_of_the_motion():
     """Far from the hole the figures are those of the same motion without the size."""
-    model, moved = session(plate(), "neumann", hole1={"size": 8.0}), {"tip": {"translation": [6.0, 0.0, 0.0]}}
+    model, moved = session(plate(), "neumann", hole1={"size": 8.0}), {
+        "tip": {"translation": [6.0, 0.0, 0.0]}
+    }
     plain = model.deform(moved).report()["parts"][0]["quality"]["worst_strain"]
     sized = model.deform({**moved, "hole1": {"size": 8.4}}).report()["parts"][0]["quality"]
     assert sized["worst_strain"] == pytest.approx(plain, rel=0.2) and plain > 0.05

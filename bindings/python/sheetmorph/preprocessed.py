@@ -261,7 +261,8 @@ class Preprocessed:
         self, sizes: Mapping[str, float], exact: bool, progress: Progress | None
     ) -> RestShape:
         if sizes:
-            pose = check_pose(self._model, {name: {"size": size} for name, size in sizes.items()})
+            own = [e.name for e in self._model.of_kind("feature") if e.name in sizes]
+            pose = check_pose(self._model, {name: {"size": sizes[name]} for name in own})
             try:
                 deformed = self._kernel.deform(self._translator.pose(pose), exact, progress)
             except self._core.InvalidInput:

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace sheetmorph
@@ -97,20 +98,33 @@ std::vector<int> overturned_by(const PreparedSurface& part, const SizeChanges& s
                               : without(overturned, overturned_triangles(part.rest, unsized));
 }
 
-bool is_reached(const Excess& excess, double size)
+std::vector<int> overturned_at(const Excess& excess, double size)
 {
     SizeChanges sizes = excess.sizes;
     sizes[excess.feature] = size - excess.part.shapes[excess.feature]->size;
-    return overturned_by(excess.part, sizes, excess.unsized).empty();
+    return overturned_by(excess.part, sizes, excess.unsized);
 }
 
+bool is_reached(const Excess& excess, double size)
+{
+    return overturned_at(excess, size).empty();
+}
+
+//! The size nearest to the wanted one, mm, if any can be reached, and the triangles that turn over
+//! just beyond it.
+struct Limit
+{
+    std::optional<double> size;
+    std::vector<int> overturned;
+};
+
 // Between the size at rest, if that can be reached, and the wanted one; rounded towards rest.
-std::optional<double> limit(const Excess& excess)
+Limit limit(const Excess& excess)
 {
     double reached = excess.part.shapes[excess.feature]->size;
     double refused = reached + *excess.sizes[excess.feature];
-    if (!is_reached(excess, reached))
-        return std::nullopt;
+    if (const std::vector<int> overturned = overturned_at(excess, reached); !overturned.empty())
+        return {std::nullopt, overturned};
     for (int halving = 0; halving < halvings; ++halving)
     {
         const double tried = 0.5 * (reached + refused);
@@ -119,7 +133,42 @@ std::optional<double> limit(const Excess& excess)
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(reached))) - 3.0);
     const double towards_rest =
         reached < refused ? std::floor(reached / unit) * unit : std::ceil(reached / unit) * unit;
-    return is_reached(excess, towards_rest) ? towards_rest : reached;
+    return {is_reached(excess, towards_rest) ? towards_rest : reached,
+            overturned_at(excess, refused)};
+}
+
+// Whether one of the vertices is among the corners.
+bool touches(const std::set<int>& corners, const VertexIds& vertices)
+{
+    return std::any_of(vertices.begin(), vertices.end(),
+                       [&](int vertex) { return corners.count(vertex) > 0; });
+}
+
+// What holds corners of the triangles that turn over: ": fixed region 'a' holds the sheet there".
+std::string holders(const PreparedSurface& part, std::size_t feature, const std::vector<int>& over)
+{
+    std::set<int> corners;
+    for (const int triangle : over)
+        for (int k = 0; k < 3; ++k)
+            corners.insert(part.rest.triangles()(triangle, k));
+    const SurfaceConstraints& constraints = part.constraints;
+    for (const int vertex : constraints.features[feature].vertices)
+        corners.erase(vertex);
+    std::vector<std::string> labels;
+    for (const std::vector<KnownRegion>* regions :
+         {&constraints.fixed, &constraints.handles, &constraints.propagated})
+        for (const KnownRegion& region : *regions)
+            if (touches(corners, region.vertices))
+                labels.push_back(region.label());
+    for (std::size_t k = 0; k < constraints.features.size(); ++k)
+        if (k != feature && touches(corners, constraints.features[k].vertices))
+            labels.push_back(constraints.features[k].label());
+    if (labels.empty())
+        return "";
+    std::string text = ": " + labels.front();
+    for (std::size_t k = 1; k < labels.size(); ++k)
+        text += (k + 1 < labels.size() ? ", " : " and ") + labels[k];
+    return text + (labels.size() > 1 ? " hold" : " holds") + " the sheet around it";
 }
 
 }  // namespace
@@ -147,15 +196,16 @@ void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& siz
     if (overturned.empty())
         return;
     const auto feature = static_cast<std::size_t>(nearest_sized(part, sizes, overturned.front()));
-    const std::optional<double> reachable = limit({part, unsized, sizes, feature});
+    const Limit found = limit({part, unsized, sizes, feature});
     const std::string word = *sizes[feature] > 0.0 ? "largest" : "smallest";
     throw InvalidInput(
         part.constraints.features[feature].label() + ": a " + part.shapes[feature]->measure()
             + " of " + rounded(part.shapes[feature]->size + *sizes[feature])
             + " mm would turn over triangles ",
         overturned,
-        reachable ? "; the " + word + " that can be reached is " + rounded(*reachable) + " mm"
-                  : "; the other sizes of this pose turn triangles over too");
+        (found.size ? "; the " + word + " that can be reached is " + rounded(*found.size) + " mm"
+                    : "; the other sizes of this pose turn triangles over too")
+            + holders(part, feature, found.overturned));
 }
 
 }  // namespace sheetmorph
