@@ -6,6 +6,7 @@ tests are skipped.
 """
 import os
 import shutil
+import stat
 import subprocess
 import sys
 from collections.abc import Callable
@@ -54,6 +55,9 @@ def case(tmp_path: Path) -> Callable[[str], Path]:
         if not CASES.is_dir():
             pytest.skip("the inputs of ../shared/data/10-cases are not on this machine")
         (folder,) = CASES.glob(f"{number}-*")
-        return Path(shutil.copytree(folder, tmp_path / folder.name))
+        copy = Path(shutil.copytree(folder, tmp_path / folder.name))
+        for path in (copy, *copy.rglob("*")):
+            path.chmod(path.stat().st_mode | stat.S_IWUSR)  # the inputs may not be written
+        return copy
 
     return copied

@@ -135,7 +135,7 @@ Handle(Geom_BSplineCurve)
     border_above(const Handle(Geom2d_Curve) & curve, const Handle(Geom_BSplineSurface) & surface,
                  double low, double high)
 {
-    constexpr double exact = 1e-9;
+    constexpr double exact = 1e-9, past = 1e-8;  // of the length of the curve
     const Vector2 from = place_at(curve, low), to = place_at(curve, high);
     const double length = (to - from).norm();
     for (const double share : {0.2, 0.5, 0.9})
@@ -149,7 +149,12 @@ Handle(Geom_BSplineCurve)
                                                                    : surface->VIso(from(1)));
     if (border.IsNull())
         return {};
-    const auto [first, last] = std::minmax(from(1 - k), to(1 - k));
+    // The curve may run past the end of the surface by what a file rounds; a segment may not.
+    const double start = border->FirstParameter(), end = border->LastParameter();
+    const double first = std::max(std::min(from(1 - k), to(1 - k)), start);
+    const double last = std::min(std::max(from(1 - k), to(1 - k)), end);
+    if (last - first < (1.0 - past) * length)
+        return {};
     border->Segment(first, last);
     if (to(1 - k) < from(1 - k))
         border->Reverse();
