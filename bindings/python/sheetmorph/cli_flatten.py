@@ -49,8 +49,6 @@ def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
 
     table = KTable() if wanted.k_table is None else KTable.read(wanted.k_table)
     output = None if wanted.output is None else Path(wanted.output)
-    if output is not None and output.resolve() == Path(wanted.file).resolve():
-        raise RecipeError([Fault("-o", f"{output} is the sheet itself", "name another file")])
     with progress_on(sys.stderr, wanted.quiet) as progress:
         patterns = flat_patterns(
             wanted.file, thickness=wanted.thickness, table=table, limit=wanted.limit / 100.0,

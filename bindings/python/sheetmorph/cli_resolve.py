@@ -11,7 +11,6 @@ from typing import Any
 
 from .cli_find import one_line_each
 from .cli_progress import progress_on
-from .errors import Fault, RecipeError
 from .files.atomic import FileSet
 
 
@@ -25,7 +24,7 @@ def add_resolve_arguments(commands: Any) -> None:
 
 
 def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Resolves, and writes or returns the recipe. Raises RecipeError."""
+    """Resolve, and write or returns the recipe. Raises RecipeError."""
     # Imported here, so that --help answers at once.
     from .running import resolve
 
@@ -37,10 +36,8 @@ def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     if wanted.output is None:
         return [one_line_each(recipe)]
     path, source = Path(wanted.output), Path(wanted.recipe)
-    read = [source, *(source.parent / part["file"] for part in recipe["parts"] if "file" in part)]
-    if any(path.resolve() == other.resolve() for other in read):
-        raise RecipeError([Fault("-o", f"{path} is read by this recipe", "name another file")])
-    files.reads += read
+    files.reads.append(source)
+    files.reads += (source.parent / part["file"] for part in recipe["parts"] if "file" in part)
     with files:
         text = one_line_each(_seen_from(recipe, source.parent, path.parent))
         files.temporary_for(path).write_text(text + "\n", "utf-8")

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from .errors import Fault, FileError, RecipeError
 from .files.atomic import FileSet, require_file_place
+from .files.identity import identity, is_one_of
 
 
 @dataclass(frozen=True)
@@ -24,8 +25,9 @@ class Places:
     def check(self) -> None:
         """Raises RecipeError for targets that are read or that cannot be files."""
         faults = _folder_faults(self.out)
+        read = {identity(path) for path in self.read}
         for part in self.parts if not faults else ():
-            if _is_one_of(part, self.read):
+            if identity(part) in read:
                 what = f"a part would be written over a source file, {part}"
                 faults.append(Fault("-o", what, "name another folder"))
             faults += _file_faults("-o", part)
@@ -43,28 +45,16 @@ class Places:
             files.require_ours(self.report, "report")
 
     def _report_faults(self, report: Path) -> list[Fault]:
-        if _is_one_of(report, [self.out]):
+        if is_one_of(report, [self.out]):
             return [Fault("--report", f"{report} is the folder of the parts", "name a file")]
-        if _is_one_of(report, self.parts):
+        if is_one_of(report, self.parts):
             return [Fault("--report", f"{report} is the file of a part", "name another file")]
-        if _is_one_of(report, self.read):
+        if is_one_of(report, self.read):
             return [Fault("--report", f"{report} is read by this run", "name another file")]
         made = {folder.resolve() for folder in (self.out, *self.out.parents)}
         if not report.parent.is_dir() and report.parent.resolve() not in made:
             return [Fault(str(report), "its folder does not exist", "create the folder first")]
         return _file_faults("--report", report)
-
-
-def _is_one_of(path: Path, others: Sequence[Path]) -> bool:
-    """Whether a path is, by any spelling or link, one of the others."""
-    return any(_same(path, other) for other in others)
-
-
-def _same(a: Path, b: Path) -> bool:
-    try:
-        return os.path.samefile(a, b)
-    except OSError:  # one does not exist
-        return a.resolve() == b.resolve()
 
 
 def _file_faults(where: str, path: Path) -> list[Fault]:

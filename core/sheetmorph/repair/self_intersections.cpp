@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace sheetmorph
 {
@@ -19,16 +20,20 @@ namespace
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-Kernel::Point_3 place(const TriangleMesh& mesh, int vertex)
+Vector3 corner(const TriangleMesh& mesh, int t, int k)
 {
-    return {mesh.points()(vertex, 0), mesh.points()(vertex, 1), mesh.points()(vertex, 2)};
+    return mesh.points().row(mesh.triangles()(t, k));
+}
+
+Kernel::Point_3 exact(const Vector3& place)
+{
+    return {place.x(), place.y(), place.z()};
 }
 
 bool has_area(const TriangleMesh& mesh, int t)
 {
-    return !CGAL::collinear(place(mesh, mesh.triangles()(t, 0)),
-                            place(mesh, mesh.triangles()(t, 1)),
-                            place(mesh, mesh.triangles()(t, 2)));
+    return !CGAL::collinear(exact(corner(mesh, t, 0)), exact(corner(mesh, t, 1)),
+                            exact(corner(mesh, t, 2)));
 }
 
 // Two triangles with area, turned so that the corners they share come first.
@@ -37,48 +42,89 @@ class Pair
 public:
     Pair(const TriangleMesh& mesh, int one, int other)
     {
+        Order p{0, 1, 2}, q{0, 1, 2};
         for (int k = 0; k < 3; ++k)
             for (int j = 0; j < 3; ++j)
                 if (mesh.triangles()(one, k) == mesh.triangles()(other, j))
                 {
-                    put(one_, shared_, k);
-                    put(other_, shared_, j);
+                    put(p, shared_, k);
+                    put(q, shared_, j);
                     ++shared_;
                 }
         for (int k = 0; k < 3; ++k)
         {
-            p_[k] = place(mesh, mesh.triangles()(one, one_[k]));
-            q_[k] = place(mesh, mesh.triangles()(other, other_[k]));
+            p_[at(k)] = corner(mesh, one, p[at(k)]);
+            q_[at(k)] = corner(mesh, other, q[at(k)]);
         }
     }
 
     bool meet_elsewhere() const
     {
-        if (shared_ == 0)
-            return CGAL::do_intersect(triangle(p_), triangle(q_));
-        if (shared_ == 1)
-            return CGAL::do_intersect(Kernel::Segment_3(p_[1], p_[2]), triangle(q_))
-                   || CGAL::do_intersect(Kernel::Segment_3(q_[1], q_[2]), triangle(p_));
-        // Over one side they meet elsewhere only where one lies folded onto the other.
-        return shared_ == 3
-               || (CGAL::coplanar(p_[0], p_[1], p_[2], q_[2])
-                   && CGAL::coplanar_orientation(p_[0], p_[1], p_[2], q_[2]) == CGAL::POSITIVE);
+        return shared_ == 3 || (!has_clear_plane_between() && meet_exactly());
     }
 
 private:
-    using Places = std::array<Kernel::Point_3, 3>;
+    using Places = std::array<Vector3, 3>;
     using Order = std::array<int, 3>;
 
-    static void put(Order& order, int where, int k)
-    {
-        std::swap(order[where], *std::find(order.begin(), order.end(), k));
-    }
-    static Kernel::Triangle_3 triangle(const Places& places)
+    static Kernel::Triangle_3 triangle(const std::array<Kernel::Point_3, 3>& places)
     {
         return {places[0], places[1], places[2]};
     }
 
-    Order one_{0, 1, 2}, other_{0, 1, 2};
+    static void put(Order& order, int where, int k)
+    {
+        std::swap(order[at(where)], *std::find(order.begin(), order.end(), k));
+    }
+
+    // Whether a plane through the corners that they share, or between them, keeps them apart by
+    // more than rounding. Exact predicates take long on flat sheets; few pairs are left for them.
+    bool has_clear_plane_between() const
+    {
+        constexpr double rounding = 1e-12;  // of a coordinate: thousands of its last digit
+        const Vector3& origin = p_[0];
+        const auto ahead = [&](const Places& places)
+        {
+            Vector3 sum = Vector3::Zero();
+            for (int k = shared_; k < 3; ++k)
+                sum += places[at(k)] - origin;
+            return shared_ == 1 ? Vector3(sum.normalized()) : sum;
+        };
+        Vector3 normal = ahead(p_) - ahead(q_);
+        if (shared_ == 2)
+        {
+            const Vector3 side = (p_[1] - origin).normalized();
+            normal -= normal.dot(side) * side;
+        }
+        normal.normalize();
+        double above = std::numeric_limits<double>::infinity(),
+               below = -std::numeric_limits<double>::infinity(), size = 0.0;
+        for (int k = shared_; k < 3; ++k)
+        {
+            above = std::min(above, normal.dot(p_[at(k)] - origin));
+            below = std::max(below, normal.dot(q_[at(k)] - origin));
+        }
+        for (int k = 0; k < 3; ++k)
+            size =
+                std::max({size, p_[at(k)].cwiseAbs().maxCoeff(), q_[at(k)].cwiseAbs().maxCoeff()});
+        const double room = rounding * size;
+        return shared_ == 0 ? above - below > room : above > room && below < -room;
+    }
+
+    bool meet_exactly() const
+    {
+        const std::array p{exact(p_[0]), exact(p_[1]), exact(p_[2])};
+        const std::array q{exact(q_[0]), exact(q_[1]), exact(q_[2])};
+        if (shared_ == 0)
+            return CGAL::do_intersect(triangle(p), triangle(q));
+        if (shared_ == 1)
+            return CGAL::do_intersect(Kernel::Segment_3(p[1], p[2]), triangle(q))
+                   || CGAL::do_intersect(Kernel::Segment_3(q[1], q[2]), triangle(p));
+        // Over one side they meet elsewhere only where one lies folded onto the other.
+        return CGAL::coplanar(p[0], p[1], p[2], q[2])
+               && CGAL::coplanar_orientation(p[0], p[1], p[2], q[2]) == CGAL::POSITIVE;
+    }
+
     int shared_ = 0;
     Places p_, q_;
 };

@@ -23,16 +23,23 @@ MUTATIONS = [
     ),
     Mutation(
         CROSSINGS,
-        "CGAL::coplanar_orientation(p_[0], p_[1], p_[2], q_[2]) == CGAL::POSITIVE",
-        "CGAL::coplanar_orientation(p_[0], p_[1], p_[2], q_[2]) == CGAL::NEGATIVE",
+        "CGAL::coplanar_orientation(p[0], p[1], p[2], q[2]) == CGAL::POSITIVE",
+        "CGAL::coplanar_orientation(p[0], p[1], p[2], q[2]) == CGAL::NEGATIVE",
         "SelfIntersections.*",
     ),
     Mutation(
         CROSSINGS,
-        "do_intersect(Kernel::Segment_3(p_[1], p_[2]), triangle(q_))",
-        "do_intersect(Kernel::Segment_3(p_[0], p_[1]), triangle(q_))",
+        "do_intersect(Kernel::Segment_3(p[1], p[2]), triangle(q))",
+        "do_intersect(Kernel::Segment_3(p[0], p[1]), triangle(q))",
         "SelfIntersections.*",
     ),
+    Mutation(
+        CROSSINGS,
+        "above > room && below < -room",
+        "above > room || below < -room",
+        "SelfIntersections.*",
+    ),
+    Mutation(CROSSINGS, "above - below > room", "above + below > room", "SelfIntersections.*"),
     Mutation(
         STEPS,
         "(cotangent_at(c, a, b) + cotangent_at(d, a, b) < -1e-7)",

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from ..errors import FileError, OccupiedError
 from .beside import require_unread
+from .identity import is_one_of
 from .ledger import Ledger
 from .signals import postponed
 
@@ -113,7 +114,7 @@ class FileSet:
             self._other[path] = by
         if not path.exists():
             return
-        if any(other.exists() and os.path.samefile(path, other) for other in self.reads):
+        if is_one_of(path, self.reads):
             raise FileError(path, "it is read by this command", "name another file")
         if not self._may_replace(path):
             raise OccupiedError(path)
