@@ -1266,6 +1266,22 @@
  <context>
   <name>SheetMorph_panels</name>
   <message>
+   <source>The shape of {0} failed</source>
+   <translation>Die Form von {0} ist fehlgeschlagen</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>Anhalten</translation>
+  </message>
+  <message>
+   <source>Stops computing; a recompute of the document computes the shape.</source>
+   <translation>Hält die Berechnung an; Neuberechnen des Dokuments berechnet die Form.</translation>
+  </message>
+  <message>
+   <source>Computing the final shape of {0}</source>
+   <translation>Die endgültige Form von {0} wird berechnet</translation>
+  </message>
+  <message>
    <source>This shape failed for an unknown reason ({0}). Please report it.</source>
    <translation>Diese Form konnte aus unbekanntem Grund nicht berechnet werden ({0}). Bitte melden Sie das.</translation>
   </message>
@@ -1528,6 +1544,10 @@
   <message>
    <source>Choose a cure first.</source>
    <translation>Wähle zuerst eine Abhilfe.</translation>
+  </message>
+  <message>
+   <source>The parts follow in the background…</source>
+   <translation>Die Teile folgen im Hintergrund …</translation>
   </message>
   <message>
    <source>Mark a fixed region and a handle first.</source>

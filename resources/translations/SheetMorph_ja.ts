@@ -1266,6 +1266,22 @@
  <context>
   <name>SheetMorph_panels</name>
   <message>
+   <source>The shape of {0} failed</source>
+   <translation>{0} の形状を計算できませんでした</translation>
+  </message>
+  <message>
+   <source>Stop</source>
+   <translation>停止</translation>
+  </message>
+  <message>
+   <source>Stops computing; a recompute of the document computes the shape.</source>
+   <translation>計算を停止します。ドキュメントを再計算すると形状が計算されます。</translation>
+  </message>
+  <message>
+   <source>Computing the final shape of {0}</source>
+   <translation>{0} の最終形状を計算中</translation>
+  </message>
+  <message>
    <source>This shape failed for an unknown reason ({0}). Please report it.</source>
    <translation>原因不明のエラーでこの形状を計算できませんでした ({0})。ご報告ください。</translation>
   </message>
@@ -1528,6 +1544,10 @@
   <message>
    <source>Choose a cure first.</source>
    <translation>先に対処を選んでください。</translation>
+  </message>
+  <message>
+   <source>The parts follow in the background…</source>
+   <translation>部品はバックグラウンドで追従します…</translation>
   </message>
   <message>
    <source>Mark a fixed region and a handle first.</source>

@@ -30,6 +30,7 @@ STEPS = re.compile(
 )
 OBSERVERS = re.compile(r"\b(addDocumentObserver)\(")
 MAY_OBSERVE = {"bridge/snapshots.py", "editing/watch.py", "panels/guide.py", "objects/watcher.py"}
+MAY_OBSERVE |= {"interaction/finishing.py"}
 FREECAD_MODULES = {"FreeCAD", "freecad", "Mesh", "MeshPart", "Part"}
 
 

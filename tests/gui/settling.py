@@ -77,6 +77,10 @@ def is_at_work() -> bool:
     documents = App.listDocuments().values()
     if any(one.Recomputing or one.Restoring or one.Transacting for one in documents):
         return True
+    from freecad.sheetmorph.interaction.finishing import finishing
+
+    if finishing().is_under_way():
+        return True
     modal = QtGui.QApplication.activeModalWidget()
     if modal is not None and modal.objectName() == "SheetMorphProgress":
         return True

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The GUI tests that need the kernel; imported by name, one file a topic."""
 
+from checks_answering import *  # noqa: F401,F403
 from checks_contacts import *  # noqa: F401,F403
 from checks_decks import *  # noqa: F401,F403
 from checks_dragging import *  # noqa: F401,F403

@@ -26,6 +26,7 @@ class Findings:
     warnings: dict[str, str] = field(default_factory=dict)
     """By object name of a contact that opens or closes too far: the sentence that says so."""
     sentences: tuple[str, ...] = ()  # all warnings, those of contacts among them
+    unsettled: str = ""  # what was not solved to its end, in sentences
 
 
 def findings_of(session, result, contacts: dict[str, str]) -> Findings:

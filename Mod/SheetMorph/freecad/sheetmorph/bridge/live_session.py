@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A session for dragging: the pose changes, meshes and regions do not.
 
-The document is read and written by `ask` and `keep`; `answer` touches neither, so that a thread
-of its own may compute frames, one at a time.
+`ask` reads the document; `answer` does not touch it, so that a thread of its own may compute
+frames, one at a time. A recompute in the pose of an exact answer finds that answer.
 """
 
 from __future__ import annotations
@@ -141,6 +141,8 @@ class LiveSession:
             except FAILURES as error:
                 raise MorphError(one_sentence(error)) from error
             positions = {name: found.positions[self.names[name]] for name in rests}
+            if question.is_exact:
+                self._cache.remember(self._morph, question.pose, found)
         self._shown = Frame(question, positions, found)
         return self._shown
 
@@ -178,11 +180,6 @@ class LiveSession:
         except kernel.core().Cancelled:
             found = self._session.rest_shape(sizes, False)
         return {name: found.positions[self.names[name]] for name in self.parts}
-
-    def keep(self, frame: Frame) -> None:
-        """Let the next recompute in the pose of an exact frame find its result."""
-        if frame.result is not None and frame.question.is_exact:
-            self._cache.remember(self._morph, frame.question.pose, frame.result)
 
     def deform(self, moved: Pose | None = None, exact: bool = False) -> dict[str, np.ndarray]:
         """Return local positions (n, 3) mm of every part, by document object name.

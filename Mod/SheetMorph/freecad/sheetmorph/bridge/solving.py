@@ -9,7 +9,9 @@ state finds its session and its result again.
 from __future__ import annotations
 
 import hashlib
+import threading
 from collections import OrderedDict
+from concurrent.futures import Future, wait
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -18,7 +20,14 @@ import numpy as np
 
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, kernel, recipes
-from freecad.sheetmorph.bridge.findings import Findings, Step, findings_of, show, steps_of
+from freecad.sheetmorph.bridge.findings import (
+    Findings,
+    Step,
+    findings_of,
+    set_where_new,
+    show,
+    steps_of,
+)
 from freecad.sheetmorph.objects import assembly_of, deformation_of, model
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.bridge.rest import RestPart, read_rest
@@ -29,6 +38,7 @@ ControlMesh = tuple[np.ndarray, np.ndarray]
 """Vertices (m, 3) float64, global, mm, and triangles (t, 3) int32."""
 FAILURES = (ValueError, RuntimeError, OSError)
 """What the kernel, its package and the document raise for the person to read."""
+LOOK = 0.05  # seconds between two looks at what another thread computes
 ORPHANED = "The morph of this part was deleted: undo that, or delete the part too."
 
 __all__ = ["MorphError", "Outcome", "SessionCache", "cache_of", "read_morph"]
@@ -43,6 +53,7 @@ class Morph:
     rests: dict[str, RestPart]  # by document object name
     names: dict[str, str]  # document object name -> name in the recipe
     contacts: dict[str, str]  # name in the recipe -> document object name
+    ignored: tuple[str, ...] = ()  # labels of regions and contacts that have lost their part
 
     @cached_property
     def key(self) -> str:
@@ -51,6 +62,11 @@ class Morph:
         for rest in self.rests.values():
             state.update(rest.digest.encode())
         return state.hexdigest()
+
+    @property
+    def answer_key(self) -> tuple:
+        """What an answer is found by: fingerprint, pose, and the objects that it is shown at."""
+        return self.key, repr(self.pose), tuple(self.names.items())
 
     def is_held(self) -> bool:
         """Whether anything is fixed or moved, so that there is something to solve."""
@@ -75,15 +91,29 @@ def read_morph(assembly) -> Morph:
     recipe, pose = recipes.recipe_of(assembly, ids), recipes.pose_of(assembly)
     names = recipes.names_of(assembly)
     contacts = {names[contact.Name]: contact.Name for contact in model.contacts(assembly)}
-    return Morph(recipe, pose, rests, names, contacts)
+    return Morph(recipe, pose, rests, names, contacts, ignored_in(assembly))
+
+
+def ignored_in(assembly) -> tuple[str, ...]:
+    """Return the labels of the regions and contacts that have lost a part."""
+    parts = model.parts(assembly)
+    regions = [region.Label for region in model.regions(assembly) if region.Part is None]
+    contacts = [c.Label for c in model.contacts(assembly) if not recipes.has_both_parts(c, parts)]
+    return tuple(regions + contacts)
 
 
 class SessionCache:
-    """The latest sessions and results of one assembly, found by content."""
+    """The latest sessions and answers of one assembly, found by content.
+
+    Several threads may ask: a session is built and a pose solved outside of the lock.
+    """
 
     KEPT = 2
 
     def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._outcomes: OrderedDict[tuple, Outcome] = OrderedDict()
+        self._coming: dict[tuple, Future] = {}  # what a thread beside the window's computes
         self._sessions: OrderedDict[str, Any] = OrderedDict()
         self._results: OrderedDict[tuple, Any] = OrderedDict()
         self._refused: OrderedDict[str, ValueError] = OrderedDict()
@@ -95,16 +125,19 @@ class SessionCache:
         What was wrong with a morph is kept too: a large one takes as long to fail as to succeed.
         """
         key = morph.key
-        if key in self._refused:
-            raise self._refused[key].with_traceback(None)
-        if key not in self._sessions:
-            try:
-                self._keep(self._sessions, key, self._built(morph))
-            except ValueError as error:
-                self._keep(self._refused, key, error)
-                raise
-        self._sessions.move_to_end(key)
-        return self._sessions[key]
+        with self._lock:
+            if key in self._refused:
+                raise self._refused[key].with_traceback(None)
+            if key in self._sessions:
+                self._sessions.move_to_end(key)
+                return self._sessions[key]
+        try:
+            built = self._built(morph)
+        except ValueError as error:
+            self._keep(self._refused, key, error)
+            raise
+        self._keep(self._sessions, key, built)
+        return built
 
     def _built(self, morph: Morph):
         package = kernel.load()
@@ -115,7 +148,8 @@ class SessionCache:
             for name, rest in morph.rests.items()
         }
         recipe = {**morph.recipe, "pose": {}}
-        previous = next(reversed(self._sessions.values()), None)
+        with self._lock:
+            previous = next(reversed(self._sessions.values()), None)
         return reporting.waited_for(
             lambda told: package.Session(recipe, meshes, told, previous=previous)
         )
@@ -123,16 +157,21 @@ class SessionCache:
     def result(self, morph: Morph, exact: bool = True):
         """Return the sheetmorph.Result of `morph` in its pose, solving if it is not kept."""
         key = (morph.key, repr(morph.pose), exact)
-        if key not in self._results:
-            solve = self.session(morph).deform
-            found = reporting.waited_for(lambda told: solve(morph.pose, exact, told))
-            self._keep(self._results, key, found)
-        self._results.move_to_end(key)
-        return self._results[key]
+        with self._lock:
+            if key in self._results:
+                self._results.move_to_end(key)
+                return self._results[key]
+        solve = self.session(morph).deform
+        found = reporting.waited_for(lambda told: solve(morph.pose, exact, told))
+        self._keep(self._results, key, found)
+        return found
 
     def remember(self, morph: Morph, pose: dict, result: Any) -> None:
-        """Keep the exact sheetmorph.Result of `morph` in another pose, worked out elsewhere."""
+        """Keep the exact sheetmorph.Result of `morph` in another pose, worked out elsewhere, with
+        all that a recompute in that pose needs."""
+        posed = replace(morph, pose=pose)
         self._keep(self._results, (morph.key, repr(pose), True), result)
+        self._solved(posed)
 
     def positions(self, morph: Morph, exact: bool = True) -> dict[str, np.ndarray]:
         """Return the global positions (n, 3) of every part by object name; rest if none is held."""
@@ -153,20 +192,68 @@ class SessionCache:
         """Read and solve `assembly`; what goes wrong is told in the outcome."""
         try:
             morph = read_morph(assembly)
-            positions = self.positions(morph)
-            status = self._status(assembly, morph)
-            found = self.findings(morph)
         except FAILURES as error:
-            sentence = one_sentence(error)
-            return Outcome(failure=sentence, status=sentence)
-        return Outcome("", status, morph, positions, found)
+            return failed(error)
+        return self.outcome(morph)
+
+    def is_known(self, morph: Morph) -> bool:
+        """Whether the answer of `morph` is kept, so that a recompute need not solve."""
+        with self._lock:
+            return morph.answer_key in self._outcomes
+
+    def outcome(self, morph: Morph) -> Outcome:
+        """Return the answer of `morph`: kept, computed by another thread just now, or solved."""
+        with self._lock:
+            kept = self._outcomes.get(morph.answer_key)
+            coming = self._coming.get(morph.answer_key)
+        if kept is None and coming is not None:
+            kept = reporting.waited_for(lambda told: awaited(coming, told))
+        if kept is None:
+            return self._solved(morph)
+        if kept.failure:
+            return kept
+        status = status_of(morph, kept.findings)
+        return replace(kept, morph=morph, status=status)
+
+    def compute(self, morph: Morph, goes_on: reporting.Progress) -> Outcome:
+        """In a thread beside the window's: as `outcome`; who asks meanwhile waits for it.
+
+        Raises Cancelled of the kernel when `goes_on(fraction, task)` says no.
+        """
+        coming: Future = Future()
+        with self._lock:
+            self._coming[morph.answer_key] = coming
+        found = None
+        try:
+            with reporting.told_to(goes_on):
+                found = self._solved(morph)
+        finally:
+            with self._lock:
+                del self._coming[morph.answer_key]
+            coming.set_result(found)
+        return found
+
+    def _solved(self, morph: Morph) -> Outcome:
+        try:
+            positions, found = self.positions(morph), self.findings(morph)
+        except FAILURES as error:
+            if kernel.is_available() and isinstance(error, kernel.core().Cancelled):
+                if threading.current_thread() is not threading.main_thread():
+                    raise
+                return failed(error)
+            outcome = failed(error)
+        else:
+            outcome = Outcome("", status_of(morph, found), morph, positions, found)
+        self._keep(self._outcomes, morph.answer_key, outcome)
+        return outcome
 
     def findings(self, morph: Morph) -> Findings:
         """Return what a recompute tells beyond positions; nothing while nothing is held."""
         if not morph.is_held():
             return Findings()
         session, result = self.session(morph), self.result(morph)
-        return reporting.waited_for(lambda _told: findings_of(session, result, morph.contacts))
+        found = reporting.waited_for(lambda _told: findings_of(session, result, morph.contacts))
+        return replace(found, unsettled=unsettled_words(result))
 
     def steps(self, morph: Morph) -> list[Step]:
         """Return the parts in the order of propagation; nothing while nothing is held."""
@@ -180,23 +267,6 @@ class SessionCache:
         if not morph.is_held():
             return None
         return shown_control_mesh(self.result(morph), morph, contact)
-
-    def _status(self, assembly, morph: Morph) -> str:
-        if not morph.rests:
-            return "Add a part."
-        if not morph.is_held():
-            return "At rest: mark a fixed region and a handle."
-        lost = [r.Label for r in model.regions(assembly) if r.Part is None]
-        parts = model.parts(assembly)
-        lost += [c.Label for c in model.contacts(assembly) if not recipes.has_both_parts(c, parts)]
-        notes = [f"Without a part and ignored: {', '.join(lost)}."] if lost else []
-        unreached = list(self.session(morph).unreached)
-        if unreached:
-            notes.append(f"Not reached from the primary, left at rest: {', '.join(unreached)}.")
-        unsettled = unsettled_words(self.result(morph))
-        if unsettled:
-            notes.append(f"Not solved to its end: {unsettled} Turn handles less.")
-        return " ".join(notes) or "Up to date."
 
     def mesh(self, outcome: Outcome, part):
         """Return the FreeCAD mesh of `part` in an outcome; raises MorphError if it failed."""
@@ -213,9 +283,51 @@ class SessionCache:
         return kept[1].mesh(local, conversion.result_placement(part))
 
     def _keep(self, store: OrderedDict, key, value) -> None:
-        store[key] = value
-        while len(store) > self.KEPT:
-            store.popitem(last=False)
+        with self._lock:
+            store[key] = value
+            store.move_to_end(key)
+            while len(store) > self.KEPT:
+                store.popitem(last=False)
+
+
+def awaited(coming: Future, told: reporting.Progress | None) -> Outcome | None:
+    """Return what another thread computes, None if it was stopped."""
+    while not wait([coming], timeout=LOOK).done:
+        if told is not None and not told(0.0, ""):
+            raise kernel.core().Cancelled("Cancelled while another thread computes this shape.")
+    return coming.result()
+
+
+def failed(error: Exception) -> Outcome:
+    """Return the outcome of a morph that cannot be solved."""
+    sentence = one_sentence(error)
+    return Outcome(failure=sentence, status=sentence)
+
+
+def status_of(morph: Morph, found: Findings) -> str:
+    """Return how a solved morph is, in a sentence or two."""
+    if not morph.rests:
+        return "Add a part."
+    if not morph.is_held():
+        return "At rest: mark a fixed region and a handle."
+    notes = []
+    if morph.ignored:
+        notes.append(f"Without a part and ignored: {', '.join(morph.ignored)}.")
+    if found.unreached:
+        notes.append(f"Not reached from the primary, left at rest: {', '.join(found.unreached)}.")
+    if found.unsettled:
+        notes.append(f"Not solved to its end: {found.unsettled} Turn handles less.")
+    return " ".join(notes) or "Up to date."
+
+
+def tell_status(assembly, status: str) -> None:
+    """Show how a morph is whose parts have no final shape yet."""
+    set_where_new(assembly, "Status", status)
+
+
+def make_due(assembly) -> None:
+    """Let the next recompute of the document give the parts their shape."""
+    deformation_of(assembly).touch()
 
 
 def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:

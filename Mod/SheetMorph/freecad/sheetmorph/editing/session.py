@@ -138,6 +138,11 @@ class EditingSession(Session):
         self.at_end(self._take_back)
         return self.pending
 
+    @property
+    def goes_along(self) -> bool:
+        """Whether the parts may get another shape under the panel."""
+        return self._goes_with_undo or self.pending is not None
+
     @contextmanager
     def aside(self):
         """In this context the panel may do an undo step of its own."""

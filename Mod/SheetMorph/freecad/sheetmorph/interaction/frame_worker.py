@@ -8,6 +8,9 @@ from freecad.sheetmorph.garbage import collecting
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.latest import Latest
 
+ENDING: set = set()
+"""Workers that were stopped and whose threads are at work still; they go when that has ended."""
+
 
 class FrameWorker(QtCore.QObject):
     """Answers questions one at a time; of those asked meanwhile only the last is answered.
@@ -21,6 +24,7 @@ class FrameWorker(QtCore.QObject):
 
     _computed = QtCore.Signal(object, str)
     _told = QtCore.Signal(str)
+    _ended = QtCore.Signal()
 
     def __init__(self, compute, listener):
         super().__init__()
@@ -32,6 +36,7 @@ class FrameWorker(QtCore.QObject):
         self._last_told = ""
         self._computed.connect(self._deliver, QtCore.Qt.QueuedConnection)
         self._told.connect(self._pass_on, QtCore.Qt.QueuedConnection)
+        self._ended.connect(self._let_go, QtCore.Qt.QueuedConnection)
 
     @property
     def is_idle(self) -> bool:
@@ -60,14 +65,24 @@ class FrameWorker(QtCore.QObject):
         self._listener = None
 
     def stop(self) -> None:
-        """Returns when the thread has ended; nothing is delivered any more. What is under way ends
-        as soon as it looks at `is_free`."""
+        """Delivers nothing any more, and waits for nothing: what is under way ends as soon as it
+        looks at `is_free`."""
         self.hush()
-        self._thread.shutdown(wait=True)
         if self._is_running:
-            collecting().release()
-        self._is_running = False
+            self._is_running = False
+            if not self._latest.is_busy:
+                self._thread.shutdown(wait=True)
+                self._let_go()
+                return
+            ENDING.add(self)
+            self._thread.submit(self._ended.emit)
+            self._thread.shutdown(wait=False)
+
+    def _let_go(self) -> None:
+        """The thread has nothing to do any more."""
+        ENDING.discard(self)
         self._compute = None
+        collecting().release()
 
     def _begin(self, question) -> None:
         if question is not None:

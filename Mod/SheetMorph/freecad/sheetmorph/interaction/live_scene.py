@@ -84,16 +84,25 @@ class LiveScene:
             return self._elements(list(element_quality.MEASURES)[kind - ELEMENTS])
         return None
 
+    def show_shape_alone(self) -> None:
+        """Shows the parts in their colours, and nothing besides."""
+        self._show_nothing_besides()
+        for shown in self._previews.values():
+            shown.plain()
+
     def remove(self) -> None:
         """Shows the meshes as the document has them; the document may be closed."""
+        self._show_nothing_besides()
+        for shown in self._previews.values():
+            shown.remove()
+        self._previews = {}
+
+    def _show_nothing_besides(self) -> None:
         self.use_original(False)
         self.use_wires(False)
         self.use_marks(False)
         self._mark(())
         self._fill_regions(True)
-        for shown in self._previews.values():
-            shown.remove()
-        self._previews = {}
 
     def _elements(self, measure: str):
         """Those of the parts that decks tell the elements of; triangles of the others."""

@@ -7,6 +7,7 @@ import FreeCAD as App
 
 from freecad.sheetmorph.bridge import kernel, live_session
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, translate
@@ -34,8 +35,9 @@ class LiveUpdate(QtCore.QObject):
         self._assembly = assembly
         self._updating = updating
         self._live = live_session.live(assembly)
-        self._frame = self._valuer = None
-        self._warned = ""
+        self._frame = self._valuer = self._left = None
+        self._warned = self.fault = ""
+        finishing().drop_scene(assembly)
         self.scene = LiveScene(assembly, self._live, session.view)
         self._pending = session.pending
         self.legend = None
@@ -85,11 +87,32 @@ class LiveUpdate(QtCore.QObject):
         """Draws and commits nothing any more; what is shown stays until ``remove``."""
         self._worker.hush()
 
+    def finish(self) -> None:
+        """The step with the present pose is kept: its final shape comes in the background. If the
+        pose stays, what is shown stays until then."""
+        self._left = self._live.ask().pose
+        finishing().finish(self._assembly)
+
     def remove(self) -> None:
-        """Shows the meshes as the document has them, and lets the solution go."""
+        """Shows the meshes as the document has them, and lets the solution go; waits for nothing
+        that is under way."""
         self._worker.stop()
-        self.scene.remove()
+        if self._is_left():
+            self.scene.show_shape_alone()
+            finishing().finish(self._assembly).take(self.scene)
+        else:
+            self.scene.remove()
         self._live = self._frame = self._valuer = self.legend = None
+
+    def _is_left(self) -> bool:
+        """Whether the final shape of the present pose is on its way."""
+        if self._left is None or self._frame is None:
+            return False
+        try:
+            is_due = finishing().is_due(self._assembly)
+            return is_due and self._live.ask().pose == self._left
+        except (ReferenceError, RuntimeError):
+            return False  # the document is closed
 
     # -- what the worker calls
 
@@ -100,6 +123,7 @@ class LiveUpdate(QtCore.QObject):
             return
         is_new = answer[0] is not self._frame
         self._frame, values, self.legend, milliseconds = answer
+        self.fault = ""
         self.kernel_ms = milliseconds if is_new else self.kernel_ms
         start = time.perf_counter()
         self.scene.show(self._frame, values, self.legend)
@@ -139,6 +163,7 @@ class LiveUpdate(QtCore.QObject):
 
     def on_fault(self, text: str) -> None:
         """Tells what went wrong."""
+        self.fault = text
         self.failed.emit(text)
 
     def on_progress(self, task: str) -> None:
@@ -178,7 +203,6 @@ class LiveUpdate(QtCore.QObject):
         if not self._pending.is_open:
             return  # an undo came before the answer
         start = time.perf_counter()
-        self._live.keep(self._frame)
         self._assembly.Document.recompute()
         self._updating.took(time.perf_counter() - start + self.kernel_ms / 1000.0)
         fault = model.failure_of(self._assembly)

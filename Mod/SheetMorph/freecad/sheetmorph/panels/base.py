@@ -4,6 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
+from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.panels.number_field import loaded
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate, widen
 from freecad.sheetmorph.scene import colours
@@ -77,6 +78,9 @@ class Panel:
         """
         if not self.isAllowedAlterSelection():
             self.session.put_selection_aside()
+        if hasattr(self.session, "document"):
+            finishing().hold(self.session)
+            self.session.over.connect(lambda: finishing().release(self.session))
         self.session.ending.connect(self._fade)
         self.session.over.connect(self._close)
         Gui.Control.showDialog(self)

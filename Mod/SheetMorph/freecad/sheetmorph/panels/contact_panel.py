@@ -6,7 +6,7 @@ from freecad.sheetmorph.bridge import seen, selecting
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import contact_types
+from freecad.sheetmorph.panels import contact_types, keeping
 from freecad.sheetmorph.panels.base import Panel, chip, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
@@ -113,7 +113,7 @@ class ContactPanel(Panel):
             say(self.form.message, fault, True)
             return False
         try:
-            actions.run("Mark Contact", *self._lines(), document=self._assembly.Document)
+            keeping.keep("Mark Contact", *self._lines(), document=self._assembly.Document)
         except actions.FAULTS as error:
             self._faults.say(str(error))
             return False

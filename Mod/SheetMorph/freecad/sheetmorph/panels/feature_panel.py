@@ -9,6 +9,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
+from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
@@ -74,10 +75,10 @@ class FeaturePanel(Panel):
         try:
             changes = self._changes()
             if changes:
-                self._try(changes)
+                self._pause.stop()
                 self._end_drawing()
                 lines = [line_of(*change) for change in changes]
-                actions.run("Form Feature", *lines, document=self._feature.Document)
+                keeping.keep("Form Feature", *lines, document=self._feature.Document)
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
@@ -120,7 +121,6 @@ class FeaturePanel(Panel):
                 getattr(api, function)(*arguments, **keywords)
             live = live_session.live(self._assembly)
             frame = live.answer(live.ask(exact=True))
-            live.keep(frame)  # OK recomputes in this very pose
             self._end_drawing()
             self._shown = LiveScene(self._assembly, live, None)
             self._shown.show(frame, None, None)

@@ -5,7 +5,7 @@ from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import find_table
+from freecad.sheetmorph.panels import find_table, keeping
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
@@ -144,7 +144,7 @@ class FindPanel(Panel):
             return False
         lines = self._what.lines(self._assembly, chosen, self.form)
         try:
-            actions.run(self._what.title, *lines, document=self._assembly.Document)
+            keeping.keep(self._what.title, *lines, document=self._assembly.Document)
         except actions.FAULTS as error:
             self._faults.say(str(error))
             return False

@@ -13,6 +13,7 @@ from freecad.sheetmorph.panels import progress, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, legend, listed, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
+from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.interaction.handle_drag import HandleDrag
 from freecad.sheetmorph.interaction.live_update import LiveUpdate
 from freecad.sheetmorph.panels.mouse_fields import MouseFields
@@ -95,33 +96,42 @@ class MovePanel(Panel):
         self._handles.unmake_unmoved()
         lines = self._handles.lines()
         if lines:
-            with actions.waiting():
-                fault = self._recomputed()
+            fault = self._fault()
             if fault:
                 self._faults.say(fault)
                 return False
             actions.note(*lines, f"{actions.DOCUMENT}.recompute()")
             self._let_shapes_follow()
         self._pending.keep()
+        if lines and self._live is not None:
+            self._live.finish()
         self._handles.begin()
         return True
 
     def _let_shapes_follow(self) -> None:
-        """Deformed shapes, if there are any, belong to the step; one that cannot follow is told."""
+        """Deformed shapes, if there are any, belong to the step; one that cannot follow is told.
+
+        They need the final shape, so this waits for it.
+        """
         owner = self._handles.assembly
         if not any(part.DeformedShape for part in model.parts(owner)):
             return
         try:
             with actions.waiting():
+                self.session.document.recompute()
                 update_shapes(owner)
         except actions.FAULTS as error:
             actions.tell("Deformed Shape", error)
             return
         actions.note(actions.call("update_shapes", actions.name(owner)))
 
-    def _recomputed(self) -> str:
-        """Lets all results follow, as part of the step; returns what is wrong, if anything."""
-        self.session.document.recompute()
+    def _fault(self) -> str:
+        """What is known to be wrong with the present pose, empty if nothing is. Without a solution
+        a recompute says at once why there is none."""
+        if self._live is not None:
+            return self._live.fault
+        with actions.waiting():
+            self.session.document.recompute()
         return model.failure_of(self._handles.assembly)
 
     # -- following fields and mouse; the next five are what HandleDrag asks for
@@ -189,6 +199,9 @@ class MovePanel(Panel):
                 self._live = self._new_live()
         except actions.FAULTS as error:
             self._faults.say(str(error))
+            return
+        if finishing().is_due(self._handles.assembly):
+            self._frame.start()  # the parts still have an earlier shape
 
     def _new_live(self) -> LiveUpdate:
         live = LiveUpdate(self._handles.assembly, self._updating, self.session)
@@ -267,6 +280,8 @@ class MovePanel(Panel):
         say(self.form.status, text)
         self._tell_who_stays()
         self._shown.tell()
+        if self._live.is_preview and not self._frame.isActive():
+            self._pause.start()  # no preview stays: the exact shape follows
 
     def _on_settling(self, task: str) -> None:
         if self._live is not None and self._live.is_preview:

@@ -57,16 +57,26 @@ class PosePanel(Panel):
         """OK: one undo step of what is seen, one macro line."""
         line = self._line()
         self._pending.gather()
-        if self._pending.is_open and line:
-            with actions.waiting():
-                self._document.recompute()
-            fault = model.failure_of(self._assembly)
+        is_new = bool(self._pending.is_open and line)
+        if is_new:
+            fault = self._fault()
             if fault:
                 self._faults.say(fault)
                 return False
             actions.note(line, f"{actions.DOCUMENT}.recompute()")
         self._pending.keep()
+        if is_new and self._live is not None:
+            self._live.finish()
         return True
+
+    def _fault(self) -> str:
+        """What is known to be wrong with the present pose, empty if nothing is. Without a solution
+        a recompute says at once why there is none."""
+        if self._live is not None:
+            return self._live.fault
+        with actions.waiting():
+            self._document.recompute()
+        return model.failure_of(self._assembly)
 
     def _prepare_widgets(self, pose) -> None:
         form = self.form

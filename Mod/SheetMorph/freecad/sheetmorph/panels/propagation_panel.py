@@ -10,7 +10,8 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.assembly import PROPAGATIONS, UNHELD, WHOLE
 from freecad.sheetmorph.interaction import control_meshes
-from freecad.sheetmorph.panels import contact_types, propagation_tree
+from freecad.sheetmorph.interaction.finishing import finishing
+from freecad.sheetmorph.panels import contact_types, keeping, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, listed, say
 from freecad.sheetmorph.qt import QtWidgets, number, translate
 from freecad.sheetmorph.scene import colours
@@ -39,6 +40,8 @@ class PropagationPanel(Panel):
         self._wires = None
         session.at_end(self._remove_wires)
         session.changed.connect(self._fill)
+        finishing().finished.connect(self._fill_when_done)
+        session.at_end(lambda: finishing().finished.disconnect(self._fill_when_done))
         self._prepare_widgets()
         self._fill()
 
@@ -60,7 +63,7 @@ class PropagationPanel(Panel):
     def _change(self, title: str, function: str, *arguments: str, **keywords: str) -> None:
         """Does it as one undo step, and shows what has become of it."""
         if not self._is_filling:
-            actions.attempt(
+            keeping.attempt(
                 title, call(function, *arguments, **keywords), document=self._assembly.Document
             )
             self._fill()
@@ -106,8 +109,11 @@ class PropagationPanel(Panel):
         form.levels.setValue(self._assembly.Levels)
         form.smoothness.setValue(self._assembly.Smoothness)
         try:
-            self._steps = api.propagation(self._assembly)
-            say(form.message, "")
+            if not finishing().is_due(self._assembly):
+                self._steps = api.propagation(self._assembly)
+            is_late = finishing().is_due(self._assembly)
+            text = translate("SheetMorph_panels", "The parts follow in the background…")
+            say(form.message, text if is_late else "")
         except actions.FAULTS as error:
             self._steps = []
             say(form.message, str(error), True)
@@ -118,6 +124,11 @@ class PropagationPanel(Panel):
         opened = propagation_tree.opened(self._assembly) if self._steps else []
         say(form.hint, self._hint(opened), bool(opened))
         self._choose()
+
+    def _fill_when_done(self, assembly) -> None:
+        """The parts have followed a change."""
+        if assembly == self._assembly:
+            self._fill()
 
     def _has_meshes(self) -> bool:
         """Whether control meshes and modes have any effect."""
@@ -211,7 +222,7 @@ class PropagationPanel(Panel):
 
     def _draw_meshes(self) -> None:
         """The control mesh of the contact that is chosen, else of all that have one."""
-        if self._wires is None:
+        if self._wires is None or finishing().is_due(self._assembly):
             return
         try:
             meshes = control_meshes.collect(

@@ -8,6 +8,7 @@ from freecad.sheetmorph.bridge import seen, selecting
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, legend, say, vertices_said
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.pick_mouse import PickMouse
@@ -164,7 +165,7 @@ class RegionPanel(Panel):
             say(self.form.message, text, True)
             return False
         try:
-            actions.run(f"Mark {TITLES[self._role]}", *self._lines(), document=self._part.Document)
+            keeping.keep(f"Mark {TITLES[self._role]}", *self._lines(), document=self._part.Document)
         except actions.FAULTS as error:
             self._faults.say(str(error))
             return False

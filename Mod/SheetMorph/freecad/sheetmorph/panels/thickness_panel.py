@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that shows how thick a part is, as colours on the part with a legend."""
 
-from freecad.sheetmorph import actions, api
+from freecad.sheetmorph import api
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.bridge.snapshots import snapshot_of
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import assembly_of
+from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, chip, say
 from freecad.sheetmorph.panels.scale import gradient
 from freecad.sheetmorph.qt import QtWidgets, number, translate
@@ -63,12 +64,12 @@ class ThicknessPanel(Panel):
 
     def _switch(self, is_on: bool) -> None:
         line = call("set_thin", name(self._part), repr("auto" if is_on else False))
-        actions.attempt("Thin Solid", line, document=self._part.Document)
+        keeping.attempt("Thin Solid", line, document=self._part.Document)
 
     def _mark(self) -> None:
         owner = name(assembly_of(self._part))
         line = call("add_through_holes", owner, name(self._part))
-        actions.attempt("Mark Holes", line, document=self._part.Document)
+        keeping.attempt("Mark Holes", line, document=self._part.Document)
 
 
 def summary(solid) -> str:

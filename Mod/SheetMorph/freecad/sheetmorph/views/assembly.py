@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a morph and its hidden deformation look in the tree."""
 
+from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.views import menus
@@ -11,6 +12,12 @@ class AssemblyView(FollowingView, OwnerView):
     """A group; double click moves its first handle."""
 
     icon = "Morph"
+
+    def attach(self, view_object) -> None:
+        """What was saved before its final shape was there gets it after the opening."""
+        super().attach(view_object)
+        if view_object.Object.Document.Restoring:
+            finishing().look_at(view_object.Object.Document)
 
     def doubleClicked(self, _view_object) -> bool:
         """Opens the Move Handle panel if there is a handle."""

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What OK does in the panels that change a morph: the step is kept, the shape follows."""
+
+from freecad.sheetmorph import actions
+from freecad.sheetmorph.bridge import faults
+from freecad.sheetmorph.editing import transactions
+from freecad.sheetmorph.interaction.finishing import due_in, finishing, known_failure
+from freecad.sheetmorph.objects.errors import MorphError
+
+
+def keep(title: str, *lines: str, document) -> None:
+    """Runs lines as one undo step called ``title``; nobody waits for the shape.
+
+    A small morph is solved at once, and an error takes the step back, as in `actions.run`. The
+    shape of a large one comes in the background, and so does what is wrong with it.
+    """
+    before, late = faults.faults_in(document), []
+    try:
+        with transactions.step(document, title), actions.followed(title):
+            actions.record(*lines, document=document)
+            late = slow_in(document)
+            actions.refuse(known_fault(document, before))
+            if late:
+                actions.note(f"{actions.DOCUMENT}.recompute()")
+            else:
+                actions.do(f"{actions.DOCUMENT}.recompute()", document)
+                actions.refuse(faults.new_fault(document, before))
+    except MorphError:
+        late = slow_in(document)  # FreeCAD counts as due what was taken back
+        if not late:
+            document.recompute()
+        raise
+    finally:
+        for morph in late:
+            finishing().finish(morph)
+
+
+def slow_in(document) -> list:
+    """The morphs of a document whose new shape takes longer than OK may."""
+    return [morph for morph in due_in(document) if not finishing().is_quick(morph)]
+
+
+def known_fault(document, before: dict[str, str]) -> str:
+    """What the new shape of a morph that was sound `before` is known to fail with; as a recompute
+    says it, see `faults.new_fault`."""
+    for morph in due_in(document):
+        sentence = known_failure(morph)
+        if sentence and morph.Name not in before and faults.named_by(morph, sentence):
+            return sentence
+    return ""
+
+
+def attempt(title: str, *lines: str, document) -> bool:
+    """As :func:`keep`; an error is told to the user, and False is returned."""
+    try:
+        keep(title, *lines, document=document)
+    except actions.Cancelled:
+        return False
+    except actions.FAULTS as error:
+        actions.tell(title, error)
+        return False
+    return True
