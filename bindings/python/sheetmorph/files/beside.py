@@ -21,11 +21,17 @@ def require_unread(path: Path, replaced: Collection[Path]) -> None:
     if not path.exists():
         return
     place = path.resolve()
-    others = [file for file in sorted(path.parent.iterdir()) if file not in replaced]
-    for recipe in others:
+    for recipe in sorted(path.parent.iterdir()):
+        if recipe in replaced or _is_temporary(recipe):
+            continue
         if recipe.suffix.lower() in (".json", ".toml") and place in _read_by(recipe):
             what = f'the recipe "{recipe.name}" beside it reads this file'
             raise FileError(path, what, "name another folder")
+
+
+def _is_temporary(path: Path) -> bool:
+    """Whether a file was never given its name: its write goes on, or was killed."""
+    return path.name.startswith(".") and path.stem.endswith(".tmp")
 
 
 def _read_by(path: Path) -> set[Path]:

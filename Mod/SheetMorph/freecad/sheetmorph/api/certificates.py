@@ -9,6 +9,7 @@ from pathlib import Path
 from freecad.sheetmorph.api.files import write_parts, write_recipe
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.bridge.conversion import temporary_folder
+from freecad.sheetmorph.bridge.written import CERTIFICATE
 
 
 def certify(
@@ -26,7 +27,7 @@ def certify(
     with temporary_folder() as rest:
         recipe = write_recipe(assembly, Path(rest) / "recipe.json", is_placed=False)
         write_parts(assembly, folder, force=force)
-        targets = certifying.Targets(folder / "certificate.json", folder / "certificate.html")
+        targets = certifying.Targets(*(folder / name for name in CERTIFICATE))
         files = kernel.load().files.atomic.FileSet("certify", force=force)
         try:
             return certifying.certify(recipe, folder, limits, targets, files=files)

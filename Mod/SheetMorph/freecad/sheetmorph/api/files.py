@@ -71,13 +71,11 @@ def is_deck(path: str | os.PathLike) -> bool:
 
 
 def in_the_way(assembly, place: str | os.PathLike) -> list[Path]:
-    """Return the files of others that `write_parts` into a folder, or `export_recipe` to a path
-    that ends in .json, would write over: both refuse that, unless `force` says otherwise."""
+    """Return the files of others that `write_parts` and `certify` into a folder, or `export_recipe`
+    to a path that ends in .json, would write over: they refuse that, unless `force` says otherwise.
+    """
     require_assembly(assembly)
-    morph, path = solving.read_morph(assembly), Path(place)
-    if path.suffix.lower() == ".json":
-        return written.in_the_way(assembly, morph, path.parent, "recipe", path.name)
-    return written.in_the_way(assembly, morph, path, "run", "report.json")
+    return written.in_the_way(assembly, solving.read_morph(assembly), Path(place))
 
 
 def write_parts(assembly, folder: str | os.PathLike, *, force: bool = False) -> list[Path]:

@@ -51,6 +51,14 @@ def opened(deck) -> Iterator[Any]:
         yield file
 
 
+def includes_of(deck) -> list[str]:
+    """Return the paths of the files that a deck includes, as seen from its folder."""
+    if not deck.FileData.endswith(PACKED):
+        return []
+    with ZipFile(deck.FileData) as archive:
+        return [name for name in archive.namelist() if name != deck.FileName]
+
+
 def settings_of(deck) -> dict:
     """Return `passengers` and `joints` of a recipe's part."""
     settings = json.loads(deck.Settings or "{}")

@@ -16,17 +16,43 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.bridge.rest import RestPart, read_kept
 
+CERTIFICATE = ("certificate.json", "certificate.html")
 Meshes = dict[str, Callable[[], Any]]
 """By object name of a part, what makes a sheetmorph.PartMesh of it, vertices called by indices."""
 
 
-def in_the_way(assembly, morph, folder: Path, by: str, *others: str) -> list[Path]:
-    """Return the files that exporting into a folder would write over and that are not from an
-    earlier export; `by`: what exports, `others`: names besides those of the parts."""
+def in_the_way(assembly, morph, place: Path) -> list[Path]:
+    """Return the files that exporting to a place would write over and that are not from an earlier
+    export; `place`: a folder, for parts and their certificate, or the file of a recipe."""
     ledger = kernel.load().files.ledger.Ledger()
-    names = dict.fromkeys((*file_names(assembly, morph).values(), *others))
-    places = (folder / name for name in names)
-    return [place for place in places if place.exists() and not ledger.has(place, by)]
+    if place.suffix.lower() == ".json":
+        by, folder = "recipe", place.parent
+        names = [place.name, *recipes.beside_of(assembly)[1]]
+    else:
+        by, folder = "run", place
+        names = ["report.json", *shape_names(assembly, morph).values()]
+    names += part_files(assembly, morph)
+    found = {folder / name: by for name in names}
+    if by == "run":
+        found |= {folder / name: "certify" for name in CERTIFICATE}
+    return [path for path, by in found.items() if path.exists() and not ledger.has(path, by)]
+
+
+def part_files(assembly, morph) -> list[str]:
+    """Return the names of the files of all parts, with those that decks include."""
+    names, found = file_names(assembly, morph), []
+    for owner, parts in writers(assembly, morph).values():
+        found.append(names[parts[0].Name])
+        if owner is not parts[0]:
+            found += decks.includes_of(owner)
+    return found
+
+
+def shape_names(assembly, morph) -> dict[str, str]:
+    """Return the names of the STEP files of deformed shapes, by object name of their part."""
+    names = file_names(assembly, morph)
+    parts = [part for part in model.parts(assembly) if part.DeformedShape is not None]
+    return {part.Name: f"{Path(names[part.Name]).stem}.step" for part in parts}
 
 
 def write_parts(
@@ -41,10 +67,10 @@ def write_parts(
     folder.mkdir(parents=True, exist_ok=True)
     with kernel.load().files.atomic.FileSet(force=force) as files:
         paths, told, _ = write_files(files, assembly, morph, (folder, positions))
+        shapes = shape_names(assembly, morph)
         for part in model.parts(assembly):
-            if part.DeformedShape is not None:
-                name = file_names(assembly, morph)[part.Name]
-                paths.append(folder / f"{Path(name).stem}.step")
+            if part.Name in shapes:
+                paths.append(folder / shapes[part.Name])
                 part.DeformedShape.Shape.exportStep(str(files.temporary_for(paths[-1])))
         if report is not None:
             paths.append(folder / "report.json")

@@ -26,6 +26,7 @@ MODULES = tuple(
         "replacing",
         "following",
         "files",
+        "overwriting",
         "decks",
         "cad",
         "shapes",
