@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+import sheetmorph
+
 OPENED = """
 import FreeCAD as App
 document = App.openDocument({!r})
@@ -22,6 +24,8 @@ def said_of(document: Path) -> str:
     """What freecadcmd prints when it opens and recomputes a document."""
     script = document.with_suffix(".py")
     script.write_text(OPENED.format(str(document)))
+    (document.parent / "Mod").mkdir()
+    (document.parent / "Mod" / "SheetMorph").symlink_to(Path(sheetmorph.__file__).parents[1])
     try:
         done = subprocess.run(
             ["freecadcmd", str(script)],
