@@ -54,7 +54,8 @@ void require_numbers(const Points& points, const std::string& what)
             bad.push_back(static_cast<int>(row));
     if (!bad.empty())
         throw InvalidInput(what + " hold coordinates that are not finite numbers, or beyond 1e30 "
-                           + "mm: vertices " + list_ids(bad) + "; repair or remove them");
+                               + "mm: vertices " + list_ids(bad),
+                           "repair or remove them");
 }
 
 template <typename Integer>

@@ -5,6 +5,7 @@
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 #include "arrays.h"
+#include "faults.h"
 #include "layers.h"
 
 namespace py = pybind11;
@@ -18,12 +19,48 @@ namespace
 // Raised with every change of the module's interface; the package and the workbench compare it.
 constexpr int kernel_api = 1;
 
+void translate_faults(std::exception_ptr thrown)
+{
+    const auto type = [](const char* name)
+    { return py::module_::import("sheetmorph._core").attr(name); };
+    try
+    {
+        std::rethrow_exception(std::move(thrown));
+    }
+    catch (const InvalidInput& error)
+    {
+        set_error(type("InvalidInput"), error.fault());
+    }
+    catch (const SolverError& error)
+    {
+        set_error(type("SolverError"), error.fault());
+    }
+}
+
+py::function without_traceback(const py::function& method)
+{
+    const auto raise = [method](const py::args& arguments)
+    {
+        const py::object error = method(*arguments);
+        if (error.is_none())
+            return;
+        PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+        throw py::error_already_set();
+    };
+    return py::cpp_function(raise);
+}
+
 void bind_errors(py::module_& module)
 {
     py::register_exception<InvalidInput>(module, "InvalidInput", PyExc_ValueError);
     py::register_exception<SolverError>(module, "SolverError", PyExc_RuntimeError);
+    py::register_exception_translator(translate_faults);
     py::register_exception<NoDerivative>(module, "NoDerivative", PyExc_RuntimeError);
     py::register_exception<Cancelled>(module, "Cancelled", PyExc_RuntimeError);
+    module.def(
+        "without_traceback", &without_traceback, py::arg("method"),
+        "A function that raises the exception that `method` returns, None for none. It comes "
+        "without a traceback, which every Python function in between would add to.");
 }
 
 py::dict abi_info()

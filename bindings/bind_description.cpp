@@ -24,8 +24,8 @@ Energy energy_from(const std::string& name)
         return Energy::natural;
     if (name == "steel")
         return Energy::steel;
-    throw InvalidInput("energy '" + name
-                       + "' does not exist; use 'natural', 'neumann', 'paper' or 'steel'");
+    throw InvalidInput("energy '" + name + "' does not exist",
+                       "use 'natural', 'neumann', 'paper' or 'steel'");
 }
 
 Laplacian laplacian_from(const std::string& name)
@@ -34,14 +34,14 @@ Laplacian laplacian_from(const std::string& name)
         return Laplacian::cotangent;
     if (name == "intrinsic")
         return Laplacian::intrinsic;
-    throw InvalidInput("operator '" + name + "' does not exist; use 'cotangent' or 'intrinsic'");
+    throw InvalidInput("operator '" + name + "' does not exist", "use 'cotangent' or 'intrinsic'");
 }
 
 Mode mode_from(int mode)
 {
     if (mode < 0 || mode > 3)
-        throw InvalidInput("mode " + std::to_string(mode)
-                           + " does not exist; use 1, 2, 3, or 0 to let the part decide");
+        throw InvalidInput("mode " + std::to_string(mode) + " does not exist",
+                           "use 1, 2, 3, or 0 to let the part decide");
     return static_cast<Mode>(mode);
 }
 
@@ -53,7 +53,8 @@ Unheld unheld_from(const std::string& name)
         return Unheld::along;
     if (name == "refuse")
         return Unheld::refuse;
-    throw InvalidInput("what nothing holds cannot '" + name + "'; use 'rest', 'along' or 'refuse'");
+    throw InvalidInput("what nothing holds cannot '" + name + "'",
+                       "use 'rest', 'along' or 'refuse'");
 }
 
 ContactType contact_type_from(const std::string& name)
@@ -64,8 +65,8 @@ ContactType contact_type_from(const std::string& name)
         return ContactType::tied;
     if (name == "rigid")
         return ContactType::rigid;
-    throw InvalidInput("contact type '" + name
-                       + "' does not exist; use 'control mesh', 'tied' or 'rigid'");
+    throw InvalidInput("contact type '" + name + "' does not exist",
+                       "use 'control mesh', 'tied' or 'rigid'");
 }
 
 PropagationType propagation_from(const std::string& name)
@@ -76,8 +77,8 @@ PropagationType propagation_from(const std::string& name)
         return PropagationType::single;
     if (name == "whole")
         return PropagationType::whole;
-    throw InvalidInput("propagation type '" + name
-                       + "' does not exist; use 'local', 'single' or 'whole'");
+    throw InvalidInput("propagation type '" + name + "' does not exist",
+                       "use 'local', 'single' or 'whole'");
 }
 
 void bind_part(py::module_& module)

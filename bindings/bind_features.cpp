@@ -43,7 +43,7 @@ Value value_of(const std::map<std::string, Value>& known, const std::string& wha
     std::string names;
     for (const auto& [other, value] : known)
         names += (names.empty() ? "'" : ", '") + other + "'";
-    throw InvalidInput(what + " '" + name + "' does not exist; use one of " + names);
+    throw InvalidInput(what + " '" + name + "' does not exist", "use one of " + names);
 }
 
 template <typename Value>
@@ -59,7 +59,7 @@ Vector3 unit_vector(const py::object& array, const std::string& what)
 {
     const Vector3 given = vector_from(array, what);
     if (!given.allFinite() || !(given.norm() > 0.0))
-        throw InvalidInput("the " + what + " has no length; give it a direction");
+        throw InvalidInput("the " + what + " has no length", "give it a direction");
     return given.normalized();
 }
 

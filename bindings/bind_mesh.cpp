@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/geometry/normals.h"
 #include "sheetmorph/mesh/quality/quality.h"
 #include "sheetmorph/mesh/regions/circle.h"

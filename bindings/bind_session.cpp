@@ -228,11 +228,35 @@ void bind_order(py::class_<DeformationSession>& session)
                                { return names_of(of, of.plan().unreached); });
 }
 
+std::vector<std::vector<std::string>> joined_labels(const DeformationSession& session)
+{
+    std::vector<std::vector<std::string>> all;
+    for (JoinedBody& body : session.joined_bodies())
+        all.push_back(std::move(body.labels));
+    return all;
+}
+
+std::vector<std::vector<std::pair<std::string, std::string>>> joined_subjects(
+    const DeformationSession& session)
+{
+    std::vector<std::vector<std::pair<std::string, std::string>>> all;
+    for (const JoinedBody& body : session.joined_bodies())
+    {
+        auto& pairs = all.emplace_back();
+        for (const Subject& subject : body.of)
+            pairs.emplace_back(subject.kind, subject.name);
+    }
+    return all;
+}
+
 // What became of bodies and pieces that nobody listed as such.
 void bind_union(py::class_<DeformationSession>& session)
 {
     session
-        .def_property_readonly("joined_bodies", &DeformationSession::joined_bodies,
+        .def_property_readonly(
+            "joined_subjects", &joined_subjects,
+            "(kind, name) of the entries that each of `joined_bodies` is made of")
+        .def_property_readonly("joined_bodies", &joined_labels,
                                "Labels of form features and rigid contacts that are one body.")
         .def_property_readonly(
             "loose_pieces",

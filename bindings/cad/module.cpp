@@ -5,6 +5,7 @@
 #include "sheetmorph/cad/writing/cad_writer.h"
 #include "sheetmorph/cad/writing/kept_model.h"
 #include "arrays.h"
+#include "faults.h"
 #include "progress.h"
 
 #include <pybind11/stl.h>
@@ -151,26 +152,23 @@ void share_errors()
     py::register_local_exception_translator(
         [](std::exception_ptr thrown)
         {
-            const auto raise = [](const char* name, const std::exception& error)
-            {
-                const py::object kind = py::module_::import("sheetmorph._core").attr(name);
-                PyErr_SetString(kind.ptr(), error.what());
-            };
+            const auto type = [](const char* name)
+            { return py::module_::import("sheetmorph._core").attr(name); };
             try
             {
                 std::rethrow_exception(std::move(thrown));
             }
             catch (const InvalidInput& error)
             {
-                raise("InvalidInput", error);
+                set_error(type("InvalidInput"), error.fault());
             }
             catch (const Cancelled& error)
             {
-                raise("Cancelled", error);
+                PyErr_SetString(py::object(type("Cancelled")).ptr(), error.what());
             }
             catch (const SolverError& error)
             {
-                raise("SolverError", error);
+                set_error(type("SolverError"), error.fault());
             }
         });
 }

@@ -261,5 +261,5 @@ def test_a_study_that_is_changed_under_its_workers_stops(tmp_path: Path):
     path = write_study(tmp_path)
     (tmp_path / "out").mkdir()
     cost, failure = attempt(Task(str(path), str(tmp_path / "out"), 0, "another hash"))
-    assert "changed meanwhile" in failure and cost.seconds == 0
+    assert "changed meanwhile" in str(failure) and cost.seconds == 0
     assert json.loads(path.read_text()) and not list((tmp_path / "out").iterdir())

@@ -7,7 +7,16 @@ read and checked without it.
 
 from .cautions import open_contacts
 from .doctor import diagnose
-from .errors import Fault, FileError, KernelError, OccupiedError, RecipeError
+from .errors import (
+    Caution,
+    Fault,
+    FileError,
+    InputError,
+    KernelError,
+    OccupiedError,
+    RecipeError,
+    Subject,
+)
 from .files import PartFile, read_part
 from .live import LiveFrames
 from .morph import Morph, open
@@ -44,12 +53,14 @@ from .session import Drag, Result, Session
 __version__ = "0.1.0"
 
 __all__ = [
+    "Caution",
     "CertificateError",
     "ContactResult",
     "Drag",
     "Fault",
     "FeatureResult",
     "FileError",
+    "InputError",
     "KernelError",
     "LiveFrames",
     "Morph",
@@ -60,6 +71,7 @@ __all__ = [
     "Result",
     "Selector",
     "Session",
+    "Subject",
     "border_at",
     "borders_longer",
     "box",

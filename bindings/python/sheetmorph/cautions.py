@@ -9,6 +9,7 @@ from typing import Any
 from .answer import Answer
 from .arrays import Ints
 from .decks import is_deck
+from .errors import Caution, Subject
 from .files import unpacked_name
 from .lost_turns import lost_turns
 from .preprocessed import Preprocessed
@@ -18,6 +19,8 @@ from .results import ContactResult
 from .thin import new_crossings
 from .words import at_place, counted, folds
 
+UNREACHED, OPEN_CONTACT = "unreached", "open contact"
+
 # How far a contact may open: of the gap at rest, of the region; below the last share it is nothing.
 _OF_GAP, _OF_REGION, _NOTHING = 0.5, 0.1, 1e-3
 # From which a thickness changes too much, of the one at rest.
@@ -26,8 +29,8 @@ _THINNED = 0.1
 _STRAIN = 0.5
 
 
-def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
-    """One sentence each; parts: as the report tells them."""
+def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[Caution]:
+    """One sentence each, which knows its objects; parts: as the report tells them."""
     session = result.session
     return [
         *region_remarks(session),
@@ -44,30 +47,35 @@ def warnings_of(result: Answer, parts: list[dict[str, Any]]) -> list[str]:
     ]
 
 
-def unsettled(parts: list[dict[str, Any]]) -> list[str]:
+def unsettled(parts: list[dict[str, Any]]) -> list[Caution]:
     """A sentence for every part of a report whose solution did not converge."""
     return [
-        f'"{part["name"]}": {part["unsettled"]}; move its handles less, or take a finer mesh'
+        _of_part(
+            part["name"],
+            f'"{part["name"]}": {part["unsettled"]}; move its handles less, or take a finer mesh',
+        )
         for part in parts
         if part["unsettled"] is not None
     ]
 
 
-def open_contacts(result: Answer) -> dict[str, str]:
+def open_contacts(result: Answer) -> dict[str, Caution]:
     """By the name of every contact that opens or closes too far: by what, and what to do."""
     found = {}
     for contact in result.contacts:
         limit, of_what = _limit(result.session, contact)
         if contact.gap_change > limit:
             where = "" if contact.place is None else f" at {at_place(contact.place)}"
-            found[contact.name] = (
+            found[contact.name] = Caution(
                 f'"{contact.name}" opens or closes by {contact.gap_change:.2g} mm{where}, beyond '
-                f"{limit:.2g} mm, {of_what}: {_todo(contact, result.session.model)}"
+                f"{limit:.2g} mm, {of_what}: {_todo(contact, result.session.model)}",
+                Subject("contact", contact.name),
+                code=OPEN_CONTACT,
             )
     return found
 
 
-def _open_contacts(result: Answer) -> Iterator[str]:
+def _open_contacts(result: Answer) -> Iterator[Caution]:
     yield from open_contacts(result).values()
 
 
@@ -96,80 +104,96 @@ def _limit(session: Preprocessed, contact: ContactResult) -> tuple[float, str]:
     return max(limit, _NOTHING * region), why
 
 
-def _loose(session: Preprocessed) -> Iterator[str]:
+def _loose(session: Preprocessed) -> Iterator[Caution]:
     for part, (pieces, vertices) in session.loose_pieces.items():
         where = at_place(session.loose_places[part])
         number = counted(pieces, "piece", "pieces")
         what = f'{number} of "{part}" ({vertices} vertices, one at {where}) that '
         if session.model.unheld == "along":
-            yield what + "nothing holds go along with the nearest place of the others"
+            text = what + "nothing holds go along with the nearest place of the others"
         else:
-            yield (
+            text = (
                 what + "nothing holds stay at rest: mark a fixed region or a handle on them, make "
                 'parts of them ("split": true) with contacts, or set "unheld" to "along"'
             )
+        yield _of_part(part, text)
 
 
-def _unheld_primary(session: Preprocessed) -> Iterator[str]:
+def _unheld_primary(session: Preprocessed) -> Iterator[Caution]:
     model, primary = session.model, session.model.primary
     movers = [e for k in ("handle", "point") for e in model.of_kind(k) if e.part == primary]
     others = {entry.part for entry in model.of_kind("fixed")} - {primary, *session.unreached}
     if primary and others and len(movers) == 1 and not session.is_held(primary):
         names = ", ".join(f'"{name}"' for name in sorted(others))
-        yield (
+        yield _of_part(
+            primary,
             f'nothing of its own holds the primary part "{primary}": it moves as one piece, and '
             f"what is fixed on {names} stretches the parts between; set the propagation to "
-            '"whole", which solves all parts at once, or fix some of the primary too'
+            '"whole", which solves all parts at once, or fix some of the primary too',
         )
 
 
-def _lost_decks(session: Preprocessed) -> Iterator[str]:
+def _lost_decks(session: Preprocessed) -> Iterator[Caution]:
     """Decks of which a mesh is written, with their joints gone."""
     files = {part.file: part for part in session.model.parts if part.wanted and part.file}
     for file, part in files.items():
         if is_deck(unpacked_name(file)):
-            yield (
+            yield _of_part(
+                part.name,
                 f'"{file}" is a deck, but OBJ is written: scale, weld and remesh make another '
-                f'mesh, without elements, joints and includes; leave them out of "{part.where}"'
+                f'mesh, without elements, joints and includes; leave them out of "{part.where}"',
             )
 
 
-def _unrepaired(result: Answer) -> Iterator[str]:
+def _unrepaired(result: Answer) -> Iterator[Caution]:
     for one in result.repairs:
         if one["failing_after"]:
-            yield (
+            yield _of_part(
+                one["part"],
                 f'{counted(one["failing_after"], "element", "elements")} of "{one["part"]}" still '
                 f"miss the criteria {one['criteria']} after repair ({one['failing_before']} before "
-                "it): nodes of features, contacts, regions, joints and borders stay where they are"
+                "it): nodes of features, contacts, regions, joints and borders stay where they are",
             )
 
 
-def _unreached(session: Preprocessed) -> Iterator[str]:
+def _unreached(session: Preprocessed) -> Iterator[Caution]:
     held = {entry.part for entry in session.model.of_kind("fixed")}
     for part in session.unreached:
         if part not in held:
-            yield (
+            yield Caution(
                 f'no motion reaches "{part}", so it stays at rest: join it to the others by a '
-                "contact, mark a fixed region on it, or leave it out"
+                "contact, mark a fixed region on it, or leave it out",
+                Subject("part", part),
+                code=UNREACHED,
             )
 
 
-def _thinned(parts: list[dict[str, Any]]) -> Iterator[str]:
+def _thinned(parts: list[dict[str, Any]]) -> Iterator[Caution]:
     for entry in parts:
         thin = entry["thin"]
         change = max(thin["largest_change"], thin["largest_change_at_walls"]) if thin else 0.0
         if change > _THINNED:
             worst = thin["worst"]
             place = ", ".join(f"{x:.4g}" for x in worst["place"])
-            yield (
+            yield _of_part(
+                entry["name"],
                 f'the thickness of "{entry["name"]}" changes by {100.0 * change:.0f} % at '
                 f"({place}), from {worst['rest']:.3g} to {worst['deformed']:.3g} mm: move less, "
-                "mesh it finer there, or hold what is small there in a form feature"
+                "mesh it finer there, or hold what is small there in a form feature",
             )
 
 
-def _misshapen(result: Answer, entry: dict[str, Any]) -> Iterator[str]:
+def _misshapen(result: Answer, entry: dict[str, Any]) -> Iterator[Caution]:
     """What a pose does to the mesh of a part; entry: as the report has it."""
+    for text in _misshapes(result, entry):
+        yield _of_part(entry["name"], text)
+
+
+def _of_part(name: str, text: str) -> Caution:
+    return Caution(text, Subject("part", name))
+
+
+def _misshapes(result: Answer, entry: dict[str, Any]) -> Iterator[str]:
     name, quality = entry["name"], entry["quality"]
     if quality["flipped"]:
         where = f' of "{name}"'

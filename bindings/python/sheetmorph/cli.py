@@ -226,7 +226,7 @@ def _check(wanted: argparse.Namespace, _files: FileSet) -> list[str]:
             strict=wanted.strict, pictures=wanted.pictures, step=wanted.step, wide=wanted.wide,
             repair=wanted.repair, judge=judge, progress=progress, force=wanted.force,
         )  # fmt: skip
-    untried = [text for text in told if text.startswith(NOT_TRIED)]
+    untried = [text for text in told if getattr(text, "code", "") == NOT_TRIED]
     warnings = [text for text in told if text not in untried]
     if wanted.json == STDOUT:
         return as_json({"valid": True, "warnings": warnings, "notes": untried})

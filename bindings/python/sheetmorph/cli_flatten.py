@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from .cli_progress import progress_on
-from .errors import Fault, RecipeError
+from .errors import Fault, InputError, RecipeError
 from .files.atomic import FileSet
 
 
@@ -67,7 +67,6 @@ def run_flatten(wanted: argparse.Namespace, files: FileSet) -> list[str]:
     try:
         files.reads += [Path(wanted.file), *([Path(wanted.k_table)] if wanted.k_table else [])]
         written = write_patterns(patterns, output, files)
-    except ValueError as error:
-        what, _, todo = str(error).rpartition("; ")
-        raise RecipeError([Fault("flatten", what, todo)]) from error
+    except InputError as error:
+        raise RecipeError([Fault("flatten", error.what, error.todo)]) from error
     return [*told, *(f"wrote {path}" for path in written)]

@@ -4,23 +4,81 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
+
+
+class Subject(NamedTuple):
+    """An entry of a recipe that a message is about.
+
+    kind: "part", "fixed region", "handle", "feature", "point", "follower", "contact", "group" or
+    "pair"; "region" for one of the regions, whose names differ whatever their kind is.
+    """
+
+    kind: str
+    name: str
+
+
+OTHER = "other"
+"""The code of a fault that has no cure of its own."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """One mistake: where it is, what is wrong, what to do about it."""
+    """One mistake: where it is, what is wrong, what to do about it.
+
+    code: "unheld" (nothing holds a piece of a part), "overlap" (two regions share vertices), "torn"
+    (a rigid shape touches regions that move differently) or "other"; objects: the entries at fault;
+    vertices: those that it lists, as the part's file numbers them; brief: `what` without them.
+    """
 
     where: str
     what: str
     todo: str
+    code: str = OTHER
+    objects: tuple[Subject, ...] = ()
+    vertices: tuple[int, ...] = ()
+    brief: str = ""
+
+    def about(self, *objects: Subject) -> Fault:
+        """The same with the entries at fault."""
+        return replace(self, objects=objects)
+
+    def in_brief(self) -> str:
+        """The sentence without the numbers of vertices, for a panel."""
+        place = f"{self.where}: " if self.where else ""
+        todo = f"; {self.todo}" if self.todo else ""
+        return self._line(f"{place}{self.brief or self.what}{todo}")
 
     def __str__(self) -> str:
-        text = f"{self.where}: {self.what}; {self.todo}"
+        return self._line(f"{self.where}: {self.what}; {self.todo}")
+
+    @staticmethod
+    def _line(text: str) -> str:
         line = " ".join(text.split())
         # Names can hold what a terminal must not get, and halves of surrogate pairs.
         return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in line)
+
+
+class Caution(str):
+    """A warning: one sentence that knows which entries it is about (``objects``) and, by its
+    ``code``, what kind of warning it is."""
+
+    objects: tuple[Subject, ...]
+    code: str
+
+    def __new__(cls, text: str, *objects: Subject, code: str = OTHER) -> Caution:
+        found = super().__new__(cls, text)
+        found.objects, found.code = objects, code
+        return found
+
+    def __getnewargs_ex__(self) -> tuple[tuple[str | Subject, ...], dict[str, str]]:
+        return (str(self), *self.objects), {"code": self.code}
+
+    def after(self, lead: str) -> Caution:
+        """The same with words in front."""
+        return Caution(f"{lead}{self}", *self.objects, code=self.code)
 
 
 # More mistakes than that are counted, not listed.
@@ -55,6 +113,34 @@ class FileError(ValueError):
         """The same as a Fault; ``where`` is put before the file name."""
         place = str(self.path) + (f", line {self.line}" if self.line else "")
         return Fault(f"{where}, {place}" if where else place, self.what, self.todo)
+
+
+class InputError(ValueError):
+    """Something given that cannot be used: ``what`` is wrong, and what ``todo`` about it."""
+
+    def __init__(self, what: str, todo: str):
+        self.what, self.todo = what, todo
+        super().__init__(f"{what}; {todo}")
+
+
+def fault_of(error: Exception, todo: str, where: str = "recipe") -> Fault:
+    """The fault that an error of the kernel or of this package stands for.
+
+    todo, where: for errors that do not say what to do, or where.
+    """
+    if isinstance(error, RecipeError):
+        return error.faults[0]
+    if isinstance(error, FileError):
+        return error.fault()
+    return Fault(
+        getattr(error, "where", "") or where,
+        getattr(error, "what", "") or " ".join(str(error).split()),
+        getattr(error, "todo", "") or todo,
+        getattr(error, "code", OTHER),
+        tuple(Subject(*pair) for pair in getattr(error, "objects", ())),
+        tuple(getattr(error, "vertices", ())),
+        getattr(error, "brief", ""),
+    )
 
 
 class KernelError(RuntimeError):

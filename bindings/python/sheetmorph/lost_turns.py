@@ -11,6 +11,7 @@ import numpy as np
 
 from .answer import Answer
 from .arrays import Bools, Floats, Ints
+from .errors import Caution, Subject
 from .recipe.pose import pose_of
 from .words import counted
 
@@ -29,7 +30,7 @@ class _Turn:
     angle: float
 
 
-def lost_turns(result: Answer) -> Iterator[str]:
+def lost_turns(result: Answer) -> Iterator[Caution]:
     """One sentence for each handle whose turn the sheet does not follow to its end."""
     session = result.session
     pose = pose_of(result.pose)
@@ -49,7 +50,7 @@ def lost_turns(result: Answer) -> Iterator[str]:
             yield from _lost_on(result, part, of_part)
 
 
-def _lost_on(result: Answer, part: str, turns: dict[str, _Turn]) -> Iterator[str]:
+def _lost_on(result: Answer, part: str, turns: dict[str, _Turn]) -> Iterator[Caution]:
     session = result.session
     mesh = session.meshes[part]
     fixed = [e for e in session.model.of_kind("fixed") if e.part == part]
@@ -65,11 +66,12 @@ def _lost_on(result: Answer, part: str, turns: dict[str, _Turn]) -> Iterator[str
         missed = followed.least_miss(start, turn.vertices, turn.axis, turn.angle)
         if missed is not None and missed > _SHORTEST:
             lost = max(1, round(missed / math.tau))
-            yield (
+            yield Caution(
                 f'{counted(lost, "whole turn", "whole turns")} of the handle "{name}" '
                 f'({math.degrees(turn.angle):.0f} degrees) {"is" if lost == 1 else "are"} lost: '
                 f'the triangles of "{part}" between it and what holds the part are too coarse to '
-                "follow; remesh the part more finely, or turn the handle less"
+                "follow; remesh the part more finely, or turn the handle less",
+                Subject("handle", name),
             )
 
 

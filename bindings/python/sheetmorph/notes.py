@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from .errors import Subject
 from .preprocessed import Preprocessed
 from .recipe.model import Model, PartEntry
 from .stretch import stretch_words
@@ -29,12 +30,13 @@ def _sheets(session: Preprocessed) -> Iterator[str]:
 
 def _joined(session: Preprocessed) -> Iterator[str]:
     """What moves as one rigid body though it was listed one by one; a few of them."""
-    declared = [set(entry.features) for entry in session.model.relations if entry.type == "group"]
-    joined = [
-        labels
-        for labels in session.joined_bodies
-        if {label.partition(" ")[2].strip("'") for label in labels} not in declared
+    declared = [
+        {Subject("feature", name) for name in entry.features}
+        for entry in session.model.relations
+        if entry.type == "group"
     ]
+    bodies = zip(session.joined_bodies, session.joined_subjects)
+    joined = [labels for labels, subjects in bodies if subjects not in declared]
     for labels in joined[:_MOST_BODIES]:
         names = ", ".join(labels[:_MOST_BODIES])
         more = f" and {len(labels) - _MOST_BODIES} more" if len(labels) > _MOST_BODIES else ""

@@ -13,6 +13,7 @@ import numpy as np
 
 from .arrays import Floats, Ints
 from .certificate import crossings, feature_edges
+from .errors import Subject
 from .gaps import ContactGap, Surface
 from .kernel import load_kernel
 from .part_mesh import PartMesh
@@ -124,6 +125,11 @@ class Preprocessed:
         """What is one rigid body because it shares vertices or a group, by body: "feature 'a'",
         "rigid contact 'b'"."""
         return [list(labels) for labels in self._kernel.joined_bodies]
+
+    @property
+    def joined_subjects(self) -> list[set[Subject]]:
+        """The entries of which each of the `joined_bodies` is made."""
+        return [{Subject(*pair) for pair in body} for body in self._kernel.joined_subjects]
 
     @property
     def loose_pieces(self) -> dict[str, tuple[int, int]]:

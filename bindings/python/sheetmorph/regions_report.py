@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .arrays import Ints
+from .errors import Caution
 from .part_mesh import PartMesh
 from .preprocessed import Preprocessed
 from .recipe.model import RegionEntry
@@ -19,11 +20,11 @@ def region_entries(session: Preprocessed) -> list[dict[str, Any]]:
     return [_entry(session, region) for region in session.model.all_regions if not region.is_point]
 
 
-def region_remarks(session: Preprocessed) -> Iterator[str]:
+def region_remarks(session: Preprocessed) -> Iterator[Caution]:
     """What a user should know of the selectors: that they took all, or something far away."""
     for region in session.model.all_regions:
         for remark in session.model.told.get(region.where, {}).get("remarks", ()):
-            yield f'"{region.name}" on "{region.part}": {remark}'
+            yield Caution(f'"{region.name}" on "{region.part}": {remark}', region.subject)
 
 
 def _entry(session: Preprocessed, region: RegionEntry) -> dict[str, Any]:

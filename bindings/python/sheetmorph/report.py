@@ -17,6 +17,7 @@ import numpy as np
 from .answer import Answer
 from .arrays import Floats, Ints
 from .certificate import best_turn, edge_error, tolerance
+from .errors import Caution
 from .notes import notes_of, shape_notes
 from .part_mesh import PartMesh
 from .preprocessed import Preprocessed
@@ -87,7 +88,7 @@ def make_report(
         part_report(stored, name, files.get(name), is_brief) | _told_of_file(result, name, files)
         for name in session.parts
     ]
-    warnings = [*beside.missing, *warnings_of(stored, parts)]
+    warnings = [*map(Caution, beside.missing), *warnings_of(stored, parts)]
     failures = [*_torn(features, tol), *missed_sizes(features, parts, tol)]
     failures += [*thin_failures(result, tol), *unsettled(parts), *shape_faults(parts)]
     failures += beside.texts("failures")
@@ -115,7 +116,7 @@ def _notes(session: Preprocessed, parts: list[dict[str, Any]], beside: FilesTold
     return [*notes_of(session), *shape_notes(parts), *told]
 
 
-def warnings_in(result: Answer) -> list[str]:
+def warnings_in(result: Answer) -> list[Caution]:
     """The warnings of a report of a result whose files are not written."""
     return warnings_of(result, [part_report(result, name, None, True) for name in result.positions])
 

@@ -15,7 +15,7 @@ from typing import Any
 from .arrays import Floats
 from .cautions import unsettled
 from .certifying.repair import criteria_of, repaired
-from .errors import KernelError
+from .errors import Caution, KernelError
 from .files import FileSet
 from .files.cad_file import CadFile
 from .files.cad_writing import write_shapes
@@ -32,7 +32,7 @@ from .shape_report import WrittenShapes
 
 
 # Before why a check could not deform anything.
-NOT_TRIED = "not tried out: "
+NOT_TRIED = "not tried out"
 
 
 class CertificateError(RuntimeError):
@@ -90,14 +90,14 @@ def check(
                 if judge is not None:
                     judge(folder)
     except KernelError as error:
-        found.append(f"{NOT_TRIED}{error}")
+        found.append(Caution(f"not tried out: {error}", code=NOT_TRIED))
     return found
 
 
 def _tried(morph: _Morph, pose: dict[str, Any] | None, folder: Path, lead: str) -> list[str]:
     """Write a pose into a folder thrown away; returns its warnings, each after a lead."""
     report = morph.write(pose, morph.places([], folder, None), FileSet())
-    return [f"{lead}{text}" for text in report["warnings"]]
+    return [warning.after(lead) for warning in report["warnings"]]
 
 
 def resolve(

@@ -11,6 +11,7 @@ import numpy as np
 
 from .answer import Answer
 from .arrays import Floats, Ints
+from .errors import Caution
 from .notebook import picture_html
 from .pictures import scene_of_answer
 from .preprocessed import Preprocessed
@@ -51,8 +52,8 @@ class Result(Answer):
         """The report (report.schema.json) without what concerns files."""
         return make_report(self)
 
-    def warnings(self) -> list[str]:
-        """The report's warnings, one sentence each."""
+    def warnings(self) -> list[Caution]:
+        """The report's warnings, one sentence each, which knows its `objects`."""
         return warnings_in(self)
 
 

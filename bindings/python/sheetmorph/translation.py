@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import ModuleType
@@ -12,7 +11,7 @@ from typing import TYPE_CHECKING, TypeVar
 import numpy as np
 
 from .arrays import Floats, Ints
-from .errors import Fault, RecipeError
+from .errors import RecipeError, fault_of
 from .part_mesh import PartMesh
 from .recipe.feature_entries import Vector
 from .recipe.model import ContactEntry, Model, PartEntry, RegionEntry
@@ -219,12 +218,4 @@ def kernel_faults(core: ModuleType) -> Iterator[None]:
     try:
         yield
     except core.InvalidInput as error:
-        raise RecipeError([_fault(str(error))]) from error
-
-
-def _fault(message: str) -> Fault:
-    """The kernel says "part 'cover': what is wrong; what to do"."""
-    place = re.match(r"(part '.*?'): (.*)", message, re.DOTALL)
-    where, text = place.groups() if place else ("recipe", message)
-    what, _, todo = text.rpartition("; ")
-    return Fault(where, what, todo) if what else Fault(where, text, "change it in the recipe")
+        raise RecipeError([fault_of(error, "change it in the recipe")]) from error

@@ -52,6 +52,7 @@ struct Part
     double poisson = 0.3;  //!< Poisson's ratio, read for `steel`
 
     std::vector<int> joined = {};  //!< first vertices of those that it is joined of, ascending
+    std::vector<Subject> of = {};  //!< those, in the same order; empty: itself
     std::vector<PartRegion> stitches = {};  //!< vertices of it that stay together with rigid ones
     std::vector<Tie> ties = {};             //!< where its sheets stand on each other
 };
@@ -63,6 +64,7 @@ struct PartHandle
     int part = 0;
     VertexIds vertices;
     bool is_rotation_free = false;  //!< the pose shifts it, the energy turns it
+    std::vector<Subject> of = {};   //!< the entries that it was made of; empty: itself
 };
 
 //! A form feature of one part.
@@ -75,6 +77,7 @@ struct PartFeature
     FeatureMotion motion;
     std::optional<double> size;  //!< mm: diameter of a hole, length of a slot, radius of a cylinder
     bool is_resizable = false;   //!< a pose may set its size too
+    std::vector<Subject> of = {};  //!< the entries that it was made of; empty: itself
 };
 
 //! A point on a triangle of one part.
@@ -83,6 +86,7 @@ struct PartPoint
     std::string name;
     int part = 0;
     PointConstraint constraint;
+    std::vector<Subject> of = {};  //!< the entries that it was made of; empty: itself
 };
 
 //! Everything about a morph but its pose.

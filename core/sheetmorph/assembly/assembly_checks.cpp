@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/assembly_checks.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/limits.h"
@@ -22,9 +23,11 @@ void check_names(const std::string& kind, const std::vector<Named>& list)
     for (const Named& item : list)
     {
         if (item.name.empty())
-            throw InvalidInput("a " + kind + " has no name; give it one");
+            throw InvalidInput("a " + kind + " has no name", "give it one");
         if (!seen.insert(item.name).second)
-            throw InvalidInput("two " + kind + "s are called '" + item.name + "'; rename one");
+            throw InvalidInput(Text::about("two " + kind + "s are called '" + item.name + "'",
+                                           {{kind, item.name}}),
+                               "rename one");
     }
 }
 
@@ -33,7 +36,7 @@ void check_parts(const std::string& kind, const std::vector<OfPart>& list, std::
 {
     for (const OfPart& item : list)
         if (item.part < 0 || static_cast<std::size_t>(item.part) >= count)
-            throw InvalidInput(kind + " '" + item.name + "' is on part " + std::to_string(item.part)
+            throw InvalidInput(label_of(kind, item) + " is on part " + std::to_string(item.part)
                                + ", which does not exist");
 }
 
@@ -44,16 +47,18 @@ void check_vertices(const std::string& kind, const std::vector<OfPart>& list,
     for (const OfPart& item : list)
     {
         const Part& part = assembly.parts[static_cast<std::size_t>(item.part)];
-        const std::string what = "part '" + part.name + "': " + kind + " '" + item.name + "'";
+        const Text what = label_of(kind, item);
         if (item.vertices.empty())
-            throw InvalidInput(what + " has no vertices; pick at least one or delete it");
+            throw in_part({what + " has no vertices", "pick at least one or delete it"}, part);
         const int count = part.mesh.vertex_count();
         const auto outside = [count](int vertex) { return vertex < 0 || vertex >= count; };
         const auto found = std::find_if(item.vertices.begin(), item.vertices.end(), outside);
         if (found != item.vertices.end())
-            throw InvalidInput(what + " names vertex " + std::to_string(*found)
+            throw in_part({what + " names vertex " + std::to_string(*found)
                                + ", which the mesh does not have (it has 0 to "
-                               + std::to_string(count - 1) + "); pick it again");
+                               + std::to_string(count - 1) + ")",
+                           "pick it again"},
+                          part);
     }
 }
 
@@ -61,11 +66,12 @@ void check_meshes(const Assembly& assembly)
 {
     for (const Part& part : assembly.parts)
         if (part.mesh.vertex_count() == 0)
-            throw InvalidInput("part '" + part.name + "' has no vertices; remove it");
+            throw InvalidInput(label_of("part", part) + " has no vertices", "remove it");
         else if (!part.ids.empty() && part.ids.size() != at(part.mesh.vertex_count()))
-            throw InvalidInput("part '" + part.name + "' has " + std::to_string(part.ids.size())
-                               + " vertex numbers and " + std::to_string(part.mesh.vertex_count())
-                               + " vertices; give every vertex its number, or none");
+            throw InvalidInput(label_of("part", part) + " has " + std::to_string(part.ids.size())
+                                   + " vertex numbers and "
+                                   + std::to_string(part.mesh.vertex_count()) + " vertices",
+                               "give every vertex its number, or none");
 }
 
 // Before anything moves them to a skin or to the other side of a plane of symmetry.
@@ -76,41 +82,44 @@ void check_points(const Assembly& assembly)
         const Part& part = assembly.parts[at(point.part)];
         const int triangle = point.constraint.triangle;
         if (triangle < 0 || triangle >= part.mesh.triangle_count())
-            throw InvalidInput(
-                "part '" + part.name + "': point '" + point.name + "' lies on triangle "
-                + std::to_string(triangle) + ", which the mesh does not have (it has 0 to "
-                + std::to_string(part.mesh.triangle_count() - 1) + "); pick it again");
+            throw in_part(
+                {label_of("point", point) + " lies on triangle " + std::to_string(triangle)
+                     + ", which the mesh does not have (it has 0 to "
+                     + std::to_string(part.mesh.triangle_count() - 1) + ")",
+                 "pick it again"},
+                part);
         if (!are_numbers(point.constraint.barycentric))
-            throw InvalidInput("part '" + part.name + "': point '" + point.name
-                               + "': its barycentric coordinates are not finite numbers");
+            throw in_part(
+                {label_of("point", point) + ": its barycentric coordinates are not finite numbers"},
+                part);
     }
 }
 
-void check_side(const Assembly& assembly, const Contact& contact, const PartRegion& side)
+void check_side(const Assembly& assembly, const Text& what, const PartRegion& side)
 {
-    const std::string what = "contact '" + contact.name + "'";
     if (side.part < 0 || static_cast<std::size_t>(side.part) >= assembly.parts.size())
         throw InvalidInput(what + " is on part " + std::to_string(side.part)
                            + ", which does not exist");
     const Part& part = assembly.parts[static_cast<std::size_t>(side.part)];
     if (side.vertices.empty())
-        throw InvalidInput(what + " has no vertices on part '" + part.name
-                           + "'; pick at least one or delete the contact");
+        throw InvalidInput(what + " has no vertices on part '" + part.name + "'",
+                           "pick at least one or delete the contact");
     for (const int vertex : side.vertices)
         if (vertex < 0 || vertex >= part.mesh.vertex_count())
             throw InvalidInput(what + " names vertex " + std::to_string(vertex) + " of part '"
-                               + part.name + "', which does not have it; pick the side again");
+                                   + part.name + "', which does not have it",
+                               "pick the side again");
 }
 
 void check_contacts(const Assembly& assembly)
 {
     for (const Contact& contact : assembly.contacts)
     {
-        check_side(assembly, contact, contact.a);
-        check_side(assembly, contact, contact.b);
+        const Text what = Text::about("contact", contact.name);
+        check_side(assembly, what, contact.a);
+        check_side(assembly, what, contact.b);
         if (contact.a.part == contact.b.part)
-            throw InvalidInput("contact '" + contact.name
-                               + "' joins a part with itself; pick two different parts");
+            throw InvalidInput(what + " joins a part with itself", "pick two different parts");
     }
 }
 
@@ -121,19 +130,23 @@ void check_propagation(const Assembly& assembly)
         && (assembly.energy == Energy::steel || assembly.is_refined))
         throw InvalidInput(
             "parts that are solved as a whole cannot be of the energy 'steel', nor refined, which "
-            "goes part by part; take the propagation 'local', or leave that out");
+            "goes part by part",
+            "take the propagation 'local', or leave that out");
     if (propagation.levels < 1 || propagation.levels > 5)
         throw InvalidInput("the control meshes' levels must be from 1 to 5, not "
                            + std::to_string(propagation.levels));
     if (!(propagation.smoothness >= 1e-12 && propagation.smoothness <= 1e6))
-        throw InvalidInput(
-            "the control meshes' smoothness must be from 1e-12 to 1e6; 0.05 is usual");
+        throw InvalidInput("the control meshes' smoothness must be from 1e-12 to 1e6",
+                           "0.05 is usual");
 }
 
 void check_followers(const Assembly& assembly)
 {
     for (const PartRegion& follower : assembly.followers)
-        check_side(assembly, {"follower " + follower.name, {}, {}, {}}, follower);
+        check_side(assembly,
+                   Text::about("contact 'follower " + follower.name + "'",
+                               subjects_of("follower", follower)),
+                   follower);
 }
 
 bool has_direction(FeatureMotion::Type type)
@@ -150,12 +163,12 @@ void check_motions(const Assembly& assembly)
         if (!has_direction(motion.type))
             continue;
         if (!motion.point.allFinite() || !(std::abs(motion.direction.norm() - 1.0) < 1e-9))
-            throw InvalidInput("feature '" + feature.name
-                               + "': its motion needs a direction of length 1 and a finite point");
+            throw InvalidInput(label_of("feature", feature)
+                               + ": its motion needs a direction of length 1 and a finite point");
     }
 }
 
-void check_feature_index(const Assembly& assembly, const std::string& what, int feature)
+void check_feature_index(const Assembly& assembly, const Text& what, int feature)
 {
     if (feature < 0 || static_cast<std::size_t>(feature) >= assembly.features.size())
         throw InvalidInput(what + " names feature " + std::to_string(feature)
@@ -166,21 +179,21 @@ void check_groups(const Assembly& assembly)
 {
     for (const FeatureGroup& group : assembly.groups)
     {
-        const std::string what = "group '" + group.name + "'";
+        const Text what = Text::about("group", group.name);
         if (group.features.size() < 2)
-            throw InvalidInput(what + " has fewer than two features; add one or delete it");
+            throw InvalidInput(what + " has fewer than two features", "add one or delete it");
         for (const int feature : group.features)
         {
             check_feature_index(assembly, what, feature);
             const PartFeature& first = assembly.features[at(group.features.front())];
             const PartFeature& other = assembly.features[at(feature)];
             if (first.part != other.part)
-                throw InvalidInput(what + " joins feature '" + first.name + "' of part '"
-                                   + assembly.parts[at(first.part)].name + "' and feature '"
-                                   + other.name + "' of part '"
-                                   + assembly.parts[at(other.part)].name
-                                   + "'; a group is on one part, join parts by a contact of type "
-                                     "rigid");
+                throw InvalidInput(what + " joins " + label_of("feature", first) + " of part '"
+                                       + assembly.parts[at(first.part)].name + "' and "
+                                       + label_of("feature", other) + " of part '"
+                                       + assembly.parts[at(other.part)].name + "'",
+                                   "a group is on one part, join parts by a contact of type "
+                                   "rigid");
         }
     }
 }
@@ -189,12 +202,13 @@ void check_pairs(const Assembly& assembly)
 {
     for (const FeaturePair& pair : assembly.pairs)
     {
-        const std::string what = "pair '" + pair.name + "'";
+        const Text what = Text::about("pair", pair.name);
         check_feature_index(assembly, what, pair.a);
         check_feature_index(assembly, what, pair.b);
         if (pair.a == pair.b)
-            throw InvalidInput(what + " names feature '" + assembly.features[at(pair.a)].name
-                               + "' twice; choose two features");
+            throw InvalidInput(
+                what + " names " + label_of("feature", assembly.features[at(pair.a)]) + " twice",
+                "choose two features");
     }
 }
 
@@ -204,8 +218,8 @@ void check_symmetry(const Assembly& assembly)
         return;
     const SymmetryPlane& plane = *assembly.symmetry;
     if (!plane.point.allFinite() || !(std::abs(plane.normal.norm() - 1.0) < 1e-9))
-        throw InvalidInput(
-            "the plane of symmetry needs a finite point and a normal of length 1; give both");
+        throw InvalidInput("the plane of symmetry needs a finite point and a normal of length 1",
+                           "give both");
 }
 
 }  // namespace
@@ -214,11 +228,11 @@ void check_assembly(const Assembly& assembly)
 {
     const std::size_t count = assembly.parts.size();
     if (count == 0)
-        throw InvalidInput("the assembly has no parts; add one");
+        throw InvalidInput("the assembly has no parts", "add one");
     if (assembly.primary < 0 || static_cast<std::size_t>(assembly.primary) >= count)
-        throw InvalidInput("the primary part " + std::to_string(assembly.primary)
-                           + " does not exist; choose one of the " + std::to_string(count)
-                           + " parts");
+        throw InvalidInput(
+            "the primary part " + std::to_string(assembly.primary) + " does not exist",
+            "choose one of the " + std::to_string(count) + " parts");
     check_names("part", assembly.parts);
     check_names("fixed region", assembly.fixed);
     check_names("handle", assembly.handles);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/text.h"
 #include "sheetmorph/base/types.h"
 
 #include <string>
@@ -14,6 +15,7 @@ struct PartRegion
     std::string name;
     int part = 0;
     VertexIds vertices;
+    std::vector<Subject> of = {};  //!< the entries that it was made of; empty: itself
 };
 
 //! How a contact passes the motion on.

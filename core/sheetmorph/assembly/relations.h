@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/text.h"
 #include "sheetmorph/surface/feature_motion.h"
 
 #include <vector>
@@ -22,6 +23,7 @@ struct FeaturePair
     FeatureLinkType type = FeatureLinkType::coaxial;
     int a = 0;  //!< index into Assembly::features
     int b = 0;
+    std::vector<Subject> of = {};  //!< the pair that it mirrors; empty: itself
 };
 
 //! A plane the assembly is symmetric about: what one side is told, the other does mirrored.

@@ -4,34 +4,60 @@
 namespace sheetmorph
 {
 
-InvalidInput::InvalidInput(std::string before, std::vector<int> vertices, std::string after)
-    : std::invalid_argument(before + list_ids(vertices) + after),
-      before_(std::move(before)),
-      vertices_(std::move(vertices)),
-      after_(std::move(after))
+namespace
+{
+
+Fault on_parts(Fault fault, const std::string& shown, const std::vector<Subject>& on,
+               const std::vector<int>& ids)
+{
+    fault.part = shown;
+    fault.on = on;
+    fault.ids = ids;
+    return fault;
+}
+
+}  // namespace
+
+std::string Fault::sentence() const
+{
+    const std::string place = part.empty() ? "" : "part '" + part + "': ";
+    return place + what.full(ids) + (todo.empty() ? "" : "; " + todo);
+}
+
+InvalidInput::InvalidInput(Text what, std::string todo, FaultCode code)
+    : InvalidInput(Fault{std::move(what), std::move(todo), code})
+{
+}
+
+InvalidInput::InvalidInput(Fault fault)
+    : std::invalid_argument(fault.sentence()), fault_(std::move(fault))
 {
 }
 
 InvalidInput InvalidInput::in_part(const std::string& part, const std::vector<int>& ids) const
 {
-    const std::string prefix = "part '" + part + "': ";
-    if (vertices_.empty())
-        return InvalidInput(prefix + what());
-    std::vector<int> numbered = vertices_;
-    for (int& vertex : numbered)
-        if (static_cast<std::size_t>(vertex) < ids.size())
-            vertex = ids[static_cast<std::size_t>(vertex)];
-    return InvalidInput(prefix + before_, numbered, after_);
+    return in_parts(part, {{"part", part}}, ids);
 }
 
-std::string list_ids(const std::vector<int>& ids, std::size_t shown)
+InvalidInput InvalidInput::in_parts(const std::string& shown, const std::vector<Subject>& on,
+                                    const std::vector<int>& ids) const
 {
-    std::string text;
-    for (std::size_t k = 0; k < ids.size() && k < shown; ++k)
-        text += (k ? ", " : "") + std::to_string(ids[k]);
-    if (ids.size() > shown)
-        text += " and " + std::to_string(ids.size() - shown) + " more";
-    return text;
+    return InvalidInput(on_parts(fault_, shown, on, ids));
+}
+
+SolverError::SolverError(Text what, std::string todo)
+    : SolverError(Fault{std::move(what), std::move(todo)})
+{
+}
+
+SolverError::SolverError(Fault fault)
+    : std::runtime_error(fault.sentence()), fault_(std::move(fault))
+{
+}
+
+SolverError SolverError::in_parts(const std::string& shown, const std::vector<Subject>& on) const
+{
+    return SolverError(on_parts(fault_, shown, on, {}));
 }
 
 }  // namespace sheetmorph

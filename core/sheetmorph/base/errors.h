@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/text.h"
+
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -8,30 +10,64 @@
 namespace sheetmorph
 {
 
+//! Faults that a caller can mend in a way of its own; all others are `other`.
+enum class FaultCode
+{
+    other,
+    unheld,   //!< nothing holds a piece of a part
+    overlap,  //!< two regions share vertices and move them differently
+    torn      //!< a rigid shape touches regions that move differently
+};
+
+//! What is wrong, with which entries of the assembly, and what to do about it.
+struct Fault
+{
+    Text what;
+    std::string todo = {};  //!< empty if the message says it
+    FaultCode code = FaultCode::other;
+    std::string part = {};         //!< shown in front: the part that it is about
+    std::vector<Subject> on = {};  //!< that part, or several that are solved as one
+    std::vector<int> ids = {};     //!< (n) the file's number of every vertex; empty: the indices
+
+    //! "part 'cover': what is wrong; what to do".
+    std::string sentence() const;
+};
+
 //! What the caller gave cannot be used; the text names the part, the ids and what to change.
 class InvalidInput : public std::invalid_argument
 {
 public:
-    using std::invalid_argument::invalid_argument;
+    InvalidInput(Text what, std::string todo = {}, FaultCode code = FaultCode::other);
+    explicit InvalidInput(Fault fault);
 
-    //! A message around vertex indices: "before 3, 7 and 5 more after".
-    InvalidInput(std::string before, std::vector<int> vertices, std::string after);
+    const Fault& fault() const { return fault_; }
 
-    //! The same message with the part's name in front and its vertices as its file numbers them.
+    //! The same with the part's name in front and its vertices as its file numbers them.
     //! \param ids  (n) the file's number of every vertex; empty if they are the indices
     InvalidInput in_part(const std::string& part, const std::vector<int>& ids) const;
 
+    //! The same of a part that was joined of several: `on` are those that it is about.
+    InvalidInput in_parts(const std::string& shown, const std::vector<Subject>& on,
+                          const std::vector<int>& ids) const;
+
 private:
-    std::string before_;
-    std::vector<int> vertices_;
-    std::string after_;
+    Fault fault_;
 };
 
 //! The kernel could not finish a computation whose input was accepted.
 class SolverError : public std::runtime_error
 {
 public:
-    using std::runtime_error::runtime_error;
+    SolverError(Text what, std::string todo = {});
+    explicit SolverError(Fault fault);
+
+    const Fault& fault() const { return fault_; }
+
+    //! The same with the part's name in front.
+    SolverError in_parts(const std::string& shown, const std::vector<Subject>& on) const;
+
+private:
+    Fault fault_;
 };
 
 //! The progress callback asked to stop.
@@ -40,8 +76,5 @@ class Cancelled : public std::runtime_error
 public:
     Cancelled() : std::runtime_error("cancelled by the user") {}
 };
-
-//! "3, 7, 12 and 5 more": the first ids of a list, for messages.
-std::string list_ids(const std::vector<int>& ids, std::size_t shown = 8);
 
 }  // namespace sheetmorph

@@ -27,7 +27,7 @@ Vector3 rotation_log(const Vector3& axis, double radians)
         return Vector3::Zero();
     const double length = axis.stableNorm();
     if (length < 1e-300)
-        throw InvalidInput("a rotation about an axis of length zero; give the axis a direction");
+        throw InvalidInput("a rotation about an axis of length zero", "give the axis a direction");
     return axis * (0.5 * radians / length);
 }
 

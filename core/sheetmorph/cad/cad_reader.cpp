@@ -31,9 +31,9 @@ void check(const CadMeshing& meshing)
 {
     for (const double length : {meshing.edge, meshing.deflection})
         if (!(length >= 0.0) || length > 1e12)
-            throw InvalidInput("a length of the meshing is out of range; give 0 to 1e12 mm");
+            throw InvalidInput("a length of the meshing is out of range", "give 0 to 1e12 mm");
     if (!(meshing.angle >= 0.01 && meshing.angle <= 1.5))
-        throw InvalidInput("the angle of the meshing is out of range; give 0.6 to 85 degrees");
+        throw InvalidInput("the angle of the meshing is out of range", "give 0.6 to 85 degrees");
 }
 
 // Two digits are enough to say it again in a recipe.
@@ -50,7 +50,7 @@ CadMeshing with_defaults(CadMeshing meshing, const std::vector<NamedShape>& shap
         BRepBndLib::Add(one.shape, box, false);
     const double size = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
     if (!(size > 0.0) || !std::isfinite(size))
-        throw InvalidInput("its shapes have no extent; check what was exported");
+        throw InvalidInput("its shapes have no extent", "check what was exported");
     constexpr double edges_along_the_diagonal = 100.0, edge_over_deflection = 50.0;
     if (meshing.edge == 0.0)
         meshing.edge = rounded(size / edges_along_the_diagonal);
@@ -59,8 +59,8 @@ CadMeshing with_defaults(CadMeshing meshing, const std::vector<NamedShape>& shap
     constexpr double smallest = 1e-7;
     if (meshing.deflection < smallest * size)
         throw InvalidInput("a deflection of " + short_number(meshing.deflection)
-                           + " mm is too small for what is in the file; give "
-                           + short_number(1.1 * smallest * size) + " mm or more");
+                               + " mm is too small for what is in the file",
+                           "give " + short_number(1.1 * smallest * size) + " mm or more");
     return meshing;
 }
 
@@ -165,7 +165,7 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
 {
     const std::vector<NamedShape>& shapes = source->bodies;
     if (shapes.empty())
-        throw InvalidInput("it holds no solid and no surface; export solids or surfaces");
+        throw InvalidInput("it holds no solid and no surface", "export solids or surfaces");
     const CadMeshing meshing = with_defaults(wanted, shapes);
     TopTools_IndexedMapOfShape originals;  // a part that is used often is meshed once
     for (const NamedShape& one : shapes)
@@ -182,7 +182,7 @@ CadModel meshed(const std::shared_ptr<CadSource>& source, const CadMeshing& want
     }
     if (std::none_of(model.parts.begin(), model.parts.end(),
                      [](const CadPart& part) { return part.mesh.triangle_count() > 0; }))
-        throw InvalidInput("none of its faces can be meshed; repair them in the CAD system");
+        throw InvalidInput("none of its faces can be meshed", "repair them in the CAD system");
     return model;
 }
 

@@ -168,7 +168,7 @@ void read_step(STEPCAFControl_Reader& reader, const std::string& path)
     else
         status = reader.ReadFile(path.c_str());
     if (status != IFSelect_RetDone)
-        throw InvalidInput("it is no STEP file, or a damaged one; export it again");
+        throw InvalidInput("it is no STEP file, or a damaged one", "export it again");
 }
 
 // The entities of a STEP file that lost values when it was read; those that lost a text alone have
@@ -181,8 +181,10 @@ std::vector<std::string> unread_entities(const Interface_InterfaceModel& model)
         const std::string first = all->CFail(1);
         if (first.find("yntax") != std::string::npos || first.find("Parsing") != std::string::npos)
             throw InvalidInput("OpenCASCADE finds " + std::to_string(fails)
-                               + " syntax errors and would leave out what they say; export it "
-                                 "again (the first: " + first + ")");
+                                   + " syntax errors and would leave out what they say",
+                               "export it "
+                               "again (the first: "
+                                   + first + ")");
     }
     std::vector<std::string> found;
     for (int i = 1; i <= model.NbEntities(); ++i)
@@ -237,7 +239,7 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
     source->is_ap242 = names_ap242(path);
     Handle(TDocStd_Document) document = source->document.handle();
     if (!reader.Transfer(document))
-        throw InvalidInput("its shapes cannot be read; export it again as AP214 or AP242");
+        throw InvalidInput("its shapes cannot be read", "export it again as AP214 or AP242");
     const Handle(XSControl_TransferReader) transfer = reader.Reader().WS()->TransferReader();
     // The names of solids stand beside them, not in the document.
     const auto name_of_body = [&](const TopoDS_Shape& body) -> std::string
@@ -262,17 +264,19 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
 std::shared_ptr<CadSource> source_of_iges(const std::string& path)
 {
     if (!has_iges_end(content_of(path)))
-        throw InvalidInput("it ends before the last line of an IGES file; copy or export it again");
+        throw InvalidInput("it ends before the last line of an IGES file",
+                           "copy or export it again");
     const auto source = std::make_shared<CadSource>();
     IGESCAFControl_Reader reader;
     use_millimetres(reader);
     reader.SetColorMode(true);
     reader.SetLayerMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
-        throw InvalidInput("it is no IGES file, or a damaged one; export it again");
+        throw InvalidInput("it is no IGES file, or a damaged one", "export it again");
     Handle(TDocStd_Document) document = source->document.handle();
     if (!reader.Transfer(document))
-        throw InvalidInput("its shapes cannot be read; export it again, surfaces as trimmed ones");
+        throw InvalidInput("its shapes cannot be read",
+                           "export it again, surfaces as trimmed ones");
     source->lost_faces = count_lost_faces(reader.WS()->TransferReader());
     collect_healed(*source, {});
     return source;
@@ -301,7 +305,7 @@ std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const st
             shape.Nullify();
         }
     if (shape.IsNull())
-        throw InvalidInput("it is no shape in BREP format, or a damaged one; export it again");
+        throw InvalidInput("it is no shape in BREP format, or a damaged one", "export it again");
     const auto source = std::make_shared<CadSource>();
     const TDF_Label label = source->document.shapes()->AddShape(shape, false, false);
     TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
@@ -318,7 +322,7 @@ std::shared_ptr<CadSource> source_of_file(const std::string& path)
         return source_of_iges(path);
     if (ending == "brep" || ending == "brp")
         return source_of_brep(path, stem_of(path));
-    throw InvalidInput("it is no CAD file; use .step, .stp, .iges, .igs, .brep or .brp");
+    throw InvalidInput("it is no CAD file", "use .step, .stp, .iges, .igs, .brep or .brp");
 }
 
 }  // namespace sheetmorph

@@ -21,8 +21,9 @@ void check_points(const Points& points)
             bad.push_back(i);
     if (!bad.empty())
         throw InvalidInput(
-            "vertices with coordinates that are not finite numbers, or beyond 1e30 mm: ", bad,
-            "; repair or remove them");
+            "vertices with coordinates that are not finite numbers, or beyond 1e30 mm: "
+                + Text::listed("", bad),
+            "repair or remove them");
 }
 
 void check_triangles(const Triangles& triangles, int vertex_count)

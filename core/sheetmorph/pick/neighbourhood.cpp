@@ -21,8 +21,8 @@ namespace
 void require_rings(int rings)
 {
     if (rings < 0)
-        throw InvalidInput("the number of rings is " + std::to_string(rings)
-                           + "; it must be 0 or more");
+        throw InvalidInput("the number of rings is " + std::to_string(rings),
+                           "it must be 0 or more");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Screen::Screen(const Matrix4& to_clip, double width, double height)
     if (!are_numbers(to_clip))
         throw InvalidInput("the matrix of the camera has entries that are not finite numbers");
     if (!(half_.minCoeff() > 0.0) || !are_numbers(half_))
-        throw InvalidInput("the view has no extent; its width and height must be positive");
+        throw InvalidInput("the view has no extent", "its width and height must be positive");
 }
 
 Vector3 Screen::seen(const Vector3& point) const
@@ -57,8 +57,8 @@ Planes Screen::planes_around(const Vector3& low, const Vector3& high) const
 ScreenOutline::ScreenOutline(ScreenPoints corners) : corners_(std::move(corners))
 {
     if (corners_.rows() < 3 || !are_numbers(corners_))
-        throw InvalidInput("an outline needs three or more corners with finite coordinates; it has "
-                           + std::to_string(corners_.rows()));
+        throw InvalidInput("an outline needs three or more corners with finite coordinates",
+                           "it has " + std::to_string(corners_.rows()));
     low_ = corners_.colwise().minCoeff();
     high_ = corners_.colwise().maxCoeff();
     sides_.resize(rows_of_an_outline);

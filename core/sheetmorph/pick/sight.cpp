@@ -2,7 +2,7 @@
 #include "sheetmorph/pick/sight.h"
 
 #include "sheetmorph/base/limits.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/regions/flags.h"
 #include "sheetmorph/pick/vertex_cells.h"
 

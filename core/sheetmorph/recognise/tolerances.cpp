@@ -22,9 +22,10 @@ struct Range
 void require(const Range& range)
 {
     if (!(range.value >= range.least && range.value <= range.most))
-        throw InvalidInput(std::string("the tolerance ") + range.name + " is "
-                           + std::to_string(range.value) + "; give a number from "
-                           + std::to_string(range.least) + " to " + std::to_string(range.most));
+        throw InvalidInput(
+            std::string("the tolerance ") + range.name + " is " + std::to_string(range.value),
+            "give a number from " + std::to_string(range.least) + " to "
+                + std::to_string(range.most));
 }
 
 }  // namespace

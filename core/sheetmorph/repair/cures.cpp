@@ -200,7 +200,8 @@ CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds)
     Facets facets = sound_facets(mesh, places.first, tolerance);
     if (facets.empty())
         throw InvalidInput("no triangle is higher than the tolerance of the weld, "
-                           + std::to_string(tolerance) + " mm; give a smaller one");
+                               + std::to_string(tolerance) + " mm",
+                           "give a smaller one");
     found.removed = mesh.triangle_count() - static_cast<int>(facets.size());
     Convergence& cuts = found.convergence = {"the cuts at T-junctions", false, 0, 0.0, "triangles"};
     for (; cuts.rounds < most_rounds && !cuts.is_converged; ++cuts.rounds)

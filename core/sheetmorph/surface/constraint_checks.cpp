@@ -11,27 +11,29 @@ namespace sheetmorph
 namespace
 {
 
-void check_ids(const std::string& what, const VertexIds& vertices, int vertex_count)
+void check_ids(const Text& what, const VertexIds& vertices, int vertex_count)
 {
     if (vertices.empty())
-        throw InvalidInput(what + " has no vertices; pick at least one or delete it");
+        throw InvalidInput(what + " has no vertices", "pick at least one or delete it");
     VertexIds outside;
     for (const int vertex : vertices)
         if (vertex < 0 || vertex >= vertex_count)
             outside.push_back(vertex);
     if (!outside.empty())
-        throw InvalidInput(what + " names vertices that the mesh does not have: "
-                           + list_ids(outside) + " (it has 0 to " + std::to_string(vertex_count - 1)
-                           + "); pick it again");
+        throw InvalidInput(what
+                               + " names vertices that the mesh does not have: " + list_ids(outside)
+                               + " (it has 0 to " + std::to_string(vertex_count - 1) + ")",
+                           "pick it again");
 }
 
 void check_point(const PointConstraint& point, int triangle_count)
 {
-    const std::string what = "point '" + point.name + "'";
+    const Text what = point.label();
     if (point.triangle < 0 || point.triangle >= triangle_count)
         throw InvalidInput(what + " lies on triangle " + std::to_string(point.triangle)
-                           + ", which the mesh does not have (it has 0 to "
-                           + std::to_string(triangle_count - 1) + "); pick it again");
+                               + ", which the mesh does not have (it has 0 to "
+                               + std::to_string(triangle_count - 1) + ")",
+                           "pick it again");
     const Vector3& weights = point.barycentric;
     if (!weights.allFinite() || std::abs(weights.sum() - 1.0) > 1e-9 || weights.minCoeff() < -1e-9)
         throw InvalidInput(what + ": its barycentric coordinates must be three numbers from 0 to 1 "
@@ -60,7 +62,7 @@ void check_propagated(const SurfaceConstraints& constraints, const SurfaceTarget
     {
         const auto count = static_cast<Eigen::Index>(constraints.propagated[k].vertices.size());
         const PropagatedTarget& target = targets.propagated[k];
-        const std::string what = constraints.propagated[k].label();
+        const Text what = constraints.propagated[k].label();
         const auto rotations = static_cast<Eigen::Index>(target.rotations.size());
         if (target.positions.rows() != count || target.rotation_logs.rows() != count
             || (rotations != 0 && rotations != count))
@@ -76,7 +78,7 @@ void check_propagated(const SurfaceConstraints& constraints, const SurfaceTarget
 void check_constraints(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     if (mesh.triangle_count() == 0)
-        throw InvalidInput("the mesh has no triangles; there is no sheet to bend");
+        throw InvalidInput("the mesh has no triangles", "there is no sheet to bend");
     const int count = mesh.vertex_count();
     for (const KnownRegion& region : constraints.fixed)
         check_ids(region.label(), region.vertices, count);
@@ -104,12 +106,12 @@ void check_targets(const SurfaceConstraints& constraints, const SurfaceTargets& 
         check_motion(constraints.handles[k], targets.handles[k]);
     for (std::size_t k = 0; k < targets.feature_logs.size(); ++k)
         if (!targets.feature_logs[k].allFinite())
-            throw InvalidInput("feature '" + constraints.features[k].name
-                               + "': its rotation has numbers that are not finite");
+            throw InvalidInput(constraints.features[k].label()
+                               + ": its rotation has numbers that are not finite");
     for (std::size_t k = 0; k < targets.points.size(); ++k)
         if (!targets.points[k].position.allFinite() || !targets.points[k].rotation_log.allFinite())
-            throw InvalidInput("point '" + constraints.points[k].name
-                               + "': its target has numbers that are not finite");
+            throw InvalidInput(constraints.points[k].label()
+                               + ": its target has numbers that are not finite");
     check_propagated(constraints, targets);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rigid_motion.h"
+#include "sheetmorph/base/text.h"
 #include "sheetmorph/mesh/search/anchor.h"
 #include "sheetmorph/surface/feature_motion.h"
 
@@ -36,8 +37,10 @@ struct KnownRegion
     //! A handle alone: the pose gives the displacement of its pivot, the energy its rotation.
     bool is_rotation_free = false;
 
+    std::vector<Subject> of = {};  //!< the entries of the assembly that it stands for
+
     //! "handle 'tip'", "contact 'weld1'".
-    std::string label() const { return kind + " '" + name + "'"; }
+    Text label() const { return Text::about(kind + " '" + name + "'", of); }
 };
 
 //! A partial shape that keeps its form: it moves as one rigid body (2.4, 2.8).
@@ -48,10 +51,11 @@ struct FormFeature
     FeatureRotation rotation = FeatureRotation::free;
     std::string kind = "feature";  //!< what the user calls it, for messages
     FeatureMotion motion = {};
-    bool is_resizable = false;  //!< a pose may set its size (FeatureShape)
+    bool is_resizable = false;     //!< a pose may set its size (FeatureShape)
+    std::vector<Subject> of = {};  //!< the entries of the assembly that it stands for
 
     //! "feature 'hole1'", "contact 'weld1'".
-    std::string label() const { return kind + " '" + name + "'"; }
+    Text label() const { return Text::about(kind + " '" + name + "'", of); }
 };
 
 //! A point in a triangle that the pose puts somewhere (2.3).
@@ -62,6 +66,10 @@ struct PointConstraint
     Vector3 barycentric = Vector3::Zero();  //!< s, t, u >= 0 with s + t + u = 1
     bool is_turned = false;                 //!< its rotation is given too (2.8)
     bool is_rotation_free = false;          //!< the energy turns the sheet there
+    std::vector<Subject> of = {};           //!< the entries of the assembly that it stands for
+
+    //! "point 'p1'".
+    Text label() const { return Text::about("point '" + name + "'", of); }
 };
 
 //! Two form features that keep an axis or a distance; the leader's motion may come from another
@@ -74,6 +82,7 @@ struct FeatureLink
     int leader = -1;                       //!< index of the form feature; -1: of another part
     Vector3 centre = Vector3::Zero();      //!< of the leader at rest, for `coaxial` on its axis; mm
     Vector3 direction = Vector3::UnitZ();  //!< of the leader's axis at rest, for `coaxial`
+    std::vector<Subject> of = {};          //!< the entries of the assembly that it stands for
 };
 
 //! A vertex that stands on another sheet and turns with it: p = q + R (p_hat - q_hat), q its place

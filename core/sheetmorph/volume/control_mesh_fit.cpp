@@ -28,8 +28,8 @@ Weights normal_matrix(const Weights& sample_weights, const Weights& weighted,
     if (laplacian.rows() != sample_weights.cols() || laplacian.cols() != sample_weights.cols())
         throw InvalidInput("the weights of the samples belong to another control mesh");
     if (!(smoothness > 0.0))
-        throw InvalidInput(
-            "the smoothness of a control mesh must be positive; the default is 0.05");
+        throw InvalidInput("the smoothness of a control mesh must be positive",
+                           "the default is 0.05");
     const double share =
         static_cast<double>(sample_weights.rows()) / static_cast<double>(sample_weights.cols());
     const Eigen::SparseMatrix<double> square = laplacian.transpose() * laplacian;

@@ -16,8 +16,8 @@ namespace
     throw InvalidInput(
         "the control mesh is not closed and consistently oriented at the edge between "
         "its vertices "
-        + std::to_string(from) + " and " + std::to_string(to)
-        + "; every edge needs two triangles that run along it in opposite directions");
+            + std::to_string(from) + " and " + std::to_string(to),
+        "every edge needs two triangles that run along it in opposite directions");
 }
 
 // Numbers the edges; each must come once in each direction.

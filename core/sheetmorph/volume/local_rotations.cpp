@@ -4,9 +4,9 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
-#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/rotations/rotation_batch.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 
 #include <Eigen/Dense>

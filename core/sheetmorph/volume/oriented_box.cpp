@@ -22,7 +22,7 @@ constexpr double no_extent = 1e-10;
 void check_points(const Points& points)
 {
     if (points.rows() == 0)
-        throw InvalidInput("a box around no points; give the region at least one vertex");
+        throw InvalidInput("a box around no points", "give the region at least one vertex");
     if (!points.allFinite())
         throw InvalidInput("a box around points with coordinates that are not finite numbers");
 }

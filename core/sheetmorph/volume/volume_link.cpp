@@ -28,9 +28,9 @@ void check(const LinkSource& source, const LinkOptions& options)
 {
     const Eigen::Index count = source.points.rows();
     if (count == 0)
-        throw InvalidInput(
-            "a control mesh without source points; give the contact region of the "
-            "part that drives it at least one vertex");
+        throw InvalidInput("a control mesh without source points",
+                           "give the contact region of the "
+                           "part that drives it at least one vertex");
     if (!(options.offset >= 0.0))
         throw InvalidInput("the offset of the samples along the normals must not be negative");
     if ((options.offset > 0.0 && source.normals.rows() != count)

@@ -30,18 +30,5 @@ TEST(Progress, AnAnswerOfFalseCancelsAndNobodyListeningNever)
     EXPECT_NO_THROW(Progress().report(0.1, "anything"));
 }
 
-TEST(InvalidInput, NamesThePartAndItsOwnVertexNumbers)
-{
-    const InvalidInput fault("vertices ", {0, 2}, " are wrong; pick others");
-    EXPECT_STREQ(fault.what(), "vertices 0, 2 are wrong; pick others");
-    EXPECT_STREQ(fault.in_part("rail", {100, 101, 102}).what(),
-                 "part 'rail': vertices 100, 102 are wrong; pick others");
-}
-
-TEST(InvalidInput, ListsOnlyTheFirstIdsOfMany)
-{
-    EXPECT_EQ(list_ids({1, 2, 3, 4, 5}, 3), "1, 2, 3 and 2 more");
-}
-
 }  // namespace
 }  // namespace sheetmorph

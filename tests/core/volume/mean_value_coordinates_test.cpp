@@ -2,7 +2,7 @@
 #include "sheetmorph/volume/mean_value_coordinates.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/volume/control_mesh.h"
 #include "volume/textbook_weights.h"
 

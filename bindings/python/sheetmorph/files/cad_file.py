@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Floats
-from ..errors import FileError
+from ..errors import FileError, fault_of
 from ..kernel import load_cad
 from ..labels import CadFace, Labels
 from ..part_mesh import PartMesh
@@ -162,8 +162,8 @@ def _read(path: Path, meshing: Mapping[str, float], progress: Progress | None) -
     try:
         return core.read_cad(str(path.absolute()), _sizes(meshing), progress)
     except ValueError as error:
-        what, _, todo = str(error).partition("; ")
-        raise FileError(path, what, todo) from None
+        fault = fault_of(error, "export it again")
+        raise FileError(path, fault.what, fault.todo) from None
 
 
 def _notes(model: Any) -> list[str]:

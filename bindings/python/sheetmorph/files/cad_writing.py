@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Floats
-from ..errors import FileError
+from ..errors import FileError, fault_of
 from ..kernel import load_cad
 from ..progress import Progress
 from .cad_file import CadFile
@@ -79,5 +79,5 @@ def write_model(
         )
         return found
     except ValueError as error:
-        what, _, todo = str(error).rpartition("; ")
-        raise FileError(path, what or todo, todo if what else "look at the part") from None
+        fault = fault_of(error, "look at the part")
+        raise FileError(path, fault.what, fault.todo) from None

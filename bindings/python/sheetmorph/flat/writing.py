@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Floats
+from ..errors import InputError
 from ..files.atomic import FileSet
 from .bends import Bend
 from .pattern import FlatPattern
@@ -26,15 +27,16 @@ _TABLE = ("bend", "angle", "radius", "inner radius", "K", "allowance")
 def write_patterns(patterns: list[FlatPattern], output: Path, files: FileSet) -> list[Path]:
     """Writes every blank; output: a file .dxf, .svg, .obj or .json for one, a folder for all.
 
-    Returns the paths. Raises ValueError for an output of another kind, FileError, OSError.
+    Returns the paths. Raises InputError for an output of another kind, FileError, OSError.
     """
     ways = {".dxf": dxf_of, ".svg": svg_of, ".obj": obj_of, ".json": json_of}
     one_way = ways.get(output.suffix.lower())
     if one_way is not None and len(patterns) > 1:
         what = f"{len(patterns)} pieces do not go into one file"
-        raise ValueError(f"-o {output}: {what}; name a folder")
+        raise InputError(f"-o {output}: {what}", "name a folder")
     if one_way is None and output.suffix and not output.is_dir():
-        raise ValueError(f"-o {output}: name a folder, or a file .dxf, .svg, .obj or .json")
+        what = f"-o {output}: patterns are not written as {output.suffix}"
+        raise InputError(what, "name a folder, or a file .dxf, .svg, .obj or .json")
     wanted = (
         {output: one_way(patterns[0])}
         if one_way is not None

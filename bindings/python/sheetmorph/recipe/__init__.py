@@ -94,7 +94,7 @@ def check_with_meshes(
     for part in model.parts:
         if part.name not in meshes:
             what = f'no mesh is given for the part "{part.name}"'
-            faults.append(Fault(part.where, what, "add it to the meshes"))
+            faults.append(Fault(part.where, what, "add it to the meshes").about(part.subject))
     if not model.parts and not faults:
         faults.append(Fault("parts", "no mesh is given for any part", "add it to the meshes"))
     faults += mesh_faults(model, meshes)

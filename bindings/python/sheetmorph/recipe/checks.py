@@ -4,16 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from ..errors import Fault, list_ids
+from ..errors import Fault, Subject, list_ids
 from ..part_mesh import PartMesh
 from .feature_entries import RelationEntry
 from .model import ContactEntry, Model, PartEntry, RegionEntry
 from ..selecting.grammar import form_faults
+from ..words import counted
 from .places import names_in, place_of
 from .pose import Moved, Rotation
 from .relations import relation_faults
@@ -56,15 +57,18 @@ def meaning_faults(model: Model, known: Known) -> list[Fault]:
     for region in model.all_regions:
         if not region.part:  # of a part's own `driven`
             what = "the entry stands for several parts"
-            faults.append(Fault(region.where, what, 'list them under "regions", as followers'))
+            todo = 'list them under "regions", as followers'
+            faults.append(Fault(region.where, what, todo).about(region.subject))
         elif not known.has_part(region.part):
             what = f'there is no part "{region.part}"'
-            faults.append(Fault(f"{region.where}.part", what, f"use one of {_list(known.parts)}"))
-        faults += _numbers(region)
+            todo = f"use one of {_list(known.parts)}"
+            faults.append(Fault(f"{region.where}.part", what, todo).about(region.subject))
+        faults += [fault.about(region.subject) for fault in _numbers(region)]
     for contact in model.contacts:
         if contact.a.part == contact.b.part:
             what = f'both sides are on the part "{contact.a.part}"'
-            faults.append(Fault(contact.where, what, "pick sides on two different parts"))
+            todo = "pick sides on two different parts"
+            faults.append(Fault(contact.where, what, todo).about(contact.subject))
     faults += relation_faults(model, known.posed)
     if not known.is_held:
         what = "nothing is fixed and nothing is moved"
@@ -87,11 +91,13 @@ def pose_meaning_faults(
     for name, moved in pose.items():
         where = f"{place[0]}.{name}"
         if name in regions:
-            faults += _moved(regions[name], moved, where)
+            found = _moved(regions[name], moved, where)
+            faults += [fault.about(regions[name].subject) for fault in found]
         elif name not in place[1]:
             known = _list(set(regions)) if regions else "none; add a handle"
             what = f'there is no handle, feature or point "{name}"'
-            faults.append(Fault(where, what, f"names are {known}"))
+            subject = Subject("region", name)
+            faults.append(Fault(where, what, f"names are {known}").about(subject))
     return faults
 
 
@@ -101,7 +107,7 @@ def mesh_faults(model: Model, meshes: Mapping[str, PartMesh]) -> list[Fault]:
     Parts without a mesh are passed over.
     """
     faults = [
-        fault
+        fault.about(part.subject)
         for part in model.parts
         if part.name in meshes
         for fault in _part_mesh(part, meshes[part.name])
@@ -115,11 +121,14 @@ def mesh_faults(model: Model, meshes: Mapping[str, PartMesh]) -> list[Fault]:
             if missing:
                 what = f"vertices {list_ids(missing)} are not in part {region.part}"
                 todo = f"use its ids, {mesh.describe_ids(region.is_prepared)}"
-                faults.append(Fault(f"{region.where}.vertices", what, todo))
+                brief = f"{counted(len(missing), 'vertex is', 'vertices are')} not in part "
+                fault = Fault(f"{region.where}.vertices", what, todo, vertices=tuple(missing))
+                fault = replace(fault, brief=f"{brief}{region.part}")
+                faults.append(fault.about(region.subject))
         if region.triangle is not None and region.triangle >= mesh.file_triangle_count:
             what = f"triangle {region.triangle} is not in part {region.part}"
             todo = f"use one of its triangles, 0 .. {mesh.file_triangle_count - 1}"
-            faults.append(Fault(f"{region.where}.triangle", what, todo))
+            faults.append(Fault(f"{region.where}.triangle", what, todo).about(region.subject))
     return faults
 
 
@@ -153,7 +162,7 @@ def _repeated_names(model: Model) -> Iterator[Fault]:
         for entry in entries:
             if entry.name in seen:
                 text = f'the {what} name "{entry.name}" is used already by {seen[entry.name]}'
-                yield Fault(entry.where, text, "give it another name")
+                yield Fault(entry.where, text, "give it another name").about(entry.subject)
             else:
                 seen[entry.name] = entry.where
 

@@ -6,6 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from ..errors import Subject
+
 Vector = tuple[float, float, float]
 
 # Keys of a recipe and the type of the relations in their lists.
@@ -34,6 +36,11 @@ class RelationEntry:
     name: str
     type: str
     features: list[str]
+
+    @property
+    def subject(self) -> Subject:
+        """What a fault names it by."""
+        return Subject("group" if self.type == "group" else "pair", self.name)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,6 @@ from .places import place_of
 _TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
 _QUOTED = r'"""(?:\\.|[^\\])*?"""|\'{3}.*?\'{3}|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\''
 _TOML = re.compile(_QUOTED + r"""|\#[^\n]*|\n|[\[\]{}=,.]|[^\s\[\]{}=,.#"']+""", re.DOTALL)
-_STEPS = re.compile(r"(?:\.[^.\[]*|\[\d+\](?: \([^()]*\))?)$")
 
 Entry = tuple[list[str | int], int]
 _Token = re.Match[str]
@@ -35,14 +34,16 @@ class Lines:
 
     def of(self, fault: Fault) -> Fault:
         """The fault with line and column of its place, or of the nearest entry around it."""
-        name = fault.where
-        while name and name not in self._places:
-            shorter = _STEPS.sub("", name)
-            name = shorter if shorter != name else ""
-        if not name:
+        around = [place for place in self._places if is_within(fault.where, place)]
+        if not around:
             return fault
-        line, column = self._places[name]
+        line, column = self._places[max(around, key=len)]
         return replace(fault, where=f"line {line}, column {column}, {fault.where}")
+
+
+def is_within(where: str, place: str) -> bool:
+    """Whether a place of `place_of` is another one, or a step or more further in."""
+    return where[: len(place)] == place and where[len(place) :][:1] in ("", ".", "[")
 
 
 def repeated_key(text: str) -> tuple[int, int] | None:

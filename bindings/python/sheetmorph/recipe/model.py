@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from ..errors import Subject
 from ..files import is_cad, unpacked_name
 from ..files.cad_writing import CadWriting
 from ..prepared_mesh import Wanted
@@ -63,6 +64,11 @@ class PartEntry:
     deck: dict[str, Any] = field(default_factory=dict)
 
     @property
+    def subject(self) -> Subject:
+        """What a fault names it by."""
+        return Subject("part", self.name)
+
+    @property
     def stem(self) -> str:
         """What stands before the "/" in the names of the parts of a split file."""
         return unpacked_name(self.file).stem
@@ -76,7 +82,8 @@ class RegionEntry:
     handle (None: centroid); turning: "free" (the energy's), "interpolated" or "prescribed" of a
     feature, "free" or "prescribed" of a handle; rotation of a prescribed feature or of a point
     (None: free to turn); motion and size (mm) of a feature; target of a point; selector: what says
-    which vertices, still to be resolved; is_prepared: the vertices count in the prepared mesh.
+    which vertices, still to be resolved; is_prepared: the vertices count in the prepared mesh;
+    owner: whose it is, if it is no entry of its own.
     """
 
     where: str
@@ -94,6 +101,13 @@ class RegionEntry:
     size: float | None = None
     selector: Any = None
     is_prepared: bool = False
+    owner: Subject | None = None
+
+    @property
+    def subject(self) -> Subject:
+        """What a fault names it by: the contact of a side, the part of what it drives itself."""
+        kind = "fixed region" if self.kind == "fixed" else self.kind
+        return self.owner or Subject(kind, self.name)
 
     @property
     def is_point(self) -> bool:
@@ -116,6 +130,11 @@ class ContactEntry:
     type: str
     a: RegionEntry
     b: RegionEntry
+
+    @property
+    def subject(self) -> Subject:
+        """What a fault names it by."""
+        return Subject("contact", self.name)
 
 
 @dataclass(frozen=True)
@@ -280,7 +299,11 @@ def _write(entry: dict[str, Any]) -> CadWriting | None:
 def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:
     name = entry.get("name", f"contact{k}")
     sides = [
-        replace(_region("side", f"{where}.{key}", k, entry[key]), name=f"{name}: {key}")
+        replace(
+            _region("side", f"{where}.{key}", k, entry[key]),
+            name=f"{name}: {key}",
+            owner=Subject("contact", name),
+        )
         for key in ("a", "b")
     ]
     return ContactEntry(where, name, entry.get("type", "control mesh"), *sides)
@@ -288,7 +311,8 @@ def _contact(where: str, k: int, entry: dict[str, Any]) -> ContactEntry:
 
 def _driven(recipe: dict[str, Any], k: int, part: str, entry: dict[str, Any]) -> RegionEntry:
     where = place_of(recipe, ["parts", k, "driven"])
-    return _region("follower", where, k, {**entry, "part": part, "name": f"{part}: driven"})
+    found = _region("follower", where, k, {**entry, "part": part, "name": f"{part}: driven"})
+    return replace(found, owner=Subject("part", part))
 
 
 def _entries(recipe: dict[str, Any], section: str) -> Iterator[tuple[str, int, dict[str, Any]]]:

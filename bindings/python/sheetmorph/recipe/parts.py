@@ -12,7 +12,7 @@ import numpy as np
 
 from ..arrays import Floats, Ints
 from ..decks import is_deck
-from ..errors import Fault, FileError
+from ..errors import Fault, FileError, fault_of
 from ..files import PartFile, is_cad, output_name, read_part, unpacked_name
 from ..files.cad_writing import CadWriting
 from ..files.deck_file import DeckFile
@@ -175,10 +175,9 @@ def _prepared(file: PartFile, entry: PartEntry, progress: Progress | None) -> Pa
     try:
         return PreparedFile(file, entry.wanted, progress)
     except ValueError as error:
-        what, _, todo = str(error).rpartition("; ")
-        if not what:
-            what, todo = todo, "look at what `doctor` finds in it"
-        raise FileError(file.path, f"it cannot be prepared: {what}", todo) from error
+        fault = fault_of(error, "look at what `doctor` finds in it", "")
+        what = f"{fault.where}: {fault.what}" if fault.where else fault.what
+        raise FileError(file.path, f"it cannot be prepared: {what}", fault.todo) from error
 
 
 def parts_of_meshes(entries: list[PartEntry], meshes: Mapping[str, PartMesh]) -> list[PartEntry]:
@@ -193,8 +192,8 @@ def parts_of_meshes(entries: list[PartEntry], meshes: Mapping[str, PartMesh]) ->
 
 def _fault(entry: PartEntry, error: FileError | SplitError) -> Fault:
     if isinstance(error, FileError):
-        return error.fault(f"{entry.where}.file")
-    return Fault(f"{entry.where}.split", str(error), error.todo)
+        return error.fault(f"{entry.where}.file").about(entry.subject)
+    return Fault(f"{entry.where}.split", str(error), error.todo).about(entry.subject)
 
 
 def _clashes(entries: list[PartEntry], stems: Mapping[str, str]) -> list[Fault]:

@@ -6,6 +6,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from ..errors import Subject
+
+_SECTIONS = {
+    "parts": ("part", "part"),
+    "fixed": ("fixed region", "fixed"),
+    "handles": ("handle", "handle"),
+    "features": ("feature", "feature"),
+    "points": ("point", "point"),
+    "regions": ("follower", "follower"),
+    "contacts": ("contact", "contact"),
+    "groups": ("group", "group"),
+    "coaxial": ("pair", "coaxial"),
+    "distance": ("pair", "distance"),
+}
+"""By section: the kind of its entries, and what a name begins with where none is given."""
+
 
 def place_of(recipe: Any, path: Sequence[str | int]) -> str:
     """`handles[0] (tip).vertices[2]`: a path with the names of the entries it goes through."""
@@ -20,6 +36,18 @@ def place_of(recipe: Any, path: Sequence[str | int]) -> str:
         if isinstance(step, int) and isinstance(node, dict) and isinstance(node.get("name"), str):
             text += f" ({node['name']})"
     return text or "recipe"
+
+
+def subjects_at(recipe: Any, path: Sequence[str | int]) -> tuple[Subject, ...]:
+    """The entry of a recipe that a path leads into; none outside of the lists of entries."""
+    section, number = (*path, "", "")[:2]
+    if isinstance(number, int) and (found := _SECTIONS.get(str(section))):
+        kind, begin = found
+        entry = _child(_child(recipe, section), number)
+        name = entry.get("name") if isinstance(entry, dict) else None
+        return (Subject(kind, name if isinstance(name, str) else f"{begin}{number}"),)
+    steps = path[1:] if section == "pose" else path[2:] if section == "poses" else ()
+    return (Subject("region", steps[0]),) if steps and isinstance(steps[0], str) else ()
 
 
 def driven_in(recipe: Mapping[str, Any]) -> Iterator[tuple[int, str, dict[str, Any]]]:

@@ -21,9 +21,12 @@ def relation_faults(model: Model, declared: Set[str]) -> list[Fault]:
     declared: names that exist though their entries may be faulty.
     """
     features = {region.name: region for region in model.of_kind("feature")}
-    faults = [fault for feature in features.values() for fault in _motion(feature)]
+    faults = [
+        fault.about(feature.subject) for feature in features.values() for fault in _motion(feature)
+    ]
     for relation in model.relations:
-        faults += _members(relation, features, declared)
+        found = _members(relation, features, declared)
+        faults += [fault.about(relation.subject) for fault in found]
     if model.symmetry is not None:
         faults += _direction("symmetry.normal", "normal", model.symmetry.normal)
     return faults

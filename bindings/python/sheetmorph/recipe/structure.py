@@ -14,7 +14,7 @@ import jsonschema
 
 from ..errors import Fault
 from ..words import counted
-from .places import place_of
+from .places import place_of, subjects_at
 from .pose import entries_of, is_plainly_sound
 from .values import are_ids, bad_values, copied, depth_faults
 
@@ -56,7 +56,8 @@ def structural_faults(recipe: Any) -> tuple[list[Fault], Any]:
     sound = copied(recipe)
     for path, _ in places:
         _mark_unsound(sound, path)
-    return [fault for _, fault in places], _without_marked(sound)
+    faults = [fault.about(*subjects_at(recipe, path)) for path, fault in places]
+    return faults, _without_marked(sound)
 
 
 @cache
@@ -81,8 +82,11 @@ def pose_faults(pose: Any) -> list[Fault]:
         return faults
     bad = list(bad_values({"pose": pose}, pose, ["pose"]))
     errors = _errors(_pose_validator(), pose, [path[1:] for path, _ in bad])
-    faults = [_fault({"pose": pose}, error, ["pose"]) for error in errors]
-    return faults + [fault for _, fault in bad]
+    found = [
+        (["pose", *error.absolute_path], _fault({"pose": pose}, error, ["pose"]))
+        for error in errors
+    ]
+    return [fault.about(*subjects_at({}, path)) for path, fault in [*found, *bad]]
 
 
 def faults_against(other: dict[str, Any], data: Any) -> list[Fault]:
@@ -131,7 +135,7 @@ def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
     value, limit = error.instance, error.validator_value
     wanted = error.schema.get("description", "something else")
     if kind == "required":
-        missing = _quoted(error.message)
+        missing = _missing(error)
         hint = error.schema.get("properties", {}).get(missing, {}).get("description", "")
         return f'the key "{missing}" is missing', f"add it{': ' + hint if hint else ''}"
     if kind == "additionalProperties":
@@ -145,9 +149,11 @@ def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
     return f"{_show(value)} is not {wanted}", f"give {wanted}"
 
 
-def _quoted(message: str) -> str:
-    """The key of jsonschema's "'key' is a required property", one error for each missing key."""
-    return message.split("'")[1]
+def _missing(error: jsonschema.ValidationError) -> str:
+    """The missing key of an error, of which there is one for each; jsonschema tells it in words
+    alone: "'key' is a required property"."""
+    keys: list[str] = error.validator_value
+    return next(k for k in keys if error.message == f"{k!r} is a required property")
 
 
 def _explain_unknown(error: jsonschema.ValidationError) -> tuple[str, str]:

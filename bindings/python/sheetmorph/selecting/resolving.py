@@ -14,7 +14,7 @@ from ..errors import Fault, RecipeError
 from ..part_mesh import PartMesh
 from ..recipe.found import Resolved
 from ..recipe.model import PartEntry
-from ..recipe.places import driven_in, place_of
+from ..recipe.places import driven_in, place_of, subjects_at
 from ..words import counted
 from .chosen import Chosen, SelectorError
 from .grammar import JOINING, Path, form_faults, key_of, operands
@@ -148,7 +148,8 @@ def resolved(
                 _check_counts(shapes[name], {"holes": entry["holes"]}, chosen)
         except SelectorError as error:
             place = place_of(recipe, [*path, "where", *error.path])
-            faults.append(Fault(place, error.what, error.todo))
+            subjects = subjects_at(recipe, path)
+            faults.append(Fault(place, error.what, error.todo).about(*subjects))
             continue
         found.told[place_of(recipe, path)] = _told(shapes[name], chosen)
         _put(entry, shapes[name].mesh, chosen)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from ..errors import RecipeError
+from ..errors import Caution, RecipeError
 from ..session import Result
 from .certifying import failures_of, judged
 from .figures import FIGURES, Figures, live_report
@@ -43,8 +43,8 @@ class Reach:
         return searched(lambda share: self._why(share * end))
 
     def _why(self, value: float) -> str:
-        """What breaks at a value; empty if nothing does. What only exact answers measure is not
-        asked for."""
+        """What breaks at a value, with the name of the first criterion as its code; empty if
+        nothing does. What only exact answers measure is not asked for."""
         if not self.goes_on():
             raise _Stopped
         try:
@@ -56,4 +56,5 @@ class Reach:
         figures = Figures(result, live_report(result))
         asked = {name: limits for name, limits in self.criteria.items() if name in FIGURES}
         found = judged(asked, {}, figures.figure)
-        return "; ".join(failures_of([entry for entry in found if entry["value"] is not None]))
+        failed = [e for e in found if e["value"] is not None and not e["passed"]]
+        return Caution("; ".join(failures_of(failed)), code=failed[0]["name"] if failed else "")

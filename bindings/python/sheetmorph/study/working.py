@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ..certifying import Certifier, Inputs
-from ..errors import FileError, KernelError, RecipeError
+from ..errors import Fault, FileError, KernelError, RecipeError, fault_of
 from ..files.deck_file import DeckFile
 from ..joint_files.following import JointSource, joint_sources
 from ..places import Places
@@ -318,9 +318,9 @@ def _key(study: str) -> tuple[str, int]:
     return study, Path(study).stat().st_mtime_ns
 
 
-def attempt(task: Task) -> tuple[Cost, str]:
-    """work() as other processes call it: what stops the whole study comes back as a sentence."""
+def attempt(task: Task) -> tuple[Cost, Fault | None]:
+    """work() as other processes call it: what stops the whole study comes back as a fault."""
     try:
-        return work(task), ""
+        return work(task), None
     except (RecipeError, FileError, KernelError, OSError) as error:
-        return Cost(), " ".join(str(error).split())
+        return Cost(), fault_of(error, "correct it and start the study again", "study")

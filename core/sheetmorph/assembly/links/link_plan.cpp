@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/links/link_plan.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/vertex_sets.h"
@@ -55,9 +56,9 @@ VertexIds unconstrained_boundary(const Assembly& assembly, int part)
 
 [[noreturn]] void refuse_closed_part(const Part& part)
 {
-    throw InvalidInput("part '" + part.name
-                       + "': mode 3 finds no unconstrained boundary vertex to drive; use mode 2 and "
-                         "mark regions or contacts");
+    throw in_part({"mode 3 finds no unconstrained boundary vertex to drive",
+                   "use mode 2 and mark regions or contacts"},
+                  part);
 }
 
 VertexIds follower_vertices(const Assembly& assembly, int part)
@@ -77,8 +78,7 @@ VertexIds single_targets(const Assembly& assembly, int part)
     if (mode == Mode::automatic)
         mode = featured ? Mode::boundaries : Mode::all;
     if (mode == Mode::all && featured)
-        throw InvalidInput("part '" + of.name
-                           + "': mode 1 would bend its features; use mode 2 or 3");
+        throw in_part({"mode 1 would bend its features", "use mode 2 or 3"}, of);
     if (mode == Mode::all)
         return all_vertices(of);
     VertexIds found = mode == Mode::regions ? follower_vertices(assembly, part)
@@ -86,9 +86,8 @@ VertexIds single_targets(const Assembly& assembly, int part)
     if (found.empty() && mode == Mode::boundaries)
         refuse_closed_part(of);
     if (found.empty())
-        throw InvalidInput(
-            "part '" + of.name
-            + "': mode 2 with a single control mesh needs a region of role follower");
+        throw in_part(
+            InvalidInput("mode 2 with a single control mesh needs a region of role follower"), of);
     return found;
 }
 
@@ -109,12 +108,13 @@ std::vector<PlannedLink> single_link(const Assembly& assembly)
 // Mode 1 decides every vertex from one place, so there must be only one, and nothing rigid.
 void require_mode_all(const Assembly& assembly, int part, std::size_t contacts)
 {
-    const std::string what = "part '" + assembly.parts[at(part)].name + "': mode 1 ";
+    const Part& of = assembly.parts[at(part)];
     if (has_features(assembly, part))
-        throw InvalidInput(what + "would bend its features; use mode 2");
+        throw in_part({"mode 1 would bend its features", "use mode 2"}, of);
     if (contacts != 1)
-        throw InvalidInput(what + "works with one contact, this part has "
-                           + std::to_string(contacts) + "; use mode 2");
+        throw in_part({"mode 1 works with one contact, this part has " + std::to_string(contacts),
+                       "use mode 2"},
+                      of);
 }
 
 Points both_sides(const Assembly& assembly, const PlannedLink& link, int target_part)
@@ -189,10 +189,10 @@ void add_followers(const Assembly& assembly, std::vector<PlannedLink>& links)
                 }
             }
         if (nearest == nullptr)
-            throw InvalidInput(
-                "follower '" + follower.name + "' on part '"
-                + assembly.parts[at(follower.part)].name
-                + "' has no contact to follow; add one of type control mesh or tied");
+            throw InvalidInput(label_of("follower", follower) + " on part '"
+                                   + assembly.parts[at(follower.part)].name
+                                   + "' has no contact to follow",
+                               "add one of type control mesh or tied");
         VertexIds& vertices = nearest->targets.front().vertices;
         merge_into(vertices, follower.vertices);
     }

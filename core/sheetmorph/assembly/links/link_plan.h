@@ -33,6 +33,7 @@ struct RigidWeld
 {
     std::string name;           //!< of its contacts on the part it moves
     std::vector<int> contacts;  //!< all of the stack
+    std::vector<Subject> of;    //!< its contacts on the part it moves
     int source_part = 0;
     VertexIds source;
     int target_part = 0;

@@ -100,14 +100,14 @@ public:
             const auto& [first, source] = *sides.begin();
             for (auto side = std::next(sides.begin()); side != sides.end(); ++side)
             {
-                RigidWeld weld{{},
-                               contacts_of(stack),
-                               part_at(first),
-                               source,
-                               part_at(side->first),
-                               side->second,
-                               held.count(stack) > 0};
-                weld.name = name_of(weld);
+                RigidWeld weld;
+                weld.contacts = contacts_of(stack);
+                weld.source_part = part_at(first);
+                weld.source = source;
+                weld.target_part = part_at(side->first);
+                weld.target = side->second;
+                weld.is_held = held.count(stack) > 0;
+                set_name(weld);
                 found.push_back(std::move(weld));
             }
         }
@@ -172,21 +172,20 @@ private:
     }
 
     // Of the contacts on the part it moves, a few.
-    std::string name_of(const RigidWeld& weld) const
+    void set_name(RigidWeld& weld) const
     {
-        std::string name;
         std::size_t count = 0;
         for (const int index : weld.contacts)
         {
             const Contact& contact = assembly_.contacts[at(index)];
             if (contact.a.part != weld.target_part && contact.b.part != weld.target_part)
                 continue;
+            weld.of.push_back({"contact", contact.name});
             if (count++ < most_names)
-                name += (name.empty() ? "" : "' and '") + contact.name;
+                weld.name += (weld.name.empty() ? "" : "' and '") + contact.name;
         }
         if (count > most_names)
-            name += "' and '" + std::to_string(count - most_names) + " more";
-        return name;
+            weld.name += "' and '" + std::to_string(count - most_names) + " more";
     }
 
     static constexpr std::size_t most_names = 4;

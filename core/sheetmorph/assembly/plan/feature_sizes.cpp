@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/quality/noise.h"
 
@@ -29,8 +30,10 @@ void check_size(const Assembly& assembly, const PartFeature& feature, const Feat
     const Part& part = assembly.parts[static_cast<std::size_t>(feature.part)];
     const std::string limit =
         shape.smallest > 0.0 ? "the slot's width, " + in_mm(shape.smallest) : std::string("0 mm");
-    throw InvalidInput("part '" + part.name + "': feature '" + feature.name + "' cannot have a "
-                       + shape.measure() + " of " + in_mm(size) + "; give more than " + limit);
+    throw in_part(
+        {label_of("feature", feature) + " cannot have a " + shape.measure() + " of " + in_mm(size),
+         "give more than " + limit},
+        part);
 }
 
 }  // namespace
@@ -54,9 +57,10 @@ std::vector<std::optional<FeatureShape>> shapes_of_sized(const Assembly& assembl
             scatters[feature.part] = scatter_of(part.mesh);
         shapes.back() = feature_shape(part.mesh, feature.vertices, scatters[feature.part]);
         if (!shapes.back())
-            throw InvalidInput("part '" + part.name + "': feature '" + feature.name
-                               + "' has a size, but its vertices are no hole, slot or cylinder; "
-                                 "pick a whole rim or wall, or leave the size out");
+            throw in_part({label_of("feature", feature)
+                               + " has a size, but its vertices are no hole, slot or cylinder",
+                           "pick a whole rim or wall, or leave the size out"},
+                          part);
         if (feature.size)
             check_size(assembly, feature, *shapes.back(), *feature.size);
     }

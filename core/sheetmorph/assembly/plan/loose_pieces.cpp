@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/loose_pieces.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/mesh/search/picking.h"
@@ -72,8 +73,9 @@ VertexIds place_beside(const VertexIds& piece, const TriangleMesh& held, const P
     return corners;
 }
 
-void send_along(const TriangleMesh& mesh, PartProblem& problem)
+void send_along(const Part& part, PartProblem& problem)
 {
+    const TriangleMesh& mesh = part.mesh;
     SurfaceConstraints& surface = problem.own.surface;
     const TriangleMesh held = held_mesh(mesh, problem.loose);
     const PickingTree tree(held);
@@ -85,7 +87,8 @@ void send_along(const TriangleMesh& mesh, PartProblem& problem)
                          FeatureRotation::interpolated,
                          "loose piece",
                          {},
-                         false};
+                         false,
+                         subjects_of("part", part)};
         const VertexIds beside = place_beside(piece, held, tree, movers);
         body.vertices.insert(body.vertices.end(), beside.begin(), beside.end());
         surface.features.push_back(std::move(body));
@@ -106,13 +109,13 @@ void hold_loose_pieces(const Part& part, Unheld unheld, PartProblem& problem)
     }
     catch (const InvalidInput& fault)
     {
-        throw fault.in_part(part.name, part.ids);
+        throw in_part(fault, part);
     }
     if (problem.loose.empty())
         return;
     if (unheld == Unheld::along)
-        return send_along(part.mesh, problem);
-    KnownRegion rest{"loose pieces", {}, "what nothing holds:"};
+        return send_along(part, problem);
+    KnownRegion rest{"loose pieces", {}, "what nothing holds:", false, subjects_of("part", part)};
     for (const VertexIds& piece : problem.loose)
         rest.vertices.insert(rest.vertices.end(), piece.begin(), piece.end());
     surface.fixed.push_back(std::move(rest));

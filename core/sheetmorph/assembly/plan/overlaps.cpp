@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/overlaps.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 
@@ -34,13 +35,13 @@ VertexIds shared_vertices(const PartRegion& fixed, const PartHandle& handle, int
     const Part& part = assembly.parts[at(handle.part)];
     const bool is_one = moved.size() == 1;
     std::ostringstream after;
-    after << "), which the handle moves by " << (is_one ? "" : "up to ") << farthest << " mm; take "
-          << (is_one ? "it" : "them") << " out of one of the two";
-    throw InvalidInput("fixed region '" + assembly.fixed[at(overlap.fixed)].name + "' and handle '"
-                           + handle.name + "' share " + std::to_string(moved.size())
-                           + (is_one ? " vertex (" : " vertices ("),
-                       moved, after.str())
-        .in_part(part.name, part.ids);
+    after << ", which the handle moves by " << (is_one ? "" : "up to ") << farthest << " mm";
+    throw in_part(
+        {label_of("fixed region", assembly.fixed[at(overlap.fixed)]) + " and "
+             + label_of("handle", handle) + " share " + Text::counted(moved) + after.str(),
+         is_one ? "take it out of one of the two" : "take them out of one of the two",
+         FaultCode::overlap},
+        part);
 }
 
 }  // namespace

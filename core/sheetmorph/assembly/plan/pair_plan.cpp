@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/pair_plan.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
@@ -41,13 +42,20 @@ Points points_of(const Assembly& assembly, const PartFeature& feature)
     return rows_of(assembly.parts[at(feature.part)].mesh.points(), feature.vertices);
 }
 
-std::string label(const Assembly& assembly, const PartFeature& feature)
+Text label_of(const FeaturePair& pair)
 {
-    return "feature '" + feature.name + "' of part '" + assembly.parts[at(feature.part)].name + "'";
+    const std::string word = pair.type == FeatureLinkType::coaxial ? "coaxial pair" : "distance";
+    return Text::about(word + " '" + pair.name + "'", subjects_of("pair", pair));
+}
+
+Text label(const Assembly& assembly, const PartFeature& feature)
+{
+    return label_of("feature", feature) + " of part '" + assembly.parts[at(feature.part)].name
+           + "'";
 }
 
 // Of a hole, slot or cylinder its own; of other vertices the normal of their best plane.
-FeatureAxis axis_of(const Assembly& assembly, const PartFeature& feature, const std::string& pair)
+FeatureAxis axis_of(const Assembly& assembly, const PartFeature& feature, const FeaturePair& pair)
 {
     const TriangleMesh& mesh = assembly.parts[at(feature.part)].mesh;
     const Points points = points_of(assembly, feature);
@@ -65,8 +73,9 @@ FeatureAxis axis_of(const Assembly& assembly, const PartFeature& feature, const 
         }
         catch (const InvalidInput&)
         {
-            throw InvalidInput("coaxial pair '" + pair + "': " + label(assembly, feature)
-                               + " has no axis, since its vertices lie on one line; pick a rim");
+            throw InvalidInput(label_of(pair) + ": " + label(assembly, feature)
+                                   + " has no axis, since its vertices lie on one line",
+                               "pick a rim");
         }
     }
     const Points arms = points.rowwise() - axis.point.transpose();
@@ -87,11 +96,11 @@ void require_coaxial(const Assembly& assembly, const FeaturePair& pair, const Fe
         return;
     std::ostringstream text;
     text.precision(3);
-    text << "coaxial pair '" << pair.name << "': " << label(assembly, feature_of(assembly, pair.a))
-         << " and " << label(assembly, feature_of(assembly, pair.b))
-         << " do not share an axis at rest, they "
-         << "are " << offset << " mm and " << angle << " degrees apart; choose two that do";
-    throw InvalidInput(text.str());
+    text << " do not share an axis at rest, they are " << offset << " mm and " << angle
+         << " degrees apart";
+    throw InvalidInput(label_of(pair) + ": " + label(assembly, feature_of(assembly, pair.a))
+                           + " and " + label(assembly, feature_of(assembly, pair.b)) + text.str(),
+                       "choose two that do");
 }
 
 void require_distance(const Assembly& assembly, const FeaturePair& pair, const Vector3& a,
@@ -100,10 +109,10 @@ void require_distance(const Assembly& assembly, const FeaturePair& pair, const V
     const Points points = points_of(assembly, feature_of(assembly, pair.a));
     if ((a - b).norm() > exactness(points, assembly.parts.front().mesh.size()))
         return;
-    throw InvalidInput("distance '" + pair.name
-                       + "': " + label(assembly, feature_of(assembly, pair.a)) + " and "
-                       + label(assembly, feature_of(assembly, pair.b))
-                       + " have the same centre; make them coaxial, or choose others");
+    throw InvalidInput(label_of(pair) + ": " + label(assembly, feature_of(assembly, pair.a))
+                           + " and " + label(assembly, feature_of(assembly, pair.b))
+                           + " have the same centre",
+                       "make them coaxial, or choose others");
 }
 
 Vector3 centre_of(const Assembly& assembly, int feature)
@@ -115,14 +124,15 @@ PlannedPair planned(const Assembly& assembly, const FeaturePair& pair, bool is_b
 {
     PlannedPair found{pair.name, pair.type, is_b_first ? pair.b : pair.a,
                       is_b_first ? pair.a : pair.b};
+    found.of = subjects_of("pair", pair);
     if (pair.type == FeatureLinkType::distance)
     {
         require_distance(assembly, pair, centre_of(assembly, pair.a), centre_of(assembly, pair.b));
         found.centre = centre_of(assembly, found.leader);
         return found;
     }
-    const FeatureAxis a = axis_of(assembly, feature_of(assembly, pair.a), pair.name);
-    const FeatureAxis b = axis_of(assembly, feature_of(assembly, pair.b), pair.name);
+    const FeatureAxis a = axis_of(assembly, feature_of(assembly, pair.a), pair);
+    const FeatureAxis b = axis_of(assembly, feature_of(assembly, pair.b), pair);
     require_coaxial(assembly, pair, a, b);
     found.centre = is_b_first ? b.point : a.point;
     found.direction = is_b_first ? b.direction : a.direction;

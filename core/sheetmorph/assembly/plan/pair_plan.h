@@ -16,6 +16,7 @@ struct PlannedPair
     int follower = 0;
     Vector3 centre = Vector3::Zero();      //!< a point of the leader's axis, or its centre, mm
     Vector3 direction = Vector3::UnitZ();  //!< of the leader's axis
+    std::vector<Subject> of = {};          //!< the entries of the assembly that it stands for
 };
 
 //! Pairs between features of parts that are reached.

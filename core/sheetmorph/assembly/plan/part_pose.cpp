@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/part_pose.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
@@ -36,8 +37,13 @@ bool moves(const FormFeature& feature)
 
 FormFeature form_feature(const PartFeature& feature)
 {
-    return {feature.name, feature.vertices, feature.rotation,
-            "feature",    feature.motion,   is_sized(feature)};
+    return {feature.name,
+            feature.vertices,
+            feature.rotation,
+            "feature",
+            feature.motion,
+            is_sized(feature),
+            subjects_of("feature", feature)};
 }
 
 void add_groups(const Assembly& assembly, int part, PartConstraints& found)
@@ -69,14 +75,24 @@ void check_handles(const Assembly& assembly, const Pose& pose)
 {
     for (const auto& [name, motion] : pose.handles)
         if (!has_name(assembly.handles, name))
-            throw InvalidInput("the pose moves a handle '" + name
-                               + "' that the assembly does not have");
+            throw InvalidInput(
+                Text::about("the pose moves a handle '" + name + "'", {{"handle", name}})
+                + " that the assembly does not have");
     for (const PartHandle& handle : assembly.handles)
         if (handle.is_rotation_free
             && !value_or(pose.handles, handle.name, RigidMotion{}).rotation_log.isZero(0.0))
-            throw InvalidInput("the pose turns the handle '" + handle.name
-                               + "', whose rotation is free; leave its rotation out, or make it "
-                                 "one that the pose gives");
+            throw InvalidInput(
+                "the pose turns the " + label_of("handle", handle) + ", whose rotation is free",
+                "leave its rotation out, or make it "
+                "one that the pose gives");
+}
+
+void add_fixed(const Assembly& assembly, int part, SurfaceConstraints& surface)
+{
+    for (const PartRegion& region : assembly.fixed)
+        if (region.part == part)
+            surface.fixed.push_back({region.name, region.vertices, "fixed region", false,
+                                     subjects_of("fixed region", region)});
 }
 
 }  // namespace
@@ -104,15 +120,14 @@ PartConstraints constraints_of_part(const Assembly& assembly, int part)
     found.surface.laplacian = assembly.laplacian;
     found.surface.thickness = assembly.parts[at(part)].sheet_thickness;
     found.surface.poisson = assembly.parts[at(part)].poisson;
-    for (const PartRegion& region : assembly.fixed)
-        if (region.part == part)
-            found.surface.fixed.push_back({region.name, region.vertices, "fixed region"});
+    add_fixed(assembly, part, found.surface);
     for (std::size_t k = 0; k < assembly.handles.size(); ++k)
         if (assembly.handles[k].part == part)
         {
             const PartHandle& handle = assembly.handles[k];
-            found.surface.handles.push_back(
-                {handle.name, handle.vertices, "handle", handle.is_rotation_free});
+            found.surface.handles.push_back({handle.name, handle.vertices, "handle",
+                                             handle.is_rotation_free,
+                                             subjects_of("handle", handle)});
             found.handles.push_back(static_cast<int>(k));
         }
     for (std::size_t k = 0; k < assembly.features.size(); ++k)
@@ -126,10 +141,12 @@ PartConstraints constraints_of_part(const Assembly& assembly, int part)
         {
             found.surface.points.push_back(assembly.points[k].constraint);
             found.surface.points.back().name = assembly.points[k].name;
+            found.surface.points.back().of = subjects_of("point", assembly.points[k]);
             found.points.push_back(static_cast<int>(k));
         }
     for (const PartRegion& stitch : assembly.parts[at(part)].stitches)
-        found.surface.stitches.push_back({stitch.name, stitch.vertices, "contact"});
+        found.surface.stitches.push_back(
+            {stitch.name, stitch.vertices, "contact", false, subjects_of("contact", stitch)});
     found.surface.ties = assembly.parts[at(part)].ties;
     add_groups(assembly, part, found);
     return found;
@@ -152,7 +169,8 @@ SurfaceTargets targets_of_part(const Assembly& assembly, const PartConstraints& 
         const std::string& name = assembly.points[at(point)].name;
         const auto target = pose.points.find(name);
         if (target == pose.points.end())
-            throw InvalidInput("point '" + name + "' has no target; give it one in the pose");
+            throw InvalidInput(label_of("point", assembly.points[at(point)]) + " has no target",
+                               "give it one in the pose");
         targets.points.push_back(target->second);
     }
     return targets;
@@ -163,16 +181,17 @@ void check_pose_names(const Assembly& assembly, const Pose& pose)
     check_handles(assembly, pose);
     for (const auto& [name, log] : pose.feature_logs)
         if (!has_feature(assembly, name, is_prescribed))
-            throw InvalidInput("the pose turns '" + name
-                               + "', which is not a feature with a prescribed rotation");
+            throw InvalidInput(Text::about("the pose turns '" + name + "'", {{"feature", name}})
+                               + ", which is not a feature with a prescribed rotation");
     for (const auto& [name, size] : pose.sizes)
         if (!has_feature(assembly, name, is_sized))
-            throw InvalidInput("the pose gives '" + name
-                               + "' a size, which is not a feature whose size can be set");
+            throw InvalidInput(Text::about("the pose gives '" + name + "'", {{"feature", name}})
+                               + " a size, which is not a feature whose size can be set");
     for (const auto& [name, target] : pose.points)
         if (!has_name(assembly.points, name))
-            throw InvalidInput("the pose places a point '" + name
-                               + "' that the assembly does not have");
+            throw InvalidInput(
+                Text::about("the pose places a point '" + name + "'", {{"point", name}})
+                + " that the assembly does not have");
 }
 
 }  // namespace sheetmorph

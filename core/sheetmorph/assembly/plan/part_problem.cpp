@@ -15,7 +15,7 @@ namespace
 void add_carrier(PartProblem& problem, int index, const RigidWeld& weld, const VertexIds& side)
 {
     problem.own.surface.features.push_back(
-        {weld.name, side, FeatureRotation::free, "rigid contact", {}, false});
+        {weld.name, side, FeatureRotation::free, "rigid contact", {}, false, weld.of});
     problem.carriers.push_back(index);
 }
 
@@ -28,15 +28,17 @@ void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& wel
         if (weld.is_held && (weld.target_part == part || weld.source_part == part))
         {
             const VertexIds& side = weld.target_part == part ? weld.target : weld.source;
-            problem.own.surface.fixed.push_back({weld.name, side, "rigid contact"});
+            problem.own.surface.fixed.push_back({weld.name, side, "rigid contact", false, weld.of});
             // As a body, so that what else would move a part of it is refused.
-            held.push_back({weld.name, side, FeatureRotation::free, "rigid contact", {}, false});
+            held.push_back(
+                {weld.name, side, FeatureRotation::free, "rigid contact", {}, false, weld.of});
             problem.held.push_back(static_cast<int>(k));
             continue;
         }
         if (weld.target_part == part)
         {
-            problem.own.surface.handles.push_back({weld.name, weld.target, "rigid contact"});
+            problem.own.surface.handles.push_back(
+                {weld.name, weld.target, "rigid contact", false, weld.of});
             problem.carried.push_back(static_cast<int>(k));
         }
         if (weld.source_part == part)
@@ -56,6 +58,7 @@ void add_pairs(const Assembly& assembly, int part, const std::vector<PlannedPair
         const bool is_led_here = assembly.features[at(pair.leader)].part == part;
         FeatureLink link;
         link.name = pair.name;
+        link.of = pair.of;
         link.type = pair.type;
         link.follower = local_feature(problem.own, pair.follower);
         link.leader = is_led_here ? local_feature(problem.own, pair.leader) : -1;
@@ -120,7 +123,11 @@ void add_propagated(PartProblem& problem, const std::vector<Claim>& claims,
         {
             region = static_cast<int>(problem.propagated.size());
             problem.propagated.emplace_back();
-            problem.own.surface.propagated.push_back({links[at(link)].name, {}, "contact"});
+            std::vector<Subject> of;
+            if (links[at(link)].contact >= 0)
+                of.push_back({"contact", links[at(link)].name});
+            problem.own.surface.propagated.push_back(
+                {links[at(link)].name, {}, "contact", false, std::move(of)});
         }
         problem.own.surface.propagated[at(region)].vertices.push_back(static_cast<int>(vertex));
         problem.propagated[at(region)].push_back(claims[vertex].rows);

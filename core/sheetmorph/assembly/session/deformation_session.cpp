@@ -10,6 +10,7 @@
 #include "sheetmorph/surface/steel/steel_answer.h"
 
 #include <algorithm>
+#include <map>
 
 namespace sheetmorph
 {
@@ -28,8 +29,9 @@ void require_shapes_of(const PreparedAssembly& prepared, const Deformed& pose)
         if (!is_of(pose.parts, k, prepared.whole().parts[k])
             || (is_thin && !is_of(pose.middles, k, prepared.assembly.parts[k])))
             throw InvalidInput("these shapes are not of this session: part '"
-                               + prepared.assembly.parts[k].name
-                               + "' has another number of vertices; deform it with this session");
+                                   + prepared.assembly.parts[k].name
+                                   + "' has another number of vertices",
+                               "deform it with this session");
     }
 }
 
@@ -125,22 +127,29 @@ const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() con
     return data_->shapes;
 }
 
-std::vector<std::vector<std::string>> DeformationSession::joined_bodies() const
+std::vector<JoinedBody> DeformationSession::joined_bodies() const
 {
-    std::vector<std::vector<std::string>> found;
+    std::vector<JoinedBody> found;
     const PreparedAssembly& system = data_->system();
     for (std::size_t part = 0; part < system.parts.size(); ++part)
     {
         const SurfaceConstraints& surface = system.parts[part].problem.own.surface;
         for (const Body& body : merge_bodies(system.assembly.parts[part].mesh, surface))
         {
-            std::vector<std::string> labels;
+            std::map<std::string, std::vector<Subject>> labels;
             for (const int feature : body.features)
-                labels.push_back(surface.features[at(feature)].label());
-            std::sort(labels.begin(), labels.end());
-            labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-            if (labels.size() > 1)
-                found.push_back(std::move(labels));
+            {
+                const Text label = surface.features[at(feature)].label();
+                labels.emplace(label.full(), label.subjects());
+            }
+            if (labels.size() < 2)
+                continue;
+            JoinedBody& joined = found.emplace_back();
+            for (const auto& [label, subjects] : labels)
+            {
+                joined.labels.push_back(label);
+                joined.of.insert(joined.of.end(), subjects.begin(), subjects.end());
+            }
         }
     }
     return found;

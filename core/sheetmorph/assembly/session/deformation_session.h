@@ -54,6 +54,13 @@ struct LoosePieces
 class LiveDrag;
 struct PreparedAssembly;
 
+//! What is one rigid body though it was listed one by one.
+struct JoinedBody
+{
+    std::vector<std::string> labels;  //!< "feature 'a'", "rigid contact 'b'", in their order
+    std::vector<Subject> of;          //!< the entries that these stand for
+};
+
 //! The assembly, ready to be deformed: the constructor is the pre-processing phase, deform() the
 //! interactive one. Parts that nothing reaches stay where they are.
 class DeformationSession
@@ -114,7 +121,7 @@ public:
 
     //! Form features, lumps and stacks of rigid contacts that are one rigid body because they share
     //! vertices or a group: their labels, body by body, of bodies with more than one.
-    std::vector<std::vector<std::string>> joined_bodies() const;
+    std::vector<JoinedBody> joined_bodies() const;
 
     //! By part, of parts that have any.
     std::vector<LoosePieces> loose_pieces() const;

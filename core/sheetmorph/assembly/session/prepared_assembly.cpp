@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/session/prepared_assembly.h"
 
 #include "sheetmorph/assembly/assembly_checks.h"
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/assembly/links/link_blending.h"
 #include "sheetmorph/assembly/links/patch_anchors.h"
@@ -9,7 +10,7 @@
 #include "sheetmorph/assembly/session/reuse.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 
 #include <algorithm>
 #include <chrono>
@@ -52,9 +53,9 @@ PreparedLink described_link(const Assembly& assembly, const PlannedLink& planned
 }
 
 // "contact 'w' from part 'a' to part 'b'"
-std::string label_of(const Assembly& assembly, const PlannedLink& link)
+Text link_label(const Assembly& assembly, const PlannedLink& link)
 {
-    std::string label = link.contact < 0 ? "the " + link.name : "contact '" + link.name + "'";
+    Text label = link.contact < 0 ? Text("the " + link.name) : Text::about("contact", link.name);
     label += " from part '" + assembly.parts[at(link.source_part)].name + "'";
     return link.targets.size() == 1
                ? label + " to part '" + assembly.parts[at(link.targets.front().part)].name + "'"
@@ -62,7 +63,7 @@ std::string label_of(const Assembly& assembly, const PlannedLink& link)
 }
 
 std::shared_ptr<const MotionLink> built_link(const PartGeometry& source, const PreparedLink& link,
-                                             const std::string& label)
+                                             const Text& label)
 {
     const MotionLinkInput input{source, link.source, link.targets};
     try
@@ -73,8 +74,8 @@ std::shared_ptr<const MotionLink> built_link(const PartGeometry& source, const P
     }
     catch (const InvalidInput& fault)
     {
-        throw InvalidInput(label + ": " + fault.what()
-                           + "; give the contact other vertices, or make it rigid");
+        throw InvalidInput(label + ": " + fault.what(),
+                           "give the contact other vertices, or make it rigid");
     }
 }
 
@@ -97,11 +98,11 @@ std::shared_ptr<const SurfaceDeformer> built_deformer(const DeformerInput& input
     }
     catch (const InvalidInput& fault)
     {
-        throw fault.in_part(part.name, part.ids);
+        throw in_part(fault, part);
     }
     catch (const SolverError& fault)
     {
-        throw SolverError("part '" + part.name + "': " + fault.what());
+        throw on_part(fault, part);
     }
 }
 
@@ -199,10 +200,11 @@ void refuse_thin_points(const PreparedAssembly& prepared)
 {
     for (const PartPoint& point : prepared.assembly.points)
         if (prepared.thin[at(point.part)])
-            throw InvalidInput("part '" + prepared.assembly.parts[at(point.part)].name
-                               + "': point '" + point.name
-                               + "' lies on a thin solid, which cannot be met where all parts are "
-                                 "solved as a whole; take a handle of vertices, or \"thin\": false");
+            throw in_part({label_of("point", point)
+                               + " lies on a thin solid, which cannot be met where all parts are "
+                                 "solved as a whole",
+                           "take a handle of vertices, or \"thin\": false"},
+                          prepared.assembly.parts[at(point.part)]);
 }
 
 // All parts as one, taking over from `previous` what fits.
@@ -300,7 +302,7 @@ public:
         link.link = reusable_link(previous_, prepared_.assembly.parts[part], link);
         if (!link.link)
             add("contact " + prepared_.planned[index].name, effort(link),
-                [&link, &source, label = label_of(prepared_.assembly, prepared_.planned[index])](
+                [&link, &source, label = link_label(prepared_.assembly, prepared_.planned[index])](
                     const Progress&) { link.link = built_link(source, link, label); });
     }
 

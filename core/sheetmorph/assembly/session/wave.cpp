@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/wave.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
@@ -150,8 +151,7 @@ bool Wave::answer(int index, const std::shared_ptr<const Response>& response)
     }
     catch (const InvalidInput& fault)
     {
-        const Part& named = prepared_.assembly.parts[at(index)];
-        throw fault.in_part(named.name, named.ids);
+        throw in_part(fault, prepared_.assembly.parts[at(index)]);
     }
 }
 

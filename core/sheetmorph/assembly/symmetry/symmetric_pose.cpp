@@ -29,9 +29,11 @@ bool agree(const RigidMotion& a, const RigidMotion& b)
 
 [[noreturn]] void refuse(const std::string& kind, const std::string& a, const std::string& b)
 {
-    throw InvalidInput("the pose tells the " + kind + "s '" + a + "' and '" + b
-                       + "', which mirror each other, different things; tell one of them, or both "
-                         "alike");
+    throw InvalidInput(Text::about("the pose tells the " + kind + "s '" + a + "' and '" + b + "'",
+                                   {{kind, a}, {kind, b}})
+                           + ", which mirror each other, different things",
+                       "tell one of them, or both "
+                       "alike");
 }
 
 //! Tells both sides of a plane what a pose tells one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/symmetry/symmetry_plan.h"
 
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 #include "sheetmorph/assembly/symmetry/mirror_finder.h"
 #include "sheetmorph/base/errors.h"
@@ -18,9 +19,15 @@ namespace
 
 constexpr int none = -1;
 
-std::string mirrored_name(const std::string& name)
+// Poses go by name: the mirror of 'tip' must not take that of an entry 'tip (mirrored)'.
+template <typename Entry>
+std::string mirrored_name(const Entry& entry, const std::vector<Entry>& all)
 {
-    return name + " (mirrored)";
+    std::string name = entry.name + " (mirrored)";
+    const auto is_taken = [&](const Entry& other) { return other.name == name; };
+    while (std::any_of(all.begin(), all.end(), is_taken))
+        name += "'";
+    return name;
 }
 
 std::set<int> as_set(const VertexIds& vertices)
@@ -55,21 +62,19 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(int part, const std::string& what) const
+    [[noreturn]] void refuse(int part, const Text& what) const
     {
-        const Part& named = given_.parts[at(part)];
-        throw InvalidInput(
-            what + " has no mirror on the other side of the symmetry plane: vertices ",
-            finder_.missing(),
-            " have no counterpart there; make the mesh symmetric, or remove the "
-            "symmetry")
-            .in_part(named.name, named.ids);
+        throw in_part(
+            {what + " has no mirror on the other side of the symmetry plane: "
+                 + Text::listed("vertices ", finder_.missing()) + " have no counterpart there",
+             "make the mesh symmetric, or remove the symmetry"},
+            given_.parts[at(part)]);
     }
 
-    [[noreturn]] void refuse_overlap(const std::string& what, const std::string& other) const
+    [[noreturn]] void refuse_overlap(const Text& what, const Text& other) const
     {
-        throw InvalidInput("the mirror of " + what + " covers a part of " + other
-                           + "; pick them so that they mirror each other, or apart");
+        throw InvalidInput("the mirror of " + what + " covers a part of " + other,
+                           "pick them so that they mirror each other, or apart");
     }
 
     // The declared entry that is the mirror of entry `index`; none if it has to be added.
@@ -85,8 +90,7 @@ private:
             if (as_set(list[k].vertices) == as_set(mirrored.vertices))
                 return static_cast<int>(k);
             if (kind == "handle")
-                refuse_overlap(kind + " '" + list[index].name + "'",
-                               kind + " '" + list[k].name + "'");
+                refuse_overlap(label_of(kind, list[index]), label_of(kind, list[k]));
         }
         return none;
     }
@@ -96,7 +100,7 @@ private:
         for (std::size_t k = 0; k < given_.handles.size(); ++k)
         {
             const PartHandle& handle = given_.handles[k];
-            const std::string what = "handle '" + handle.name + "'";
+            const Text what = label_of("handle", handle);
             const std::optional<PartRegion> mirrored = finder_.region(handle.part, handle.vertices);
             if (!mirrored)
                 refuse(handle.part, what);
@@ -105,16 +109,17 @@ private:
                     && share_vertices(fixed.vertices, mirrored->vertices)
                     && !(fixed.part == handle.part
                          && share_vertices(fixed.vertices, handle.vertices)))
-                    refuse_overlap(what, "fixed region '" + fixed.name + "'");
+                    refuse_overlap(what, label_of("fixed region", fixed));
             int other = counterpart(given_.handles, k, *mirrored, "handle");
             if (other == none)
             {
                 other = static_cast<int>(assembly_.handles.size());
-                assembly_.handles.push_back({mirrored_name(handle.name), mirrored->part,
-                                             mirrored->vertices, handle.is_rotation_free});
+                assembly_.handles.push_back(
+                    {mirrored_name(handle, assembly_.handles), mirrored->part, mirrored->vertices,
+                     handle.is_rotation_free, subjects_of("handle", handle)});
             }
             else if (given_.handles[at(other)].is_rotation_free != handle.is_rotation_free)
-                refuse_difference("handles", handle.name, given_.handles[at(other)].name,
+                refuse_difference("handle", handle.name, given_.handles[at(other)].name,
                                   "rotation");
             add(plan_.handles, static_cast<int>(k), other);
         }
@@ -127,8 +132,8 @@ private:
             const PartPoint& point = given_.points[k];
             std::optional<PartPoint> mirrored = finder_.point(point);
             if (!mirrored)
-                throw InvalidInput("point '" + point.name
-                                   + "' has no mirror on the other side of the symmetry plane; "
+                throw InvalidInput(label_of("point", point)
+                                   + " has no mirror on the other side of the symmetry plane; "
                                      "make the mesh symmetric, or remove the symmetry");
             const Vector3 place = finder_.position(*mirrored);
             int other = none;
@@ -139,7 +144,8 @@ private:
             if (other == none)
             {
                 other = static_cast<int>(assembly_.points.size());
-                mirrored->name = mirrored_name(point.name);
+                mirrored->name = mirrored_name(point, assembly_.points);
+                mirrored->of = subjects_of("point", point);
                 mirrored->constraint.name = mirrored->name;
                 assembly_.points.push_back(*mirrored);
             }
@@ -152,9 +158,9 @@ private:
     [[noreturn]] void refuse_difference(const std::string& kind, const std::string& a,
                                         const std::string& b, const std::string& what) const
     {
-        throw InvalidInput("the " + kind + " '" + a + "' and '" + b
-                           + "' mirror each other, but differ in their " + what
-                           + "; declare them alike");
+        throw InvalidInput(
+            Text::about("the " + kind + "s '" + a + "' and '" + b + "'", {{kind, a}, {kind, b}})
+            + " mirror each other, but differ in their " + what + "; declare them alike");
     }
 
     FeatureMotion mirrored_motion(FeatureMotion motion) const
@@ -168,16 +174,16 @@ private:
     void make_alike(PartFeature& feature, PartFeature& other) const
     {
         if (feature.rotation != other.rotation)
-            refuse_difference("features", feature.name, other.name, "rotation");
+            refuse_difference("feature", feature.name, other.name, "rotation");
         const Vector3 along = mirror_.vector(feature.motion.direction);
         const bool has_direction = feature.motion.type == FeatureMotion::Type::plane
                                    || feature.motion.type == FeatureMotion::Type::line
                                    || feature.motion.type == FeatureMotion::Type::axis;
         if (feature.motion.type != other.motion.type
             || (has_direction && along.cross(other.motion.direction).norm() > 1e-6))
-            refuse_difference("features", feature.name, other.name, "motion");
+            refuse_difference("feature", feature.name, other.name, "motion");
         if (feature.size && other.size && *feature.size != *other.size)
-            refuse_difference("features", feature.name, other.name, "size");
+            refuse_difference("feature", feature.name, other.name, "size");
         other.size = feature.size = feature.size ? feature.size : other.size;
         other.is_resizable = feature.is_resizable = is_sized(feature) || is_sized(other);
     }
@@ -194,7 +200,7 @@ private:
             const std::optional<PartRegion> mirrored =
                 finder_.region(feature.part, feature.vertices);
             if (!mirrored && is_told)
-                refuse(feature.part, "feature '" + feature.name + "'");
+                refuse(feature.part, label_of("feature", feature));
             if (!mirrored)
                 continue;
             int other = counterpart(given_.features, k, *mirrored, "feature");
@@ -203,7 +209,8 @@ private:
                 other = static_cast<int>(assembly_.features.size());
                 assembly_.features.push_back(feature);
                 PartFeature& added = assembly_.features.back();
-                added.name = mirrored_name(feature.name);
+                added.name = mirrored_name(feature, assembly_.features);
+                added.of = subjects_of("feature", feature);
                 added.part = mirrored->part;
                 added.vertices = mirrored->vertices;
                 added.motion = mirrored_motion(feature.motion);
@@ -222,7 +229,8 @@ private:
             std::optional<PartRegion> mirrored = finder_.region(fixed.part, fixed.vertices);
             if (!mirrored || counterpart(given_.fixed, 0, *mirrored, "fixed region") != none)
                 continue;
-            mirrored->name = mirrored_name(fixed.name);
+            mirrored->name = mirrored_name(fixed, assembly_.fixed);
+            mirrored->of = subjects_of("fixed region", fixed);
             assembly_.fixed.push_back(*mirrored);
         }
     }
@@ -233,7 +241,7 @@ private:
     {
         for (const FeatureGroup& group : given_.groups)
         {
-            FeatureGroup mirrored{mirrored_name(group.name), {}};
+            FeatureGroup mirrored{mirrored_name(group, assembly_.groups), {}};
             for (const int feature : group.features)
                 mirrored.features.push_back(mirrored_feature(feature));
             const auto is_same = [&](const FeatureGroup& other)
@@ -250,8 +258,9 @@ private:
     {
         for (const FeaturePair& pair : given_.pairs)
         {
-            const FeaturePair mirrored{mirrored_name(pair.name), pair.type,
-                                       mirrored_feature(pair.a), mirrored_feature(pair.b)};
+            const FeaturePair mirrored{mirrored_name(pair, assembly_.pairs), pair.type,
+                                       mirrored_feature(pair.a), mirrored_feature(pair.b),
+                                       subjects_of("pair", pair)};
             const auto is_same = [&](const FeaturePair& other)
             {
                 return other.type == mirrored.type

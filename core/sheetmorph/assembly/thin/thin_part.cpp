@@ -2,7 +2,7 @@
 #include "sheetmorph/assembly/thin/thin_part.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/areas.h"
 

@@ -2,6 +2,7 @@
 #include "sheetmorph/assembly/thin/thin_reduction.h"
 
 #include "sheetmorph/assembly/assembly_checks.h"
+#include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
@@ -31,7 +32,7 @@ std::shared_ptr<const ThinPart> found_part(const Part& part)
     if (finding.solid)
         return std::make_shared<const ThinPart>(part.mesh, std::move(*finding.solid));
     if (part.thin == Thin::yes)
-        throw InvalidInput("part '" + part.name + "': it is no thin solid: " + finding.reason);
+        throw in_part(InvalidInput("it is no thin solid: " + finding.reason), part);
     return nullptr;
 }
 
@@ -260,6 +261,7 @@ Assembly with_lumps(Assembly assembly, const ThinParts& thin)
             lump.name =
                 unused_name(assembly, assembly.parts[part].name + " lump " + std::to_string(k + 1));
             lump.part = static_cast<int>(part);
+            lump.of = subjects_of("part", assembly.parts[part]);
             lump.vertices = thin[part]->solid().lumps[k];
             assembly.features.push_back(lump);
         }

@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 

@@ -104,7 +104,7 @@ private:
             const Part& own = given_.parts[part];
             joined_.first[part] = static_cast<int>(vertices);
             one.joined.push_back(joined_.first[part]);
-            name_in(own.name, one);
+            one.of.push_back({"part", own.name});
             for (int k = 0; k < own.mesh.vertex_count(); ++k)
                 one.ids.push_back(own.ids.empty() ? k : own.ids[at(k)]);
             points.middleRows(vertices, own.mesh.vertex_count()) = own.mesh.points();
@@ -113,19 +113,20 @@ private:
             vertices += own.mesh.vertex_count();
             triangles += own.mesh.triangle_count();
         }
+        one.name = name_of(one.of);
         one.mesh = {std::move(points), std::move(corners)};
         joined_.assembly.parts.push_back(std::move(one));
     }
 
     // "beam', 'box' and '3 more": messages put it between quotes.
-    static void name_in(const std::string& name, Part& one)
+    static std::string name_of(const std::vector<Subject>& parts)
     {
-        const std::size_t count = one.joined.size();
-        if (count <= most_names)
-            one.name += (count > 1 ? "', '" : "") + name;
-        else
-            one.name = one.name.substr(0, one.name.find("' and '")) + "' and '"
-                       + std::to_string(count - most_names) + " more";
+        std::string name;
+        for (std::size_t k = 0; k < parts.size() && k < most_names; ++k)
+            name += (k ? "', '" : "") + parts[k].name;
+        if (parts.size() > most_names)
+            name += "' and '" + std::to_string(parts.size() - most_names) + " more";
+        return name;
     }
 
     template <typename OnPart>
@@ -183,6 +184,7 @@ private:
         {
             PartFeature stack;
             stack.name = unused_name(all, weld.name);
+            stack.of = weld.of;
             stack.vertices = moved(weld.source_part, weld.source);
             const VertexIds target = moved(weld.target_part, weld.target);
             stack.vertices.insert(stack.vertices.end(), target.begin(), target.end());

@@ -228,7 +228,8 @@ std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>
     for (const auto& [vertex, name] : name_of)
     {
         PartRegion& stitch =
-            found.emplace(stitches.root(vertex), PartRegion{name, 0, {}}).first->second;
+            found.emplace(stitches.root(vertex), PartRegion{name, 0, {}, {{"contact", name}}})
+                .first->second;
         stitch.vertices.push_back(vertex);
     }
     std::vector<PartRegion> result;

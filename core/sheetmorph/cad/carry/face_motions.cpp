@@ -114,8 +114,8 @@ FaceMotions face_motions(const ShapeMesh& mesh, const Points& result, double tol
     {
         VertexIds vertices = mesh.on_face[static_cast<std::size_t>(f)].vertices;
         if (vertices.empty())
-            throw InvalidInput("face " + std::to_string(f)
-                               + " has no mesh to be carried by; repair it in the CAD system");
+            throw InvalidInput("face " + std::to_string(f) + " has no mesh to be carried by",
+                               "repair it in the CAD system");
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
         const Points before = rows_of(vertices, mesh.rest), after = rows_of(vertices, result);

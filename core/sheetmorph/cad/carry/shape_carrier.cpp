@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/carry/shape_carrier.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/cad/carry/face_motions.h"
 #include "sheetmorph/cad/carry/face_patch.h"
 #include "sheetmorph/cad/occt_surface.h"
@@ -257,8 +257,8 @@ void ShapeCarrier::find_edge(int index)
         return;
     found.rest = placed_curve(found.edge);
     if (found.rest.IsNull() || found.first < 0 || found.last < 0)
-        throw InvalidInput("edge " + std::to_string(index)
-                           + " has no curve; repair it in the CAD system");
+        throw InvalidInput("edge " + std::to_string(index) + " has no curve",
+                           "repair it in the CAD system");
     BRep_Tool::Range(found.edge, found.low, found.high);
     if (known.parameters.empty())
         found.samples = samples_between({found.low, found.high});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/healing/healing.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/cad/healing/shape_faults.h"
 #include "sheetmorph/cad/writing/label_attributes.h"
 

@@ -87,7 +87,7 @@ Eigen::MatrixXd PlateSystem::solution() const
             found += factors.solve(right_ - matrix_.times(found));
         return found;
     }
-    throw SolverError("a surface cannot be fitted; mesh the part finer");
+    throw SolverError("a surface cannot be fitted", "mesh the part finer");
 }
 
 }  // namespace sheetmorph

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/cad_writer.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/cad/cad_guard.h"
 #include "sheetmorph/cad/writing/body_measurer.h"
 #include "sheetmorph/cad/writing/document_copy.h"
@@ -161,11 +161,11 @@ private:
         }
         catch (const InvalidInput& error)
         {
-            throw InvalidInput("\"" + entry.name + "\": " + error.what());
+            throw InvalidInput("\"" + entry.name + "\": " + error.fault().what, error.fault().todo);
         }
         catch (const SolverError& error)
         {
-            throw SolverError("\"" + entry.name + "\": " + error.what());
+            throw SolverError("\"" + entry.name + "\": " + error.fault().what, error.fault().todo);
         }
     }
 
@@ -184,7 +184,7 @@ double decimal_grain(double tolerance, double unit)
 void check(const CadModel& model, const std::vector<Points>& positions, const CadWriting& writing)
 {
     if (!model.source)
-        throw InvalidInput("the model was not read of a file; read it again");
+        throw InvalidInput("the model was not read of a file", "read it again");
     if (positions.size() != model.parts.size())
         throw InvalidInput("there must be positions for every part");
     for (std::size_t k = 0; k < positions.size(); ++k)
@@ -194,13 +194,13 @@ void check(const CadModel& model, const std::vector<Points>& positions, const Ca
         if (!positions[k].allFinite())
             throw InvalidInput("a position is not a finite number");
         if (!model.parts[k].skipped_faces.empty())
-            throw InvalidInput("\"" + model.parts[k].name
-                               + "\" has faces that were not meshed; repair them in the CAD "
-                                 "system");
+            throw InvalidInput("\"" + model.parts[k].name + "\" has faces that were not meshed",
+                               "repair them in the CAD "
+                               "system");
     }
     for (const double tolerance : {writing.tolerance, writing.edge_tolerance})
         if (!(tolerance >= 1e-6) || tolerance > 1e6)
-            throw InvalidInput("a tolerance is out of range; give 1e-6 to 1e6 mm");
+            throw InvalidInput("a tolerance is out of range", "give 1e-6 to 1e6 mm");
 }
 
 }  // namespace
@@ -230,7 +230,7 @@ std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Poin
 std::string brep_of(const CadModel& model, int part)
 {
     if (!model.source || part < 0 || part >= static_cast<int>(model.source->bodies.size()))
-        throw InvalidInput("there is no such part; read the file again");
+        throw InvalidInput("there is no such part", "read the file again");
     std::ostringstream text;
     text.precision(17);
     BRepTools::Write(model.source->bodies[static_cast<std::size_t>(part)].shape, text, false, false,

@@ -50,7 +50,7 @@ public:
 
     [[noreturn]] static void refuse()
     {
-        throw InvalidInput("the kept mesh is not that of the shape; add the shape again");
+        throw InvalidInput("the kept mesh is not that of the shape", "add the shape again");
     }
 
 private:

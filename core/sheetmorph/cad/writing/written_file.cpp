@@ -126,7 +126,7 @@ void write_document(const CadDocument& document, const CadSource& source, const 
                          : writing.format == CadFormat::iges ? write_iges(document, path)
                                                              : write_brep(document, path);
     if (!is_done)
-        throw InvalidInput("the CAD file cannot be written; check the path and its rights");
+        throw InvalidInput("the CAD file cannot be written", "check the path and its rights");
 }
 
 std::shared_ptr<CadSource> read_document(const std::string& path, CadFormat format)

@@ -47,8 +47,9 @@ Matrix3 best_plane(const Points& offsets, double noise)
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeThinV);
     const Eigen::VectorXd spread = svd.singularValues();
     if (spread(1) <= std::max(straightest * spread(0), noise))
-        throw InvalidInput("the " + std::to_string(offsets.rows())
-                           + " points of a circle lie on one line; give points around its rim");
+        throw InvalidInput(
+            "the " + std::to_string(offsets.rows()) + " points of a circle lie on one line",
+            "give points around its rim");
     Matrix3 frame = svd.matrixV();
     frame.col(2) = frame.col(0).cross(frame.col(1));
     return frame;

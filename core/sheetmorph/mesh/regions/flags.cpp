@@ -16,8 +16,8 @@ Flags flags_of(const std::vector<int>& ids, int count, const std::string& what)
         else
             flags[id] = 1;
     if (!bad.empty())
-        throw InvalidInput(what + " that do not exist: " + list_ids(bad) + "; the mesh has "
-                           + std::to_string(count));
+        throw InvalidInput(what + " that do not exist: " + list_ids(bad),
+                           "the mesh has " + std::to_string(count));
     return flags;
 }
 

@@ -23,8 +23,8 @@ constexpr int none = -1;
 void spread(const TriangleMesh& mesh, Flags& flags, int rings)
 {
     if (rings < 0)
-        throw InvalidInput("the number of rings is " + std::to_string(rings)
-                           + "; it must be 0 or more");
+        throw InvalidInput("the number of rings is " + std::to_string(rings),
+                           "it must be 0 or more");
     bool has_grown = true;
     for (int ring = 0; ring < rings && has_grown; ++ring)
     {

@@ -47,8 +47,8 @@ private:
 std::vector<std::pair<int, int>> near_pairs(const Points& points, double tolerance)
 {
     if (!(tolerance >= 0.0) || !std::isfinite(tolerance))
-        throw InvalidInput("the tolerance for near vertices is " + std::to_string(tolerance)
-                           + "; give a length of 0 or more");
+        throw InvalidInput("the tolerance for near vertices is " + std::to_string(tolerance),
+                           "give a length of 0 or more");
     if (points.rows() == 0)
         return {};
     const Vector3 extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).transpose();

@@ -233,17 +233,17 @@ std::vector<VertexIds> boundary_loops(const TriangleMesh& mesh)
 VertexIds boundary_loop_at(const TriangleMesh& mesh, int vertex)
 {
     if (vertex < 0 || vertex >= mesh.vertex_count())
-        throw InvalidInput("vertex " + std::to_string(vertex) + " does not exist; the mesh has "
-                           + std::to_string(mesh.vertex_count()) + " vertices");
+        throw InvalidInput("vertex " + std::to_string(vertex) + " does not exist",
+                           "the mesh has " + std::to_string(mesh.vertex_count()) + " vertices");
     VertexIds smallest;
     for (const VertexIds& loop : boundary_loops(mesh))
         if (std::find(loop.begin(), loop.end(), vertex) != loop.end()
             && (smallest.empty() || loop.size() < smallest.size()))
             smallest = loop;
     if (smallest.empty())
-        throw InvalidInput("vertex " + std::to_string(vertex)
-                           + " is on no closed rim; pick one at a hole, or at a border that does "
-                             "not end where three sheets meet");
+        throw InvalidInput("vertex " + std::to_string(vertex) + " is on no closed rim",
+                           "pick one at a hole, or at a border that does "
+                           "not end where three sheets meet");
     return smallest;
 }
 

@@ -151,8 +151,8 @@ Triangles split_quads(const Points& points, const Quads& quads)
 Triangles split_polygon(const Points& points, const VertexIds& corners)
 {
     if (corners.size() < 3)
-        throw InvalidInput("a polygon of " + std::to_string(corners.size())
-                           + " corners; it needs at least 3");
+        throw InvalidInput("a polygon of " + std::to_string(corners.size()) + " corners",
+                           "it needs at least 3");
     for (const int corner : corners)
         if (corner < 0 || corner >= points.rows())
             throw InvalidInput("a polygon names vertex " + std::to_string(corner) + ", outside 0.."

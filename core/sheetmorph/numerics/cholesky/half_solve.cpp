@@ -2,7 +2,7 @@
 #include "sheetmorph/numerics/cholesky/half_solve.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 #include "sheetmorph/numerics/cholesky/front_kernel.h"

@@ -2,7 +2,7 @@
 #include "sheetmorph/numerics/cholesky/nested_dissection.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/numerics/halving.h"
 #include "sheetmorph/numerics/vertex_cover.h"
 

@@ -2,7 +2,7 @@
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/numerics/cholesky/frontal_cholesky.h"
 #include "sheetmorph/numerics/cholesky/half_solve.h"
 

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "sheetmorph/numerics/response/response_fields.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/numerics/halving.h"
 #include "sheetmorph/numerics/response/response_kernel.h"
 

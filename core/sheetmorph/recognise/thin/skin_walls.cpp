@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
 

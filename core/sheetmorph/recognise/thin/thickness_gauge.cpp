@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/recognise/thin/across_sheet.h"
 
 #include <algorithm>
@@ -118,7 +118,7 @@ ThicknessChange thickness_change(const TriangleMesh& mesh, const ThinSolid& soli
 {
     if (solid.facets.size() != at(mesh.triangle_count())
         || solid.vertices.size() != at(mesh.vertex_count()))
-        throw InvalidInput("the thin solid was found on another mesh; find it on this one");
+        throw InvalidInput("the thin solid was found on another mesh", "find it on this one");
     if (positions.rows() != mesh.vertex_count())
         throw InvalidInput("there are " + std::to_string(positions.rows())
                            + " positions, the mesh has " + std::to_string(mesh.vertex_count())

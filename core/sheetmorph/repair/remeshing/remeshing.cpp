@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/geometry/areas.h"
 #include "sheetmorph/repair/remeshing/remesh_result.h"
 #include "sheetmorph/repair/remeshing/round_rims.h"
@@ -37,8 +37,8 @@ void require_three_corners(const Triangles& triangles)
             || triangles(t, 2) == triangles(t, 0))
             bad.push_back(t);
     if (!bad.empty())
-        throw InvalidInput("triangles with one vertex at two corners: " + list_ids(bad)
-                           + "; cure the mesh first, that removes them");
+        throw InvalidInput("triangles with one vertex at two corners: " + list_ids(bad),
+                           "cure the mesh first, that removes them");
 }
 
 double total_area(const TriangleMesh& mesh)
@@ -60,15 +60,16 @@ void check(const TriangleMesh& mesh, const RemeshOptions& options)
 {
     require_three_corners(mesh.triangles());
     if (!(options.edge > 0.0) || !std::isfinite(options.edge))
-        throw InvalidInput("the edge length to remesh with is " + std::to_string(options.edge)
-                           + " mm; give a positive one");
+        throw InvalidInput(
+            "the edge length to remesh with is " + std::to_string(options.edge) + " mm",
+            "give a positive one");
     const double area = total_area(mesh);
     if (needed(area, options.edge) > most_triangles)
         throw InvalidInput(
             "edges of " + std::to_string(options.edge) + " mm would need "
-            + std::to_string(std::lround(std::min(needed(area, options.edge), 1e24) / 1e6))
-            + " million triangles; give a longer edge, "
-            + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
+                + std::to_string(std::lround(std::min(needed(area, options.edge), 1e24) / 1e6))
+                + " million triangles",
+            "give a longer edge, " + std::to_string(std::sqrt(area / 0.433 / 3e5)) + " mm or so");
 }
 
 // Small facets on bends and beside rims ask for short edges far beyond what the edge length does.

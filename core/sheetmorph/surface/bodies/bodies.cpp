@@ -7,6 +7,7 @@
 #include "sheetmorph/base/vertex_sets.h"
 
 #include <algorithm>
+#include <map>
 
 namespace sheetmorph
 {
@@ -85,18 +86,19 @@ void settle(Body& body, const TriangleMesh& mesh)
 }
 
 [[noreturn]] void refuse_torn(const Body& body, const SurfaceConstraints& constraints,
-                              const std::vector<std::string>& movers)
+                              const std::vector<Text>& movers)
 {
     throw InvalidInput(names_of(body, constraints) + " would be torn between " + movers[0] + " and "
-                       + movers[1]
-                       + ", which can move differently; let the rigid shape touch only one");
+                           + movers[1] + ", which can move differently",
+                       "let the rigid shape touch only one", FaultCode::torn);
 }
 
-std::string motion_label(const FormFeature& feature)
+Text motion_label(const FormFeature& feature)
 {
     static const char* const names[] = {"free", "fixed", "translation", "plane", "line", "axis"};
-    return std::string("the motion \"") + names[static_cast<int>(feature.motion.type)] + "\" of '"
-           + feature.name + "'";
+    return Text::about(std::string("the motion \"") + names[static_cast<int>(feature.motion.type)]
+                           + "\" of '" + feature.name + "'",
+                       feature.of);
 }
 
 bool is_same(const FeatureMotion& a, const FeatureMotion& b)
@@ -110,7 +112,7 @@ struct Wishes
     int prescribed = -1;
     int restricted = -1;
     bool interpolated = false;
-    std::vector<std::string> movers;  //!< of which only one can be obeyed
+    std::vector<Text> movers;  //!< of which only one can be obeyed
 };
 
 Wishes wishes_of(const Body& body, const SurfaceConstraints& constraints)
@@ -124,7 +126,8 @@ Wishes wishes_of(const Body& body, const SurfaceConstraints& constraints)
         const bool turns_as_told = feature.rotation == FeatureRotation::prescribed;
         if (turns_as_told)
         {
-            wishes.movers.push_back("the rotation prescribed for '" + feature.name + "'");
+            wishes.movers.push_back(
+                Text::about("the rotation prescribed for '" + feature.name + "'", feature.of));
             wishes.prescribed = index;
         }
         if (type == FeatureMotion::Type::free)
@@ -145,7 +148,7 @@ Wishes wishes_of(const Body& body, const SurfaceConstraints& constraints)
 void refuse_contradictions(const Body& body, const Drivers& drivers, const Wishes& wishes,
                            const SurfaceConstraints& constraints)
 {
-    std::vector<std::string> movers;
+    std::vector<Text> movers;
     if (drivers.fixed)
         movers.emplace_back("a fixed region");
     for (const int handle : drivers.handles)
@@ -209,18 +212,19 @@ Vector3 centre_of(const TriangleMesh& mesh, const VertexIds& vertices)
     return centre / static_cast<double>(vertices.size());
 }
 
-std::string names_of(const Body& body, const SurfaceConstraints& constraints)
+Text names_of(const Body& body, const SurfaceConstraints& constraints)
 {
-    std::string text;
+    Text text("");
+    const auto add = [&text](const Text& label) { text += text.is_empty() ? label : ", " + label; };
     for (const int feature : body.features)
-        text += (text.empty() ? "" : ", ") + constraints.features[at(feature)].label();
+        add(constraints.features[at(feature)].label());
     if (body.handle >= 0)
-        text += (text.empty() ? "" : ", ") + constraints.handles[at(body.handle)].label();
-    std::set<std::string> seams;
+        add(constraints.handles[at(body.handle)].label());
+    std::map<std::string, int> seams;
     for (const int stitch : body.stitches)
-        seams.insert(constraints.stitches[at(stitch)].label());
-    for (const std::string& seam : seams)
-        text += (text.empty() ? "" : ", ") + seam;
+        seams.emplace(constraints.stitches[at(stitch)].label().full(), stitch);
+    for (const auto& [label, stitch] : seams)
+        add(constraints.stitches[at(stitch)].label());
     if (body.features.size() > 1)
         text += " (one body, since they share vertices or a group)";
     return text;

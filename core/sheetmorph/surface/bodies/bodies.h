@@ -86,6 +86,6 @@ std::vector<int> leaders_first(const std::vector<Body>& bodies);
 Vector3 centre_of(const TriangleMesh& mesh, const VertexIds& vertices);
 
 //! "feature 'hole1', feature 'hole2' (one body, since they share vertices)".
-std::string names_of(const Body& body, const SurfaceConstraints& constraints);
+Text names_of(const Body& body, const SurfaceConstraints& constraints);
 
 }  // namespace sheetmorph

@@ -43,11 +43,12 @@ bool is_coaxial(const SurfaceConstraints& constraints, int link)
     return constraints.links[at(link)].type == FeatureLinkType::coaxial;
 }
 
-std::string told(const SurfaceConstraints& constraints, const FeatureLink& link)
+Text told(const SurfaceConstraints& constraints, const FeatureLink& link)
 {
     const std::string what =
         link.type == FeatureLinkType::coaxial ? "the coaxial pair '" : "the distance '";
-    return what + link.name + "' of feature '" + constraints.features[at(link.follower)].name + "'";
+    return Text::about(what + link.name + "'", link.of) + " of feature '"
+           + constraints.features[at(link.follower)].name + "'";
 }
 
 //! Links on their way to who follows whom.
@@ -82,7 +83,7 @@ public:
             throw InvalidInput(
                 told(constraints_, link)
                 + " cannot be kept: both sides are held by fixed regions, handles, motions or "
-                  "other pairs, or their rotation is not free; remove one of these or the pair");
+                  "other pairs, or their rotation is not free", "remove one of these or the pair");
         bodies_[at(follower)].following = following;
         bind_tree(follower);
     }
@@ -105,7 +106,8 @@ private:
                 is_coaxial_tree &= is_coaxial(constraints_, bodies_[k].following->link);
         if (!is_coaxial_tree)
             throw InvalidInput(told(constraints_, constraints_.links[at(following.link)])
-                               + " closes a loop of pairs; remove one of them");
+                                   + " closes a loop of pairs",
+                               "remove one of them");
         return true;
     }
 

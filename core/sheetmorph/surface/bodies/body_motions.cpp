@@ -99,7 +99,7 @@ Vector3 told_rotation(const PlacementInput& part, const SurfaceTargets& targets,
         if (log.cross(axis).norm() > 1e-9 * (1.0 + log.norm()))
             throw InvalidInput(feature.label()
                                + " turns about its axis only, but the pose prescribes a rotation "
-                                 "about another one; change the rotation or the motion");
+                                 "about another one", "change the rotation or the motion");
     }
     return log;
 }

@@ -38,15 +38,16 @@ FeatureShapes resizable_shapes(const TriangleMesh& mesh, const SurfaceConstraint
         if (!shapes[k])
             throw InvalidInput(feature.label()
                                + " is neither a hole, a slot nor a cylinder, so its size cannot be "
-                                 "set; pick its rim (with or without washer) or leave size out");
+                                 "set", "pick its rim (with or without washer) or leave size out");
         for (const int vertex : feature.vertices)
         {
             int& other = owner[static_cast<std::size_t>(vertex)];
             if (other >= 0 && other != static_cast<int>(k))
                 throw InvalidInput(
                     feature.label() + " and "
-                    + constraints.features[static_cast<std::size_t>(other)].label()
-                    + " share vertices and both have a size; take these vertices out of one");
+                        + constraints.features[static_cast<std::size_t>(other)].label()
+                        + " share vertices and both have a size",
+                    "take these vertices out of one", FaultCode::overlap);
             other = static_cast<int>(k);
         }
     }
@@ -62,13 +63,13 @@ SizeChanges size_changes(const SurfaceConstraints& constraints, const FeatureSha
         if (!targets.sizes[k])
             continue;
         const double size = *targets.sizes[k];
-        const std::string what = constraints.features[k].label();
+        const Text what = constraints.features[k].label();
         if (!shapes[k])
-            throw InvalidInput(what + " has no size that a pose may set; give it one first");
+            throw InvalidInput(what + " has no size that a pose may set", "give it one first");
         if (!std::isfinite(size) || size <= shapes[k]->smallest)
-            throw InvalidInput(what + ": a " + shapes[k]->measure() + " of " + shortest(size)
-                               + " mm cannot be; give more than " + shortest(shapes[k]->smallest)
-                               + " mm");
+            throw InvalidInput(
+                what + ": a " + shapes[k]->measure() + " of " + shortest(size) + " mm cannot be",
+                "give more than " + shortest(shapes[k]->smallest) + " mm");
         changes[k] = size - shapes[k]->size;
     }
     return changes;

@@ -23,14 +23,15 @@ constexpr double settled = 1e-8;  // of the size: a round that moves less is the
 void require_sheet(const TriangleMesh& mesh, const EdgeTable& table)
 {
     if (connected_components(mesh).count != 1)
-        throw InvalidInput("the sheet is in pieces; lay them flat one by one");
+        throw InvalidInput("the sheet is in pieces", "lay them flat one by one");
     for (int edge = 0; edge < table.count(); ++edge)
         if (table.uses(edge).count() > 2)
             throw InvalidInput(
-                "three triangles meet in one edge (a T-joint), which no flat sheet has; cut it "
+                "three triangles meet in one edge (a T-joint), which no flat sheet has",
+                "cut it "
                 "into parts there");
     if (boundary_edges(mesh).empty())
-        throw InvalidInput("the sheet is closed, so that it cannot be laid flat; cut it open");
+        throw InvalidInput("the sheet is closed, so that it cannot be laid flat", "cut it open");
 }
 
 void require_rims(const FlatInput& input)
@@ -44,8 +45,8 @@ void require_rims(const FlatInput& input)
                                    + std::to_string(vertex) + ", the sheet has "
                                    + std::to_string(input.mesh.vertex_count()));
             if (is_taken[at(vertex)])
-                throw InvalidInput("vertex " + std::to_string(vertex)
-                                   + " is in rims twice; let each be in one, once");
+                throw InvalidInput("vertex " + std::to_string(vertex) + " is in rims twice",
+                                   "let each be in one, once");
             is_taken[at(vertex)] = 1;
         }
 }
@@ -210,7 +211,7 @@ Flattening flatten(const FlatInput& input, const Progress& progress)
     require_neutral(input);
     const Orientation orientation = consistent_orientation(input.mesh, table);
     if (!orientation.is_possible)
-        throw InvalidInput("the sheet has one side only (a Moebius strip); cut it open");
+        throw InvalidInput("the sheet has one side only (a Moebius strip)", "cut it open");
     const TriangleMesh mesh = oriented(input.mesh, orientation);
     const std::vector<FlatTriangle> triangles = triangles_of(mesh, input);
     if (triangles.empty())

@@ -3,8 +3,8 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
-#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotation.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/surface/operators/point_rows.h"
 #include "sheetmorph/surface/solve/pose_steps.h"
 

@@ -2,7 +2,7 @@
 #include "sheetmorph/surface/operators/surface_operators.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/delaunay_flips.h"
 #include "sheetmorph/mesh/geometry/fans.h"

@@ -55,12 +55,11 @@ void mark_handle(VertexRoles& roles, const SurfaceConstraints& constraints, int 
     }
     if (!shared.empty())
         throw InvalidInput(constraints.handles[at(other)].label() + " and " + region.label()
-                               + " both move " + std::to_string(shared.size())
-                               + (shared.size() == 1 ? " vertex (" : " vertices ("),
-                           shared, "); take these out of one of them");
+                               + " both move " + Text::counted(shared),
+                           "take these out of one of them", FaultCode::overlap);
     if (!moves_something)
-        throw InvalidInput("every vertex of " + region.label()
-                           + " is fixed, so it cannot move; take them out of the fixed region");
+        throw InvalidInput("every vertex of " + region.label() + " is fixed, so it cannot move",
+                           "take them out of the fixed region");
 }
 
 // Points of a body's own triangles that turn it: one that is turned, or several that pin it.
@@ -141,8 +140,9 @@ void require_bodies_on_the_sheet(const VertexRoles& roles, const SurfaceConstrai
         const auto on_sheet = [&](int vertex)
         { return roles.components.label[at(vertex)] != Components::unused; };
         if (!body.is_known() && std::none_of(body.vertices.begin(), body.vertices.end(), on_sheet))
-            throw InvalidInput(names_of(body, constraints) + " has only vertices of no triangle: ",
-                               body.vertices, "; nothing can move it, remove it");
+            throw InvalidInput(names_of(body, constraints) + " has only vertices of no triangle: "
+                                   + Text::listed("", body.vertices),
+                               "nothing can move it, remove it");
     }
 }
 
@@ -238,9 +238,10 @@ VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& con
     VertexRoles roles = roles_of(mesh, constraints);
     const std::vector<int> unheld = find_held_components(roles, mesh, constraints);
     if (!unheld.empty())
-        throw InvalidInput("nothing holds the component of vertices ",
-                           roles.components.vertices(unheld.front()),
-                           "; mark a fixed region or a handle on it, or remove it");
+        throw InvalidInput(
+            "nothing holds the component of "
+                + Text::listed("vertices ", roles.components.vertices(unheld.front())),
+            "mark a fixed region or a handle on it, or remove it", FaultCode::unheld);
     const std::vector<char> is_corner = corners_of(mesh);
     for (std::size_t i = 0; i < roles.role.size(); ++i)
         if (roles.role[i] == Role::free && roles.components.label[i] == Components::unused)

@@ -51,7 +51,7 @@ MotionRate carried_rate(const PlacementInput& part, int index, const BodyMotions
 {
     const Body& body = part.roles.bodies[at(index)];
     if (body.restricted >= 0 || body.following)
-        throw NoDerivative(names_of(body, part.constraints)
+        throw NoDerivative(names_of(body, part.constraints).full()
                            + " is carried by another part, and bound besides");
     const Carriers carriers = carriers_of(part, index, pose.targets);
     const Points moves = rates_of(carriers, pose.rates, &PropagatedRate::positions);
@@ -91,7 +91,8 @@ std::vector<MotionRate> known_body_rates(const PlacementInput& part, const BodyM
     {
         const Body& body = part.roles.bodies[k];
         if (body.following)
-            throw NoDerivative(names_of(body, part.constraints) + " keeps a link to another one");
+            throw NoDerivative(names_of(body, part.constraints).full()
+                               + " keeps a link to another one");
         if (body.motion == Body::Motion::handle)
             found[k] = pose.rates.handles[at(body.driver)].about(
                 pose.targets.handles[at(body.driver)], body.centre);

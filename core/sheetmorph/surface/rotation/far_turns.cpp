@@ -4,7 +4,7 @@
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/surface/operators/ties.h"
 
 #include <algorithm>

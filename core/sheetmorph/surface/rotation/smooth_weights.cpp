@@ -2,7 +2,7 @@
 #include "sheetmorph/surface/rotation/smooth_weights.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 
 #include <algorithm>
 #include <utility>

@@ -38,14 +38,18 @@ void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& disp
     const double reach = part.rest.size() + (wanted.size() ? wanted.cwiseAbs().maxCoeff() : 0.0);
     const double allowed =
         level == Exactness::exact ? exactness(part.rest.points(), reach) : 1e-6 * reach;
-    std::string missed;
+    Text missed("");
     for (Eigen::Index k = 0; k < error.size(); ++k)
         if (error(k) > allowed)
-            missed += (missed.empty() ? "'" : ", '") + part.constraints.points[at(k)].name + "'";
-    if (!missed.empty())
+        {
+            const PointConstraint& point = part.constraints.points[at(k)];
+            missed +=
+                (missed.is_empty() ? "" : ", ") + Text::about("'" + point.name + "'", point.of);
+        }
+    if (!missed.is_empty())
         throw InvalidInput("the targets of points " + missed
                            + " contradict each other or the fixed, handle or feature vertices they "
-                             "lie on; move a target or remove a point");
+                             "lie on", "move a target or remove a point");
 }
 
 //! One pose on its way to its solution.
@@ -216,7 +220,7 @@ Deformation solved(const PreparedSurface& part, const SurfaceTargets& targets, E
     part.followers.place(part.rest, result.positions, result.rotation_logs);
     result.features = feature_motions(placement, pose.bodies);
     if (!result.positions.allFinite())
-        throw SolverError("the deformed shape is not finite; the mesh may be too distorted");
+        throw SolverError("the deformed shape is not finite", "the mesh may be too distorted");
     return result;
 }
 

@@ -3,8 +3,8 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
-#include "sheetmorph/base/parallel.h"
 #include "sheetmorph/base/rotations/rotation_batch.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/surface/rotation/turner_field.h"
 #include "sheetmorph/surface/solve/placement.h"
 #include "sheetmorph/surface/solve/reduced_minimum.h"

@@ -159,10 +159,10 @@ std::string holders(const PreparedSurface& part, std::size_t feature, const std:
          {&constraints.fixed, &constraints.handles, &constraints.propagated})
         for (const KnownRegion& region : *regions)
             if (touches(corners, region.vertices))
-                labels.push_back(region.label());
+                labels.push_back(region.label().full());
     for (std::size_t k = 0; k < constraints.features.size(); ++k)
         if (k != feature && touches(corners, constraints.features[k].vertices))
-            labels.push_back(constraints.features[k].label());
+            labels.push_back(constraints.features[k].label().full());
     if (labels.empty())
         return "";
     std::string text = ": " + labels.front();
@@ -201,10 +201,12 @@ void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& siz
     throw InvalidInput(
         part.constraints.features[feature].label() + ": a " + part.shapes[feature]->measure()
             + " of " + rounded(part.shapes[feature]->size + *sizes[feature])
-            + " mm would turn over triangles ",
-        overturned,
-        (found.size ? "; the " + word + " that can be reached is " + rounded(*found.size) + " mm"
-                    : "; the other sizes of this pose turn triangles over too")
+            + " mm would turn over "
+            + Text::shortened("triangles " + list_ids(overturned),
+                              std::to_string(overturned.size())
+                                  + (overturned.size() == 1 ? " triangle" : " triangles")),
+        (found.size ? "the " + word + " that can be reached is " + rounded(*found.size) + " mm"
+                    : "the other sizes of this pose turn triangles over too")
             + holders(part, feature, found.overturned));
 }
 

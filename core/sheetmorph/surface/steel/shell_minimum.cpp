@@ -236,9 +236,9 @@ private:
              shift = std::max(1e-10, 100.0 * shift))
             is_factorised = problem.factorise(factor_, shift);
         if (!is_factorised)
-            throw SolverError(
-                "the sheet has no unique shape under these constraints; hold it by a fixed "
-                "region, or choose another energy");
+            throw SolverError("the sheet has no unique shape under these constraints",
+                              "hold it by a fixed "
+                              "region, or choose another energy");
         NewtonStep found = bounded(tangent.gradient, problem.solve(factor_));
         found.is_exact = false;
         return found;

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/base/vertex_sets.h"
 
 #include <Eigen/Geometry>
@@ -121,7 +121,8 @@ void ShellSystem::check_count(std::size_t entries)
     if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw SolverError(
             "the sheet has too many vertices for the energy steel and for refine: "
-            "about ten million are possible; take a coarser mesh");
+            "about ten million are possible",
+            "take a coarser mesh");
 }
 
 // Couplings of things expand to blocks of the matrix: the columns of one thing have the same rows.

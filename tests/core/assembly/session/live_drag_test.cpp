@@ -2,7 +2,7 @@
 #include "sheetmorph/assembly/session/live_drag.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "assembly/all_frames.h"
 
 #include <gtest/gtest.h>

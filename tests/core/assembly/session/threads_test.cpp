@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The shape does not depend on how many threads work on it, not in a bit.
 #include "sheetmorph/assembly/session/live_drag.h"
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "assembly/frames.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/search/part_geometry.h"
 
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/geometry/normals.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "shapes.h"

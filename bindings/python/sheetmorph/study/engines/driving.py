@@ -38,7 +38,7 @@ class Pool:
     knows: Callable[[], int] | None = None
 
 
-_Outcome = tuple[Cost, str]
+_Outcome = tuple[Cost, Fault | None]
 
 
 class Forgotten(RuntimeError):
@@ -84,7 +84,7 @@ class Driver:
             for future in done:
                 cost, failure = _outcome(future)
                 if failure:
-                    raise RecipeError([Fault("study", *_halves(failure))])
+                    raise RecipeError([failure])
                 self._hopes.finished(given.pop(future), cost)
             idle = 0 if done or pool.knows is None or pool.knows() else idle + 1
             if idle >= _PATIENCE:
@@ -116,9 +116,5 @@ def _outcome(future: Future[_Outcome]) -> _Outcome:
         return future.result()
     except ImportError as error:
         what = f"the workers cannot load what computes variants ({error})"
-        return Cost(), f"{what}; start them with this package on their PYTHONPATH"
-
-
-def _halves(sentence: str) -> tuple[str, str]:
-    what, _, todo = sentence.rpartition("; ")
-    return (what, todo) if what else (sentence, "correct it and start the study again")
+        todo = "start them with this package on their PYTHONPATH"
+        return Cost(), Fault("study", what, todo)
