@@ -553,6 +553,10 @@
  <context>
   <name>SheetMorph_actions</name>
   <message>
+   <source>This is a mistake of the program ({0}). Please report it.</source>
+   <translation>Das ist ein Fehler des Programms ({0}). Bitte melden Sie ihn.</translation>
+  </message>
+  <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>Abgebrochen; nichts wurde geändert.</translation>
   </message>
@@ -1298,12 +1302,12 @@
    <translation>{0}, nahe {1}</translation>
   </message>
   <message>
-   <source>Do not use “{0}”</source>
-   <translation>„{0}“ nicht verwenden</translation>
-  </message>
-  <message>
    <source>Leave at rest</source>
    <translation>In Ruhe lassen</translation>
+  </message>
+  <message>
+   <source>Do not use “{0}”</source>
+   <translation>„{0}“ nicht verwenden</translation>
   </message>
   <message>
    <source>Take out of “{0}”</source>

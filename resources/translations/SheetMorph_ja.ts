@@ -553,6 +553,10 @@
  <context>
   <name>SheetMorph_actions</name>
   <message>
+   <source>This is a mistake of the program ({0}). Please report it.</source>
+   <translation>これはプログラムの誤りです({0})。報告してください。</translation>
+  </message>
+  <message>
    <source>Cancelled; nothing was changed.</source>
    <translation>中止しました。何も変更されていません。</translation>
   </message>
@@ -1298,12 +1302,12 @@
    <translation>{0}、{1} の近く</translation>
   </message>
   <message>
-   <source>Do not use “{0}”</source>
-   <translation>「{0}」を使わない</translation>
-  </message>
-  <message>
    <source>Leave at rest</source>
    <translation>静止したままにする</translation>
+  </message>
+  <message>
+   <source>Do not use “{0}”</source>
+   <translation>「{0}」を使わない</translation>
   </message>
   <message>
    <source>Take out of “{0}”</source>

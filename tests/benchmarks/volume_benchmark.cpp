@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Mean value coordinates of points inside and around the paper's control mesh (386 vertices, 768
 // triangles), on one core.
-#include "sheetmorph/base/parallel.h"
+#include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/volume/control_mesh.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"
 

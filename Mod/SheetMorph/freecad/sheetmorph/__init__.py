@@ -23,5 +23,17 @@ def _new_solver():
     return SessionCache()
 
 
+def _without_traceback(method):
+    from freecad.sheetmorph.bridge import kernel
+
+    def raising(*arguments) -> None:
+        error = method(*arguments)
+        if error is not None:
+            raise error
+
+    return kernel.core().without_traceback(method) if kernel.is_available() else raising
+
+
 doors.give_looks.lead_to(_give_looks)
+doors.without_traceback.lead_to(_without_traceback)
 doors.new_solver.lead_to(_new_solver)

@@ -2,6 +2,7 @@
 """One user action = one transaction = one line in the recorded macro, a call of the public API."""
 
 import sys
+import traceback
 from contextlib import contextmanager, nullcontext
 
 import FreeCAD as App
@@ -19,6 +20,7 @@ API = "api"
 IMPORTS = (f"import freecad.sheetmorph.api as {API}",)
 DOCUMENT = f"{API}.doc"
 LONGEST_SHOWN = 300  # characters
+FORESEEN = (ValueError, RuntimeError, OSError)
 FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
 
 
@@ -128,9 +130,9 @@ def run(title: str, *lines: str, document=None) -> None:
         raise
 
 
-def refuse(fault: str) -> None:
-    """Raises what a step has done wrong, if anything."""
-    if fault:
+def refuse(fault) -> None:
+    """Raises what a step has done wrong, None for nothing."""
+    if fault is not None:
         raise MorphError(fault)
 
 
@@ -140,7 +142,7 @@ def attempt(title: str, *lines: str, document=None) -> bool:
         run(title, *lines, document=document)
     except Cancelled:
         return False
-    except FAULTS as error:
+    except Exception as error:  # what is no fault is told as a mistake of the program
         tell(title, error)
         return False
     return True
@@ -156,11 +158,31 @@ def wait(title: str, *lines: str) -> bool:
     return True
 
 
-def tell(title: str, error) -> None:
+def tell(title: str, error: Exception | str) -> None:
     """Tells the user what went wrong: in the report view, and as FreeCAD tells its own errors."""
-    App.Console.PrintError(f"SheetMorph: {error}\n")
+    sentence = told(error)
     if not generations.shows_errors():
-        QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, str(error))
+        QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, sentence)
+
+
+def told(error: Exception | str) -> str:
+    """Tells an error in the report view and returns it: a foreseen one as one sentence; any other
+    is a mistake of the program, with the traceback that a report of it needs."""
+    sentence = str(faults.fault_of(error))
+    if not is_foreseen(error):
+        text = translate(
+            "SheetMorph_actions", "This is a mistake of the program ({0}). Please report it."
+        )
+        sentence = text.format(f"{type(error).__name__}: {sentence}")
+        App.Console.PrintError("".join(traceback.format_exception(error)))
+    App.Console.PrintError(f"SheetMorph: {sentence}\n")
+    return sentence
+
+
+def is_foreseen(error: Exception | str) -> bool:
+    """Whether an error is one that the program tells on purpose, in words."""
+    is_known = isinstance(error, (str, *FORESEEN)) and not isinstance(error, RecursionError)
+    return is_known and bool(str(error).strip())
 
 
 class Cancelled(RuntimeError):

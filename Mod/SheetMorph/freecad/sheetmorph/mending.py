@@ -1,40 +1,50 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a sentence about a morph is about, where that is seen, and what a button may do about it."""
+"""Where a fault is seen, and what a button may do about it."""
 
 import numpy as np
 
 from freecad.sheetmorph.bridge import seen
 from freecad.sheetmorph.actions import FAULTS, call, name
 from freecad.sheetmorph.api.regions import loose_vertices
-from freecad.sheetmorph.bridge.faults import named_by, parts_named_by
+from freecad.sheetmorph.bridge.faults import at_fault
+from freecad.sheetmorph.kinds import CONTACT, PART, REGION, RELATION, kind
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.errors import OVERLAP, TORN, UNHELD
 from freecad.sheetmorph.qt import translate
 
 
-def places(assembly, sentence: str) -> list:
-    """The parts and vertices (k,) that a sentence is about."""
-    found = [place for obj in named_by(assembly, sentence) for place in seen.places_of(obj)]
-    if not found:
-        named = parts_named_by(assembly, sentence)
-        found = [(part, seen.as_drawn(part, loose_on(part))) for part in named]
+def places(assembly, fault) -> list:
+    """The parts and vertices (k,) that a fault is about."""
+    found = [place for obj in at_fault(assembly, fault) for place in places_of(obj, fault)]
     return [(part, vertices) for part, vertices in found if len(vertices)]
 
 
-def cure_of(assembly, sentence: str):
+def places_of(obj, fault) -> list:
+    """The parts and vertices (k,) that a fault of one object is about."""
+    if kind(obj) == RELATION:
+        return [place for feature in obj.Features for place in seen.places_of(feature)]
+    if kind(obj) != PART:
+        return seen.places_of(obj)
+    if fault.code == UNHELD:
+        return [(obj, seen.as_drawn(obj, loose_on(obj)))]
+    return [(obj, np.unique(seen.triangles(obj)))] if obj.Source is not None else []
+
+
+def cure_of(assembly, fault):
     """What a button may do about it: its title and the line of the API; None for nothing."""
-    named = named_by(assembly, sentence)
-    for other, region in pairs([obj for obj in named if model.kind(obj) == model.REGION]):
+    found = at_fault(assembly, fault)
+    regions = [obj for obj in found if kind(obj) == REGION]
+    for other, region in pairs(regions) if fault.code in (OVERLAP, TORN) else ():
         if shares_some(region, other):
             title = translate("SheetMorph_panels", "Take out of “{0}”").format(region.Label)
             return title, call("take_out", name(region), name(other))
-    for contact in [obj for obj in named if model.kind(obj) == model.CONTACT and obj.Active]:
+    for contact in [obj for obj in found if kind(obj) == CONTACT and obj.Active]:
         title = translate("SheetMorph_panels", "Do not use “{0}”").format(contact.Label)
         return title, call("set_active", name(contact), "False")
-    for part in parts_named_by(assembly, sentence):
-        if not named and len(loose_on(part)):
-            return translate("SheetMorph_panels", "Leave at rest"), call(
-                "hold_loose_pieces", name(part)
-            )
+    for part in [obj for obj in found if kind(obj) == PART and fault.code == UNHELD]:
+        if len(loose_on(part)):
+            title = translate("SheetMorph_panels", "Leave at rest")
+            return title, call("hold_loose_pieces", name(part))
     return None
 
 

@@ -1,40 +1,91 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is wrong with a morph, whom the sentence about it names, and what would mend it."""
+"""From an error of the kernel, of its package or of a document to a fault of document objects."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
+from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.kinds import ASSEMBLY, kind
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.tools.naming import named_in
+from freecad.sheetmorph.objects.errors import Fault, MorphError
+
+Names = Mapping[tuple[str, str], str]
+"""Document object names by list of a recipe ("part", "region", ...) and name there."""
+
+LISTS = {"part": "part", "contact": "contact", "group": "relation", "pair": "relation"}
+"""In which list a recipe has the subjects of a kind; regions are all others."""
 
 
-def faults_in(document) -> dict[str, str]:
+def fault_of(error: Exception | str, names: Names | None = None) -> Fault:
+    """Return the fault that an error stands for, without the numbers of vertices.
+
+    `names`: those of the objects that the subjects of the error stand for. Of several faults it is
+    the first, with how many more there are.
+    """
+    if isinstance(error, str):
+        return error if isinstance(error, Fault) else Fault(error)
+    if isinstance(error, MorphError):
+        return error.fault
+    several = getattr(error, "faults", None) or [error]
+    if not hasattr(several[0], "brief"):
+        sentence = " ".join(str(error).split())
+        return Fault(sentence or f"{type(error).__name__} without a message.")
+    first = several[0]
+    if first is error:
+        first = kernel.load().errors.fault_of(error, todo="", where="")
+    more = f" (and {len(several) - 1} more)" if len(several) > 1 else ""
+    return Fault(f"{first.in_brief()}{more}", *objects_in(first, names or {}), code=first.code)
+
+
+def warning_of(caution, names: Names) -> Fault:
+    """Return a warning of a result with the objects that it is about."""
+    return Fault(str(caution), *objects_in(caution, names), code=caution.code)
+
+
+def objects_in(told, names: Names) -> list[str]:
+    """Return the names of the objects that a fault or a warning of the package is about."""
+    keys = [(LISTS.get(subject.kind, "region"), subject.name) for subject in told.objects]
+    return list(dict.fromkeys(names[key] for key in keys if key in names))
+
+
+@contextmanager
+def named(names: Names) -> Iterator[None]:
+    """What the package refuses in this context becomes a MorphError that knows its objects."""
+    try:
+        yield
+    except (ValueError, RuntimeError) as error:
+        several = getattr(error, "faults", None) or [error]
+        if isinstance(error, MorphError) or not hasattr(several[0], "brief"):
+            raise
+        raise MorphError(fault_of(error, names)) from error
+
+
+def faults_in(document) -> dict[str, Fault]:
     """Return what the last recompute could not do, by object name of the assembly."""
     morphs = [obj for obj in document.Objects if kind(obj) == ASSEMBLY]
     found = {morph.Name: model.failure_of(morph) for morph in morphs}
-    return {name: sentence for name, sentence in found.items() if sentence}
+    return {name: fault for name, fault in found.items() if fault}
 
 
-def named_by(assembly, sentence: str) -> list:
-    """Return the regions and contacts that a sentence names, in its order."""
-    found = {obj.Label: obj for obj in [*model.regions(assembly), *model.contacts(assembly)]}
-    return [found[label] for label in named_in(sentence, found)]
+def at_fault(assembly, fault: str) -> list:
+    """Return the parts, regions, contacts and relations of an assembly that a fault is about."""
+    found = map(assembly.Document.getObject, getattr(fault, "objects", ()))
+    return [obj for obj in found if obj is not None and obj in assembly.Group]
 
 
-def parts_named_by(assembly, sentence: str) -> list:
-    """Return the parts that a sentence names, in its order."""
-    found = {part.Label: part for part in model.parts(assembly)}
-    return [found[label] for label in named_in(sentence, found)]
+def new_fault(document, before: Mapping[str, Fault]) -> Fault | None:
+    """Return the fault of a morph that was sound `before`, if objects are to blame.
 
-
-def new_fault(document, before: dict[str, str]) -> str:
-    """Return the sentence about a morph that was sound `before`, if it names who is to blame.
-
-    Where nobody is named something is still missing, and a step that leaves that open is none to
-    refuse.
+    Where none is, something is still missing, and a step that leaves that open is none to refuse.
     """
-    for name, sentence in faults_in(document).items():
-        assembly = document.getObject(name)
-        if name not in before and named_by(assembly, sentence):
-            return sentence
-    return ""
+    for name, fault in faults_in(document).items():
+        if name not in before and has_blame(document.getObject(name), fault):
+            return fault
+    return None
+
+
+def has_blame(assembly, fault: str) -> bool:
+    """Whether a fault is about regions, contacts or relations, which a step may take back."""
+    return any(kind(obj) != model.PART for obj in at_fault(assembly, fault))

@@ -6,7 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from freecad.sheetmorph.bridge import kernel
+from freecad.sheetmorph.bridge.faults import Names, warning_of
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.errors import Fault
 from freecad.sheetmorph.tools import words
 
 NO_FIDELITY = (0.0, 0.0)
@@ -25,22 +27,21 @@ class Findings:
     """By object name of a contact: change of the gap and deviation, mm."""
     warnings: dict[str, str] = field(default_factory=dict)
     """By object name of a contact that opens or closes too far: the sentence that says so."""
-    sentences: tuple[str, ...] = ()  # all warnings, those of contacts among them
+    sentences: tuple[Fault, ...] = ()  # all warnings, those of contacts among them
     unsettled: str = ""  # what was not solved to its end, in sentences
 
 
-def findings_of(session, result, contacts: dict[str, str]) -> Findings:
-    """Return the findings of a sheetmorph.Session and its result.
-
-    `contacts`: object names of the contacts by their name in the recipe.
-    """
+def findings_of(session, result, objects: Names) -> Findings:
+    """Return the findings of a session and its result; `objects`: those of its recipe."""
+    contacts = {name: found for (of, name), found in objects.items() if of == "contact"}
     fidelity = {
         contacts[found.name]: (found.gap_change, found.deviation) for found in result.contacts
     }
     opened = kernel.load().open_contacts(result)
     warnings = {contacts[name]: text for name, text in opened.items()}
     order, unreached = tuple(session.order), tuple(session.unreached)
-    return Findings(order, unreached, fidelity, warnings, tuple(result.warnings()))
+    told = tuple(warning_of(caution, objects) for caution in result.warnings())
+    return Findings(order, unreached, fidelity, warnings, told)
 
 
 def steps_of(session, parts: dict[str, str], contacts: dict[str, str]) -> list[Step]:
@@ -62,7 +63,7 @@ def show(assembly, outcome) -> None:
     set_where_new(assembly, "Status", outcome.status)
     set_where_new(assembly, "Order", list(found.order))
     set_where_new(assembly, "Unreached", list(found.unreached))
-    set_where_new(assembly, "Warnings", list(found.sentences))
+    set_where_new(assembly, "Warnings", list(map(str, found.sentences)))
     for contact in model.contacts(assembly):
         gap, deviation = found.fidelity.get(contact.Name, NO_FIDELITY)
         set_length(contact, "GapChange", gap)

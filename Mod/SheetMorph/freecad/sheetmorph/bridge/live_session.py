@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 
 from freecad.sheetmorph.bridge import kernel, recipes
+from freecad.sheetmorph.bridge.faults import fault_of, named
 from freecad.sheetmorph.bridge.rest import RestPart
 from freecad.sheetmorph.bridge.solving import (
     FAILURES,
     ControlMesh,
     Morph,
     cache_of,
-    one_sentence,
     read_morph,
     shown_control_mesh,
     unsettled_words,
@@ -104,7 +104,7 @@ class LiveSession:
             self._session = self._cache.session(self._morph) if held else None
             self._live = self._session and kernel.load().LiveFrames(self._session)
         except FAILURES as error:
-            raise MorphError(one_sentence(error)) from error
+            raise MorphError(fault_of(error)) from error
 
     @property
     def parts(self) -> dict[str, RestPart]:
@@ -137,9 +137,10 @@ class LiveSession:
             found, positions = None, {name: rest.points for name, rest in rests.items()}
         else:
             try:
-                found, question = self._solve(question, goes_on)
+                with named(self._morph.objects):
+                    found, question = self._solve(question, goes_on)
             except FAILURES as error:
-                raise MorphError(one_sentence(error)) from error
+                raise MorphError(fault_of(error)) from error
             positions = {name: found.positions[self.names[name]] for name in rests}
             if question.is_exact:
                 self._cache.remember(self._morph, question.pose, found)

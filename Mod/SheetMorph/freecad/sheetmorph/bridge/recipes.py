@@ -7,7 +7,9 @@ import json
 
 import numpy as np
 
+from freecad.sheetmorph.kinds import CONTACT, kind
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.objects.deck import told_thickness
 from freecad.sheetmorph.objects.part import MODES, THIN_AUTOMATIC, THIN_GIVEN
 from freecad.sheetmorph.objects.region import (
@@ -39,21 +41,35 @@ RELATION_KEYS = {GROUP: "groups", COAXIAL: "coaxial", DISTANCE: "distance"}
 def names_of(assembly) -> dict[str, str]:
     """Return the recipe's name of every part, region, contact, relation by document object name.
 
-    Labels, because the user reads them; an equal label gets the object's own name behind it.
+    Labels, because the user reads them; a label that is taken, by what an imported recipe held
+    beyond regions too, gets the object's own name behind it.
     """
-    names: dict[str, str] = {}
-    kinds = (model.parts, model.regions, model.contacts, model.relations)
-    for objects in (of_kind(assembly) for of_kind in kinds):
-        taken: set[str] = set()
+    return {found: name for (_, name), found in objects_of(assembly).items()}
+
+
+def objects_of(assembly) -> dict[tuple[str, str], str]:
+    """Return the document object names by list of the recipe and name there."""
+    found: dict[tuple[str, str], str] = {}
+    of_list = {
+        "part": model.parts(assembly),
+        "region": model.regions(assembly),
+        "contact": model.contacts(assembly),
+        "relation": model.relations(assembly),
+    }
+    foreign = {entry.get("name") for entries in extras_of(assembly).values() for entry in entries}
+    for of_kind, objects in of_list.items():
+        taken = {name for name in foreign if isinstance(name, str)}
         for obj in objects:
-            name = obj.Label if obj.Label not in taken else f"{obj.Label} ({obj.Name})"
+            name = obj.Label or obj.Name
+            while name in taken:
+                name = f"{name} ({obj.Name})"
             taken.add(name)
-            names[obj.Name] = name
-    return names
+            found[of_kind, name] = obj.Name
+    return found
 
 
 def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
-    """Return the recipe of `assembly` without its pose; raises ValueError for lost vertices.
+    """Return the recipe of `assembly` without its pose; raises MorphError for lost vertices.
 
     `ids`: by object name of a part the ids (n,) of its vertices in its file. The parts have no
     files; who writes a recipe adds them.
@@ -160,42 +176,43 @@ def has_both_parts(contact, parts: list) -> bool:
 
 
 def contact_entry(contact, names: dict[str, str], ids: dict[str, np.ndarray]) -> dict:
-    """Return the recipe's entry of one contact; raises ValueError for lost vertices."""
+    """Return the recipe's entry of one contact; raises MorphError for lost vertices."""
     entry = {"name": names[contact.Name], "type": contact.Type}
     for side, part in (("a", contact.PartA), ("b", contact.PartB)):
         vertices = model.contact_vertices(contact, side)
-        chosen = ids_of(vertices, (f"Contact '{contact.Label}'", part), ids[part.Name])
+        chosen = ids_of(vertices, (contact, part), ids[part.Name])
         entry[side] = {"part": names[part.Name], "vertices": chosen}
     return entry
 
 
 def ids_of(vertices: np.ndarray, owner: tuple, ids: np.ndarray) -> list[int]:
-    """Return the file ids of vertices; `owner`: who has them, as text, and the part.
+    """Return the file ids of vertices; `owner`: who has them, and the part.
 
-    Raises ValueError if there are none, or one that the part has no longer.
+    Raises MorphError if there are none, or one that the part has no longer.
     """
-    word, part = owner
+    obj, part = owner
+    word = "Contact" if kind(obj) == CONTACT else "Region"
     if len(vertices) == 0:
-        raise ValueError(f"{word} has no vertices; pick some or delete it.")
+        raise MorphError(f"{word} '{obj.Label}' has no vertices; pick some or delete it.", obj)
     if vertices.min() < 0:
-        raise ValueError(
-            f"The vertices of {word[0].lower()}{word[1:]} are damaged; pick them again."
+        raise MorphError(
+            f"The vertices of {word.lower()} '{obj.Label}' are damaged; pick them again.", obj
         )
     if vertices.max() >= len(ids):
-        raise ValueError(
-            f"{word}: vertex {vertices.max()} is no longer in part "
-            f"'{part.Label}', which has 0 .. {len(ids) - 1}; pick again."
+        raise MorphError(
+            f"{word} '{obj.Label}': vertex {vertices.max()} is no longer in part "
+            f"'{part.Label}', which has 0 .. {len(ids) - 1}; pick again.",
+            obj,
         )
     return ids[vertices].tolist()
 
 
 def entry_of(region, names: dict[str, str], ids: np.ndarray) -> dict:
-    """Return the recipe's entry of one region; raises ValueError if it has lost its vertices."""
-    owner = (f"Region '{region.Label}'", region.Part)
+    """Return the recipe's entry of one region; raises MorphError if it has lost its vertices."""
     entry = {
         "name": names[region.Name],
         "part": names[region.Part.Name],
-        "vertices": ids_of(model.vertices(region), owner, ids),
+        "vertices": ids_of(model.vertices(region), (region, region.Part), ids),
     }
     if region.Role == FOLLOWER:
         entry["role"] = FOLLOWER

@@ -57,10 +57,13 @@ def read_rest(part) -> RestPart:
     source = part.Source
     if source is None:
         raise MorphError(
-            f"Part '{part.Label}' has lost its source mesh: undo its deletion or delete the part."
+            f"Part '{part.Label}' has lost its source mesh: undo its deletion or delete the part.",
+            part,
         )
     if source.Mesh.CountFacets == 0:
-        raise MorphError(f"The mesh '{source.Label}' of part '{part.Label}' has no triangles.")
+        raise MorphError(
+            f"The mesh '{source.Label}' of part '{part.Label}' has no triangles.", part
+        )
     kept, is_original = read_kept(part), part.Original is None
 
     def rest() -> RestPart:

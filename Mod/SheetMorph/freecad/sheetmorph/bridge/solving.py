@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from freecad.sheetmorph import reporting
-from freecad.sheetmorph.bridge import conversion, kernel, recipes
+from freecad.sheetmorph.bridge import conversion, faults, kernel, recipes
 from freecad.sheetmorph.bridge.findings import (
     Findings,
     Step,
@@ -29,9 +29,8 @@ from freecad.sheetmorph.bridge.findings import (
     steps_of,
 )
 from freecad.sheetmorph.objects import assembly_of, deformation_of, model
-from freecad.sheetmorph.objects.errors import MorphError
+from freecad.sheetmorph.objects.errors import Fault, MorphError
 from freecad.sheetmorph.bridge.rest import RestPart, read_rest
-from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.poses import Pose
 
 ControlMesh = tuple[np.ndarray, np.ndarray]
@@ -52,7 +51,7 @@ class Morph:
     pose: dict
     rests: dict[str, RestPart]  # by document object name
     names: dict[str, str]  # document object name -> name in the recipe
-    contacts: dict[str, str]  # name in the recipe -> document object name
+    objects: dict[tuple[str, str], str]  # list of the recipe and name there -> object name
     ignored: tuple[str, ...] = ()  # labels of regions and contacts that have lost their part
 
     @cached_property
@@ -68,6 +67,11 @@ class Morph:
         """What an answer is found by: fingerprint, pose, and the objects that it is shown at."""
         return self.key, repr(self.pose), tuple(self.names.items())
 
+    @property
+    def contacts(self) -> dict[str, str]:
+        """Document object names of the contacts by name in the recipe."""
+        return {name: found for (of, name), found in self.objects.items() if of == "contact"}
+
     def is_held(self) -> bool:
         """Whether anything is fixed or moved, so that there is something to solve."""
         return any(self.recipe.get(kind) for kind in ("fixed", "handles", "points"))
@@ -77,7 +81,7 @@ class Morph:
 class Outcome:
     """What a recompute found: positions of all parts, or why there are none."""
 
-    failure: str = ""
+    failure: Fault = Fault("")
     status: str = ""
     morph: Morph | None = None
     positions: dict[str, np.ndarray] = field(default_factory=dict)  # global, by object name
@@ -90,8 +94,8 @@ def read_morph(assembly) -> Morph:
     ids = {name: rest.file_ids() for name, rest in rests.items()}
     recipe, pose = recipes.recipe_of(assembly, ids), recipes.pose_of(assembly)
     names = recipes.names_of(assembly)
-    contacts = {names[contact.Name]: contact.Name for contact in model.contacts(assembly)}
-    return Morph(recipe, pose, rests, names, contacts, ignored_in(assembly))
+    objects = recipes.objects_of(assembly)
+    return Morph(recipe, pose, rests, names, objects, ignored_in(assembly))
 
 
 def ignored_in(assembly) -> tuple[str, ...]:
@@ -124,6 +128,10 @@ class SessionCache:
 
         What was wrong with a morph is kept too: a large one takes as long to fail as to succeed.
         """
+        with faults.named(morph.objects):
+            return self._found(morph)
+
+    def _found(self, morph: Morph):
         key = morph.key
         with self._lock:
             if key in self._refused:
@@ -162,7 +170,8 @@ class SessionCache:
                 self._results.move_to_end(key)
                 return self._results[key]
         solve = self.session(morph).deform
-        found = reporting.waited_for(lambda told: solve(morph.pose, exact, told))
+        with faults.named(morph.objects):
+            found = reporting.waited_for(lambda told: solve(morph.pose, exact, told))
         self._keep(self._results, key, found)
         return found
 
@@ -183,7 +192,7 @@ class SessionCache:
     def recomputed(self, assembly) -> Outcome:
         """Solve `assembly`, None for a deformation without, and show what was found at it."""
         if assembly is None:
-            return Outcome(failure=ORPHANED)
+            return Outcome(failure=Fault(ORPHANED))
         outcome = self.solve(assembly)
         show(assembly, outcome)
         return outcome
@@ -243,7 +252,7 @@ class SessionCache:
                 return failed(error)
             outcome = failed(error)
         else:
-            outcome = Outcome("", status_of(morph, found), morph, positions, found)
+            outcome = Outcome(Fault(""), status_of(morph, found), morph, positions, found)
         self._keep(self._outcomes, morph.answer_key, outcome)
         return outcome
 
@@ -252,7 +261,7 @@ class SessionCache:
         if not morph.is_held():
             return Findings()
         session, result = self.session(morph), self.result(morph)
-        found = reporting.waited_for(lambda _told: findings_of(session, result, morph.contacts))
+        found = reporting.waited_for(lambda _told: findings_of(session, result, morph.objects))
         return replace(found, unsettled=unsettled_words(result))
 
     def steps(self, morph: Morph) -> list[Step]:
@@ -274,7 +283,9 @@ class SessionCache:
             raise MorphError(outcome.failure)
         rest = outcome.morph.rests.get(part.Name)
         if rest is None:
-            raise MorphError(f"Part '{part.Label}' is in no morph: drag it back into its group.")
+            raise MorphError(
+                f"Part '{part.Label}' is in no morph: drag it back into its group.", part
+            )
         kept = self._writers.get(part.Name)
         if kept is None or not np.array_equal(kept[0], rest.triangles):
             kept = (rest.triangles, conversion.MeshWriter(rest.triangles))
@@ -300,8 +311,8 @@ def awaited(coming: Future, told: reporting.Progress | None) -> Outcome | None:
 
 def failed(error: Exception) -> Outcome:
     """Return the outcome of a morph that cannot be solved."""
-    sentence = one_sentence(error)
-    return Outcome(failure=sentence, status=sentence)
+    fault = faults.fault_of(error)
+    return Outcome(failure=fault, status=str(fault))
 
 
 def status_of(morph: Morph, found: Findings) -> str:
@@ -335,7 +346,7 @@ def deform(assembly, exact: bool = True) -> dict[str, np.ndarray]:
     try:
         found = cache_of(assembly).positions(read_morph(assembly), exact)
     except FAILURES as error:
-        raise MorphError(one_sentence(error)) from error
+        raise MorphError(faults.fault_of(error)) from error
     return {name: np.array(points) for name, points in found.items()}
 
 
@@ -346,7 +357,7 @@ def deform_in(assembly, moved: Pose) -> dict[str, np.ndarray]:
         pose = {**morph.pose, **{morph.names[name]: motion for name, motion in moved.items()}}
         found = cache.positions(replace(morph, pose=pose))
     except FAILURES as error:
-        raise MorphError(one_sentence(error)) from error
+        raise MorphError(faults.fault_of(error)) from error
     return {name: np.array(points) for name, points in found.items()}
 
 
@@ -369,7 +380,7 @@ def steps(assembly) -> list[Step]:
     try:
         return cache_of(assembly).steps(read_morph(assembly))
     except FAILURES as error:
-        raise MorphError(one_sentence(error)) from error
+        raise MorphError(faults.fault_of(error)) from error
 
 
 def control_mesh(assembly, contact=None) -> ControlMesh | None:
@@ -378,7 +389,7 @@ def control_mesh(assembly, contact=None) -> ControlMesh | None:
         name = None if contact is None else contact.Name
         return cache_of(assembly).control_mesh(read_morph(assembly), name)
     except FAILURES as error:
-        raise MorphError(one_sentence(error)) from error
+        raise MorphError(faults.fault_of(error)) from error
 
 
 def cache_of(obj) -> SessionCache:
@@ -388,12 +399,3 @@ def cache_of(obj) -> SessionCache:
     if deformation is None:
         raise MorphError(f"'{obj.Label}' is no complete morph: pass one, or undo a deletion in it.")
     return deformation.Proxy.cache()
-
-
-def one_sentence(error: Exception) -> str:
-    """Return the first fault of an error, without the numbers of vertices, and how many more."""
-    faults = [line for line in str(error).splitlines() if line.strip()]
-    if not faults:
-        return f"{type(error).__name__} without a message."
-    more = f" (and {len(faults) - 1} more)" if len(faults) > 1 else ""
-    return words.counted(faults[0]) + more

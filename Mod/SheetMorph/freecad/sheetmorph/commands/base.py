@@ -58,7 +58,7 @@ class Command:
         """What goes wrong is told in words."""
         try:
             self.execute()
-        except actions.FAULTS as error:
+        except Exception as error:  # what is no fault is told as a mistake of the program
             actions.tell(self.text, error)
 
     def possible(self) -> bool:

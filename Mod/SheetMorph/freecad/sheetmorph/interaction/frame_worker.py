@@ -4,7 +4,9 @@
 from concurrent import futures
 
 from freecad.sheetmorph import actions
+from freecad.sheetmorph.bridge.faults import fault_of
 from freecad.sheetmorph.garbage import collecting
+from freecad.sheetmorph.objects.errors import Fault
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.latest import Latest
 
@@ -22,7 +24,7 @@ class FrameWorker(QtCore.QObject):
     then garbage is collected in the thread of the window alone.
     """
 
-    _computed = QtCore.Signal(object, str)
+    _computed = QtCore.Signal(object, object)
     _told = QtCore.Signal(str)
     _ended = QtCore.Signal()
 
@@ -113,16 +115,17 @@ class FrameWorker(QtCore.QObject):
             self._begin(self._latest.finish())
 
 
-def sentence_of(error: Exception) -> str:
+def sentence_of(error: Exception) -> Fault:
     """What went wrong, in words for the panel."""
     if isinstance(error, MemoryError):
-        return translate(
+        text = translate(
             "SheetMorph_panels",
             "There is not enough memory for this shape. Close other documents, or mesh it coarser.",
         )
+        return Fault(text)
     if isinstance(error, actions.FAULTS) and str(error):
-        return str(error)
+        return fault_of(error)
     text = translate(
         "SheetMorph_panels", "This shape failed for an unknown reason ({0}). Please report it."
     )
-    return text.format(" ".join(f"{type(error).__name__} {error}".split()))
+    return Fault(text.format(" ".join(f"{type(error).__name__} {error}".split())))

@@ -20,12 +20,12 @@ class LiveUpdate(QtCore.QObject):
     """Previews of all parts of a morph, and commits of its document; ``remove`` takes them away.
 
     Frames are computed in a thread; ``drawn`` is sent when one is in the view, ``failed`` with
-    words when it cannot be computed or the document not recomputed, ``settling`` with what is under
-    way to an exact shape, ``reached`` with the live_session.Reached of a number.
+    the fault when it cannot be computed or the document not recomputed, ``settling`` with what is
+    under way to an exact shape, ``reached`` with the live_session.Reached of a number.
     """
 
     drawn = QtCore.Signal()
-    failed = QtCore.Signal(str)
+    failed = QtCore.Signal(object)
     settling = QtCore.Signal(str)
     reached = QtCore.Signal(object)
 

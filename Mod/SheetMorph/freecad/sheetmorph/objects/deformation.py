@@ -10,7 +10,7 @@ from freecad.sheetmorph.objects import watcher
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.objects.model import DEFORMATION, PART, assembly_of, kind
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
-from freecad.sheetmorph.objects.proxy import ObjectProxy
+from freecad.sheetmorph.objects.proxy import Execution, ObjectProxy
 
 
 class DeformationProxy(ObjectProxy):
@@ -42,8 +42,20 @@ class DeformationProxy(ObjectProxy):
             self._cache = doors.new_solver()
         return self._cache
 
-    def execute(self, obj) -> None:
-        """Solve for all parts; raises MorphError, once for all of them.
+    @property
+    def fault(self):
+        """What the last recompute could not do; None if it has not failed."""
+        return self._outcome.failure if self._outcome is not None else None
+
+    @property
+    def warnings(self):
+        """The warnings of the last recompute, as Faults."""
+        return self._outcome.findings.sentences if self._outcome is not None else ()
+
+    execute = Execution()
+
+    def computed(self, obj) -> MorphError | None:
+        """Solve for all parts; return what cannot be solved, once for all of them.
 
         FreeCAD then leaves the parts, and what others have made of them, as they were; they are
         due.
@@ -53,7 +65,8 @@ class DeformationProxy(ObjectProxy):
             for part in obj.InList:
                 if kind(part) == PART:
                     part.touch()
-            raise MorphError(self._outcome.failure)
+            return MorphError(self._outcome.failure)
+        return None
 
     def mesh_of(self, obj, part):
         """Return the deformed mesh of `part`, a FreeCAD mesh seen where its source is seen.

@@ -9,6 +9,7 @@ import numpy as np
 
 from freecad.sheetmorph.kinds import ASSEMBLY, CONTACT, DECK, DEFORMATION, PART, POSE, REGION
 from freecad.sheetmorph.kinds import RELATION, STUDY, kind
+from freecad.sheetmorph.objects.errors import Fault
 
 
 def assembly_of(obj):
@@ -73,11 +74,21 @@ def deformation_of(assembly):
     return next((obj for obj in assembly.Group if kind(obj) == DEFORMATION), None)
 
 
-def failure_of(assembly) -> str:
-    """Return what the last recompute could not do, one sentence; empty if all went well."""
+def failure_of(assembly) -> Fault:
+    """Return what the last recompute could not do; empty if all went well."""
     concerned = [obj for obj in (deformation_of(assembly), *parts(assembly)) if obj is not None]
     failed = [obj for obj in concerned if "Invalid" in obj.State]
-    return failed[0].getStatusString() if failed else ""
+    if not failed:
+        return Fault("")
+    known = failed[0].Proxy.fault
+    return known if isinstance(known, Fault) and known else Fault(failed[0].getStatusString())
+
+
+def warnings_of(assembly) -> list[Fault]:
+    """Return the warnings of the last recompute; of a reopened document without their objects."""
+    deformation = deformation_of(assembly)
+    known = deformation.Proxy.warnings if deformation is not None else ()
+    return list(known or map(Fault, assembly.Warnings))
 
 
 def vertices(region) -> np.ndarray:

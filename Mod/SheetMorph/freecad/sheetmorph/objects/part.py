@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from freecad.sheetmorph.objects.errors import MorphError
+from freecad.sheetmorph.objects.errors import Fault, MorphError
 from freecad.sheetmorph.objects.model import PART
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
-from freecad.sheetmorph.objects.proxy import ObjectProxy, make_due
+from freecad.sheetmorph.objects.proxy import Execution, ObjectProxy, make_due
 
 
 MODES = ["automatic", "1 all by control mesh", "2 regions", "3 boundaries"]
@@ -79,17 +79,31 @@ class PartProxy(ObjectProxy):
         if name in DECISIVE and "Deformation" in obj.PropertiesList and not obj.Document.Restoring:
             make_due(obj.Deformation)
 
-    def execute(self, obj) -> None:
+    execute = Execution()
+    fault: Fault | None = None
+
+    def computed(self, obj) -> MorphError | None:
         """Take the deformed mesh; on an error the last mesh stays and FreeCAD shows the reason."""
-        if obj.Source is None:
-            raise MorphError(
-                f"Part '{obj.Label}' has lost its source mesh: undo that or delete the part."
-            )
-        if obj.Deformation is None:
-            raise MorphError(
-                f"Part '{obj.Label}' is in no morph: delete it and add its source to a morph."
-            )
-        obj.Mesh = obj.Deformation.Proxy.mesh_of(obj.Deformation, obj)
+        self.fault = None
+        try:
+            obj.Mesh = deformed_mesh(obj)
+        except MorphError as error:
+            self.fault = error.fault
+            return error.with_traceback(None)
+        return None
+
+
+def deformed_mesh(part):
+    """Return the mesh of a part in the pose of its morph. Raises MorphError."""
+    if part.Source is None:
+        raise MorphError(
+            f"Part '{part.Label}' has lost its source mesh: undo that or delete the part.", part
+        )
+    if part.Deformation is None:
+        raise MorphError(
+            f"Part '{part.Label}' is in no morph: delete it and add its source to a morph.", part
+        )
+    return part.Deformation.Proxy.mesh_of(part.Deformation, part)
 
 
 def show_thickness(obj) -> None:

@@ -9,6 +9,15 @@ from freecad.sheetmorph import doors
 from freecad.sheetmorph.objects.properties import SCHEMA_VERSION, Property, apply_properties
 
 
+class Execution:
+    """The `execute` that FreeCAD calls: the proxy's method `computed`, which returns a MorphError
+    or None. FreeCAD reports the error as one sentence, without a traceback."""
+
+    def __get__(self, proxy, _owner=None):
+        """Return the function for one proxy."""
+        return doors.without_traceback(proxy.computed)
+
+
 class ObjectProxy:
     """Data lives in properties; a proxy holds nothing that is saved."""
 

@@ -8,7 +8,6 @@ from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.panels.number_field import loaded
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate, widen
 from freecad.sheetmorph.scene import colours
-from freecad.sheetmorph.tools import words
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
 LEGEND = {
@@ -138,7 +137,7 @@ class Panel:
 
 def say(label, text: str, is_error: bool = False) -> None:
     """Shows a sentence in a label, errors on red; an empty one takes no room."""
-    label.setText(words.counted(text) if is_error else text)
+    label.setText(text)
     label.setStyleSheet(FAULT_STYLE if is_error else "")
     label.setVisible(bool(text))
 

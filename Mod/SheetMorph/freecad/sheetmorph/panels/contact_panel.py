@@ -115,7 +115,7 @@ class ContactPanel(Panel):
         try:
             keeping.keep("Mark Contact", *self._lines(), document=self._assembly.Document)
         except actions.FAULTS as error:
-            self._faults.say(str(error))
+            self._faults.say(error)
             return False
         return True
 

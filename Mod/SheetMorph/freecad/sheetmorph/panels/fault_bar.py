@@ -5,6 +5,7 @@ import FreeCAD as App
 
 from freecad.sheetmorph import actions, mending
 from freecad.sheetmorph.bridge import seen
+from freecad.sheetmorph.bridge.faults import fault_of
 from freecad.sheetmorph.panels.base import say
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.scene import colours
@@ -21,7 +22,7 @@ class FaultBar(QtCore.QObject):
         """The label is an item of the panel's column; the buttons come below it."""
         super().__init__()
         self._label, self._assembly, self._session = form.message, assembly, session
-        self._sentence, self._cure = None, None
+        self._fault, self._cure, self._text = None, None, ""
         self._highlight = session.show(Highlight())
         self._row = QtWidgets.QWidget(form)
         buttons = QtWidgets.QHBoxLayout(self._row)
@@ -34,26 +35,33 @@ class FaultBar(QtCore.QObject):
         column.insertWidget(column.indexOf(form.message) + 1, self._row)
         self.say("")
 
-    def say(self, sentence: str) -> None:
-        """Shows what is wrong, told in the report view once; empty: nothing is."""
-        say(self._label, sentence, bool(sentence))
-        if sentence == self._sentence:
+    def say(self, wrong) -> None:
+        """Shows what is wrong, told in the report view once: a fault, an error, or empty if nothing
+        is."""
+        fault = fault_of(wrong)
+        is_new = self._fault is None or not fault.is_same(self._fault)
+        if is_new:
+            self._text = str(fault)
+            if isinstance(wrong, Exception):
+                self._text = actions.told(wrong)
+            elif fault:
+                App.Console.PrintError(f"SheetMorph: {fault}\n")
+        say(self._label, self._text, bool(self._text))
+        if not is_new:
             return
-        self._sentence = sentence
+        self._fault = fault
         self._highlight.clear()
-        if sentence:
-            App.Console.PrintError(f"SheetMorph: {sentence}\n")
-        self._cure = mending.cure_of(self._assembly, sentence) if sentence else None
+        self._cure = mending.cure_of(self._assembly, fault)
         self._mend.setText(self._cure[0] if self._cure else "")
         self._mend.setVisible(self._cure is not None)
-        is_shown = bool(sentence and mending.places(self._assembly, sentence))
+        is_shown = bool(mending.places(self._assembly, fault))
         self._show.setVisible(is_shown)
         self._row.setVisible(is_shown or self._cure is not None)
 
     def _show_it(self, *_) -> None:
-        """Lights up what the sentence is about, and brings it into view."""
+        """Lights up what the fault is about, and brings it into view."""
         self._highlight.clear()
-        places = mending.places(self._assembly, self._sentence)
+        places = mending.places(self._assembly, self._fault)
         for part, vertices in places:
             shown = seen.triangles(part)
             self._highlight.paint(part.ViewObject, shown, colours.FAULT, vertices.tolist())

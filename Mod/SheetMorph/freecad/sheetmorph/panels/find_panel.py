@@ -146,7 +146,7 @@ class FindPanel(Panel):
         try:
             keeping.keep(self._what.title, *lines, document=self._assembly.Document)
         except actions.FAULTS as error:
-            self._faults.say(str(error))
+            self._faults.say(error)
             return False
         return True
 

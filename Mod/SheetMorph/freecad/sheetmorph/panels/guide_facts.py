@@ -3,10 +3,12 @@
 
 from freecad.sheetmorph import subject
 from freecad.sheetmorph.bridge import recipes
-from freecad.sheetmorph.bridge.faults import named_by
+from freecad.sheetmorph.bridge.faults import at_fault
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.tools.guide import Facts
+
+HIGHLIGHTED = (model.REGION, model.CONTACT)
 
 
 def read():
@@ -16,7 +18,7 @@ def read():
         return Facts(morphs=len(subject.assemblies())), []
     roles = [region.Role for region in model.regions(owner)]
     failure = model.failure_of(owner)
-    faulty = named_by(owner, failure)
+    faulty = [obj for obj in at_fault(owner, failure) if model.kind(obj) in HIGHLIGHTED]
     primary = recipes.primary_of(owner)
     facts = Facts(
         morphs=1,

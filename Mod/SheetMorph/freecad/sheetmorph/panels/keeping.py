@@ -40,14 +40,14 @@ def slow_in(document) -> list:
     return [morph for morph in due_in(document) if not finishing().is_quick(morph)]
 
 
-def known_fault(document, before: dict[str, str]) -> str:
+def known_fault(document, before: dict):
     """What the new shape of a morph that was sound `before` is known to fail with; as a recompute
-    says it, see `faults.new_fault`."""
+    says it, see `faults.new_fault`; None if nothing is."""
     for morph in due_in(document):
-        sentence = known_failure(morph)
-        if sentence and morph.Name not in before and faults.named_by(morph, sentence):
-            return sentence
-    return ""
+        fault = known_failure(morph)
+        if morph.Name not in before and faults.has_blame(morph, fault):
+            return fault
+    return None
 
 
 def attempt(title: str, *lines: str, document) -> bool:
@@ -56,7 +56,7 @@ def attempt(title: str, *lines: str, document) -> bool:
         keep(title, *lines, document=document)
     except actions.Cancelled:
         return False
-    except actions.FAULTS as error:
+    except Exception as error:  # what is no fault is told as a mistake of the program
         actions.tell(title, error)
         return False
     return True

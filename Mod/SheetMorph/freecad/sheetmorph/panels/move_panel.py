@@ -8,6 +8,7 @@ from freecad.sheetmorph.api.poses import restore, snapshot
 from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.errors import OPEN_CONTACT, UNREACHED
 from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.panels import progress, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, legend, listed, say
@@ -187,7 +188,7 @@ class MovePanel(Panel):
         except actions.FAULTS as error:
             self._handles.unmake(handle)
             self._live = self._new_live()
-            self._faults.say(str(error))
+            self._faults.say(error)
             return None
         self._fill_list()
         return handle
@@ -198,7 +199,7 @@ class MovePanel(Panel):
             with actions.waiting():
                 self._live = self._new_live()
         except actions.FAULTS as error:
-            self._faults.say(str(error))
+            self._faults.say(error)
             return
         if finishing().is_due(self._handles.assembly):
             self._frame.start()  # the parts still have an earlier shape
@@ -330,11 +331,10 @@ class MovePanel(Panel):
             )
             texts.append(text.format(len(opened)))
         texts += [contact.Warning for contact in opened[:1]]
-        told = {contact.Warning for contact in opened}
         others = [
             text
-            for text in assembly.Warnings
-            if text not in told and not any(f'reaches "{name}"' in text for name in names)
+            for text in model.warnings_of(assembly)
+            if text.code not in (UNREACHED, OPEN_CONTACT)
         ]
         texts += others[:MOST_WARNINGS] + ["…"] * (len(others) > MOST_WARNINGS)
         say(self.form.staying, listed(texts), bool(texts))

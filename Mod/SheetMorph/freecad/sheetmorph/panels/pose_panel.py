@@ -98,7 +98,7 @@ class PosePanel(Panel):
         try:
             self._live = LiveUpdate(self._assembly, Updating(ON_OK), self.session)
         except actions.FAULTS as error:
-            self._faults.say(str(error))
+            self._faults.say(error)
             return
         self._live.failed.connect(self._faults.say)
 
@@ -160,7 +160,7 @@ class PosePanel(Panel):
         try:
             apart = api.compare_poses(*pair)
         except actions.FAULTS as error:
-            self._faults.say(str(error))
+            self._faults.say(error)
             return
         say(self.form.apart, described(self._document, apart))
         self._on_percent()

@@ -102,7 +102,8 @@ class ReachMarks(QtCore.QObject):
         why = whys[is_upper] or whys[not is_upper]
         if not why:
             return translate("SheetMorph_panels", "{0}, as far as was looked").format(text)
-        told = translate("SheetMorph_panels", TURNS_OVER) if why.startswith("flipped") else why
+        is_flip = getattr(why, "code", "") == "flipped"
+        told = translate("SheetMorph_panels", TURNS_OVER) if is_flip else why
         return translate("SheetMorph_panels", "{0}; beyond: {1}").format(text, told)
 
     def _picture(self):

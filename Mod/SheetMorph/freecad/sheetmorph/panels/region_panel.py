@@ -167,7 +167,7 @@ class RegionPanel(Panel):
         try:
             keeping.keep(f"Mark {TITLES[self._role]}", *self._lines(), document=self._part.Document)
         except actions.FAULTS as error:
-            self._faults.say(str(error))
+            self._faults.say(error)
             return False
         return True
 
@@ -208,7 +208,7 @@ class RegionPanel(Panel):
             where = json.loads(text)
             found = selecting.select(self._part, where)
         except (ValueError, TypeError) as error:
-            self._faults.say(str(error))
+            self._faults.say(error)
             return
         self._picker.take(found, picking.REPLACE, {KEPT: where})
         self.picked()

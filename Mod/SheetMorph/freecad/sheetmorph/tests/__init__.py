@@ -17,6 +17,7 @@ MODULES = tuple(
         "documents",
         "undo",
         "failures",
+        "faults",
         "contacts",
         "propagation",
         "welded",

@@ -186,9 +186,8 @@ class TestFaults(support.DocumentTest):
         wrong = [obj for obj in self.document.Objects if "Invalid" in obj.State]
         self.assertEqual([model.kind(obj) for obj in wrong], [model.DEFORMATION])
         sentence = faults.new_fault(self.document, before)
-        self.assertEqual(faults.named_by(assembly, sentence), [handle, second])
-        self.assertEqual(faults.parts_named_by(assembly, sentence), [handle.Part])
-        self.assertEqual(faults.new_fault(self.document, faults.faults_in(self.document)), "")
+        self.assertEqual(faults.at_fault(assembly, sentence), [handle, second])
+        self.assertIsNone(faults.new_fault(self.document, faults.faults_in(self.document)))
 
 
 if __name__ == "__main__":

@@ -3,30 +3,10 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 
 LEAST_LENGTH = 0.0005  # mm: what is smaller is rounding, or nobody's concern
 LEAST_SHARE = 0.0005
-
-LISTED = re.compile(r"\b(vertices|triangles) (\d+(?:, \d+)*)(?: and (\d+)( more)?)?(?![\w.])")
-
-ENUMERATED = re.compile(r"\b(\d+ (?:vertex|vertices)) \([\d, ]+(?: and \d+ more)?\)")
-
-
-def counted(sentence: str) -> str:
-    """A sentence of the kernel with how many vertices or triangles it means, without their numbers.
-
-    Those that it lists are counted; one alone keeps its number. A list after a count is left out.
-    """
-
-    def count(found: re.Match) -> str:
-        things, listed, last, more = found.groups()
-        number = len(listed.split(",")) + (int(last) if more else 1 if last else 0)
-        return f"{number} {things}"
-
-    return ENUMERATED.sub(r"\1", LISTED.sub(count, sentence))
 
 
 def plain(value: float, digits: int = 3) -> str:
