@@ -4,12 +4,15 @@
 It stands in an undo step of its document alone, the way back from it in a snapshot: FreeCAD commits
 the step as soon as somebody else opens one, and undoes all of it at once. After an undo of a part
 of it, it is parked in two steps of the document: what is left, and what a redo brings back.
+
+An exception on the way leaves neither an open step nor a pending pose to the next panel: after
+`take_back` the document has the pose of the beginning, whatever went wrong before or in it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,7 +26,7 @@ class Pending:
         """`title`: of the undo step; `read()` a snapshot, `write(snapshot)` where it differs."""
         self._document, self._title = document, title
         self._read, self._write = read, write
-        self._is_open = self._is_undone = self._lost_something = False
+        self._is_open = self._is_undone = self._lost_something = self._has_failed = False
         self._number = transactions.NOBODYS
         self._made: dict[str, Callable] = {}
         self._begin()
@@ -40,15 +43,17 @@ class Pending:
 
     def change(self) -> None:
         """Make sure that what changes next can be taken back; call it before every change."""
-        if self._parked is not None:
-            self._gather()
-        elif not self._is_open:
-            self._open()
+        with self._noticed():
+            if self._parked is not None:
+                self._gather()
+            elif not self._is_open:
+                self._open()
 
     def gather(self) -> None:
         """Make one open step of what is parked, before it is kept."""
         if self._parked is not None and self._parked.place > 0:
-            self._gather()
+            with self._noticed():
+                self._gather()
 
     def remember_made(self, name: str, make: Callable) -> None:
         """An object was made on the way; `make()` makes it anew when an undo has taken it."""
@@ -73,6 +78,14 @@ class Pending:
 
     def take_back(self) -> None:
         """Give the document the pose of the beginning; what others did meanwhile stays."""
+        try:
+            with self._noticed():
+                self._go_to_beginning()
+        finally:
+            if self._has_failed:
+                self._restore()
+
+    def _go_to_beginning(self) -> None:
         if self._parked is not None:
             self._unpark()
         if self._is_open and self._lost_something:
@@ -82,6 +95,27 @@ class Pending:
             shown = {obj.Name: obj.Visibility for obj in self._document.Objects}
             self._close(transactions.take_back)
             self._show_again(shown)
+
+    def _restore(self) -> None:
+        """After a failure: no step stays open, and no pose that is not kept."""
+        self._parked = None
+        self._close(transactions.take_back)
+        self._has_failed = False
+        if self._read() == self._steps[0]:
+            return
+        transactions.begin(self._document, self._title)
+        with suppress(Exception):  # a part of it is better than nothing
+            self._write(self._steps[0])
+        transactions.keep()
+
+    @contextmanager
+    def _noticed(self) -> Iterator[None]:
+        """Whatever fails in this context, `take_back` makes good."""
+        try:
+            yield
+        except BaseException:
+            self._has_failed = True
+            raise
 
     def _show_again(self, shown: dict[str, bool]) -> None:
         """What was hidden or shown meanwhile stays so: that is no change of the morph."""
@@ -95,17 +129,20 @@ class Pending:
         is_pending = self._is_open or (self._parked is not None and self._parked.place > 0)
         wanted = self._read() if is_pending else None
         self.take_back()
-        yield
-        if wanted is not None:
-            self._take(wanted)
+        try:
+            yield
+        finally:
+            if wanted is not None:
+                with self._noticed():
+                    self._take(wanted)
 
     def abandon(self) -> None:
         """The document is gone, and the step with it."""
         self._is_open = False
 
     def _open(self) -> None:
+        self._is_open, self._number = True, 0  # the step that is open, if it fails half-way
         self._number = transactions.begin_alone(self._document, self._title)
-        self._is_open = True
 
     def _close(self, way) -> None:
         if self._is_open:
@@ -127,12 +164,17 @@ class Pending:
         if not self._is_open:
             return False
         self._is_open = False
-        self._interrupted = self._read()
+        with self._noticed():
+            self._interrupted = self._read()
+            self._leave_to(is_abort)
+        return True
+
+    def _leave_to(self, is_abort: bool) -> None:
+        """Somebody else takes our step back, or commits it: then without what is pending."""
         if not is_abort:
             for name in [name for name in self._made if self._document.getObject(name)]:
                 self._document.removeObject(name)
             self._write(self._steps[0])
-        return True
 
     def on_undo(self) -> bool:
         """A step was undone; returns whether it was what was pending, or a part of it."""
@@ -144,13 +186,14 @@ class Pending:
 
     def resume(self) -> bool:
         """Go on after that; returns whether there was anything."""
-        if self._is_undone:
-            self._go_back()
-        elif self._interrupted is not None:
-            transactions.keep()  # what the other left open
-            self._take(self._uninterrupted())
-        else:
-            return False
+        with self._noticed():
+            if self._is_undone:
+                self._go_back()
+            elif self._interrupted is not None:
+                transactions.keep()  # what the other left open
+                self._take(self._uninterrupted())
+            else:
+                return False
         return True
 
     def _go_back(self) -> None:
@@ -176,14 +219,15 @@ class Pending:
     def go_forward(self) -> None:
         """After that redo: what it brought back is pending again, not a step of its own."""
         parked = self._parked
-        self._document.undo()
-        if parked.place > 0:
+        with self._noticed():
             self._document.undo()
-        if parked.place + 2 < len(self._steps):
-            self._park(parked.place + 1)
-        else:
-            self._parked = None
-            self._take(self._steps[-1])
+            if parked.place > 0:
+                self._document.undo()
+            if parked.place + 2 < len(self._steps):
+                self._park(parked.place + 1)
+            else:
+                self._parked = None
+                self._take(self._steps[-1])
 
     # -- parked: what an undo has left is a step of the document, a redo away from what it took
 

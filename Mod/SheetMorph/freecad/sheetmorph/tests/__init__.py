@@ -38,6 +38,7 @@ MODULES = tuple(
         "workbench",
         "live",
         "poses",
+        "pending",
         "studies",
         "scripting",
         "reporting",
