@@ -18,6 +18,7 @@ from desk import press, settled, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.interaction import finishing
+from freecad.sheetmorph.interaction.live_scene import STRETCH
 from freecad.sheetmorph.objects import model
 from hostile_panels import PANELS, is_shown, prepared
 from PySide import QtCore, QtGui
@@ -31,6 +32,7 @@ __all__ = [
     "test_ok_and_the_document_is_closed_at_once",
     "test_ok_and_a_saved_document_is_opened_again_before_the_shape_is_there",
     "test_a_script_has_the_right_shape_while_it_is_computed_in_the_background",
+    "test_a_document_under_steel_is_opened_again_and_is_final_in_its_panel",
     "test_a_stopped_shape_comes_with_the_next_recompute",
     "test_a_shape_that_fails_after_ok_is_told",
     "test_ok_of_every_panel_answers_while_solves_are_slow",
@@ -212,6 +214,28 @@ def test_ok_and_a_saved_document_is_opened_again_before_the_shape_is_there():
         assert not is_final() and np.array_equal(stored(), rest)
         yield from until(is_final, "the final shape")
     assert np.allclose(lifted(rest, stored()), (0, 0, 20), atol=1e-3)
+
+
+def test_a_document_under_steel_is_opened_again_and_is_final_in_its_panel():
+    """Its colours ask for a frame before anything is moved: a linear preview."""
+    yield from new_morph()
+    api.set_energy(assembly(), "steel")
+    App.ActiveDocument.recompute()
+    yield from open_panel()
+    child("translation_z").setValue(18.0)
+    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
+    yield from press("OK")
+    shape, path = stored(), os.path.join(WORK, "steel.FCStd")
+    App.ActiveDocument.saveAs(path)
+    App.closeDocument(App.ActiveDocument.Name)
+    App.openDocument(path)
+    yield from settled()
+    yield from open_panel()
+    child("colours").setCurrentIndex(STRETCH)
+    yield from until(lambda: "Steel, final" in child("status").text(), "the steel")
+    assert largest(drawn() - shape) < 1e-3
+    picture("answering-steel")
+    yield from press("Cancel")
 
 
 def test_a_script_has_the_right_shape_while_it_is_computed_in_the_background():

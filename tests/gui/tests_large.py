@@ -3,4 +3,5 @@
 
 from checks_covers import *  # noqa: F401,F403
 from checks_enclosure import *  # noqa: F401,F403
+from checks_idle import *  # noqa: F401,F403
 from checks_large import *  # noqa: F401,F403
