@@ -19,13 +19,14 @@ def read():
     roles = [region.Role for region in model.regions(owner)]
     failure = model.failure_of(owner)
     faulty = [obj for obj in at_fault(owner, failure) if model.kind(obj) in HIGHLIGHTED]
-    primary = recipes.primary_of(owner)
+    primary, joining = recipes.primary_of(owner), recipes.used_contacts(owner)
+    names = recipes.names_of(owner)  # labels, but for equal ones
     facts = Facts(
         morphs=1,
-        parts=tuple(part.Label for part in model.parts(owner)),
-        primary=primary.Label if primary else "",
+        parts=tuple(names[part.Name] for part in model.parts(owner)),
+        primary=names[primary.Name] if primary else "",
         edited=edited_in(owner),
-        joined=tuple((c.PartA.Label, c.PartB.Label) for c in recipes.used_contacts(owner)),
+        joined=tuple((names[c.PartA.Name], names[c.PartB.Name]) for c in joining),
         is_single=owner.Propagation == "single",
         fixed=roles.count("fixed"),
         features=roles.count("form feature"),

@@ -71,10 +71,10 @@ class Facts:
     """What a document says about one morph; the default is: nothing is there."""
 
     morphs: int = 0
-    parts: tuple[str, ...] = ()  # labels
+    parts: tuple[str, ...] = ()  # names, no two of them equal
     primary: str = ""
     edited: tuple[str, str] = ("", "")  # labels of a shape and of the part that was made from it
-    joined: tuple[tuple[str, str], ...] = ()  # labels of parts with a contact in use
+    joined: tuple[tuple[str, str], ...] = ()  # names of parts with a contact in use
     is_single: bool = False  # one control mesh for all
     fixed: int = 0
     features: int = 0
