@@ -154,7 +154,7 @@ def test_threads_of_one_worker_make_the_same_files(tmp_path: Path):
     adopt(Workshop(plan), study)
     with ThreadPoolExecutor(4) as threads:
         found = list(threads.map(attempt, tasks))
-    assert [why for _, why in found] == [""] * 24
+    assert [fault for _, fault in found] == [None] * 24
     assert sum(cost.preprocessed for cost, _ in found) == 1
     made = contents(out)
     assert made and made == {name: whole[name] for name in made}
