@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +42,7 @@ def find_in_files(
         "options": {**options.as_dict(), "gap": found.gap},
         "parts": [_entry(source, meshing) for source in parts.sources],
         "notes": [f"{file.origin}: {text}" for file in files for text in file.missing],
-        **asdict(found),
+        **vars(found),
     }
 
 

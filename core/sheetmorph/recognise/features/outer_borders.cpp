@@ -47,14 +47,6 @@ bool is_inside(const Polygon& polygon, const Eigen::RowVector2d& place)
     return inside;
 }
 
-// What a piece covers inside a loop, and beside it with the side that it shows at the loop, seen
-// along its axis, mm^2.
-struct Cover
-{
-    double inside = 0.0;
-    double beside = 0.0;
-};
-
 }  // namespace
 
 OuterBorders::OuterBorders(const FacetGraph& graph, const std::vector<RegionLoop>& free_loops)
@@ -81,19 +73,23 @@ bool OuterBorders::has(const RegionLoop& loop) const
     for (const int triangle : loop.triangles)
         shown += graph_.area(triangle) * graph_.normal(triangle).dot(loop.normal);
     const double side = shown < 0.0 ? -1.0 : 1.0;
-    Cover cover;
+    // What the piece covers inside the loop, and beside it with the side that it shows at the loop,
+    // seen along its axis, mm^2.
+    double inside = 0.0, beside = 0.0;
     for (int t = 0; t < graph_.triangle_count(); ++t)
     {
         if (piece_[t] != piece_of(loop))
             continue;
         const double covered = graph_.area(t) * graph_.normal(t).dot(loop.normal);
         if (is_inside(outline, graph_.centroid(t).transpose() * plane))
-            cover.inside += std::abs(covered);
+            inside += std::abs(covered);
         else
-            cover.beside += std::max(0.0, side * covered);
+            beside += std::max(0.0, side * covered);
+        if (!(beside < loop.area))
+            return false;  // holes in large sheets, after few triangles
     }
     const bool is_largest = loop.is_free() && extent_of(graph_, loop) >= largest_[piece_of(loop)];
-    return cover.beside < loop.area && (is_largest || cover.inside >= least_floor * loop.area);
+    return is_largest || inside >= least_floor * loop.area;
 }
 
 }  // namespace sheetmorph
