@@ -23,6 +23,12 @@ namespace
 // Lower triangles have no height. What is merely thin holds its neighbours together.
 constexpr double least_height = 1e-3;  // of the tolerance
 
+// Of the longest edge: a lower facet has no area that rounding would not change.
+constexpr double flat = 1e-5;
+
+// Each takes every flat facet out that does not touch another one.
+constexpr int flat_rounds = 100;
+
 struct Facet
 {
     std::array<int, 3> corners;
@@ -30,6 +36,7 @@ struct Facet
 };
 
 using Facets = std::vector<Facet>;
+using Edge = std::pair<int, int>;
 
 TriangleMesh mesh_of(const Points& points, const Facets& facets)
 {
@@ -78,6 +85,158 @@ Facets sound_facets(const TriangleMesh& mesh, const std::vector<int>& first, dou
     }
     return without_doubles(facets);
 }
+
+// The side of a facet that is longest, or shortest.
+int side_of(const Points& points, const Facet& facet, bool is_longest)
+{
+    std::array<double, 3> lengths{};
+    for (int k = 0; k < 3; ++k)
+        lengths[k] =
+            (points.row(facet.corners[k]) - points.row(facet.corners[(k + 1) % 3])).squaredNorm();
+    const auto found = is_longest ? std::max_element(lengths.begin(), lengths.end())
+                                  : std::min_element(lengths.begin(), lengths.end());
+    return static_cast<int>(found - lengths.begin());
+}
+
+bool is_flat(const Points& points, const Facet& facet)
+{
+    const int side = side_of(points, facet, true);
+    const double longest =
+        (points.row(facet.corners[side]) - points.row(facet.corners[(side + 1) % 3])).norm();
+    return height(points, facet) <= flat * longest;
+}
+
+// The facets on every edge, whichever way round.
+std::map<Edge, std::vector<std::size_t>> facets_on_edges(const Facets& facets)
+{
+    std::map<Edge, std::vector<std::size_t>> found;
+    for (std::size_t t = 0; t < facets.size(); ++t)
+        for (int k = 0; k < 3; ++k)
+            found[std::minmax(facets[t].corners[k], facets[t].corners[(k + 1) % 3])].push_back(t);
+    return found;
+}
+
+// A facet over an edge in two, cut at a vertex on the edge.
+Facets halves(const Facet& facet, Edge edge, int vertex)
+{
+    Facets found(2, facet);
+    for (int k = 0; k < 3; ++k)
+    {
+        found[0].corners[k] = facet.corners[k] == edge.first ? vertex : facet.corners[k];
+        found[1].corners[k] = facet.corners[k] == edge.second ? vertex : facet.corners[k];
+    }
+    return found;
+}
+
+//! Takes flat facets out of a mesh, round by round.
+class FlatFacets
+{
+public:
+    //! `first`: of every vertex the one in its place
+    FlatFacets(const Points& points, Facets& facets, std::vector<int>& first)
+        : points_(points), facets_(facets), first_(first)
+    {
+    }
+
+    //! Of a needle two corners become one; where a corner stands on the opposite side, the other
+    //! facets of that side are cut there, so that nothing comes apart. Returns how many went.
+    int take_out()
+    {
+        for (int round = 0; round < flat_rounds; ++round)
+        {
+            std::vector<std::size_t> found;
+            for (std::size_t t = 0; t < facets_.size(); ++t)
+                if (is_flat(points_, facets_[t]))
+                    found.push_back(t);
+            if (found.empty())
+                break;
+            take_out(found);
+        }
+        return count_;
+    }
+
+private:
+    void take_out(const std::vector<std::size_t>& found)
+    {
+        const auto on_edges = facets_on_edges(facets_);
+        is_gone_.assign(facets_.size(), 0);
+        merged_.clear();
+        pieces_.clear();
+        for (const std::size_t t : found)
+            if (const Edge tiny = edge_of(t, false);
+                length(tiny) <= 2 * flat * length(edge_of(t, true)))
+                merged_.emplace(tiny.second, tiny.first);
+            else
+                cut_beside(t, on_edges.at(edge_of(t, true)));
+        for (std::size_t t = 0; t < facets_.size(); ++t)
+            if (!is_gone_[t])
+                pieces_.push_back(facets_[t]);
+        merge();
+    }
+
+    // Cuts the facets on the longest side of a flat one at its apex, unless one is cut already.
+    void cut_beside(std::size_t t, const std::vector<std::size_t>& beside)
+    {
+        if (std::any_of(beside.begin(), beside.end(), [&](auto k) { return is_gone_[k] != 0; }))
+            return;
+        const Edge edge = edge_of(t, true);
+        const int apex = facets_[t].corners[(side_of(points_, facets_[t], true) + 2) % 3];
+        for (const std::size_t k : beside)
+        {
+            is_gone_[k] = 1;
+            const std::array<int, 3>& own = facets_[k].corners;
+            if (std::find(own.begin(), own.end(), apex) == own.end())
+                for (const Facet& half : halves(facets_[k], edge, apex))
+                    pieces_.push_back(half);
+        }
+        ++count_;
+    }
+
+    // Puts the first vertex of every tiny edge in the place of the other one.
+    void merge()
+    {
+        facets_.clear();
+        for (Facet& facet : pieces_)
+        {
+            auto& [a, b, c] = facet.corners;
+            for (int* corner : {&a, &b, &c})
+                *corner = place(*corner);
+            if (a != b && b != c && c != a)
+                facets_.push_back(facet);
+            else
+                ++count_;
+        }
+        for (int& vertex : first_)
+            vertex = place(vertex);
+        facets_ = without_doubles(facets_);
+    }
+
+    Edge edge_of(std::size_t t, bool is_longest) const
+    {
+        const int side = side_of(points_, facets_[t], is_longest);
+        return std::minmax(facets_[t].corners[side], facets_[t].corners[(side + 1) % 3]);
+    }
+
+    double length(const Edge& edge) const
+    {
+        return (points_.row(edge.first) - points_.row(edge.second)).norm();
+    }
+
+    int place(int vertex) const
+    {
+        for (auto to = merged_.find(vertex); to != merged_.end(); to = merged_.find(vertex))
+            vertex = to->second;
+        return vertex;
+    }
+
+    const Points& points_;
+    Facets& facets_;
+    std::vector<int>& first_;
+    std::vector<char> is_gone_;
+    std::map<int, int> merged_;
+    Facets pieces_;
+    int count_ = 0;
+};
 
 using Cuts = std::map<std::pair<int, int>, std::set<int>>;
 
@@ -194,7 +353,7 @@ int open_inner_walls(const TriangleMesh& mesh, Facets& facets)
 CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds)
 {
     CuredMesh found;
-    const Weld places = weld(mesh, tolerance);
+    Weld places = weld(mesh, tolerance);
     for (std::size_t i = 0; i < places.first.size(); ++i)
         found.welded += places.first[i] != static_cast<int>(i);
     Facets facets = sound_facets(mesh, places.first, tolerance);
@@ -211,6 +370,7 @@ CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds)
         cuts.miss = cut;
         cuts.is_converged = cut == 0;
     }
+    found.removed += FlatFacets(mesh.points(), facets, places.first).take_out();
     put_together(mesh.points(), facets, places.first, found);
     if (const int inner = open_inner_walls(found.mesh, facets); inner > 0)
     {

@@ -23,12 +23,14 @@ struct CuredMesh
 //! Welds vertices nearer than a tolerance to the place of the first of them (those of pieces that
 //! only touch, without open edges, stay apart), removes triangles
 //! without height (lower than a thousandth of it) and doubled ones, cuts open edges at the vertices
-//! inside them (T-junctions), and makes each piece face one way: outwards where it is closed,
-//! unless another piece encloses it. Solids that have vertices in common and lie against each other
-//! in flat walls become one: their edges are cut alike along the seam, and the walls between them
-//! go. Edges with three triangles or more stay as they are; vertices in no triangle go. \param
-//! tolerance    mm, >= 0 \param most_rounds  of cuts \throws InvalidInput if the tolerance is
-//! negative or not finite, or no triangle would be left
+//! inside them (T-junctions), takes out triangles that are lower than 1e-5 of their longest edge
+//! (what is beside one is cut at its corner; the ends of an edge that short become one), and makes
+//! each piece face one way: outwards where it is closed, unless another piece encloses it. Solids
+//! that have vertices in common and lie against each other in flat walls become one: their edges
+//! are cut alike along the seam, and the walls between them go. Edges with three triangles or more
+//! stay as they are; vertices in no triangle go. \param tolerance    mm, >= 0 \param most_rounds of
+//! cuts \throws InvalidInput if the tolerance is negative or not finite, or no triangle would be
+//! left
 CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds = 8);
 
 }  // namespace sheetmorph
