@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import CONTACT
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
@@ -51,6 +52,8 @@ class ContactProxy(ObjectProxy):
     def onDocumentRestored(self, obj) -> None:
         super().onDocumentRestored(obj)
         join_assembly(obj, obj.PartA)
+        orphans.tell(obj)
 
-    def execute(self, _obj) -> None:
-        """Do nothing: the deformation that depends on the contact reads it."""
+    def execute(self, obj) -> None:
+        """Say that it is in no morph; else the deformation that depends on the contact reads it."""
+        orphans.require_morph(obj)

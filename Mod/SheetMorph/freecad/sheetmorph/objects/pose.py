@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 
+from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.model import POSE
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
@@ -21,8 +22,13 @@ class PoseProxy(ObjectProxy):
         Property("LinkListHidden", "Regions", "Pose", "The regions, by their names", mode=HIDDEN),
     )
 
-    def execute(self, _obj) -> None:
-        """Do nothing: a pose is only kept."""
+    def onDocumentRestored(self, obj) -> None:
+        super().onDocumentRestored(obj)
+        orphans.tell(obj)
+
+    def execute(self, obj) -> None:
+        """Say that it is in no morph; else a pose is only kept."""
+        orphans.require_morph(obj)
 
 
 def keep_motions(pose, motions: Pose, sizes: dict[str, float]) -> None:

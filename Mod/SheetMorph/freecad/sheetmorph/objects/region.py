@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import FreeCAD
 
+from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import REGION
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
@@ -94,14 +95,16 @@ class RegionProxy(ObjectProxy):
         offer_all_rotations(obj)
         show_properties_of_role(obj)
         join_assembly(obj, obj.Part)
+        orphans.tell(obj)
 
     def onChanged(self, obj, name: str) -> None:
         """Follow a change of role or of the kind of pivot in the property editor."""
         if name in SHOWING and is_complete(obj):
             show_properties_of_role(obj)
 
-    def execute(self, _obj) -> None:
-        """Do nothing: the deformation that depends on the region reads it."""
+    def execute(self, obj) -> None:
+        """Say that it is in no morph; else the deformation that depends on the region reads it."""
+        orphans.require_morph(obj)
 
 
 def is_complete(obj) -> bool:

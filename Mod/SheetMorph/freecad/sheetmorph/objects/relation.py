@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.model import RELATION
 from freecad.sheetmorph.objects.properties import Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
@@ -24,5 +25,10 @@ class RelationProxy(ObjectProxy):
         Property("LinkList", "Features", "Relation", "The form features"),
     )
 
-    def execute(self, _obj) -> None:
-        """Do nothing: the deformation that depends on the relation reads it."""
+    def onDocumentRestored(self, obj) -> None:
+        super().onDocumentRestored(obj)
+        orphans.tell(obj)
+
+    def execute(self, obj) -> None:
+        """Say that it is in no morph; else the deformation that needs the relation reads it."""
+        orphans.require_morph(obj)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 
+from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.model import STUDY
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
 from freecad.sheetmorph.objects.proxy import ObjectProxy
@@ -32,8 +33,13 @@ class StudyProxy(ObjectProxy):
         Property("String", "Results", "Study", "The table, as JSON", "", HIDDEN, is_output=True),
     )
 
-    def execute(self, _obj) -> None:
-        """Do nothing: a study is computed when the user says so."""
+    def onDocumentRestored(self, obj) -> None:
+        super().onDocumentRestored(obj)
+        orphans.tell(obj)
+
+    def execute(self, obj) -> None:
+        """Say that it is in no morph; else a study is computed when the user says so."""
+        orphans.require_morph(obj)
 
 
 def keep_parameters(study, parameters: list[Parameter]) -> None:

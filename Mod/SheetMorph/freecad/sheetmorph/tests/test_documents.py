@@ -178,6 +178,35 @@ class TestCopyingAndNames(support.DocumentTest):
         found = support.seen_points(objects.parts(copied)[0])
         self.assertAlmostEqual(support.largest(found[:, 2]), 30.0, 4)
 
+    def test_what_is_pasted_without_its_morph_says_so(self):
+        """Regions, contacts, relations, poses and studies: each alone, or all of them."""
+        assembly, _, handle = self.add_morph()
+        pose = api.save_pose(assembly, "High")
+        parameters = [("lift", handle, "TranslationZ", 0.0, 20.0)]
+        study = api.add_study(assembly, parameters=parameters, count=5)
+        region = objects.regions(assembly)[0]
+        for alone in (region, handle, pose, study):
+            other = self.new_document()
+            copied = other.copyObject(alone, False)
+            other.recompute()
+            self.assertIn("Invalid", copied.State, copied.Label)
+            said = copied.getStatusString()
+            self.assertIn(f"'{copied.Label}'", said)
+            self.assertIn("delete it", said)
+        came = other.copyObject(assembly, True)
+        other.removeObject(copied.Name)
+        other.recompute()
+        self.assert_up_to_date(other)
+        outside = objects.regions(came)[0]
+        came.removeObject(outside)
+        outside.touch()
+        other.recompute()
+        self.assertIn("drag it onto its morph", outside.getStatusString())
+        came.addObject(outside)
+        outside.touch()
+        other.recompute()
+        self.assertNotIn("Invalid", outside.State)
+
     def test_renamed_parts_and_regions_go_on_working(self):
         _, part, handle = self.add_morph()
         part.Label, handle.Label = "Tür außen", "Griff (links)"
