@@ -2,9 +2,10 @@
 """Fields keep the numbers they are given, whatever they show of them, in all units of FreeCAD."""
 
 import FreeCAD as App
+from checks_dragging import drag_up, grab_up_arrow
 from checks_features import select
 from checks_moving import open_panel
-from desk import child, enter, picture, press, press_tool, settled, until
+from desk import child, click_widget, enter, picture, press, press_tool, settled, until, xdotool
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects.region import motion_of
 from scenes import new_morph, regions
@@ -14,7 +15,10 @@ __all__ = [
     "test_ok_in_the_panel_of_a_form_feature_changes_nothing_by_itself",
     "test_lengths_are_read_in_millimetres_however_small_or_large",
     "test_a_number_without_a_unit_is_one_of_the_unit_shown",
+    "test_what_is_typed_while_the_program_writes_is_read_as_typed",
+    "test_a_value_beside_the_cursor_may_be_an_expression",
 ]
+EXPRESSIONS = (("100/4", 25.0), ("10 in", 254.0), ("2*(3+1)", 8.0))
 AXIS = (0.26726124191242440, 0.53452248382484879, 0.80178372573727319)
 STANDARD, INCHES, CENTIMETRES, FEET = 0, 3, 4, 7
 
@@ -97,3 +101,50 @@ def test_a_number_without_a_unit_is_one_of_the_unit_shown():
             yield from press("Cancel")
     finally:
         choose_units(STANDARD)
+
+
+def test_what_is_typed_while_the_program_writes_is_read_as_typed():
+    """A frame, a drag or an undo writes into the fields between two keys."""
+    yield from new_morph()
+    yield from open_panel()
+    for name in ("translation_x", "translation_z"):
+        for text, value in EXPRESSIONS:
+            field = child(name)
+            yield from click_widget(field)
+            yield from until(field.hasFocus, "the field")
+            yield from xdotool("key", "ctrl+a")
+            for k, key in enumerate(text):
+                yield from xdotool("type", "--", key)
+                child("translation_y").setValue(0.125 * k)
+                field.setValue(0.5 * k)
+            assert field.text() == text, (name, field.text())
+            yield from xdotool("key", "Tab")
+            yield from until(lambda f=field, v=value: abs(f.value() - v) < 1e-9, f"{text}")
+            field.setValue(1.0)
+            assert field.value() == 1.0, "a field that nobody edits is written to"
+    yield from settled()
+    yield from press("Cancel")
+
+
+def test_a_value_beside_the_cursor_may_be_an_expression():
+    yield from new_morph()
+    yield from open_panel()
+    before = 0.0
+    for text, value in EXPRESSIONS:
+        start = yield from grab_up_arrow((0.0, 0.0, before))
+        yield from drag_up(start)
+        for key in text:
+            yield from xdotool("type", "--", key)
+            yield from drag_up(start, 1)
+        yield from xdotool("key", "Return")
+        yield from xdotool("mouseup", 1)
+        field = child("translation_z")
+        expected = before + value
+        yield from until(lambda f=field, v=expected: abs(f.value() - v) < 1e-6, f"{text}")
+        yield from press_button("reset")
+        yield from settled()
+    yield from press("Cancel")
+
+
+def press_button(name: str):
+    yield from click_widget(child(name))

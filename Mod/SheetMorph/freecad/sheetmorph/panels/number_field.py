@@ -30,8 +30,22 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         super().__init__()
         self._unit, self._decimals = unit, shown_decimals
         self._shown = "", 1.0  # and how many mm or degrees its unit has
+        self.editingFinished.connect(self._finish)
         self.setDecimals(DIGITS)
         self.setRange(-FARTHEST, FARTHEST)
+
+    @property
+    def is_edited(self) -> bool:
+        """Whether the user has typed something that does not count yet."""
+        return self.hasFocus() and self.lineEdit().isModified()
+
+    def setValue(self, value: float) -> None:
+        """Shows a value, except where the user is typing another one: that one will count."""
+        if not self.is_edited:
+            super().setValue(value)
+
+    def _finish(self) -> None:
+        self.lineEdit().setModified(False)
 
     def measure(self, unit: str) -> None:
         """Is for lengths, "mm", or angles, "deg"."""

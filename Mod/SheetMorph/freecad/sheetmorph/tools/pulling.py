@@ -10,8 +10,8 @@ import numpy as np
 from freecad.sheetmorph.tools.motion import Motion, rounded
 from freecad.sheetmorph.tools.words import plain
 
-KEYS = "0123456789.,+- mcuinµkft°deg"
-"""What a value may be typed with, units too."""
+FIRST = "0123456789.,+-("
+"""What a value begins with; then every character may come: 100/4, 10 in, 2*(3+1)."""
 
 
 class Pull:
@@ -42,7 +42,7 @@ class Pull:
 
     def type(self, key: str) -> bool:
         """Takes a typed character, or nothing for backspace; False if it is none of a value."""
-        if key and key.lower() not in KEYS:
+        if key and not (key.isprintable() and (self.text or key in FIRST)):
             return False
         if not self._shift().any() and self._angle() == 0.0:
             return False  # nowhere yet: no direction
