@@ -4,7 +4,7 @@
 from freecad.sheetmorph.bridge.units import number_in
 from freecad.sheetmorph.scene.cursor_value import CursorValue
 from freecad.sheetmorph.scene.dragger import Dragger
-from freecad.sheetmorph.scene.point_drag import PointDrag
+from freecad.sheetmorph.scene.point_drag import EscapeWatch, PointDrag
 from freecad.sheetmorph.tools.pulling import Pull
 
 
@@ -18,6 +18,7 @@ class HandleDrag:
     def __init__(self, view, owner):
         self._view, self._owner = view, owner
         self._points = PointDrag(view, self)
+        self._escape = EscapeWatch(self.on_escape)
         self._value = CursorValue(view)
         self._pull = None
         self._arrows = None
@@ -27,6 +28,7 @@ class HandleDrag:
 
     def remove(self) -> None:
         """Takes everything out of the view."""
+        self._escape.stop()
         self._points.remove()
         self._value.remove()
         self.show_arrows(False)
@@ -67,6 +69,7 @@ class HandleDrag:
         """A drag begins."""
         self._start = self._owner.motion(), self._owner.pivot()
         self._pull = Pull(self._start[0])
+        self._escape.start()
 
     def on_drag(self, translation, axis, angle: float) -> None:
         """The arrows were dragged."""
@@ -94,6 +97,7 @@ class HandleDrag:
 
     def _end(self) -> None:
         self._start = self._pull = None
+        self._escape.stop()
         self._value.show("")
 
     # -- what the view tells of keys and size

@@ -11,6 +11,31 @@ from freecad.sheetmorph.scene.viewport import pointer_of
 from freecad.sheetmorph.tools.part_mesh import Ray
 
 
+class EscapeWatch(QtCore.QObject):
+    """Sees Escape before anything else, whichever widget has the keys, between start and stop."""
+
+    def __init__(self, on_escape):
+        super().__init__()
+        self._on_escape, self._is_on = on_escape, False
+
+    def start(self) -> None:
+        """From now on."""
+        if not self._is_on:
+            QtCore.QCoreApplication.instance().installEventFilter(self)
+        self._is_on = True
+
+    def stop(self) -> None:
+        """No longer."""
+        if self._is_on:
+            QtCore.QCoreApplication.instance().removeEventFilter(self)
+        self._is_on = False
+
+    def eventFilter(self, _watched, event) -> bool:
+        """Takes Escape."""
+        is_key = event.type() == QtCore.QEvent.KeyPress
+        return is_key and event.key() == QtCore.Qt.Key_Escape and bool(self._on_escape())
+
+
 class PointDrag(QtCore.QObject):
     """Reports drags of points until ``remove`` is called.
 
