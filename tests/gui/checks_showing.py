@@ -2,6 +2,7 @@
 """What is shown while a handle is dragged: ghost, features, colours with their scale, gaps."""
 
 import contextlib
+import gc
 import sys
 
 import FreeCAD as App
@@ -19,6 +20,8 @@ from PySide import QtGui
 from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, part, regions, stored
 
 __all__ = [
+    "test_a_deformed_shape_is_out_of_sight_while_its_part_moves",
+    "test_a_ghost_of_what_has_not_moved_is_never_seen",
     "test_the_original_stays_as_a_ghost_while_the_part_moves",
     "test_a_part_that_is_hidden_while_it_is_moved_is_seen_no_more",
     "test_creases_stay_crisp_while_dragging_and_at_rest",
@@ -60,6 +63,74 @@ def legend_in_the_view() -> str:
     frames = Gui.getMainWindow().findChildren(QtGui.QFrame, "SheetMorphLegend")
     labels = [w for frame in frames for w in frame.findChildren(QtGui.QLabel)]
     return " ".join(label.text() for label in labels if label.isVisible())
+
+
+def test_a_deformed_shape_is_out_of_sight_while_its_part_moves():
+    """It shows the pose before. Where it alone is shown, the part is drawn in its place."""
+    yield from new_morph()
+    shape = App.ActiveDocument.addObject("Part::Box", "Shape")
+    part().DeformedShape = shape
+    App.ActiveDocument.recompute()
+    root, switch = shape.ViewObject.RootNode, shape.ViewObject.SwitchNode
+    for is_part_shown in (True, False):
+        part().ViewObject.Visibility = is_part_shown
+        yield from open_panel()
+        yield from enter(child("translation_z"), "9")
+        yield from settled()
+        assert root.findChild(switch) < 0, "the shape is still drawn"
+        assert is_preview_seen()
+        assert shape.ViewObject.Visibility and part().ViewObject.Visibility == is_part_shown
+        shape.ViewObject.Visibility = False
+        yield from settled()
+        assert is_preview_seen() == is_part_shown, "who hides both sees none"
+        shape.ViewObject.Visibility = True
+        yield from press("Cancel")
+        yield from until(lambda: root.findChild(switch) >= 0, "the shape to be drawn again")
+
+
+def is_preview_seen() -> bool:
+    """Whether the drawing in place of the part is switched on."""
+    children = part().ViewObject.RootNode.getChildren()
+    kinds = [node for node in children if node.isOfType(coin.SoSwitch.getClassTypeId())]
+    return kinds[-1].whichChild.getValue() == coin.SO_SWITCH_ALL
+
+
+def test_a_ghost_of_what_has_not_moved_is_never_seen():
+    """A frame is exact to a millionth of the size: which of the two lay in front changed."""
+    yield from new_morph()
+    yield from open_panel()
+    yield from enter(child("translation_x"), "0.001")  # so that the preview is drawn
+    yield from settled()
+    (scene,) = [one for one in gc.get_objects() if isinstance(one, live_scene.LiveScene)]
+    rest, draw = scene._live.parts[part().Name], np.random.default_rng(37)
+    noise = 1e-6 * np.linalg.norm(np.ptp(rest.points, axis=0))
+    for turn in range(3):
+        turned = App.Rotation(App.Vector(0.3, 0.2, 1.0), 7.0 * turn)
+        view().setCameraOrientation(turned.multiply(view().getCameraOrientation()).Q)
+        shots = []
+        for is_shown in (False, True, True):
+            child("original").setChecked(is_shown)
+            yield from settled()
+            moved = rest.points + draw.uniform(-noise, noise, rest.points.shape)
+            scene._previews[part().Name].show(moved, rest.frame)
+            view().redraw()
+            yield from settled()
+            shots.append(pixels(picture(f"ghost-{turn}-{len(shots)}")))
+        for shot in shots[1:]:
+            differing = (np.abs(shots[0] - shot).max(axis=2) > 12).mean()
+            assert differing < 2e-3, f"view {turn}: {differing:.2%} of the pixels show the ghost"
+    child("original").setChecked(False)
+    yield from press("Cancel")
+
+
+def pixels(path: str) -> np.ndarray:
+    """The colours of the 3D view in a picture of the screen, (h, w, 3)."""
+    widget = view().graphicsView().viewport()
+    corner = widget.mapToGlobal(widget.rect().topLeft())
+    image = QtGui.QImage(path).copy(corner.x(), corner.y(), widget.width(), widget.height())
+    image = image.convertToFormat(QtGui.QImage.Format_RGB32)
+    flat = np.frombuffer(bytes(image.constBits()), np.uint8)
+    return flat.reshape(image.height(), image.width(), 4)[:, :, :3].astype(int)
 
 
 def test_the_original_stays_as_a_ghost_while_the_part_moves():

@@ -145,7 +145,9 @@ class LiveScene:
 
     def _begin(self) -> None:
         drawn = zip(model.parts(self._assembly), self._at_rest())
-        self._previews = {part.Name: preview.Preview(*at_rest) for part, at_rest in drawn}
+        self._previews = {
+            part.Name: preview.Preview(*at_rest, also=shapes_of(part)) for part, at_rest in drawn
+        }
 
     def _at_rest(self) -> list:
         """The view of every part, who draws it, and its mesh at rest."""
@@ -172,3 +174,9 @@ class LiveScene:
                     vertices = model.contact_vertices(contact, side)
                     sides.append(live_values.Side(pair[side].Name, vertices, pair[other].Name))
         return sides
+
+
+def shapes_of(part) -> list:
+    """The views of the deformed shape of a part, which would show the pose before."""
+    shape = part.DeformedShape
+    return [] if shape is None else [shape.ViewObject]

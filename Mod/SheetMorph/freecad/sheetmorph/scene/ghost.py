@@ -16,8 +16,19 @@ class Ghost:
         self._surface = Surface(coin.SoCoordinate3())
         self._surface.paint(colours.GHOST, 0.45)
         self._surface.fill(drawer, points, triangles)
-        self._hanging = Hanging(view_object.RootNode, self._surface.node)
+        self._hanging = Hanging(view_object.RootNode, behind(self._surface.node))
 
     def remove(self) -> None:
         """Takes it out of the view."""
         self._hanging.remove()
+
+
+def behind(node):
+    """A node a little farther from the eye: where a part has not moved, its own facets are seen
+    and not, from frame to frame, now these and now those of the ghost."""
+    offset = coin.SoPolygonOffset()
+    offset.factor, offset.units = 2.0, 100.0
+    group = coin.SoSeparator()
+    group.addChild(offset)
+    group.addChild(node)
+    return group

@@ -15,13 +15,14 @@ from freecad.sheetmorph.scene.surface import Surface
 class Preview:
     """Draws one part at other positions until ``remove`` is called."""
 
-    def __init__(self, view_object, drawer, points: np.ndarray, triangles: np.ndarray):
-        """``drawer``: see `drawing`; ``points`` (n, 3) local mm, ``triangles`` (m, 3)."""
+    def __init__(self, view_object, drawer, points: np.ndarray, triangles: np.ndarray, *, also=()):
+        """``drawer``: see `drawing`; ``points`` (n, 3) local mm, ``triangles`` (m, 3); ``also``:
+        views that stand for the part, too."""
         self._view_object = view_object
         self._surface = Surface(nodes.coordinates(view_object))
         self._surface.fill(drawer, points, triangles)
         self.plain()
-        self._in_place = InPlace(view_object, view_object.RootNode, self._surface.node)
+        self._in_place = InPlace(view_object, view_object.RootNode, self._surface.node, also)
 
     def show(self, points: np.ndarray, frame) -> None:
         """Moves the drawing to (n, 3) global positions, mm, of a part with a conversion.Frame."""
