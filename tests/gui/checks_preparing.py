@@ -24,6 +24,7 @@ __all__ = [
     "test_the_view_fits_what_is_imported_from_step",
     "test_cancel_leaves_a_mesh_as_it_came",
     "test_a_preview_that_takes_long_is_cancelled",
+    "test_every_unit_that_the_doctor_knows_is_offered",
     "test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled",
 ]
 
@@ -187,6 +188,31 @@ def test_a_preview_that_takes_long_is_cancelled():
     yield from press("Cancel")
 
 
+def test_every_unit_that_the_doctor_knows_is_offered():
+    """The right one is proposed where it is certain; the user may choose another one."""
+    from sheetmorph.file_unit import UNITS
+
+    yield from coarse_plate()
+    offered = [child("unit").itemText(k) for k in range(child("unit").count())]
+    assert offered == [name for name in UNITS if name != "mm"], offered
+    for unit in offered:
+        yield from until(lambda: child("scale").isVisible(), "the panel")
+        child("scale").setChecked(True)
+        child("unit").setCurrentText(unit)
+        child("unit").activated.emit(child("unit").currentIndex())
+        child("remesh").setChecked(False)
+        before = np.ptp(api.rest_mesh(part())[0], axis=0) / api.preparing.scale_of(part())
+        yield from press("OK")
+        yield from until(lambda: not Gui.Control.activeDialog(), "the panel closed")
+        now = np.ptp(api.rest_mesh(part())[0], axis=0)
+        assert np.allclose(now, UNITS[unit] * before, rtol=1e-6), (unit, now, before)
+        assert api.preparation_of(part())["scale"] == UNITS[unit]
+        App.ActiveDocument.undo()
+        yield from settled()
+        yield from press_tool("Prepare Mesh…")
+    yield from press("Cancel")
+
+
 def test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled():
     yield from coarse_plate()
     yield from press("Cancel")
@@ -196,6 +222,7 @@ def test_a_mesh_in_metres_whose_facets_do_not_quite_meet_is_welded_and_scaled():
     yield from answer(path)
     yield from settled()
     assert child("scale").isChecked() and child("weld").isChecked()
+    assert child("unit").currentText() == "m"
     found = child("findings").text()
     assert "unit seems to be m" in found and "nearly the place" in found, found
     assert child("tolerance").text() == "0.0002 mm", child("tolerance").text()

@@ -149,3 +149,14 @@ def test_what_a_file_lacks_is_the_first_finding(tmp_path: Path):
     (found,) = diagnose_files([file])["files"]
     assert found["findings"][0]["finding"] == "not read whole"
     jsonschema.validate(diagnose_files([file]), schema())
+
+
+@pytest.mark.parametrize("exponent", range(-12, 16))
+def test_every_size_gets_a_unit(exponent: int):
+    """The largest and the smallest parts, too, for which no unit is usual."""
+    from sheetmorph.file_unit import UNITS, unit_of
+
+    for thickness in (None, 1e-6, 0.1, 1.0, 2.0, 50.0, 1e6):
+        found = unit_of(3.0 * 10.0**exponent, thickness)
+        assert found["guess"] in (*UNITS, "unknown") and found["reason"]
+        assert found["scale"] == UNITS.get(found["guess"], 1.0)

@@ -37,9 +37,9 @@ def unit_of(size: float, thickness: float | None, given: str | None = None) -> d
     usual = [name for name in plausible if thickness and _is_gauge(UNITS[name] * thickness)]
     if "mm" not in plausible:
         plausible = [name for name in UNITS if _is_plausible(name, size, thickness, _THICKEST)]
-    sizes = either([f"{name} ({_described(name, size, thickness)})" for name in plausible])
     if not plausible:
         return _unit("mm", "no unit makes it a usual sheet-metal part", ["mm"], True)
+    sizes = either([f"{name} ({_described(name, size, thickness)})" for name in plausible])
     if len(plausible) == 1 or len(usual) == 1:
         (name,) = plausible if len(plausible) == 1 else usual
         reason = f"{_described(name, size, thickness)} is usual for a sheet-metal part"

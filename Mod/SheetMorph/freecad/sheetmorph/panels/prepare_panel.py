@@ -92,7 +92,8 @@ class PreparePanel(Panel):
     def _offer(self) -> None:
         """Ticks the cures that the diagnosis offers."""
         form, wish = self.form, cures.offered(self._found)
-        form.scale.setChecked(wish.scale == 1000.0)
+        form.unit.setCurrentText(cures.unit_of(self._found))
+        form.scale.setChecked(wish.scale != 1.0)
         form.weld.setChecked(wish.weld is not None)
         form.remesh.setChecked(wish.edge is not None)
         form.thin.setChecked(self._part.Thin != "no" or wish.is_thin)
@@ -129,7 +130,7 @@ class PreparePanel(Panel):
             units.number_in(form.tolerance.text(), "mm") if form.weld.isChecked() else None,
             form.edge.value() if form.remesh.isChecked() else None,
             ("polygon", "circle")[form.rims.currentIndex()],
-            1000.0 if form.scale.isChecked() else 1.0,
+            form.unit.currentData() if form.scale.isChecked() else 1.0,
             form.thin.isChecked(),
             form.split.isChecked(),
         )
@@ -199,7 +200,10 @@ class PreparePanel(Panel):
     def _prepare_widgets(self) -> None:
         form = self.form
         say(form.message, "")
+        for unit, scale in cures.units().items():
+            form.unit.addItem(unit, scale)
         form.scale.clicked.connect(self._tell)
+        form.unit.activated.connect(self._tell)
         for box in (form.weld, form.remesh):
             box.toggled.connect(self._refresh)
         form.tolerance.textEdited.connect(self._refresh)
@@ -209,6 +213,7 @@ class PreparePanel(Panel):
         """Fields that mean nothing now are grey; a preview of something else goes."""
         form = self.form
         form.tolerance.setEnabled(form.weld.isChecked())
+        form.unit.setEnabled(form.scale.isChecked())
         for widget in (form.edge, form.rims):
             widget.setEnabled(form.remesh.isChecked())
         say(form.message, "")

@@ -39,6 +39,20 @@ class Wish:
         return {key: value for key, value in given.items() if not key.startswith("is_")}
 
 
+def units() -> dict[str, float]:
+    """The units that a mesh may be in other than mm, and how many mm each has."""
+    from sheetmorph.file_unit import UNITS
+
+    return {name: scale for name, scale in UNITS.items() if scale != 1.0}
+
+
+def unit_of(diagnosis: dict) -> str:
+    """The unit to propose for a mesh that is not in mm: the likeliest one, else metres."""
+    unit = diagnosis["unit"]
+    likely = [name for name in (unit["guess"], *unit["plausible"]) if name in units()]
+    return likely[0] if likely else "m"
+
+
 def is_needed(diagnosis: dict) -> bool:
     """Whether a part is not fit to bend as it is."""
     few = FEW * diagnosis["triangles"]
