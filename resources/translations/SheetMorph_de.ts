@@ -620,12 +620,8 @@
    <translation>Von Hand gewählt: zweites Teil</translation>
   </message>
   <message>
-   <source>Gap distance</source>
-   <translation>Spaltabstand</translation>
-  </message>
-  <message>
-   <source>Vertices within this distance of the other part belong to the contact</source>
-   <translation>Vertices innerhalb dieses Abstands vom anderen Teil gehören zum Kontakt</translation>
+   <source>Gap distance: vertices within this distance of the other part belong to the contact</source>
+   <translation>Spaltabstand: Vertices innerhalb dieses Abstands vom anderen Teil gehören zum Kontakt</translation>
   </message>
   <message>
    <source>Pick</source>
@@ -1841,8 +1837,8 @@
    <translation> px</translation>
   </message>
   <message>
-   <source>Also what is hidden</source>
-   <translation>Auch Verdecktes</translation>
+   <source>Select through</source>
+   <translation>Hindurch wählen</translation>
   </message>
   <message>
    <source>Picks through parts and facets that hide others, as if all were made of glass</source>
@@ -2098,12 +2094,16 @@
    <translation>Abhilfe</translation>
   </message>
   <message>
-   <source>Coordinates are metres</source>
-   <translation>Koordinaten sind Meter</translation>
+   <source>Coordinates are in</source>
+   <translation>Koordinaten sind in</translation>
   </message>
   <message>
-   <source>Makes the mesh a thousand times larger: lengths are in mm here</source>
-   <translation>Macht das Netz tausendmal größer: Längen sind hier in mm</translation>
+   <source>Scales the mesh from another unit to mm</source>
+   <translation>Rechnet das Netz aus einer anderen Einheit in mm um</translation>
+  </message>
+  <message>
+   <source>The unit of the file</source>
+   <translation>Die Einheit der Datei</translation>
   </message>
   <message>
    <source>Weld vertices within</source>

@@ -620,12 +620,8 @@
    <translation>手で選択: 二つ目の部品</translation>
   </message>
   <message>
-   <source>Gap distance</source>
-   <translation>隙間の距離</translation>
-  </message>
-  <message>
-   <source>Vertices within this distance of the other part belong to the contact</source>
-   <translation>相手の部品からこの距離以内の頂点が接触に含まれます</translation>
+   <source>Gap distance: vertices within this distance of the other part belong to the contact</source>
+   <translation>隙間距離: 相手の部品からこの距離以内の頂点が接触に含まれます</translation>
   </message>
   <message>
    <source>Pick</source>
@@ -1841,8 +1837,8 @@
    <translation> px</translation>
   </message>
   <message>
-   <source>Also what is hidden</source>
-   <translation>隠れた所も</translation>
+   <source>Select through</source>
+   <translation>透過して選択</translation>
   </message>
   <message>
    <source>Picks through parts and facets that hide others, as if all were made of glass</source>
@@ -2098,12 +2094,16 @@
    <translation>対処</translation>
   </message>
   <message>
-   <source>Coordinates are metres</source>
-   <translation>座標はメートル</translation>
+   <source>Coordinates are in</source>
+   <translation>座標の単位</translation>
   </message>
   <message>
-   <source>Makes the mesh a thousand times larger: lengths are in mm here</source>
-   <translation>メッシュを千倍にします。ここでの長さは mm です</translation>
+   <source>Scales the mesh from another unit to mm</source>
+   <translation>メッシュを他の単位から mm に変換します</translation>
+  </message>
+  <message>
+   <source>The unit of the file</source>
+   <translation>ファイルの単位</translation>
   </message>
   <message>
    <source>Weld vertices within</source>

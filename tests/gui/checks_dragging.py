@@ -2,26 +2,35 @@
 """Handles and points are dragged with the real mouse; the last event wins, Escape takes back."""
 
 import contextlib
+import gc
+import random
+import subprocess
 import threading
 
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
+import settling
 from checks_moving import lifted, open_panel
 from desk import POLL, child, click_widget, enter, on_screen, picture, press, settled, tick, until
 from desk import view, xdotool
-from freecad.sheetmorph import generations, preferences
+from freecad.sheetmorph import api, generations, preferences
 from freecad.sheetmorph.bridge import live_session
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.tools.updating import ON_OK, ON_PAUSE
+from freecad.sheetmorph.scene.handle_marks import HandleMarks
+from freecad.sheetmorph.tools.updating import AUTOMATIC, ON_OK, ON_PAUSE, WHILE_CHANGING
 from pivy import coin
-from PySide import QtGui
-from scenes import drawn, handle_vertices, largest, new_assembly, new_morph, regions, stored
+from PySide import QtCore, QtGui
+from scenes import assembly, drawn, handle_vertices, largest, new_assembly, new_morph, part
+from scenes import regions, stored
 from shapes import sheet
 
 __all__ = [
     "test_snapping_drags_in_steps",
     "test_escape_takes_a_drag_back_and_the_panel_stays",
+    "test_escape_ends_every_fast_drag",
+    "test_escape_ends_a_drag_whoever_has_the_keys",
+    "test_every_handle_can_be_clicked_in_the_isometric_view",
     "test_the_pivot_is_moved_and_the_shape_stays",
     "test_a_point_is_dragged_in_the_plane_of_the_view",
     "test_a_point_of_a_handle_drags_the_handle",
@@ -103,6 +112,106 @@ def test_escape_takes_a_drag_back_and_the_panel_stays():
     assert child("translation_z").value() > 3.0
     yield from press("Cancel")
     assert np.array_equal(stored(), rest)
+
+
+def test_escape_ends_every_fast_drag():
+    """All in one go, faster than frames and recomputes; Escape comes anywhere on the way."""
+    yield from new_morph()
+    rest, draw = stored(), random.Random(37)
+    for preference, drags in ((AUTOMATIC, 16), (WHILE_CHANGING, 32)):
+        with preferring(UpdateResults=preference):
+            yield from open_panel()
+            for drag in range(drags):
+                yield from drag_with_escape(draw)
+                told = f"drag {drag} of preference {preference}: "
+                assert Gui.Control.activeDialog(), told + "Escape closed the panel"
+                assert child("translation_z").value() == 0.0, told + "Escape was lost"
+                assert np.allclose(lifted(rest, drawn()), 0.0, atol=1e-4), told + "still drawn"
+            yield from press("Cancel")
+
+
+def test_escape_ends_a_drag_whoever_has_the_keys():
+    """A field of the panel, the tree, or FreeCAD's window while it recomputes."""
+    yield from new_morph()
+    rest = stored()
+    yield from open_panel()
+    for widget in (child("translation_x"), child("handle"), Gui.getMainWindow()):
+        start = yield from grab_up_arrow()
+        yield from drag_up(start)
+        yield from until(lambda: child("translation_z").value() > 1.0, "the drag")
+        widget.setFocus()
+        yield from xdotool("key", "Escape")
+        yield from until(lambda: child("translation_z").value() == 0.0, "Escape to arrive")
+        yield from xdotool("mouseup", 1)
+        yield from settled()
+        assert Gui.Control.activeDialog()
+        assert np.allclose(lifted(rest, drawn()), 0.0, atol=1e-4)
+    yield from press("Cancel")
+
+
+def drag_with_escape(draw):
+    """Up the arrow in one go; a field has the keys before."""
+    x, y = on_screen(handle_place())
+    child("translation_x").setFocus()
+    yield from xdotool("mousemove", x, y - 28)
+    yield from xdotool("mousemove", x, y - 30)
+    words, at = ["mousedown", 1], draw.randint(1, 8)
+    for step in range(1, 10):
+        words += ["mousemove", x, y - 30 - 5 * step]
+        words += ["sleep", draw.choice((0.0, 0.002, 0.01, 0.05))]
+        if step == at:
+            words += ["key", "Escape"]
+    yield from all_at_once(*words, "mouseup", 1)
+    yield from settled()
+
+
+def all_at_once(*words):
+    """As a quick hand: nobody waits for anything to arrive."""
+    process = subprocess.Popen(["xdotool", *map(str, words)])
+    yield from until(lambda: process.poll() is not None, "xdotool to end")
+    for _ in range(9):
+        settling.receive()
+        yield POLL
+
+
+def test_every_handle_can_be_clicked_in_the_isometric_view():
+    """Some lie behind each other there: pivots on one line of sight."""
+    yield from new_morph()
+    sight = np.array(tuple(view().getViewDirection()))
+    free = np.setdiff1d(np.arange(len(sheet()[0])), handle_vertices())
+    points = sheet()[0]
+    inner = free[(np.abs(points[free, 0] - 60.0) < 50.0)]
+    along = points[inner] - np.outer(points[inner] @ sight, sight)
+    order = np.lexsort(np.round(along / 6.0).T)
+    chosen = [int(inner[k]) for k in order[:: max(1, len(order) // 9)]][:8]
+    behind = [int(v) for v in inner[np.argsort(np.linalg.norm(along - along[0], axis=1))[:4]]]
+    for number, vertex in enumerate(dict.fromkeys(chosen + behind)):
+        api.add_handle(assembly(), part(), [vertex], f"H{number}")
+    App.ActiveDocument.recompute()
+    labels = [handle.Label for handle in regions("handle")]
+    yield from open_panel()
+    picture("handles-isometric")
+    for label in labels[::-1]:
+        others = [one for one in labels if one != child("handle").currentText()]
+        if label not in others:
+            continue
+        yield from click_mark(others.index(label))
+        yield from until(lambda t=label: child("handle").currentText() == t, f"{label} chosen")
+    assert App.ActiveDocument.UndoNames == ["Move Handle"] or not App.ActiveDocument.UndoNames
+    yield from press("Cancel")
+
+
+def click_mark(number: int):
+    """Clicks the mark of one of the handles that do not have the arrows."""
+    (marks,) = [one for one in gc.get_objects() if isinstance(one, HandleMarks) and one._view]
+    x, y = marks.place_of(number)
+    widget = view().graphicsView().viewport()
+    ratio = widget.devicePixelRatioF()
+    place = widget.mapToGlobal(
+        QtCore.QPoint(round(x / ratio), round(widget.height() - 1 - y / ratio))
+    )
+    yield from xdotool("mousemove", place.x(), place.y(), "click", 1)
+    yield from settled()
 
 
 def test_the_pivot_is_moved_and_the_shape_stays():

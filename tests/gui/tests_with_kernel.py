@@ -14,6 +14,7 @@ from checks_flow import *  # noqa: F401,F403
 from checks_guide import *  # noqa: F401,F403
 from checks_macro import *  # noqa: F401,F403
 from checks_moving import *  # noqa: F401,F403
+from checks_panels import *  # noqa: F401,F403
 from checks_picking import *  # noqa: F401,F403
 from checks_poses import *  # noqa: F401,F403
 from checks_preferences import *  # noqa: F401,F403

@@ -21,8 +21,9 @@ DEFAULTS: dict[str, bool | int | float] = {
     "ShowControlMeshes": False,
     "ShowColours": 0,
     "OpenPivot": False,
-    "OpenMouse": True,
+    "OpenMouse": False,
     "OpenShow": False,
+    "OpenTolerances": False,
 }
 """Entries and what they are until the user says otherwise: mm, degrees."""
 

@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph import paths
 from freecad.sheetmorph.interaction.finishing import finishing
+from freecad.sheetmorph.panels.notices import Notices
 from freecad.sheetmorph.panels.number_field import loaded
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate, widen
 from freecad.sheetmorph.scene import colours
@@ -29,12 +30,16 @@ class Panel:
     """
 
     width = WIDTH
+    lines = 3  # of text that the strip at the top has room for
 
     def __init__(self, session, widgets: str, icon: str, title: str):
         self.session = session
         self._form = loaded(paths.panel(widgets))
         self.form.setWindowTitle(translate(f"SheetMorph_{widgets}", title))
         self.form.setWindowIcon(QtGui.QIcon(paths.icon(icon)))
+        self.notices = None
+        if hasattr(self.form, "message"):
+            self.notices = Notices(self.form, self.lines)
         for name, widget in vars(self.form).items():
             if isinstance(widget, QtWidgets.QWidget) and not name.startswith("_"):
                 widget.setWhatsThis(widget.whatsThis() or widget.toolTip())

@@ -53,6 +53,7 @@ class ContactPanel(Panel):
         session.at_end(self._remove_views)
         self._mouse = session.show(PickMouse(session.view, self))
         self._tools = PickTools(self.form, None, self.picked)
+        self.notices.take(self._tools.hint)
         self._tools.offer_holes(False)
         self._tools.choose(picking.FACE)
         self._faults = FaultBar(self.form, session, assembly)
@@ -238,7 +239,7 @@ class ContactPanel(Panel):
         self._tools.use(picker)
         self._mouse.use(picker, self._views.get(by_hand))
         self.form.pick.setVisible(bool(by_hand))
-        self.form.distance.setEnabled(not by_hand)
+        self.form.distance.setVisible(not by_hand)
         self._touch()
 
     def picked(self) -> None:

@@ -19,20 +19,21 @@ class FaultBar(QtCore.QObject):
     mended = QtCore.Signal()
 
     def __init__(self, form, session, assembly):
-        """The label is an item of the panel's column; the buttons come below it."""
+        """The buttons come beside the label."""
         super().__init__()
         self._label, self._assembly, self._session = form.message, assembly, session
         self._fault, self._cure, self._text = None, None, ""
         self._highlight = session.show(Highlight())
         self._row = QtWidgets.QWidget(form)
-        buttons = QtWidgets.QHBoxLayout(self._row)
+        buttons = QtWidgets.QVBoxLayout(self._row)
         buttons.setContentsMargins(0, 0, 0, 0)
+        buttons.setSpacing(2)
         self._show = self._button(
             "show_fault", translate("SheetMorph_panels", "Show"), self._show_it
         )
         self._mend = self._button("mend_fault", "", self._mend_it)
-        column = form.layout()
-        column.insertWidget(column.indexOf(form.message) + 1, self._row)
+        beside = form.message.parentWidget().layout()
+        beside.insertWidget(beside.indexOf(form.message) + 1, self._row)
         self.say("")
 
     def say(self, wrong) -> None:

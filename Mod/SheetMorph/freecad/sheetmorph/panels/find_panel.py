@@ -9,6 +9,7 @@ from freecad.sheetmorph.panels import find_table, keeping
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.find_kinds import CONTACTS, FEATURES
+from freecad.sheetmorph.panels.folding import Folds
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.scene.highlight import Highlight
@@ -46,6 +47,7 @@ class FindPanel(Panel):
         self._meshes = {}
         self._highlight = session.show(Highlight())
         self._faults = FaultBar(self.form, session, assembly)
+        Folds({self.form.tolerances: "OpenTolerances"})
         self._prepare_widgets()
         self.search()
 

@@ -31,6 +31,7 @@ def foldable(group):
     button.setCheckable(True)
     group.setTitle("")
     group.setFlat(True)
+    group.setStyleSheet("QGroupBox { border: 0; margin: 0; padding: 0; }")  # its title has no room
     column = QtWidgets.QVBoxLayout(group)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(2)

@@ -23,6 +23,7 @@ from freecad.sheetmorph.panels.reach_marks import ReachMarks, criteria_of
 from freecad.sheetmorph.interaction.moved_handles import MovedHandles
 from freecad.sheetmorph.panels.show_fields import ShowFields
 from freecad.sheetmorph.qt import QtCore, QtWidgets, number, translate
+from freecad.sheetmorph.scene.handle_marks import HandleMarks
 from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
@@ -44,6 +45,7 @@ class MovePanel(Panel):
     """Moves the handles of one morph; the session has what is pending."""
 
     width = 400  # for three buttons, in any language
+    lines = 4
 
     def __init__(self, session, handle):
         super().__init__(session, "move", "MoveHandle", "Move Handle")
@@ -69,8 +71,10 @@ class MovePanel(Panel):
         self._prepare_widgets()
         session.at_end(self._end_live)
         self._drag = session.show(HandleDrag(session.view, self))
+        self._marks = session.show(HandleMarks(session.view, self._choose_marked))
         session.at_end(self._stop_timers)
         self._mouse = MouseFields(self.form, self._drag)
+        self._mark_others()
         session.ending.connect(self._hush)
         session.changed.connect(self._follow)
         self._start()
@@ -191,6 +195,7 @@ class MovePanel(Panel):
             self._faults.say(error)
             return None
         self._fill_list()
+        self._mark_others()
         return handle
 
     def _start(self) -> None:
@@ -236,9 +241,23 @@ class MovePanel(Panel):
         self._fill_list()
         self._fill()
         self._drag.place()
+        self._mark_others()
         self._end_live()
         self._start()
         self._show()
+
+    def _mark_others(self) -> None:
+        """Marks the handles that do not have the arrows, where they are now."""
+        places = [moved(self._handles.pivot(h), motion_of(h).translation) for h in self._others]
+        arrows = moved(self.pivot(), self.motion().translation)
+        self._marks.show(places, arrows)
+
+    @property
+    def _others(self) -> list:
+        return [handle for handle in self._handles.all if handle.Name != self._name]
+
+    def _choose_marked(self, number: int) -> None:
+        self._choose(self._others[number])
 
     def _on_change(self) -> None:
         """A field changed."""
@@ -255,6 +274,7 @@ class MovePanel(Panel):
             self._reach.follow(motion_of(self._handle), motion)
             self._handles.move(self._handle, motion)
             self._fields.show_pivot(self.pivot())
+            self._mark_others()
             self._frame.start()
 
     def _show(self) -> None:
@@ -364,6 +384,7 @@ class MovePanel(Panel):
         self._reach.forget()
         self._fill()
         self._drag.place()
+        self._mark_others()
 
     def _choose_update(self, preference: int) -> None:
         self._updating.preference = preference
@@ -381,3 +402,8 @@ class MovePanel(Panel):
         timer.setInterval(milliseconds)
         timer.timeout.connect(lambda: self.session.when_free(action))
         return timer
+
+
+def moved(place, shift) -> tuple:
+    """A place farther by a shift, (3,) mm each."""
+    return tuple(a + b for a, b in zip(place, shift))

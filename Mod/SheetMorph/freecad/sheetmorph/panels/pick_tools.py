@@ -83,6 +83,11 @@ class PickTools:
         self._form.hint.setText(translate("SheetMorph_picking", HINTS.get(tool, KEYS)))
         self._apply()
 
+    @property
+    def hint(self):
+        """The label that says how the chosen tool is used."""
+        return self._form.hint
+
     def offer_holes(self, is_offered: bool) -> None:
         """Shows or hides the button that picks all holes at once."""
         self._form.holes.setVisible(is_offered)

@@ -39,6 +39,8 @@ class ReachMarks(QtCore.QObject):
         self._number, self._value, self._reached = None, 0.0, None
         self._calm = QtCore.QTimer(self, singleShot=True, interval=CALM)
         self._calm.timeout.connect(self._look)
+        form.reach_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
+        form.reach_text.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
         self._show()
 
     def follow(self, before: Motion, now: Motion) -> None:

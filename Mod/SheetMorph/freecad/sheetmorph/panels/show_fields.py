@@ -19,6 +19,7 @@ ELEMENTS = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: shortest edge"),
 )
 """As element_quality.MEASURES has them."""
+FIRST_OF_ELEMENTS = 5  # of the list of colours
 
 
 def beyond(histogram) -> str:
@@ -51,6 +52,7 @@ class ShowFields:
             form.colours.setCurrentIndex(0)
         form.colours.currentIndexChanged.connect(self._colour)
         form.scale.setPixmap(gradient())
+        form.scale_text.setFixedHeight(2 * form.fontMetrics().lineSpacing())
         self.tell()
 
     def connect(self, live) -> None:
@@ -65,10 +67,12 @@ class ShowFields:
     def tell(self) -> None:
         """Shows the legend of the last frame."""
         legend = self._live and self._live.legend
-        self._form.scale.setVisible(legend is not None)
-        self._form.scale_text.setVisible(legend is not None)
+        chosen = self._form.colours.currentIndex()
+        # By what is chosen, not by what has come: nothing may move while frames arrive.
+        self._form.scale.setVisible(chosen > 0)
+        self._form.scale_text.setVisible(chosen > 0)
+        self._form.histogram.setVisible(chosen >= FIRST_OF_ELEMENTS)
         histogram = legend and legend.histogram
-        self._form.histogram.setVisible(histogram is not None)
         if legend is not None:
             low, high = legend.span
             ends = f"{low:g} to {high:g}"
@@ -78,6 +82,7 @@ class ShowFields:
             if bars is not None:
                 self._form.histogram.setPixmap(bars)
         else:
+            self._form.scale_text.setText("")
             self._view_legend.show_values()
 
     def _toggle(self, entry: str, is_on: bool) -> None:
@@ -95,4 +100,4 @@ class ShowFields:
         preferences.put("ShowColours", kind)
         if self._live is not None:
             self._live.use_colours(kind)
-            self.tell()
+        self.tell()

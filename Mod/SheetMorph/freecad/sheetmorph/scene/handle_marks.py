@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mark on every handle but the one with the arrows: a click on it chooses that handle.
+
+Marks lie over the parts and keep apart from each other and from the arrows, whatever hides what.
+"""
+
+import numpy as np
+from pivy import coin
+
+from freecad.sheetmorph.qt import QtCore
+from freecad.sheetmorph.scene import colours, nodes
+from freecad.sheetmorph.scene.hanging import Hanging
+from freecad.sheetmorph.scene.relay import Relay
+from freecad.sheetmorph.scene.viewport import camera_node, camera_of
+from freecad.sheetmorph.tools.spreading import spread
+
+SIZE = 13.0  # px
+LEAST = 26.0  # px between two marks
+ARROWS = 100.0  # px around the handle that has the arrows: they are 80 long
+ROOT = "SheetMorphHandleMarks"
+
+
+class HandleMarks(QtCore.QObject):
+    """Until ``remove`` is called; ``choose(k)`` is told of a click on mark k."""
+
+    def __init__(self, view, choose):
+        super().__init__()
+        self._view, self._choose = view, choose
+        self._places, self._taken, self._shown = np.empty((0, 3)), None, np.empty((0, 2))
+        self._is_pressed = False
+        self._points, self._lines = coin.SoCoordinate3(), coin.SoCoordinate3()
+        self._marks, self._leaders = coin.SoPointSet(), coin.SoLineSet()
+        root = coin.SoAnnotation()
+        root.setName(ROOT)
+        for node in nodes.unlit(colours.ROLES["handle"], 1.5, SIZE):
+            root.addChild(node)
+        for node in (self._lines, self._leaders, self._points, self._marks):
+            root.addChild(node)
+        self._hanging = Hanging(view.getSceneGraph(), root)
+        self._follow = Relay(self._draw)
+        self._sensor = coin.SoNodeSensor(self._follow, None)
+        self._sensor.attach(camera_node(view))
+        self._widget = view.graphicsView().viewport()
+        self._widget.installEventFilter(self)
+
+    def show(self, places, taken) -> None:
+        """Marks places (n, 3) mm, global; ``taken``: the place (3,) of the arrows, or None."""
+        self._places = np.asarray(places, float).reshape(-1, 3)
+        self._taken = taken
+        self._draw()
+
+    def remove(self) -> None:
+        """Takes them out of the view, which may be closed already."""
+        self._sensor.detach()
+        self._follow.let_go()
+        self._hanging.remove()
+        try:
+            self._widget.removeEventFilter(self)
+        except RuntimeError:
+            pass  # closed
+        self._view = self._widget = self._choose = None
+
+    def place_of(self, number: int) -> tuple[float, float]:
+        """Where a mark is in the view, px from the lower left."""
+        x, y = self._shown[number]
+        return float(x), float(y)
+
+    def eventFilter(self, _watched, event) -> bool:
+        """Takes a click on a mark."""
+        kind = event.type()
+        if kind == QtCore.QEvent.MouseButtonPress and event.button() == QtCore.Qt.LeftButton:
+            number = self._at(event)
+            self._is_pressed = number is not None
+            if self._is_pressed:
+                self._choose(number)
+            return self._is_pressed
+        if kind == QtCore.QEvent.MouseButtonRelease and self._is_pressed:
+            self._is_pressed = False
+            return True
+        return kind == QtCore.QEvent.MouseMove and self._is_pressed
+
+    def _at(self, event):
+        """The number of the mark under the mouse, None if there is none."""
+        if not len(self._shown):
+            return None
+        ratio = self._widget.devicePixelRatioF()
+        x, y = event.pos().x(), self._widget.height() - 1 - event.pos().y()
+        away = np.linalg.norm(self._shown - np.array([x, y]) * ratio, axis=1)
+        nearest = int(away.argmin())
+        return nearest if away[nearest] <= 0.5 * LEAST else None
+
+    def _draw(self, *_) -> None:
+        try:
+            camera = camera_of(self._view)
+        except (RuntimeError, AttributeError):
+            return  # the view is closed
+        pixels = projected(camera, self._places)
+        taken = ()
+        if self._taken is not None and len(self._places):
+            taken = ((projected(camera, [self._taken])[0, :2], ARROWS),)
+        self._shown = spread(pixels[:, :2], LEAST, taken)
+        marks = [on_screen(camera, x, y, z) for (x, y), z in zip(self._shown, pixels[:, 2])]
+        put(self._points, marks)
+        self._marks.numPoints = len(marks)
+        put(self._lines, [end for pair in zip(self._places, marks) for end in pair])
+        self._leaders.numVertices.setNum(len(marks))
+        for k in range(len(marks)):
+            self._leaders.numVertices.set1Value(k, 2)
+
+
+def projected(camera, places) -> np.ndarray:
+    """Where places (n, 3) mm are seen: (n, 3) px from the lower left, and the depth."""
+    points = np.asarray(places, float).reshape(-1, 3)
+    found = np.column_stack([points, np.ones(len(points))]) @ camera.to_pixels.T
+    return found[:, :3] / found[:, 3:]
+
+
+def on_screen(camera, x: float, y: float, depth: float) -> np.ndarray:
+    """The place (3,) mm that is seen at a pixel, at a depth from -1 (near) to 1."""
+    found = np.linalg.solve(camera.to_pixels, np.array([x, y, depth, 1.0]))
+    return found[:3] / found[3]
+
+
+def put(coordinates, points) -> None:
+    """Writes points (n, 3) into an SoCoordinate3."""
+    coordinates.point.setNum(len(points))
+    for k, point in enumerate(points):
+        coordinates.point.set1Value(k, *(float(c) for c in point))

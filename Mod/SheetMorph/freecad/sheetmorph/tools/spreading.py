@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Marks on a screen that do not hide each other; needs no FreeCAD."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+WAYS = 16  # directions in which a free place is looked for
+STEP = 0.5  # of the least distance: how much farther the next round looks
+
+
+def spread(places: np.ndarray, least: float, taken: tuple = ()) -> np.ndarray:
+    """Return places (n, 2) px near the given ones, at least so far from each other.
+
+    ``taken``: pairs of a place (2,) and the distance, px, that all keep from it. The first places
+    stay where they are if they can.
+    """
+    kept: list[tuple[np.ndarray, float]] = [(np.asarray(at, float), far) for at, far in taken]
+    found = []
+    for place in np.asarray(places, float).reshape(-1, 2):
+        free = next(spot for spot in _spots(place, least) if _is_free(spot, kept))
+        kept.append((free, least))
+        found.append(free)
+    return np.array(found).reshape(-1, 2)
+
+
+def _spots(place: np.ndarray, least: float):
+    """A place and, farther and farther, those around it; the first way is up."""
+    yield place
+    radius = 0.0
+    while True:
+        radius += STEP * least
+        for k in range(WAYS):
+            turn = math.pi / 2 - 2.0 * math.pi * k / WAYS
+            yield place + radius * np.array([math.cos(turn), math.sin(turn)])
+
+
+def _is_free(spot: np.ndarray, kept: list) -> bool:
+    return all(np.linalg.norm(spot - at) >= far - 1e-9 for at, far in kept)
