@@ -20,6 +20,7 @@ from freecad.sheetmorph.bridge.solving import (
     FAILURES,
     ControlMesh,
     Morph,
+    SessionCache,
     cache_of,
     read_morph,
     shown_control_mesh,
@@ -93,13 +94,16 @@ class Reached:
 class LiveSession:
     """Answers poses of one assembly with the positions of its parts."""
 
-    def __init__(self, assembly):
-        """Build or find the session of `assembly`; raises MorphError, one sentence."""
+    def __init__(self, assembly, morph: Morph | None = None, cache: SessionCache | None = None):
+        """Build or find the session of `assembly`; raises MorphError, one sentence.
+
+        `morph`, `cache`: where they are given, the document is not touched.
+        """
         self._assembly = assembly
         self._shown: Frame | None = None
-        self._cache = cache_of(assembly)
+        self._cache = cache or cache_of(assembly)
         try:
-            self._morph: Morph = read_morph(assembly)
+            self._morph: Morph = morph or read_morph(assembly)
             held = self._morph.is_held()
             self._session = self._cache.session(self._morph) if held else None
             self._live = self._session and kernel.load().LiveFrames(self._session)

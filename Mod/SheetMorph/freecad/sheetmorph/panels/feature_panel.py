@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of a form feature: how it turns, what it may do, its size, and its relations."""
 
-from freecad.sheetmorph import actions, api
-from freecad.sheetmorph.bridge import live_session
+from freecad.sheetmorph import actions, api, reporting
+from freecad.sheetmorph.bridge import live_session, solving
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing import transactions
 from freecad.sheetmorph.editing.session import EditingSession
@@ -11,6 +11,7 @@ from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS,
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
 from freecad.sheetmorph.panels import keeping
 from freecad.sheetmorph.panels.base import Panel, say
+from freecad.sheetmorph.interaction.frame_worker import FrameWorker
 from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.tools import words
@@ -63,6 +64,8 @@ class FeaturePanel(Panel):
         self._pause.timeout.connect(lambda: session.when_free(self._show_changes))
         session.at_end(self._end_drawing)
         session.at_end(self._pause.stop)
+        self._worker = FrameWorker(self._compute, self)
+        session.at_end(self._worker.stop)
         self._prepare_widgets()
         self._show_values()
         self._refresh()
@@ -115,15 +118,41 @@ class FeaturePanel(Panel):
         self._shown = None
 
     def _try(self, changes: list[Change]) -> None:
-        """Draws the changes; raises what is wrong with them. The document stays as it is."""
-        with actions.waiting(), transactions.trial(self._feature.Document, "Form Feature"):
+        """Begins to draw the changes; raises what is wrong with them as such. The document stays
+        as it is."""
+        with transactions.trial(self._feature.Document, "Form Feature"):
             for function, arguments, keywords in changes:
                 getattr(api, function)(*arguments, **keywords)
-            live = live_session.live(self._assembly)
-            frame = live.answer(live.ask(exact=True))
-            self._end_drawing()
-            self._shown = LiveScene(self._assembly, live, None)
-            self._shown.show(frame, None, None)
+            morph = solving.read_morph(self._assembly)
+        self._worker.ask((morph, solving.cache_of(self._assembly)))
+
+    # -- what the worker calls
+
+    def _compute(self, question):
+        """In the thread: the solution and its frame; OK finds the answer."""
+        morph, cache = question
+        with reporting.told_to(self._goes_on):
+            live = live_session.LiveSession(None, morph, cache)
+            asked = live_session.Question(morph.pose, (), True)
+            return live, live.answer(asked, self._goes_on)
+
+    def _goes_on(self, _fraction: float, _task: str) -> bool:
+        return self._worker.is_free
+
+    def on_answer(self, answer) -> None:
+        """Draws what OK would do."""
+        live, frame = answer
+        self._end_drawing()
+        self._shown = LiveScene(self._assembly, live, None)
+        self._shown.show(frame, None, None)
+        say(self.form.message, "")
+
+    def on_fault(self, text: str) -> None:
+        """What is not possible."""
+        say(self.form.message, text, True)
+
+    def on_progress(self, _task: str) -> None:
+        """Nothing is said of it."""
 
     def _changes(self) -> list[Change]:
         """The calls of the API that change what is different now."""
