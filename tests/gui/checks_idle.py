@@ -89,9 +89,6 @@ def panels() -> dict:
     """How each panel is opened and what is changed in it."""
     sheet = assembly().Primary or model.parts(assembly())[0]
 
-    def invert() -> None:
-        child("invert").click()
-
     found = {
         "Move Handle": (lambda: open_by("MoveHandle", regions("handle")[0]), None),
         "Blend Poses": (
@@ -102,13 +99,13 @@ def panels() -> dict:
         "region": (lambda: edit(regions("fixed")[0]), None),
         "Form Feature": (lambda: open_by("FeatureSettings", regions("form feature")[0]), None),
         "Find Features": (lambda: open_by("FindFeatures"), None),
-        "Find Contacts": (lambda: open_by("FindContacts"), None),
         "Propagation": (lambda: open_by("Propagation"), None),
         "Prepare Mesh": (lambda: open_by("PrepareMesh", sheet), None),
         "Thickness": (lambda: open_by("ThicknessMap", sheet), None),
         "Study": (lambda: open_by("Study"), None),
     }
     if contacts():
+        found["Find Contacts"] = (lambda: open_by("FindContacts"), None)
         found["contact"] = (lambda: edit(contacts()[0]), None)
     return found
 
