@@ -84,7 +84,7 @@ class Panel:
             self.session.put_selection_aside()
         if hasattr(self.session, "document"):
             finishing().hold(self.session)
-            self.session.over.connect(lambda: finishing().release(self.session))
+            self.session.over.connect(self._release)  # Qt would keep a function for ever
         self.session.ending.connect(self._fade)
         self.session.over.connect(self._close)
         Gui.Control.showDialog(self)
@@ -127,6 +127,10 @@ class Panel:
         """Nothing can be typed into what is about to go."""
         if self.form is not None:
             self.form.setEnabled(False)
+
+    def _release(self) -> None:
+        """Shapes may come into the document again."""
+        finishing().release(self.session)
 
     def _close(self) -> None:
         if self.form is not None:
