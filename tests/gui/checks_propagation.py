@@ -112,7 +112,8 @@ def test_type_mode_and_propagation_are_changed_in_the_panel():
     yield from choose_below(child("mode"), 1)
     assert bracket.Mode.startswith("1")
     yield from choose_below(child("kind"), 1)
-    assert assembly().Propagation == "single" and assembly().Unreached == []
+    assert assembly().Propagation == "single"
+    yield from until(lambda: assembly().Unreached == [], "every part to be reached")
     yield from choose_below(child("kind"), 1)
     assert assembly().Propagation == "whole"
     assert not any(child(key).isEnabled() for key in ("levels", "smoothness", "meshes", "mode"))
