@@ -33,6 +33,7 @@ class StudyPanel(Panel):
     """
 
     width = 480  # for tables
+    lines = 0  # its tables need the room
 
     def __init__(self, session, assembly, study):
         super().__init__(session, "study", "Study", "Study")
@@ -49,21 +50,6 @@ class StudyPanel(Panel):
         session.changed.connect(self._follow)
         self._prepare_widgets()
         self._fill()
-
-    def present(self) -> None:
-        """Shows the panel; the table of variants takes the room that is left."""
-        super().present()
-        QtCore.QTimer.singleShot(0, self._use_room)
-
-    def _use_room(self) -> None:
-        if self.form is None:
-            return
-        areas = Gui.getMainWindow().findChildren(QtWidgets.QScrollArea)
-        area = next((one for one in areas if one.isAncestorOf(self.form)), None)
-        if area is not None and area.widget() is not None:
-            room = area.viewport().height() - area.widget().sizeHint().height()
-            least = self.form.results.minimumHeight()
-            self.form.results.setMinimumHeight(least + max(0, room))
 
     def keep(self) -> bool:
         """OK: one undo step of what is typed, if it is anything new."""
