@@ -37,10 +37,6 @@ class StudyProxy(ObjectProxy):
         super().onDocumentRestored(obj)
         orphans.tell(obj)
 
-    def execute(self, obj) -> None:
-        """Say that it is in no morph; else a study is computed when the user says so."""
-        orphans.require_morph(obj)
-
 
 def keep_parameters(study, parameters: list[Parameter]) -> None:
     """Store parameters, and links to the objects whose numbers they are."""
