@@ -34,16 +34,13 @@ class Lines:
 
     def of(self, fault: Fault) -> Fault:
         """The fault with line and column of its place, or of the nearest entry around it."""
-        around = [place for place in self._places if is_within(fault.where, place)]
+        where = fault.where  # its beginnings are tried, not each place of the file
+        ends = [len(where), *(k for k in range(len(where)) if where[k] in ".[")]
+        around = [where[:k] for k in ends if where[:k] in self._places]
         if not around:
             return fault
         line, column = self._places[max(around, key=len)]
         return replace(fault, where=f"line {line}, column {column}, {fault.where}")
-
-
-def is_within(where: str, place: str) -> bool:
-    """Whether a place of `place_of` is another one, or a step or more further in."""
-    return where[: len(place)] == place and where[len(place) :][:1] in ("", ".", "[")
 
 
 def repeated_key(text: str) -> tuple[int, int] | None:
