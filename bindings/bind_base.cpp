@@ -19,24 +19,6 @@ namespace
 // Raised with every change of the module's interface; the package and the workbench compare it.
 constexpr int kernel_api = 1;
 
-void translate_faults(std::exception_ptr thrown)
-{
-    const auto type = [](const char* name)
-    { return py::module_::import("sheetmorph._core").attr(name); };
-    try
-    {
-        std::rethrow_exception(std::move(thrown));
-    }
-    catch (const InvalidInput& error)
-    {
-        set_error(type("InvalidInput"), error.fault());
-    }
-    catch (const SolverError& error)
-    {
-        set_error(type("SolverError"), error.fault());
-    }
-}
-
 py::function without_traceback(const py::function& method)
 {
     const auto raise = [method](const py::args& arguments)
@@ -54,7 +36,7 @@ void bind_errors(py::module_& module)
 {
     py::register_exception<InvalidInput>(module, "InvalidInput", PyExc_ValueError);
     py::register_exception<SolverError>(module, "SolverError", PyExc_RuntimeError);
-    py::register_exception_translator(translate_faults);
+    py::register_exception_translator(translate_errors);
     py::register_exception<NoDerivative>(module, "NoDerivative", PyExc_RuntimeError);
     py::register_exception<Cancelled>(module, "Cancelled", PyExc_RuntimeError);
     module.def(

@@ -43,8 +43,6 @@ py::list numbered(const Fault& fault)
     return numbers;
 }
 
-}  // namespace
-
 void set_error(const py::handle& type, const Fault& fault)
 {
     py::object error = type(fault.sentence());
@@ -57,6 +55,30 @@ void set_error(const py::handle& type, const Fault& fault)
     error.attr("objects") = pairs_of(subjects.empty() ? fault.on : subjects);
     error.attr("vertices") = numbered(fault);
     PyErr_SetObject(type.ptr(), error.ptr());
+}
+
+}  // namespace
+
+void translate_errors(std::exception_ptr thrown)
+{
+    const auto type = [](const char* name)
+    { return py::module_::import("sheetmorph._core").attr(name); };
+    try
+    {
+        std::rethrow_exception(std::move(thrown));
+    }
+    catch (const InvalidInput& error)
+    {
+        set_error(type("InvalidInput"), error.fault());
+    }
+    catch (const Cancelled& error)
+    {
+        PyErr_SetString(py::object(type("Cancelled")).ptr(), error.what());
+    }
+    catch (const SolverError& error)
+    {
+        set_error(type("SolverError"), error.fault());
+    }
 }
 
 }  // namespace sheetmorph

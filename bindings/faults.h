@@ -5,13 +5,16 @@
 
 #include <pybind11/pybind11.h>
 
+#include <exception>
+
 namespace sheetmorph
 {
 
-//! Sets the Python error: an exception whose attributes tell the fault, so that nobody has to read
-//! its text. what, brief (without numbers of vertices), todo, code; where: the part that stands in
-//! front; objects: pairs of kind and name, those at fault, of a part alone that part; vertices: the
-//! listed ones, as the part's file numbers them.
-void set_error(const pybind11::handle& type, const Fault& fault);
+//! Makes an error of the kernel the exception of that name in sheetmorph._core, for every module.
+//! InvalidInput and SolverError have their fault as attributes. what, brief (without numbers of
+//! vertices), todo, code; where: the part that stands in front; objects: pairs of kind and name,
+//! those at fault, of a part alone that part; vertices: the listed ones, as the part's file numbers
+//! them.
+void translate_errors(std::exception_ptr thrown);
 
 }  // namespace sheetmorph

@@ -146,33 +146,6 @@ void bind_part(py::module_& module)
             "empty, or that the meshing of a face did not end, and how far it got");
 }
 
-// Kernel errors are those of sheetmorph._core, also when they are thrown here.
-void share_errors()
-{
-    py::register_local_exception_translator(
-        [](std::exception_ptr thrown)
-        {
-            const auto type = [](const char* name)
-            { return py::module_::import("sheetmorph._core").attr(name); };
-            try
-            {
-                std::rethrow_exception(std::move(thrown));
-            }
-            catch (const InvalidInput& error)
-            {
-                set_error(type("InvalidInput"), error.fault());
-            }
-            catch (const Cancelled& error)
-            {
-                PyErr_SetString(py::object(type("Cancelled")).ptr(), error.what());
-            }
-            catch (const SolverError& error)
-            {
-                set_error(type("SolverError"), error.fault());
-            }
-        });
-}
-
 CadMeshing meshing_from(const py::dict& sizes)
 {
     CadMeshing meshing;
@@ -335,7 +308,7 @@ PYBIND11_MODULE(_cad, module)
 {
     module.doc() = "CAD files as meshes whose faces are known.";
     module.attr("__version__") = SHEETMORPH_VERSION;
-    sheetmorph::share_errors();
+    py::register_local_exception_translator(&sheetmorph::translate_errors);
     sheetmorph::bind_surface(module);
     sheetmorph::bind_feature(module);
     sheetmorph::bind_model(module);

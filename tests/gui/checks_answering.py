@@ -70,7 +70,7 @@ class SlowSolves:
         self._kind.deform = self._before
 
 
-def timed(act, told: str, bound: float = BOUND):
+def timed(act, act_name: str, bound: float = BOUND):
     """Does something and waits until the event loop is idle; how long that took is in ``found``."""
     found, begin = [], time.monotonic()
 
@@ -79,10 +79,10 @@ def timed(act, told: str, bound: float = BOUND):
 
     act()
     QtCore.QTimer.singleShot(0, lambda: QtCore.QTimer.singleShot(0, is_idle))
-    yield from until(lambda: found, f"{told} to be answered")
+    yield from until(lambda: found, f"{act_name} to be answered")
     taken = found[0]
-    note(f"{told}: idle after {1000.0 * taken:.0f} ms")
-    assert taken < bound, f"{told}: {taken:.2f} s"
+    note(f"{act_name}: idle after {1000.0 * taken:.0f} ms")
+    assert taken < bound, f"{act_name}: {taken:.2f} s"
 
 
 def click(text: str, bound: float = BOUND):

@@ -90,9 +90,10 @@ def preview() -> None:
 
 def a_study():
     """A study of the second handle that is not done before something is done to it."""
-    known = model.studies(assembly())
     parameters = [("lift", second_handle(), "TranslationZ", 0.0, 20.0)]
-    return known[0] if known else api.add_study(assembly(), parameters=parameters, count=500)
+    if not model.studies(assembly()):
+        with_step("A Study", lambda: api.add_study(assembly(), parameters=parameters, count=500))
+    return model.studies(assembly())[0]
 
 
 def run_study() -> None:

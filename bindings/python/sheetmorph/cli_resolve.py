@@ -24,7 +24,7 @@ def add_resolve_arguments(commands: Any) -> None:
 
 
 def run_resolve(wanted: argparse.Namespace, files: FileSet) -> list[str]:
-    """Resolve, and write or returns the recipe. Raises RecipeError."""
+    """Resolve, and write or return the recipe. Raises RecipeError, FileError."""
     # Imported here, so that --help answers at once.
     from .running import resolve
 

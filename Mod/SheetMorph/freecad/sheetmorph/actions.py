@@ -137,12 +137,18 @@ def refuse(fault) -> None:
 
 
 def attempt(title: str, *lines: str, document=None) -> bool:
-    """As :func:`run`; an error is told to the user, and False is returned."""
+    """As :func:`run`; reports an error, and returns False then."""
+    return has_done(title, lambda: run(title, *lines, document=document))
+
+
+def has_done(title: str, act) -> bool:
+    """Whether ``act()`` came to its end. Else the user has cancelled it, or the error is
+    reported: an unforeseen one, too."""
     try:
-        run(title, *lines, document=document)
+        act()
     except Cancelled:
         return False
-    except Exception as error:  # what is no fault is told as a mistake of the program
+    except Exception as error:
         tell(title, error)
         return False
     return True
@@ -160,14 +166,14 @@ def wait(title: str, *lines: str) -> bool:
 
 def tell(title: str, error: Exception | str) -> None:
     """Tells the user what went wrong: in the report view, and as FreeCAD tells its own errors."""
-    sentence = told(error)
+    sentence = reported(error)
     if not generations.shows_errors():
         QtWidgets.QMessageBox.warning(Gui.getMainWindow(), title, sentence)
 
 
-def told(error: Exception | str) -> str:
-    """Tells an error in the report view and returns it: a foreseen one as one sentence; any other
-    is a mistake of the program, with the traceback that a report of it needs."""
+def reported(error: Exception | str) -> str:
+    """Writes an error to the report view and returns its sentence. An unforeseen one is a mistake
+    of the program: its traceback comes first."""
     sentence = str(faults.fault_of(error))
     if not is_foreseen(error):
         text = translate(
@@ -180,7 +186,7 @@ def told(error: Exception | str) -> str:
 
 
 def is_foreseen(error: Exception | str) -> bool:
-    """Whether an error is one that the program tells on purpose, in words."""
+    """Whether the program raises such an error on purpose, with a sentence for the user."""
     is_known = isinstance(error, (str, *FORESEEN)) and not isinstance(error, RecursionError)
     return is_known and bool(str(error).strip())
 

@@ -30,7 +30,7 @@ class Door:
 give_looks = Door()
 """Called with a new document object: its view provider, where there is a window."""
 without_traceback = Door()
-"""Called with a method that returns an exception or None: a function that raises it, such that what
-reports it has no traceback to show; the exception is one that a person is told."""
+"""Called with a method that returns an exception or None. Returns a function that raises the
+exception without a traceback: it holds a sentence for the user."""
 new_solver = Door()
 """Returns what solves one assembly and keeps its sessions."""

@@ -44,9 +44,9 @@ def warning_of(caution, names: Names) -> Fault:
     return Fault(str(caution), *objects_in(caution, names), code=caution.code)
 
 
-def objects_in(told, names: Names) -> list[str]:
+def objects_in(message, names: Names) -> list[str]:
     """Return the names of the objects that a fault or a warning of the package is about."""
-    keys = [(LISTS.get(subject.kind, "region"), subject.name) for subject in told.objects]
+    keys = [(LISTS.get(subject.kind, "region"), subject.name) for subject in message.objects]
     return list(dict.fromkeys(names[key] for key in keys if key in names))
 
 

@@ -40,8 +40,8 @@ def findings_of(session, result, objects: Names) -> Findings:
     opened = kernel.load().open_contacts(result)
     warnings = {contacts[name]: text for name, text in opened.items()}
     order, unreached = tuple(session.order), tuple(session.unreached)
-    told = tuple(warning_of(caution, objects) for caution in result.warnings())
-    return Findings(order, unreached, fidelity, warnings, told)
+    sentences = tuple(warning_of(caution, objects) for caution in result.warnings())
+    return Findings(order, unreached, fidelity, warnings, sentences)
 
 
 def steps_of(session, parts: dict[str, str], contacts: dict[str, str]) -> list[Step]:

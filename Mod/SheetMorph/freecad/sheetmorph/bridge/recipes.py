@@ -41,8 +41,8 @@ RELATION_KEYS = {GROUP: "groups", COAXIAL: "coaxial", DISTANCE: "distance"}
 def names_of(assembly) -> dict[str, str]:
     """Return the recipe's name of every part, region, contact, relation by document object name.
 
-    Labels, because the user reads them; a label that is taken, by what an imported recipe held
-    beyond regions too, gets the object's own name behind it.
+    Labels, because the user reads them. A label that another object or an entry of the imported
+    recipe has gets the object's own name behind it.
     """
     return {found: name for (_, name), found in objects_of(assembly).items()}
 

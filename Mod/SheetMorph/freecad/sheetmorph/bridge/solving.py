@@ -216,7 +216,7 @@ class SessionCache:
             kept = self._outcomes.get(morph.answer_key)
             coming = self._coming.get(morph.answer_key)
         if kept is None and coming is not None:
-            kept = reporting.waited_for(lambda told: awaited(coming, told))
+            kept = reporting.waited_for(lambda progress: awaited(coming, progress))
         if kept is None:
             return self._solved(morph)
         if kept.failure:
@@ -301,10 +301,10 @@ class SessionCache:
                 store.popitem(last=False)
 
 
-def awaited(coming: Future, told: reporting.Progress | None) -> Outcome | None:
+def awaited(coming: Future, progress: reporting.Progress | None) -> Outcome | None:
     """Return what another thread computes, None if it was stopped."""
     while not wait([coming], timeout=LOOK).done:
-        if told is not None and not told(0.0, ""):
+        if progress is not None and not progress(0.0, ""):
             raise kernel.core().Cancelled("Cancelled while another thread computes this shape.")
     return coming.result()
 

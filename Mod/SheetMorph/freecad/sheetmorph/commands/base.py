@@ -55,10 +55,10 @@ class Command:
         Guide.make_room(self._run)
 
     def _run(self) -> None:
-        """What goes wrong is told in words."""
+        """Reports every error, an unforeseen one, too."""
         try:
             self.execute()
-        except Exception as error:  # what is no fault is told as a mistake of the program
+        except Exception as error:
             actions.tell(self.text, error)
 
     def possible(self) -> bool:

@@ -6,7 +6,7 @@ the step as soon as somebody else opens one, and undoes all of it at once. After
 of it, it is parked in two steps of the document: what is left, and what a redo brings back.
 
 An exception on the way leaves neither an open step nor a pending pose to the next panel: after
-`take_back` the document has the pose of the beginning, whatever went wrong before or in it.
+`take_back` the document has the pose of the beginning, even if a write failed before or in it.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ STOPPED = "Not computed: recompute the document to get the final shape."
 
 
 class Finish(QtCore.QObject):
-    """One morph until its parts have their final shape, or nobody wants it any more."""
+    """Computes one morph until its parts have their final shape, or it is stopped."""
 
     def __init__(self, assembly, is_quiet: bool):
         super().__init__()
@@ -135,7 +135,7 @@ class Finish(QtCore.QObject):
         return self._cache.compute(morph, self._goes_on)
 
     def _goes_on(self, fraction: float, task: str) -> bool:
-        """In the thread: whether the answer is still wanted."""
+        """In the thread: whether to go on."""
         self._fraction = fraction
         self._worker.tell(task)
         return self._worker.is_free
@@ -190,8 +190,8 @@ class Finishing(QtCore.QObject):
             self._timer.start()
 
     def is_quick(self, assembly) -> bool:
-        """Whether a recompute of a morph needs no time any more: its answer is waited for as long
-        as nobody notices. What was begun goes on."""
+        """Whether a recompute of a morph takes no time, after a wait of `PATIENCE` at most. The
+        solve goes on in the background otherwise."""
         begin = time.monotonic()
         job = self._jobs.get((assembly.Document.Name, assembly.Name))
         if job is None or job.is_over:
@@ -233,8 +233,8 @@ class Finishing(QtCore.QObject):
                 job.stop()
 
     def _is_held(self, job) -> bool:
-        """A panel that moves handles shows them itself, and lets nothing come between its steps but
-        what it has asked for."""
+        """Whether an open panel keeps shapes out of its document: one that moves handles shows the
+        parts itself."""
         return any(
             job.is_in(session.document)
             and (not session.goes_along or (job.is_quiet and session.pending is not None))
@@ -279,7 +279,7 @@ class Finishing(QtCore.QObject):
     slotRedoDocument = slotUndoDocument
 
     def slotDeletedDocument(self, document) -> None:
-        """Nothing of it is wanted any more."""
+        """Stops what was computed for it."""
         self._opened = [one for one in self._opened if one != document]
         for job in self._jobs.values():
             if job.is_in(document) and not job.is_over:
@@ -287,7 +287,7 @@ class Finishing(QtCore.QObject):
 
 
 def is_free(job) -> bool:
-    """Whether nobody is at work in the document of a morph, nor has a step open there."""
+    """Whether no recompute, open step or dialog is in the way of changing the document."""
     document = job.assembly().Document
     if document.Recomputing or document.Restoring or document.Transacting:
         return False
@@ -297,8 +297,7 @@ def is_free(job) -> bool:
 
 
 def due_in(document) -> list:
-    """The morphs of a document whose parts do not have the shape that was asked for, if they can
-    be computed at all."""
+    """The morphs of a document whose parts have an earlier shape; none without the kernel."""
     if not kernel.is_available():
         return []
     morphs = [obj for obj in document.Objects if model.kind(obj) == model.ASSEMBLY]
@@ -324,7 +323,7 @@ def known_failure(assembly) -> str:
 
 
 def tell(label: str, text: str) -> None:
-    """Tells that a shape failed, without making anybody wait."""
+    """Reports that a shape failed, in a window that blocks nothing."""
     App.Console.PrintError(f"SheetMorph: {text}\n")
     title = translate("SheetMorph_panels", "The shape of {0} failed").format(label)
     box = QtWidgets.QMessageBox(

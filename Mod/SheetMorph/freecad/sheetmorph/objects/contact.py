@@ -3,11 +3,10 @@
 
 from __future__ import annotations
 
-from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import CONTACT
+from freecad.sheetmorph.objects.orphans import MemberProxy
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
-from freecad.sheetmorph.objects.proxy import ObjectProxy
 
 CONTROL_MESH, TIED, RIGID = "control mesh", "tied", "rigid"
 TYPES = [CONTROL_MESH, TIED, RIGID]
@@ -30,7 +29,7 @@ KEPT_DOC = (
 WARNING_DOC = "Why the contact opens or closes too far, and what to do; empty if it does not"
 
 
-class ContactProxy(ObjectProxy):
+class ContactProxy(MemberProxy):
     """Proxy of a contact between vertices of two parts; which of them leads is found out."""
 
     Type = CONTACT
@@ -49,11 +48,6 @@ class ContactProxy(ObjectProxy):
         Property("String", "Warning", "Result", WARNING_DOC, None, READ_ONLY, is_output=True),
     )
 
-    def onDocumentRestored(self, obj) -> None:
-        super().onDocumentRestored(obj)
+    def restore(self, obj) -> None:
+        """Join the morph of its first part."""
         join_assembly(obj, obj.PartA)
-        orphans.tell(obj)
-
-    def execute(self, obj) -> None:
-        """Say that it is in no morph; else the deformation that depends on the contact reads it."""
-        orphans.require_morph(obj)

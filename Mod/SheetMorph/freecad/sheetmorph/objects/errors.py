@@ -5,17 +5,17 @@ from __future__ import annotations
 
 OTHER = "other"
 UNHELD, OVERLAP, TORN = "unheld", "overlap", "torn"
-"""What the kernel calls faults that have a cure of their own."""
+"""Codes of the kernel for the faults that a button cures."""
 
 UNREACHED, OPEN_CONTACT = "unreached", "open contact"
-"""What the package calls warnings that a panel tells in a way of its own."""
+"""Codes of the warnings that a panel shows in a place of their own."""
 
 
 class Fault(str):
     """A sentence (where, what, what to do) that knows what it is about.
 
     `objects`: document object names of the parts, regions, contacts and relations at fault;
-    `code`: what kind of fault it is. Nobody reads either from the words, which hold labels.
+    `code`: what kind of fault it is. The words say neither: they hold labels of the user.
     """
 
     objects: tuple[str, ...]

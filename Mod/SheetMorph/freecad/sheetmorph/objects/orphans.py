@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Objects that came into a document without the morph they belong to."""
+"""Regions, contacts, relations, poses and studies belong to a morph; a copy may lose it."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import FreeCAD
 from freecad.sheetmorph.kinds import CONTACT, DEFORMATION, POSE, REGION, RELATION, STUDY, kind
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.objects.model import assembly_of
+from freecad.sheetmorph.objects.proxy import Execution, ObjectProxy
 
 WORDS = {REGION: "Region", CONTACT: "Contact", RELATION: "Relation"}
 WORDS |= {POSE: "Pose", STUDY: "Study"}
@@ -28,16 +29,25 @@ def fault_of(obj) -> str:
     return f"{what} is in no morph and does nothing: drag it onto its morph, or delete it."
 
 
-def require_morph(obj) -> None:
-    """Raise MorphError for an object in no morph: FreeCAD marks it in the tree."""
-    fault = fault_of(obj)
-    if fault:
-        raise MorphError(fault)
+class MemberProxy(ObjectProxy):
+    """Proxy of an object that only does something in a morph. Without one, FreeCAD marks it in the
+    tree."""
 
+    execute = Execution()
 
-def tell(obj) -> None:
-    """Say at once in the report view that an object was pasted without its morph."""
-    fault = fault_of(obj)
-    if fault:
-        FreeCAD.Console.PrintWarning(f"SheetMorph: {fault}\n")
-        obj.touch()
+    def computed(self, obj) -> MorphError | None:
+        """Return what is wrong with an object in no morph. Else the morph reads it."""
+        fault = fault_of(obj)
+        return MorphError(fault, obj) if fault else None
+
+    def onDocumentRestored(self, obj) -> None:
+        """Bring an object up to date, and report at once if it was pasted without its morph."""
+        super().onDocumentRestored(obj)
+        self.restore(obj)
+        fault = fault_of(obj)
+        if fault:
+            FreeCAD.Console.PrintWarning(f"SheetMorph: {fault}\n")
+            obj.touch()
+
+    def restore(self, obj) -> None:
+        """Do what else an object of a document needs that was opened or pasted."""

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 import json
 
-from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.model import POSE
+from freecad.sheetmorph.objects.orphans import MemberProxy
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
-from freecad.sheetmorph.objects.proxy import ObjectProxy
 from freecad.sheetmorph.tools.poses import Pose, from_text, to_text
 
 
-class PoseProxy(ObjectProxy):
+class PoseProxy(MemberProxy):
     """Proxy of a pose; nothing depends on it."""
 
     Type = POSE
@@ -21,14 +20,6 @@ class PoseProxy(ObjectProxy):
         Property("String", "Sizes", "Pose", "Sizes of form features by region", "", HIDDEN),
         Property("LinkListHidden", "Regions", "Pose", "The regions, by their names", mode=HIDDEN),
     )
-
-    def onDocumentRestored(self, obj) -> None:
-        super().onDocumentRestored(obj)
-        orphans.tell(obj)
-
-    def execute(self, obj) -> None:
-        """Say that it is in no morph; else a pose is only kept."""
-        orphans.require_morph(obj)
 
 
 def keep_motions(pose, motions: Pose, sizes: dict[str, float]) -> None:

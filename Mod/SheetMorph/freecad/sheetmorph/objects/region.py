@@ -7,11 +7,10 @@ from dataclasses import replace
 
 import FreeCAD
 
-from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import REGION
+from freecad.sheetmorph.objects.orphans import MemberProxy
 from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
-from freecad.sheetmorph.objects.proxy import ObjectProxy
 from freecad.sheetmorph.tools.motion import Motion
 
 FIXED, HANDLE, FORM_FEATURE, FOLLOWER = "fixed", "handle", "form feature", "follower"
@@ -80,7 +79,7 @@ SHOWING = ("Role", "PivotAtCentroid", "FreeRotation", "Rotation", "Motion")
 """Properties on which it depends which others are shown."""
 
 
-class RegionProxy(ObjectProxy):
+class RegionProxy(MemberProxy):
     """Proxy of a region; all properties exist whatever the role, those of the role are shown."""
 
     Type = REGION
@@ -90,21 +89,16 @@ class RegionProxy(ObjectProxy):
         super().__init__(obj)
         show_properties_of_role(obj)
 
-    def onDocumentRestored(self, obj) -> None:
-        super().onDocumentRestored(obj)
+    def restore(self, obj) -> None:
+        """Offer what a newer version has, and join the morph of its part."""
         offer_all_rotations(obj)
         show_properties_of_role(obj)
         join_assembly(obj, obj.Part)
-        orphans.tell(obj)
 
     def onChanged(self, obj, name: str) -> None:
         """Follow a change of role or of the kind of pivot in the property editor."""
         if name in SHOWING and is_complete(obj):
             show_properties_of_role(obj)
-
-    def execute(self, obj) -> None:
-        """Say that it is in no morph; else the deformation that depends on the region reads it."""
-        orphans.require_morph(obj)
 
 
 def is_complete(obj) -> bool:

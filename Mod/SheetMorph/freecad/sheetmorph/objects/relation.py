@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.model import RELATION
+from freecad.sheetmorph.objects.orphans import MemberProxy
 from freecad.sheetmorph.objects.properties import Property
-from freecad.sheetmorph.objects.proxy import ObjectProxy
 
 GROUP, COAXIAL, DISTANCE = "group", "coaxial", "distance"
 RELATIONS = [GROUP, COAXIAL, DISTANCE]
@@ -16,7 +15,7 @@ RELATION_DOC = (
 )
 
 
-class RelationProxy(ObjectProxy):
+class RelationProxy(MemberProxy):
     """Proxy of a relation; it is used as long as all its form features exist."""
 
     Type = RELATION
@@ -24,11 +23,3 @@ class RelationProxy(ObjectProxy):
         Property("Enumeration", "Type", "Relation", RELATION_DOC, RELATIONS),
         Property("LinkList", "Features", "Relation", "The form features"),
     )
-
-    def onDocumentRestored(self, obj) -> None:
-        super().onDocumentRestored(obj)
-        orphans.tell(obj)
-
-    def execute(self, obj) -> None:
-        """Say that it is in no morph; else the deformation that needs the relation reads it."""
-        orphans.require_morph(obj)

@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import json
 
-from freecad.sheetmorph.objects import orphans
 from freecad.sheetmorph.objects.model import STUDY
+from freecad.sheetmorph.objects.orphans import MemberProxy
 from freecad.sheetmorph.objects.properties import HIDDEN, Property
-from freecad.sheetmorph.objects.proxy import ObjectProxy
 from freecad.sheetmorph.tools import studies
 from freecad.sheetmorph.tools.studies import METHODS, Parameter
 
@@ -18,7 +17,7 @@ CRITERIA_DOC = (
 FOLDER_DOC = "Where recipe, study and variants are written; empty: only the table is kept"
 
 
-class StudyProxy(ObjectProxy):
+class StudyProxy(MemberProxy):
     """Proxy of a study; nothing depends on it."""
 
     Type = STUDY
@@ -32,10 +31,6 @@ class StudyProxy(ObjectProxy):
         Property("Path", "Folder", "Study", FOLDER_DOC),
         Property("String", "Results", "Study", "The table, as JSON", "", HIDDEN, is_output=True),
     )
-
-    def onDocumentRestored(self, obj) -> None:
-        super().onDocumentRestored(obj)
-        orphans.tell(obj)
 
 
 def keep_parameters(study, parameters: list[Parameter]) -> None:

@@ -37,14 +37,14 @@ class FaultBar(QtCore.QObject):
         self.say("")
 
     def say(self, wrong) -> None:
-        """Shows what is wrong, told in the report view once: a fault, an error, or empty if nothing
-        is."""
+        """Shows a fault or an error, and reports it once in the report view; empty: shows
+        nothing."""
         fault = fault_of(wrong)
         is_new = self._fault is None or not fault.is_same(self._fault)
         if is_new:
             self._text = str(fault)
             if isinstance(wrong, Exception):
-                self._text = actions.told(wrong)
+                self._text = actions.reported(wrong)
             elif fault:
                 App.Console.PrintError(f"SheetMorph: {fault}\n")
         say(self._label, self._text, bool(self._text))

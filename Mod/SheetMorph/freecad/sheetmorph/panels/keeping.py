@@ -9,7 +9,7 @@ from freecad.sheetmorph.objects.errors import MorphError
 
 
 def keep(title: str, *lines: str, document) -> None:
-    """Runs lines as one undo step called ``title``; nobody waits for the shape.
+    """Runs lines as one undo step called ``title``, without waiting for the shape.
 
     A small morph is solved at once, and an error takes the step back, as in `actions.run`. The
     shape of a large one comes in the background, and so does what is wrong with it.
@@ -41,8 +41,8 @@ def slow_in(document) -> list:
 
 
 def known_fault(document, before: dict):
-    """What the new shape of a morph that was sound `before` is known to fail with; as a recompute
-    says it, see `faults.new_fault`; None if nothing is."""
+    """The fault of a new shape that was tried already, of a morph that was sound `before`; None
+    without one. `faults.new_fault` finds those that a recompute reports."""
     for morph in due_in(document):
         fault = known_failure(morph)
         if morph.Name not in before and faults.has_blame(morph, fault):
@@ -51,12 +51,5 @@ def known_fault(document, before: dict):
 
 
 def attempt(title: str, *lines: str, document) -> bool:
-    """As :func:`keep`; an error is told to the user, and False is returned."""
-    try:
-        keep(title, *lines, document=document)
-    except actions.Cancelled:
-        return False
-    except Exception as error:  # what is no fault is told as a mistake of the program
-        actions.tell(title, error)
-        return False
-    return True
+    """As :func:`keep`; reports an error, and returns False then."""
+    return actions.has_done(title, lambda: keep(title, *lines, document=document))

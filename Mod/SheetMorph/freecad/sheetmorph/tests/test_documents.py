@@ -179,11 +179,13 @@ class TestCopyingAndNames(support.DocumentTest):
         self.assertAlmostEqual(support.largest(found[:, 2]), 30.0, 4)
 
     def test_what_is_pasted_without_its_morph_says_so(self):
-        """Regions, contacts, relations and poses: each alone, or all of them."""
+        """Regions, contacts, relations, poses and studies: each alone, or all of them."""
         assembly, _, handle = self.add_morph()
         pose = api.save_pose(assembly, "High")
+        parameters = [("lift", handle, "TranslationZ", 0.0, 20.0)]
+        study = api.add_study(assembly, parameters=parameters, count=5)
         region = objects.regions(assembly)[0]
-        for alone in (region, handle, pose):
+        for alone in (region, handle, pose, study):
             other = self.new_document()
             copied = other.copyObject(alone, False)
             other.recompute()
