@@ -5,6 +5,7 @@ from freecad.sheetmorph import actions
 from freecad.sheetmorph.bridge import faults
 from freecad.sheetmorph.editing import transactions
 from freecad.sheetmorph.interaction.finishing import due_in, finishing, known_failure
+from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
 
 
@@ -33,6 +34,16 @@ def keep(title: str, *lines: str, document) -> None:
     finally:
         for morph in late:
             finishing().finish(morph)
+
+
+def present_fault(assembly, live) -> str:
+    """What is wrong with the pose that a panel shows, empty for nothing. ``live``: its LiveUpdate;
+    without one a recompute says at once why there is none."""
+    if live is not None:
+        return live.fault
+    with actions.waiting():
+        assembly.Document.recompute()
+    return model.failure_of(assembly)
 
 
 def slow_in(document) -> list:

@@ -10,7 +10,7 @@ from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import OPEN_CONTACT, UNREACHED
 from freecad.sheetmorph.objects.region import motion_of
-from freecad.sheetmorph.panels import progress, propagation_tree
+from freecad.sheetmorph.panels import keeping, progress, propagation_tree
 from freecad.sheetmorph.panels.base import Panel, legend, listed, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.panels.folding import Folds
@@ -101,7 +101,7 @@ class MovePanel(Panel):
         self._handles.unmake_unmoved()
         lines = self._handles.lines()
         if lines:
-            fault = self._fault()
+            fault = keeping.present_fault(self._handles.assembly, self._live)
             if fault:
                 self._faults.say(fault)
                 return False
@@ -129,15 +129,6 @@ class MovePanel(Panel):
             actions.tell("Deformed Shape", error)
             return
         actions.note(actions.call("update_shapes", actions.name(owner)))
-
-    def _fault(self) -> str:
-        """What is known to be wrong with the present pose, empty if nothing is. Without a solution
-        a recompute says at once why there is none."""
-        if self._live is not None:
-            return self._live.fault
-        with actions.waiting():
-            self.session.document.recompute()
-        return model.failure_of(self._handles.assembly)
 
     # -- following fields and mouse; the next five are what HandleDrag asks for
 

@@ -9,8 +9,7 @@ from freecad.sheetmorph import actions, api
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.api.poses import restore, snapshot
 from freecad.sheetmorph.editing.session import EditingSession
-from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.panels import progress
+from freecad.sheetmorph.panels import keeping, progress
 from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.panels.fault_bar import FaultBar
 from freecad.sheetmorph.interaction.live_update import LiveUpdate
@@ -59,7 +58,7 @@ class PosePanel(Panel):
         self._pending.gather()
         is_new = bool(self._pending.is_open and line)
         if is_new:
-            fault = self._fault()
+            fault = keeping.present_fault(self._assembly, self._live)
             if fault:
                 self._faults.say(fault)
                 return False
@@ -68,15 +67,6 @@ class PosePanel(Panel):
         if is_new and self._live is not None:
             self._live.finish()
         return True
-
-    def _fault(self) -> str:
-        """What is known to be wrong with the present pose, empty if nothing is. Without a solution
-        a recompute says at once why there is none."""
-        if self._live is not None:
-            return self._live.fault
-        with actions.waiting():
-            self._document.recompute()
-        return model.failure_of(self._assembly)
 
     def _prepare_widgets(self, pose) -> None:
         form = self.form
