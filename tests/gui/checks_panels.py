@@ -30,20 +30,18 @@ FAULT = (
 def test_every_panel_fits_a_small_window_and_shows_what_is_wrong():
     """The screen of these tests is 1000 px high, with title, menu and toolbars.
 
-    Study has two tables, and is scrolled.
+    Study has two tables and is scrolled, but not to see what is wrong.
     """
     yield from prepared()
     wrong = []
     for name, (opener, used, _) in PANELS.items():
-        if name == "study":
-            continue
         opener()
         yield from until(is_shown, f"the panel {name}")
         used()
         yield from settled()
         picture(f"panel-{name}")
         hidden = scrolled(panel())
-        if hidden:
+        if hidden and name != "study":
             wrong.append(f"{name}: {hidden} px do not fit")
         message = panel().findChild(QtGui.QLabel, "message")
         if message is not None:

@@ -30,7 +30,7 @@ class Panel:
     """
 
     width = WIDTH
-    lines = 3  # of text that the strip at the top has room for; 0: no strip
+    lines = 3  # of text that the strip at the top has room for
 
     def __init__(self, session, widgets: str, icon: str, title: str):
         self.session = session
@@ -38,7 +38,7 @@ class Panel:
         self.form.setWindowTitle(translate(f"SheetMorph_{widgets}", title))
         self.form.setWindowIcon(QtGui.QIcon(paths.icon(icon)))
         self.notices = None
-        if self.lines and hasattr(self.form, "message"):
+        if hasattr(self.form, "message"):
             self.notices = Notices(self.form, self.lines)
         for name, widget in vars(self.form).items():
             if isinstance(widget, QtWidgets.QWidget) and not name.startswith("_"):

@@ -14,6 +14,7 @@ from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.tools.studies import ANGLE, LENGTH, METHODS, unused
 
+HEIGHTS = {"parameters": 88, "results": 220}  # px: of tables, at least
 LOOK = 200  # ms between two looks at the process
 AROUND = {LENGTH: 10.0, ANGLE: 10.0}  # of a length, an angle: how far a new parameter goes
 SHARE = 0.2  # of any other number
@@ -33,7 +34,6 @@ class StudyPanel(Panel):
     """
 
     width = 480  # for tables
-    lines = 0  # its tables need the room
 
     def __init__(self, session, assembly, study):
         super().__init__(session, "study", "Study", "Study")
@@ -281,6 +281,8 @@ class StudyPanel(Panel):
         form = self.form
         heads = [translate("SheetMorph_panels", head) for head in study_table.HEADS]
         study_table.prepare(form.parameters, heads, study_table.WHAT)
+        for table, height in HEIGHTS.items():
+            reserve(getattr(form, table), height)
         form.add.clicked.connect(self._add)
         form.remove.clicked.connect(self._remove)
         form.browse.clicked.connect(self._choose_folder)
@@ -288,3 +290,12 @@ class StudyPanel(Panel):
         form.stop.clicked.connect(self._stop)
         form.results.cellDoubleClicked.connect(self._apply)
         say(form.message, "")
+
+
+def reserve(widget, height: int) -> None:
+    """Keeps a height, px, for a widget of a column: a style sheet may overrule its own minimum."""
+    column, row = widget.parentWidget().layout(), QtWidgets.QHBoxLayout()
+    place = column.indexOf(widget)
+    row.addStrut(height)
+    row.addWidget(widget)
+    column.insertLayout(place, row)
