@@ -17,7 +17,7 @@ struct Subject
     bool operator==(const Subject& other) const { return kind == other.kind && name == other.name; }
 };
 
-//! A message that knows its subjects and its vertices, so that nobody has to read them from it.
+//! A message with its subjects and its vertices, which no reader has to parse from it.
 class Text
 {
 public:

@@ -150,8 +150,8 @@ def _explain(error: jsonschema.ValidationError) -> tuple[str, str]:
 
 
 def _missing(error: jsonschema.ValidationError) -> str:
-    """The missing key of an error, of which there is one for each; jsonschema tells it in words
-    alone: "'key' is a required property"."""
+    """Return the missing key of an error. jsonschema raises one error for each, and names the key
+    in its message alone: "'key' is a required property"."""
     keys: list[str] = error.validator_value
     return next(k for k in keys if error.message == f"{k!r} is a required property")
 

@@ -29,11 +29,10 @@ bool agree(const RigidMotion& a, const RigidMotion& b)
 
 [[noreturn]] void refuse(const std::string& kind, const std::string& a, const std::string& b)
 {
-    throw InvalidInput(Text::about("the pose tells the " + kind + "s '" + a + "' and '" + b + "'",
+    throw InvalidInput(Text::about("the pose moves the " + kind + "s '" + a + "' and '" + b + "'",
                                    {{kind, a}, {kind, b}})
-                           + ", which mirror each other, different things",
-                       "tell one of them, or both "
-                       "alike");
+                           + ", which mirror each other, in different ways",
+                       "give one of them a motion, or both the same");
 }
 
 //! Tells both sides of a plane what a pose tells one.

@@ -43,7 +43,7 @@ bool is_coaxial(const SurfaceConstraints& constraints, int link)
     return constraints.links[at(link)].type == FeatureLinkType::coaxial;
 }
 
-Text told(const SurfaceConstraints& constraints, const FeatureLink& link)
+Text named(const SurfaceConstraints& constraints, const FeatureLink& link)
 {
     const std::string what =
         link.type == FeatureLinkType::coaxial ? "the coaxial pair '" : "the distance '";
@@ -81,7 +81,7 @@ public:
         }
         if (!can_follow(bodies_[at(follower)]))
             throw InvalidInput(
-                told(constraints_, link)
+                named(constraints_, link)
                 + " cannot be kept: both sides are held by fixed regions, handles, motions or "
                   "other pairs, or their rotation is not free", "remove one of these or the pair");
         bodies_[at(follower)].following = following;
@@ -105,7 +105,7 @@ private:
             if (bodies_[k].following && trees_.root(static_cast<int>(k)) == root)
                 is_coaxial_tree &= is_coaxial(constraints_, bodies_[k].following->link);
         if (!is_coaxial_tree)
-            throw InvalidInput(told(constraints_, constraints_.links[at(following.link)])
+            throw InvalidInput(named(constraints_, constraints_.links[at(following.link)])
                                    + " closes a loop of pairs",
                                "remove one of them");
         return true;

@@ -97,7 +97,7 @@ class LiveSession:
     def __init__(self, assembly, morph: Morph | None = None, cache: SessionCache | None = None):
         """Build or find the session of `assembly`; raises MorphError, one sentence.
 
-        `morph`, `cache`: where they are given, the document is not touched.
+        `morph`, `cache`: with both, the document is not read.
         """
         self._assembly = assembly
         self._shown: Frame | None = None

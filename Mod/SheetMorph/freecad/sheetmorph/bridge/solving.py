@@ -109,7 +109,7 @@ def ignored_in(assembly) -> tuple[str, ...]:
 class SessionCache:
     """The latest sessions and answers of one assembly, found by content.
 
-    Several threads may ask: a session is built and a pose solved outside of the lock.
+    Several threads may use it: it builds sessions and solves poses outside of the lock.
     """
 
     KEPT = 2

@@ -110,7 +110,7 @@ class Pending:
 
     @contextmanager
     def _noticed(self) -> Iterator[None]:
-        """Whatever fails in this context, `take_back` makes good."""
+        """After a failure in this context, `take_back` restores the pose of the beginning."""
         try:
             yield
         except BaseException:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Computes the final shape of a morph in the background after its panel was closed.
 
-The document keeps what the user asked for; until the final shape is there its parts are due, the
-view keeps what it showed, and the status of the morph says so. A recompute by a command or a
-script gives the right answer at once: it waits for what is under way here.
+The document has the new pose at once. Until the final shape arrives, its parts are due, the view
+keeps the last frame, and the status of the morph says so. A recompute by a command or a script
+waits for the final shape.
 """
 
 import time

@@ -114,7 +114,7 @@ class MovePanel(Panel):
         return True
 
     def _let_shapes_follow(self) -> None:
-        """Deformed shapes, if there are any, belong to the step; one that cannot follow is told.
+        """Brings deformed shapes up to date in the same step, and reports one that cannot follow.
 
         They need the final shape, so this waits for it.
         """

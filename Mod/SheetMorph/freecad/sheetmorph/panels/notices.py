@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The strip at the top of a panel that says what is wrong and what is under way.
 
-It has the same height whatever it says: nothing below it moves while frames arrive, and a fault is
-seen without scrolling.
+Its height is fixed. So nothing below it moves while frames arrive, and a fault is seen without
+scrolling.
 """
 
 from freecad.sheetmorph.qt import QtCore, QtWidgets

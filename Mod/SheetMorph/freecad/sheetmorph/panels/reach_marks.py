@@ -105,8 +105,8 @@ class ReachMarks(QtCore.QObject):
         if not why:
             return translate("SheetMorph_panels", "{0}, as far as was looked").format(text)
         is_flip = getattr(why, "code", "") == "flipped"
-        told = translate("SheetMorph_panels", TURNS_OVER) if is_flip else why
-        return translate("SheetMorph_panels", "{0}; beyond: {1}").format(text, told)
+        reason = translate("SheetMorph_panels", TURNS_OVER) if is_flip else why
+        return translate("SheetMorph_panels", "{0}; beyond: {1}").format(text, reason)
 
     def _picture(self):
         """The scale, a QPixmap as wide as its label."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A mark on every handle but the one with the arrows: a click on it chooses that handle.
 
-Marks lie over the parts and keep apart from each other and from the arrows, whatever hides what.
+Marks are drawn over the parts, apart from each other and from the arrows.
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ ROOT = "SheetMorphHandleMarks"
 
 
 class HandleMarks(QtCore.QObject):
-    """Until ``remove`` is called; ``choose(k)`` is told of a click on mark k."""
+    """Shown until ``remove`` is called; a click on mark k calls ``choose(k)``."""
 
     def __init__(self, view, choose):
         super().__init__()

@@ -12,7 +12,7 @@ STEP = 0.5  # of the least distance: how much farther the next round looks
 
 
 def spread(places: np.ndarray, least: float, taken: tuple = ()) -> np.ndarray:
-    """Return places (n, 2) px near the given ones, at least so far from each other.
+    """Return places (n, 2) px near `places`, at least `least` px apart.
 
     ``taken``: pairs of a place (2,) and the distance, px, that all keep from it. The first places
     stay where they are if they can.
