@@ -17,6 +17,8 @@ for obj in document.Objects:
     obj.touch()
 document.recompute()
 print("went on", len(document.Objects))
+# FreeCAD 1.1 crashes at its end if a script read a mesh and the document is still open.
+App.closeDocument(document.Name)
 """
 
 

@@ -138,6 +138,18 @@ def test_a_summary_of_somebody_else_stays(name: str, study: Path):
     assert "0 computed" in run_study(study, out)[0]
 
 
+def test_half_written_tables_of_a_call_that_was_killed_go_and_files_like_them_stay(study: Path):
+    out = study.parent / "out"
+    run_study(study, out)
+    names = ["summary.csv", "summary.json", "summary.html", "costs.json"]
+    half_written = [out / f".{name.replace('.', '.0123abcd.tmp.')}" for name in names]
+    foreign = [out / ".summary.0123abcd.csv", out / ".summary.notes.tmp.csv", out / ".notes"]
+    for path in half_written + foreign:
+        path.write_text("half a table")
+    run_study(study, out)
+    assert [path for path in half_written + foreign if path.exists()] == foreign
+
+
 def test_a_lock_that_is_a_pipe_is_refused(study: Path):
     out = study.parent / "out"
     out.mkdir()

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import filecmp
 import os
+import re
 import secrets
 import stat
 from collections.abc import Iterator
@@ -167,6 +168,12 @@ def require_file_place(path: Path) -> None:
 
 def _hidden(path: Path) -> Path:
     return path.with_name(f".{path.stem}.{secrets.token_hex(4)}.tmp{path.suffix}")
+
+
+def temporaries_of(path: Path) -> list[Path]:
+    """What a process that writes a file, or that died while it did, has beside it."""
+    name = re.compile(rf"\.{re.escape(path.stem)}\.[0-9a-f]{{8}}\.tmp{re.escape(path.suffix)}")
+    return [there for there in path.parent.iterdir() if name.fullmatch(there.name)]
 
 
 def _rename_all(pairs: list[tuple[Path, Path]]) -> None:

@@ -83,6 +83,7 @@ def study_range(path: str | Path, out: str | Path, progress: Progress | None = N
     store = Store(Path(out))
     store.open(ranges.FILE)
     with alone(store.out):
+        store.sweep()
         write_json(store.out, {ranges.FILE: found})
     return [_range_sentence(name, entry) for name, entry in found["parameters"].items()]
 

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import FileError, OccupiedError
-from ..files.atomic import FileSet, flush, flush_folder
+from ..files.atomic import FileSet, flush, flush_folder, temporaries_of
 from .leases import LOCK, Lease, is_abandoned
 from .rows import FILE, Row, folder_name, read_row
 
@@ -36,6 +36,7 @@ class Store:
 
     def __init__(self, out: Path):
         self.out = out
+        self._files: list[Path] = []
 
     def row(self, run: int, wanted: str) -> Row | None:
         """The row of a variant that is done, depends on what is wanted and has all its files; else
@@ -56,10 +57,11 @@ class Store:
         except OSError as error:
             todo = "name another folder with -o"
             raise FileError(self.out, f"is no folder ({error.strerror})", todo) from None
+        self._files = [self.out / name for name in names]
         if not (self.out / LOCK).exists():
-            for name in names:
-                if (self.out / name).exists():
-                    raise OccupiedError(self.out / name)
+            for file in self._files:
+                if file.exists():
+                    raise OccupiedError(file)
 
     def tidy(self, wanted: list[str]) -> None:
         """Before a study goes on: what was left half done goes, what is done comes to its place.
@@ -85,7 +87,10 @@ class Store:
         self._fetch(wanted)
 
     def sweep(self) -> None:
-        """Remove what workers that died have left half done."""
+        """Remove what workers and calls that died have left half done; for who is alone in it."""
+        for file in self._files:
+            for half_written in temporaries_of(file):
+                half_written.unlink(missing_ok=True)
         for path in self._matching(_UNFINISHED):
             if is_abandoned(_lease_of(path), path):
                 shutil.rmtree(path, ignore_errors=True)
