@@ -3,24 +3,22 @@
 
 from __future__ import annotations
 
-import errno
-import fcntl
 import os
 import stat
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import TracebackType
 
 from ..errors import Fault, FileError, RecipeError
+from .locking import NEVER_WAIT, NOT_INHERITED, removes_open_files, try_lock
 
 # Seconds for which a job of a batch system waits until the call that started it is done.
 _PATIENCE = 60.0
 # Seconds after which a folder without a lease, as older versions made them, is nobody's.
 _LONG_AGO = 3600.0
 LOCK = ".lock"
-_TAKEN = (errno.EAGAIN, errno.EACCES)
 
 
 class Lease:
@@ -30,8 +28,8 @@ class Lease:
         self._place, self._file = place, -1
 
     def __enter__(self) -> Lease:
-        self._file = os.open(self._place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
-        _try_lock(self._file, fcntl.LOCK_EX)
+        self._file = os.open(self._place, os.O_RDWR | os.O_CREAT | NOT_INHERITED, 0o666)
+        try_lock(self._file)
         return self
 
     def __exit__(
@@ -40,14 +38,18 @@ class Lease:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._place.unlink(missing_ok=True)
+        if removes_open_files:
+            self._place.unlink(missing_ok=True)
         os.close(self._file)
+        if not removes_open_files:
+            with suppress(OSError):  # another process looks at it, and removes it
+                self._place.unlink(missing_ok=True)
 
 
 def is_abandoned(lease: Path, folder: Path) -> bool:
     """Whether nobody works on a folder any more: the process that held its lease has ended."""
     try:
-        file = os.open(lease, os.O_RDWR | os.O_CLOEXEC)
+        file = os.open(lease, os.O_RDWR | NOT_INHERITED)
     except FileNotFoundError:
         try:
             return time.time() - folder.stat().st_mtime > _LONG_AGO
@@ -56,7 +58,7 @@ def is_abandoned(lease: Path, folder: Path) -> bool:
     except OSError:
         return False
     try:
-        return _try_lock(file, fcntl.LOCK_EX)
+        return try_lock(file)
     finally:
         os.close(file)
 
@@ -65,7 +67,7 @@ def is_abandoned(lease: Path, folder: Path) -> bool:
 def alone(out: Path) -> Iterator[None]:
     """Raises RecipeError where another call computes a study, or some of its runs, in a folder."""
     with _opened(out) as file:
-        if not _try_lock(file, fcntl.LOCK_EX):
+        if not try_lock(file):
             raise _busy(out)
         yield
 
@@ -76,7 +78,7 @@ def among_others(out: Path) -> Iterator[None]:
     all of them goes on for long."""
     with _opened(out) as file:
         deadline = time.monotonic() + _PATIENCE
-        while not _try_lock(file, fcntl.LOCK_SH):
+        while not try_lock(file, shared=True):
             if time.monotonic() > deadline:
                 raise _busy(out)
             time.sleep(0.1)
@@ -87,22 +89,13 @@ def among_others(out: Path) -> Iterator[None]:
 def _opened(out: Path) -> Iterator[int]:
     place = out / LOCK
     # A pipe without a reader must not make it wait.
-    file = os.open(place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC | os.O_NONBLOCK, 0o666)
+    file = os.open(place, os.O_RDWR | os.O_CREAT | NOT_INHERITED | NEVER_WAIT, 0o666)
     try:
         if not stat.S_ISREG(os.fstat(file).st_mode):
             raise FileError(place, "it is a device or a pipe", "remove it")
         yield file
     finally:
         os.close(file)
-
-
-def _try_lock(file: int, how: int) -> bool:
-    """Whether a file could be locked; where locks do not exist, nobody is known to hold one."""
-    try:
-        fcntl.flock(file, how | fcntl.LOCK_NB)
-    except OSError as error:
-        return error.errno not in _TAKEN and how == fcntl.LOCK_SH
-    return True
 
 
 def _busy(out: Path) -> RecipeError:
