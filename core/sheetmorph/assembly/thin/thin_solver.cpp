@@ -326,7 +326,7 @@ void ThinSolver::expand(const Deformation& middle, const SurfaceTargets& targets
     whole.positions.resize(mesh.vertex_count(), 3);
     whole.rotation_logs = Points::Zero(level == Exactness::exact ? mesh.vertex_count() : 0, 3);
     whole.features.clear();
-    for (std::size_t k = 0; k < middle.features.size(); ++k)
+    for (std::size_t k = 0; k < centres_.size(); ++k)
         whole.features.push_back(about(middle.features[k], centres_[k]));
     whole.convergence = middle.convergence;
     const Sheet sheet{middle, turned, handles, is_sized ? sized : mesh.points()};

@@ -100,7 +100,9 @@ private:
     std::shared_ptr<const ThinPart> part_;
     Movers movers_, middle_movers_;        // by vertex of the whole part, of the middle
     std::vector<VertexIds> free_handles_;  // by handle: its middle vertices if the energy turns it
-    std::vector<Vector3> centres_;         // of the features
+    // Of the bodies of the whole part: its own features and the welds that it carries. They are the
+    // first bodies of the middle, which has more: held welds, loose pieces.
+    std::vector<Vector3> centres_;
     ThinSizes sizes_;
     std::vector<PlacedPoint> points_;
     LocalRotationMeter meter_;  // of every vertex of the middle
