@@ -8,9 +8,9 @@ import time
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from checks_answering import click, escape
+from checks_answering import click, escape, timed
 from checks_enclosure import STEP
-from desk import activate, child, clear_report_view, laid_out, note, panel, picture
+from desk import activate, buttons_called, child, clear_report_view, laid_out, note, panel, picture
 from desk import press, settled, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import conversion
@@ -138,8 +138,29 @@ def answer(name: str, opened, used, way):
 answer.count = 1
 
 
+class Nothing:
+    """A panel with nothing in it, to compare: what FreeCAD itself takes to close one."""
+
+    def __init__(self):
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("nothing")
+        self.form.setWindowTitle("Nothing")
+
+    def accept(self) -> bool:
+        return True
+
+    def reject(self) -> bool:
+        return True
+
+
 def measured():
     """Every panel, every way out."""
+    for way in ("Cancel", "OK"):
+        Gui.Control.showDialog(Nothing())
+        yield from settled()
+        (button,) = buttons_called(way)
+        yield from timed(button.click, f"{way} of an empty panel", BOUND)
+        yield from settled()
     for name, (opened, used) in panels().items():
         for way in ("Cancel", "Esc", "OK"):
             opened_way = way

@@ -125,7 +125,7 @@ def set_vertices(region, vertices: Iterable[int] | dict) -> None:
         raise ValueError(f"Region '{region.Label}' has lost its part; delete the region.")
     model.set_vertices(region, *vertices_and_words(region.Part, vertices))
     if region.PivotAtCentroid:
-        region.Pivot = rest_centroid(region)
+        model.set_where_new(region, "Pivot", rest_centroid(region))
 
 
 def take_out(region, other) -> None:

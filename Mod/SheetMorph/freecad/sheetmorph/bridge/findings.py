@@ -9,6 +9,7 @@ from freecad.sheetmorph.bridge import kernel
 from freecad.sheetmorph.bridge.faults import Names, warning_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import Fault
+from freecad.sheetmorph.objects.model import set_where_new
 from freecad.sheetmorph.tools import words
 
 NO_FIDELITY = (0.0, 0.0)
@@ -72,12 +73,6 @@ def show(assembly, outcome) -> None:
             contact, "Kept", f"gap {words.length(gap)}, deviation {words.length(deviation)}"
         )
         set_where_new(contact, "Warning", found.warnings.get(contact.Name, ""))
-
-
-def set_where_new(obj, name: str, value) -> None:
-    """Set a property that differs; setting it always would fill the undo steps."""
-    if getattr(obj, name) != value:
-        setattr(obj, name, value)
 
 
 def set_length(obj, name: str, value: float) -> None:

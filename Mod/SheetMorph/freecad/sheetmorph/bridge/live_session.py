@@ -125,6 +125,10 @@ class LiveSession:
         pose = recipes.pose_of(self._assembly, self.names)
         return Question(pose, tuple(self.names[name] for name in moved), exact)
 
+    def posed(self, pose: Pose) -> Morph:
+        """Return the morph of this session in a pose."""
+        return replace(self._morph, pose=pose)
+
     @property
     def learning_failure(self) -> str:
         """What the learning of the present drag failed with, empty if it has not."""

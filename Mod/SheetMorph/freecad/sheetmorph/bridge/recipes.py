@@ -9,6 +9,7 @@ import numpy as np
 
 from freecad.sheetmorph.kinds import CONTACT, kind
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.model import Members
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.objects.deck import told_thickness
 from freecad.sheetmorph.objects.part import MODES, THIN_AUTOMATIC, THIN_GIVEN
@@ -42,7 +43,8 @@ def names_of(assembly) -> dict[str, str]:
     """Return the recipe's name of every part, region, contact, relation by document object name.
 
     Labels, because the user reads them. A label that another object or an entry of the imported
-    recipe has gets the object's own name behind it.
+    recipe has gets the object's own name behind it. Here and below `assembly` is one, or the
+    Members of one: who asks for several things reads them once.
     """
     return {found: name for (_, name), found in objects_of(assembly).items()}
 
@@ -50,13 +52,15 @@ def names_of(assembly) -> dict[str, str]:
 def objects_of(assembly) -> dict[tuple[str, str], str]:
     """Return the document object names by list of the recipe and name there."""
     found: dict[tuple[str, str], str] = {}
+    members = Members.of(assembly)
     of_list = {
-        "part": model.parts(assembly),
-        "region": model.regions(assembly),
-        "contact": model.contacts(assembly),
-        "relation": model.relations(assembly),
+        "part": members.parts,
+        "region": members.regions,
+        "contact": members.contacts,
+        "relation": members.relations,
     }
-    foreign = {entry.get("name") for entries in extras_of(assembly).values() for entry in entries}
+    extras = extras_of(members.assembly)
+    foreign = {entry.get("name") for entries in extras.values() for entry in entries}
     for of_kind, objects in of_list.items():
         taken = {name for name in foreign if isinstance(name, str)}
         for obj in objects:
@@ -74,12 +78,12 @@ def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
     `ids`: by object name of a part the ids (n,) of its vertices in its file. The parts have no
     files; who writes a recipe adds them.
     """
-    names = names_of(assembly)
-    found = model.parts(assembly)
+    members = Members.of(assembly)
+    names, found, assembly = names_of(members), members.parts, members.assembly
     recipe = {
         "sheetmorph": FORMAT,
         "parts": [part_entry(part, names) for part in found],
-        "primary": names[primary_of(assembly).Name] if found else "",
+        "primary": names[primary_of(members).Name] if found else "",
         "energy": assembly.Energy,
         "operator": assembly.Operator,
         "fixed": [],
@@ -89,12 +93,12 @@ def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
     }
     if len(found) > 1:
         recipe["propagation"] = propagation_of(assembly)
-    for region in model.regions(assembly):
+    for region in members.regions:
         if region.Part is None or region.Part.Name not in ids:
             continue
         recipe[KEYS[region.Role]].append(entry_of(region, names, ids[region.Part.Name]))
-    recipe["contacts"] = [contact_entry(c, names, ids) for c in used_contacts(assembly)]
-    recipe.update(relation_entries(assembly, names))
+    recipe["contacts"] = [contact_entry(c, names, ids) for c in used_contacts(members)]
+    recipe.update(relation_entries(members, names))
     recipe.update(answer_options(assembly))
     for key, entries in extras_of(assembly).items():
         named = [{**e, "part": names[e["part"]]} for e in entries if e["part"] in names]
@@ -104,17 +108,18 @@ def recipe_of(assembly, ids: dict[str, np.ndarray]) -> dict:
 
 def primary_of(assembly):
     """Return the primary part: the chosen one, else the first; None without parts."""
-    found = model.parts(assembly)
-    if assembly.Primary in found:
-        return assembly.Primary
-    return found[0] if found else None
+    members = Members.of(assembly)
+    primary = members.assembly.Primary
+    if primary in members.parts:
+        return primary
+    return members.parts[0] if members.parts else None
 
 
-def relation_entries(assembly, names: dict[str, str]) -> dict[str, list]:
+def relation_entries(members: Members, names: dict[str, str]) -> dict[str, list]:
     """Return the groups and pairs of form features that are complete, by key of the recipe."""
     entries: dict[str, list] = {}
-    for relation in model.relations(assembly):
-        features = [f for f in relation.Features if f in assembly.Group and f.Part is not None]
+    for relation in members.relations:
+        features = [f for f in relation.Features if f in members.group and f.Part is not None]
         if len(features) >= 2 and all(f.Role == FORM_FEATURE for f in features):
             entry = {"name": names[relation.Name], "features": [names[f.Name] for f in features]}
             entries.setdefault(RELATION_KEYS[relation.Type], []).append(entry)
@@ -166,8 +171,8 @@ def propagation_of(assembly) -> dict:
 
 def used_contacts(assembly) -> list:
     """Return the contacts that are active and have both their parts."""
-    parts = model.parts(assembly)
-    return [c for c in model.contacts(assembly) if c.Active and has_both_parts(c, parts)]
+    members = Members.of(assembly)
+    return [c for c in members.contacts if c.Active and has_both_parts(c, members.parts)]
 
 
 def has_both_parts(contact, parts: list) -> bool:
@@ -246,9 +251,10 @@ def allowed_of(feature) -> dict:
 def pose_of(assembly, names: dict[str, str] | None = None) -> dict:
     """Return the pose by name in the recipe: motions of handles, rotations of features, and what
     an imported recipe tells about points."""
-    names = names or names_of(assembly)
-    pose = dict(extras_of(assembly, "pose"))
-    for region in model.regions(assembly):
+    members = Members.of(assembly)
+    names = names or names_of(members)
+    pose = dict(extras_of(members.assembly, "pose"))
+    for region in members.regions:
         is_turned = region.Role == FORM_FEATURE and region.Rotation == PRESCRIBED
         if region.Part is not None and (region.Role == HANDLE or is_turned):
             pose[names[region.Name]] = as_told(region, motion_of(region))

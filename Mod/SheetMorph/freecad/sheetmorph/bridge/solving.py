@@ -20,16 +20,10 @@ import numpy as np
 
 from freecad.sheetmorph import reporting
 from freecad.sheetmorph.bridge import conversion, faults, kernel, recipes
-from freecad.sheetmorph.bridge.findings import (
-    Findings,
-    Step,
-    findings_of,
-    set_where_new,
-    show,
-    steps_of,
-)
-from freecad.sheetmorph.objects import assembly_of, deformation_of, model
+from freecad.sheetmorph.bridge.findings import Findings, Step, findings_of, show, steps_of
+from freecad.sheetmorph.objects import assembly_of, deformation_of
 from freecad.sheetmorph.objects.errors import Fault, MorphError
+from freecad.sheetmorph.objects.model import Members, set_where_new
 from freecad.sheetmorph.bridge.rest import RestPart, read_rest
 from freecad.sheetmorph.tools.poses import Pose
 
@@ -90,19 +84,23 @@ class Outcome:
 
 def read_morph(assembly) -> Morph:
     """Read an assembly from its document; raises MorphError if a part has no usable mesh."""
-    rests = {part.Name: read_rest(part) for part in model.parts(assembly)}
+    members = Members(assembly)
+    rests = {part.Name: read_rest(part) for part in members.parts}
     ids = {name: rest.file_ids() for name, rest in rests.items()}
-    recipe, pose = recipes.recipe_of(assembly, ids), recipes.pose_of(assembly)
-    names = recipes.names_of(assembly)
-    objects = recipes.objects_of(assembly)
-    return Morph(recipe, pose, rests, names, objects, ignored_in(assembly))
+    names = recipes.names_of(members)
+    recipe, pose = recipes.recipe_of(members, ids), recipes.pose_of(members, names)
+    objects = recipes.objects_of(members)
+    return Morph(recipe, pose, rests, names, objects, ignored_in(members))
 
 
-def ignored_in(assembly) -> tuple[str, ...]:
+def ignored_in(members: Members) -> tuple[str, ...]:
     """Return the labels of the regions and contacts that have lost a part."""
-    parts = model.parts(assembly)
-    regions = [region.Label for region in model.regions(assembly) if region.Part is None]
-    contacts = [c.Label for c in model.contacts(assembly) if not recipes.has_both_parts(c, parts)]
+    regions = [region.Label for region in members.regions if region.Part is None]
+    contacts = [
+        contact.Label
+        for contact in members.contacts
+        if not recipes.has_both_parts(contact, members.parts)
+    ]
     return tuple(regions + contacts)
 
 

@@ -20,6 +20,7 @@ from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
 PATIENCE = 0.06  # seconds that OK may wait for a shape, so that a small morph has it at once
+LARGE = 20_000  # vertices of a morph whose shape OK does not wait for
 NAP = 0.002  # seconds between two looks meanwhile
 LOOK = 20  # ms between two looks whether a document is free
 COMPUTED = "Being computed: the parts still have an earlier shape."
@@ -37,7 +38,7 @@ class Finish(QtCore.QObject):
         self.label = assembly.Label
         self.is_over = False
         self.task, self._fraction = "", 0.0
-        self._scene = None
+        self._scene = self._expected = None
         self._cache = solving.cache_of(assembly)
         self._worker = FrameWorker(self._compute, self)  # last: it has to be stopped
 
@@ -45,6 +46,11 @@ class Finish(QtCore.QObject):
         """Owns a LiveScene: it is shown until the final shape is."""
         self.drop_scene()
         self._scene = scene
+
+    def expect(self, morph) -> None:
+        """Computes this first: most likely it is what the document has, which takes long to read
+        if there are many regions."""
+        self._expected = morph
 
     def drop_scene(self) -> None:
         """Shows the meshes as the document has them."""
@@ -87,6 +93,10 @@ class Finish(QtCore.QObject):
         """Goes on as far as it can at once; the document is free."""
         if not self._worker.is_idle:
             return
+        expected, self._expected = self._expected, None
+        if expected is not None and not self._cache.is_known(expected):
+            self._ask(expected)
+            return
         try:
             morph = solving.read_morph(self.assembly())
         except (MorphError, *solving.FAILURES):
@@ -95,8 +105,11 @@ class Finish(QtCore.QObject):
         if self._cache.is_known(morph) or not morph.is_held():
             self.apply()
         else:
-            solving.tell_status(self.assembly(), COMPUTED)
-            self._worker.ask(morph)
+            self._ask(morph)
+
+    def _ask(self, morph) -> None:
+        solving.tell_status(self.assembly(), COMPUTED)
+        self._worker.ask(morph)
 
     def is_answered(self, seconds: float) -> bool:
         """Whether the answer is there within some seconds; in the thread of the window."""
@@ -191,7 +204,9 @@ class Finishing(QtCore.QObject):
 
     def is_quick(self, assembly) -> bool:
         """Whether a recompute of a morph takes no time, after a wait of `PATIENCE` at most. The
-        solve goes on in the background otherwise."""
+        solve of a small one goes on in the background otherwise."""
+        if vertices_of(assembly) > LARGE:
+            return False
         begin = time.monotonic()
         job = self._jobs.get((assembly.Document.Name, assembly.Name))
         if job is None or job.is_over:
@@ -296,6 +311,12 @@ def is_free(job) -> bool:
     return QtWidgets.QApplication.activeModalWidget() is None
 
 
+def vertices_of(assembly) -> int:
+    """How many vertices the parts of a morph have."""
+    sources = [part.Source for part in model.parts(assembly)]
+    return sum(source.Mesh.CountPoints for source in sources if source is not None)
+
+
 def due_in(document) -> list:
     """The morphs of a document whose parts have an earlier shape; none without the kernel."""
     if not kernel.is_available():
@@ -311,15 +332,6 @@ def is_due(assembly) -> bool:
         return False
     concerned = [deformation, *deformation.OutList, *model.parts(assembly)]
     return any("Touched" in obj.State for obj in concerned)
-
-
-def known_failure(assembly) -> str:
-    """Why the shape of a morph failed, if it was tried already; else empty."""
-    try:
-        morph, cache = solving.read_morph(assembly), solving.cache_of(assembly)
-    except (MorphError, *solving.FAILURES):
-        return ""  # the recompute says what is wrong
-    return cache.outcome(morph).failure if cache.is_known(morph) else ""
 
 
 def tell(label: str, text: str) -> None:

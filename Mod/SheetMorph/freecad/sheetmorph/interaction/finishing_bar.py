@@ -20,6 +20,8 @@ class FinishingBar:
         self._text = QtWidgets.QLabel(self._row)
         self._bar = QtWidgets.QProgressBar(self._row)
         self._bar.setMaximumWidth(WIDTH)
+        self._bar.setRange(0, 0)
+        self._percent = 0
         self._button = QtWidgets.QPushButton(translate("SheetMorph_panels", "Stop"), self._row)
         self._button.setObjectName("stop_finishing")
         self._button.setToolTip(
@@ -38,8 +40,10 @@ class FinishingBar:
         """Shows the name of a morph, what is under way and how much of it is done."""
         text = translate("SheetMorph_panels", "Computing the final shape of {0}").format(label)
         self._text.setText(f"{text}: {task}" if task else text)
-        self._bar.setRange(0, 100 if percent else 0)
-        self._bar.setValue(percent)
+        if percent != self._percent:  # each time the whole window is drawn at once
+            self._percent = percent
+            self._bar.setRange(0, 100 if percent else 0)
+            self._bar.setValue(percent)
 
     def remove(self) -> None:
         """Takes it out of the status bar."""

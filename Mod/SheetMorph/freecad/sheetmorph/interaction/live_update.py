@@ -91,7 +91,7 @@ class LiveUpdate(QtCore.QObject):
         """The step with the present pose is kept: its final shape comes in the background. If the
         pose stays, what is shown stays until then."""
         self._left = self._live.ask().pose
-        finishing().finish(self._assembly)
+        finishing().finish(self._assembly).expect(self._live.posed(self._left))
 
     def remove(self) -> None:
         """Shows the meshes as the document has them, and lets the solution go; waits for nothing

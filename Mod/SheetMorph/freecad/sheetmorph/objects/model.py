@@ -28,6 +28,29 @@ def is_member(obj, assembly) -> bool:
     return kind(assembly) == ASSEMBLY and (obj != assembly.Primary or obj in assembly.Group)
 
 
+class Members:
+    """The members of an assembly as they are now, each list in the order of its group.
+
+    A large group takes long to read: who asks for several kinds reads it once with this.
+    """
+
+    def __init__(self, assembly):
+        self.assembly, self.group = assembly, assembly.Group
+        self._lists: dict[str, list] = {}
+        for obj in self.group:
+            self._lists.setdefault(kind(obj), []).append(obj)
+        self.parts, self.regions = self._of(PART), self._of(REGION)
+        self.contacts, self.relations = self._of(CONTACT), self._of(RELATION)
+
+    @classmethod
+    def of(cls, assembly) -> Members:
+        """Return the members of an assembly, or `assembly` if it is members already."""
+        return assembly if isinstance(assembly, cls) else cls(assembly)
+
+    def _of(self, wanted: str) -> list:
+        return self._lists.get(wanted, [])
+
+
 def parts(assembly) -> list:
     """Return the parts of an assembly in the order of its group."""
     return [obj for obj in assembly.Group if kind(obj) == PART]
@@ -104,17 +127,25 @@ def contact_vertices(contact, side: str) -> np.ndarray:
 def set_vertices(region, ids: Iterable[int], where: str = "") -> None:
     """Store the vertex indices of a region, sorted and without repetition, and what it says it is.
 
-    `where`: a selector as JSON, empty if only the vertices are known.
+    `where`: a selector as JSON, empty if only the vertices are known. The same again is no change,
+    so that nothing is computed anew.
     """
-    region.Vertices = to_numbers(ids)
-    region.Where = where
+    set_where_new(region, "Vertices", to_numbers(ids))
+    set_where_new(region, "Where", where)
 
 
 def set_contact_vertices(contact, side: str, ids: Iterable[int], where: str = "") -> None:
     """Store the vertex indices of side "a" or "b", sorted and without repetition, and what it says
     it is, as `set_vertices` does."""
-    setattr(contact, f"Vertices{side.upper()}", to_numbers(ids))
-    setattr(contact, f"Where{side.upper()}", where)
+    set_where_new(contact, f"Vertices{side.upper()}", to_numbers(ids))
+    set_where_new(contact, f"Where{side.upper()}", where)
+
+
+def set_where_new(obj, name: str, value) -> None:
+    """Set a property only if it differs: FreeCAD takes every setting for a change, computes anew
+    what depends on it, and keeps it in the undo step."""
+    if getattr(obj, name) != value:
+        setattr(obj, name, value)
 
 
 def to_numbers(ids: Iterable[int]) -> list[float]:

@@ -49,7 +49,12 @@ class FindPanel(Panel):
         self._faults = FaultBar(self.form, session, assembly)
         Folds({self.form.tolerances: "OpenTolerances"})
         self._prepare_widgets()
+        session.ending.connect(self._freeze)
         self.search()
+
+    def _freeze(self) -> None:
+        if self.form is not None:
+            find_table.freeze(self.form.table)
 
     # -- the search and its list
 

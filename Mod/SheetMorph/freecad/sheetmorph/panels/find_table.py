@@ -34,6 +34,11 @@ def prepare(table, columns) -> None:
         header.setSectionResizeMode(column, fit if column else QtWidgets.QHeaderView.Stretch)
 
 
+def freeze(table) -> None:
+    """Keeps the rows as high as they are: a long list that goes would measure all of them again."""
+    table.verticalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Fixed)
+
+
 def fill(table, rows) -> None:
     """Shows rows: (texts, values to sort by, is checked, may be checked, tool tip) each."""
     table.blockSignals(True)

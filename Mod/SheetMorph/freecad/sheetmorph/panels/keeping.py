@@ -4,7 +4,7 @@
 from freecad.sheetmorph import actions
 from freecad.sheetmorph.bridge import faults
 from freecad.sheetmorph.editing import transactions
-from freecad.sheetmorph.interaction.finishing import due_in, finishing, known_failure
+from freecad.sheetmorph.interaction.finishing import due_in, finishing
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
 
@@ -19,15 +19,14 @@ def keep(title: str, *lines: str, document) -> None:
     try:
         with transactions.step(document, title), actions.followed(title):
             actions.record(*lines, document=document)
-            late = slow_in(document)
-            actions.refuse(known_fault(document, before))
+            late = late_in(document)
             if late:
                 actions.note(f"{actions.DOCUMENT}.recompute()")
             else:
                 actions.do(f"{actions.DOCUMENT}.recompute()", document)
                 actions.refuse(faults.new_fault(document, before))
     except MorphError:
-        late = slow_in(document)  # FreeCAD counts as due what was taken back
+        late = late_in(document)  # FreeCAD counts as due what was taken back
         if not late:
             document.recompute()
         raise
@@ -46,19 +45,10 @@ def present_fault(assembly, live) -> str:
     return model.failure_of(assembly)
 
 
-def slow_in(document) -> list:
-    """The morphs of a document whose new shape takes longer than OK may."""
-    return [morph for morph in due_in(document) if not finishing().is_quick(morph)]
-
-
-def known_fault(document, before: dict):
-    """The fault of a new shape that was tried already, of a morph that was sound `before`; None
-    without one. `faults.new_fault` finds those that a recompute reports."""
-    for morph in due_in(document):
-        fault = known_failure(morph)
-        if morph.Name not in before and faults.has_blame(morph, fault):
-            return fault
-    return None
+def late_in(document) -> list:
+    """The morphs of a document whose parts are due, if OK may not wait for all of them."""
+    due = due_in(document)
+    return [] if all(map(finishing().is_quick, due)) else due
 
 
 def attempt(title: str, *lines: str, document) -> bool:

@@ -28,8 +28,11 @@ class AssemblyView(FollowingView, OwnerView):
 
     def getIcon(self) -> str:
         """Another icon for a morph that cannot be computed."""
-        self.icon = "MorphFault" if model.failure_of(self.object) else "Morph"
+        self.icon = self._due_icon()
         return super().getIcon()
+
+    def _due_icon(self) -> str:
+        return "MorphFault" if model.failure_of(self.object) else "Morph"
 
     def updateData(self, obj, name: str) -> None:
         """The icons of the parts tell which one is the primary, its own whether all is well."""
@@ -42,7 +45,8 @@ class AssemblyView(FollowingView, OwnerView):
 
     def _change_icon(self) -> None:
         try:
-            self._view_object.signalChangeIcon()
+            if self.icon != self._due_icon():  # the tree takes long with a large group
+                self._view_object.signalChangeIcon()
         except (ReferenceError, RuntimeError):
             return  # deleted meanwhile
 
