@@ -2,6 +2,7 @@
 """How long OK, Cancel and Esc of every panel take on an enclosure of 38 parts and on one part of
 100,000 vertices, until the event loop is idle; and the memory of the enclosure. It is reported."""
 
+import json
 import os
 import time
 
@@ -17,7 +18,7 @@ from freecad.sheetmorph.bridge import conversion
 from freecad.sheetmorph.interaction import finishing
 from freecad.sheetmorph.objects import model
 from hostile_panels import edit, is_shown, open_by
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from scenes import assembly, contacts, labelled, regions
 from shapes import grid_triangles
 
@@ -85,6 +86,30 @@ def field(name: str, value: float):
     return lambda: panel().findChild(QtGui.QWidget, name).setValue(value)
 
 
+def button(text: str):
+    return lambda: buttons_called(text)[0].click()
+
+
+def type_band() -> None:
+    """Picks a band beside the fixed region by a selector."""
+    region, far = regions("fixed")[0], 1e4
+    x = api.rest_mesh(region.Part)[0][model.vertices(region), 0].min()
+    where = child("where")
+    where.setText(json.dumps({"box": [[x - 30.0, -far, -far], [x - 15.0, far, far]]}))
+    key = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier)
+    QtGui.QApplication.sendEvent(where, key)
+
+
+def choice(name: str):
+    """The next entry of a list."""
+
+    def choose() -> None:
+        combo = child(name)
+        combo.setCurrentIndex((combo.currentIndex() + 1) % combo.count())
+
+    return choose
+
+
 def panels() -> dict:
     """How each panel is opened and what is changed in it."""
     sheet = assembly().Primary or model.parts(assembly())[0]
@@ -95,9 +120,12 @@ def panels() -> dict:
             lambda: open_by("BlendPoses", api.poses(assembly())[0]),
             field("percent", 50.0),
         ),
-        "Mark Fixed Region": (lambda: open_by("MarkFixed", sheet), None),
-        "region": (lambda: edit(regions("fixed")[0]), None),
-        "Form Feature": (lambda: open_by("FeatureSettings", regions("form feature")[0]), None),
+        "Mark Fixed Region": (lambda: open_by("MarkFixed", sheet), type_band),
+        "region": (lambda: edit(regions("fixed")[0]), button("Shrink")),
+        "Form Feature": (
+            lambda: open_by("FeatureSettings", regions("form feature")[0]),
+            choice("rotation"),
+        ),
         "Find Features": (lambda: open_by("FindFeatures"), None),
         "Propagation": (lambda: open_by("Propagation"), None),
         "Prepare Mesh": (lambda: open_by("PrepareMesh", sheet), None),
@@ -106,7 +134,7 @@ def panels() -> dict:
     }
     if contacts():
         found["Find Contacts"] = (lambda: open_by("FindContacts"), None)
-        found["contact"] = (lambda: edit(contacts()[0]), None)
+        found["contact"] = (lambda: edit(contacts()[0]), choice("type"))
     return found
 
 
@@ -132,6 +160,10 @@ def answer(name: str, opened, used, way):
     if Gui.Control.activeDialog():
         yield from press("Cancel")
     yield from settled()
+    if way == "OK" and App.ActiveDocument.UndoCount:
+        App.ActiveDocument.undo()
+        yield from settled()
+        yield from until(lambda: not finishing.finishing().is_under_way(), "the shape before")
     clear_report_view()
 
 
