@@ -1,30 +1,36 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long the 3D views take to draw: no work of ours, and long without a graphics card."""
+"""How long the 3D view takes to draw: no work of ours, and long without a graphics card."""
 
 import time
 
 import FreeCADGui as Gui
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 
 class Painting(QtCore.QObject):
-    """In this context ``seconds`` adds up what the views take to draw, ``count`` how often."""
+    """In this context ``seconds`` adds up what the shown 3D view takes to draw, ``count`` how
+    often. The view may be closed in it."""
 
     def __init__(self):
         super().__init__()
         self.seconds, self.count = 0.0, 0
         self._is_inside = False
-        views = Gui.getMainWindow().findChildren(QtGui.QGraphicsView)
-        self._widgets = [view.viewport() for view in views]
+        # From FreeCAD, not by findChildren: PySide would keep what stands for a closed view.
+        document = Gui.activeDocument()
+        self._widget = document and document.activeView().graphicsView().viewport()
 
     def __enter__(self):
-        for widget in self._widgets:
-            widget.installEventFilter(self)
+        if self._widget is not None:
+            self._widget.installEventFilter(self)
         return self
 
     def __exit__(self, *_):
-        for widget in self._widgets:
-            widget.removeEventFilter(self)
+        try:
+            if self._widget is not None:
+                self._widget.removeEventFilter(self)
+        except RuntimeError:
+            pass  # closed
+        self._widget = None
 
     def eventFilter(self, widget, event) -> bool:
         """Lets a view draw within, so that the end is seen too."""
