@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/analytic_features.h"
-#include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/cad/reading/cad_reader.h"
 #include "sheetmorph/cad/writing/cad_writer.h"
 #include "sheetmorph/cad/writing/kept_model.h"
 #include "arrays.h"

@@ -5,7 +5,7 @@
 #include "sheetmorph/assembly/pose.h"
 #include "sheetmorph/assembly/relations.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
-#include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/constraints/constraints.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/base/rates.h"
-#include "sheetmorph/surface/targets.h"
+#include "sheetmorph/surface/constraints/targets.h"
 
 #include <map>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/text.h"
-#include "sheetmorph/surface/feature_motion.h"
+#include "sheetmorph/surface/constraints/feature_motion.h"
 
 #include <vector>
 

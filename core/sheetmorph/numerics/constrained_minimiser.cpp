@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/constrained_minimiser.h"
 
-#include "sheetmorph/numerics/row_products.h"
+#include "sheetmorph/numerics/products/row_products.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "sheetmorph/pick/neighbourhood.h"
 
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/regions/crease_loops.h"
 #include "sheetmorph/mesh/regions/flags.h"
 #include "sheetmorph/mesh/regions/growing.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/types.h"
-#include "sheetmorph/numerics/dense_products.h"
+#include "sheetmorph/numerics/products/dense_products.h"
 #include "sheetmorph/volume/mean_value_kernel.h"
 
 namespace sheetmorph

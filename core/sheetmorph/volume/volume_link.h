@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rates.h"
-#include "sheetmorph/numerics/panel_rows.h"
+#include "sheetmorph/numerics/products/panel_rows.h"
 #include "sheetmorph/volume/control_mesh.h"
 #include "sheetmorph/volume/control_mesh_fit.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/analytic_features.h"
-#include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/cad/reading/cad_reader.h"
 #include "sheetmorph/mesh/regions/circle.h"
 #include "cad_files.h"
 

@@ -4,7 +4,7 @@ from mutation import Mutation
 
 TIED = "assembly/links/tied_link.cpp"
 MIRROR = "assembly/symmetry/mirror.cpp"
-FIDELITY = "assembly/links/fidelity.cpp"
+FIDELITY = "assembly/session/fidelity.cpp"
 CHECKS = "assembly/assembly_checks.cpp"
 SYMMETRY = "assembly/symmetry/symmetry_plan.cpp"
 ERROR = "assembly/session/feature_error.cpp"
@@ -123,7 +123,7 @@ MUTATIONS = [
         TIED, "(moved + spin.cross(rotation * arm))", "(moved + spin.cross(arm))", "WaveRates.*"
     ),
     Mutation(
-        "assembly/links/link_blending.cpp",
+        "assembly/plan/link_blending.cpp",
         "1.0 - distance / reach",
         "distance / reach",
         "LinkBlending.*",

@@ -56,7 +56,7 @@ MUTATIONS = [
         FEATURES,
     ),
     Mutation(
-        "cad/cad_reader.cpp",
+        "cad/reading/cad_reader.cpp",
         "motion.Value(r + 1, c + 1)",
         "motion.Value(c + 1, r + 1)",
         "CadReader.*",

@@ -56,7 +56,7 @@ MUTATIONS = [
     ),
     Mutation(SPARSE, "front.use_count() > 1", "front.use_count() > 2", FACTORS),
     Mutation(
-        "numerics/vertex_cover.cpp",
+        "numerics/ordering/vertex_cover.cpp",
         "found.left[at(searched)] = 0;",
         "found.left[at(searched)] = 1;",
         "VertexCover.*",
@@ -66,19 +66,19 @@ MUTATIONS = [
     ),
     Mutation(SPARSE, "right_sides(row, first + column)", "right_sides(row, column)", FACTORS),
     Mutation(
-        "numerics/cholesky/nested_dissection.cpp",
+        "numerics/ordering/nested_dissection.cpp",
         "? 0 : set.parent + before",
         "? 0 : set.parent",
         "NestedDissection.*",
     ),
     Mutation(
-        "numerics/cholesky/nested_dissection.cpp",
+        "numerics/ordering/nested_dissection.cpp",
         "tree.lowest.push_back(node)",
         "tree.lowest.push_back(0)",
         FACTORS,
     ),
     Mutation(
-        "numerics/elimination.cpp",
+        "numerics/ordering/elimination.cpp",
         ": earlier.matrix_.unknown_of[at(row)] < 0",
         ": true",
         FACTORS,
@@ -95,13 +95,16 @@ MUTATIONS = [
         MINIMISER, "found += support_ * weighted_squares", "found += weighted_squares", MINIMA
     ),
     Mutation(
-        "numerics/row_products.cpp",
+        "numerics/products/row_products.cpp",
         "entry.value() * weights_(entry.row()) * of_rows_",
         "entry.value() * of_rows_",
         "RowProducts*",
     ),
     Mutation(
-        "numerics/panel_rows.cpp", "static_cast<float>(rows(row, k) - most)", "0.0F", "PanelRows.*"
+        "numerics/products/panel_rows.cpp",
+        "static_cast<float>(rows(row, k) - most)",
+        "0.0F",
+        "PanelRows.*",
     ),
     Mutation(
         "numerics/response/response_basis.cpp",
@@ -110,14 +113,14 @@ MUTATIONS = [
         "*ResponseBasis*",
     ),
     Mutation(
-        "numerics/dense_products.cpp",
+        "numerics/products/dense_products.cpp",
         "result[c] += row[rest] *",
         "result[c] = row[rest] *",
         "DenseProducts*",
         "volume",
     ),
     Mutation(
-        "numerics/dense_products.cpp",
+        "numerics/products/dense_products.cpp",
         "right.middleRows(j, wide)",
         "right.topRows(wide)",
         "DenseCholesky.*",

@@ -13,7 +13,7 @@ INVARIANTS = "Invariants.*:SurfaceDeformer.*"
 RELATIONS = "AllowedMotion.*"
 RATES = "WaveRates.*"
 SHELLS = "ShellElement.*"
-CONSTRAINT_CHECKS = "surface/constraint_checks.cpp"
+CONSTRAINT_CHECKS = "surface/constraints/constraint_checks.cpp"
 REFUSALS = "ConstraintChecks.*"
 FLAT = "surface/flat/flat_system.cpp"
 FLATTENING = "Flattening.*:FlatSystem.*"
@@ -21,6 +21,12 @@ LIVE = "*ResponseCases.*:Response.*"
 EXPANSIONS = "*TurnExpansions.*:FreeFeatures.*"
 
 MUTATIONS = [
+    Mutation(
+        "surface/surface_deformer.cpp",
+        "solve_pose(*data_, targets, exactness, progress)",
+        "solve_pose(*data_, targets, Exactness::live, progress)",
+        "SteelAnswer.RollsUpAsAnExactCircle:SteelAnswer.CanBeCancelled",
+    ),
     Mutation(
         NATURAL,
         "gradients.area / mass * gradients",
@@ -47,7 +53,7 @@ MUTATIONS = [
         "assembly",
     ),
     Mutation(
-        "surface/operators/clamping.cpp", "(shift + (rotation * arm - arm))", "shift", INVARIANTS
+        "surface/bodies/clamping.cpp", "(shift + (rotation * arm - arm))", "shift", INVARIANTS
     ),
     Mutation(ALLOWED, "centre + shift - along.dot(shift) * along", "centre + shift", RELATIONS),
     Mutation(
@@ -82,7 +88,7 @@ MUTATIONS = [
         "Joints.*",
     ),
     Mutation(
-        "surface/bodies/sheet_growth.cpp",
+        "surface/solve/sheet_growth.cpp",
         "sums(column) -= entry.value();",
         "sums(column) += entry.value();",
         "FeatureSizes.*",
@@ -197,19 +203,19 @@ MUTATIONS = [
     ),
     # The minimum over what features turn.
     Mutation(
-        "surface/solve/reduced_expansion.cpp",
+        "surface/features/reduced_expansion.cpp",
         "change.rotation = cross_matrix(outer.axis) * first.rotation;",
         "change.rotation = first.rotation * cross_matrix(outer.axis);",
         EXPANSIONS,
     ),
     Mutation(
-        "surface/solve/reduced_expansion.cpp",
+        "surface/features/reduced_expansion.cpp",
         "2.0 * (m.trace() * Matrix3::Identity() - m.transpose())",
         "2.0 * (m.trace() * Matrix3::Identity() - m)",
         EXPANSIONS,
     ),
     Mutation(
-        "surface/solve/feature_responses.cpp",
+        "surface/features/feature_responses.cpp",
         "mesh_.points()(vertex, b) - centre(b)",
         "mesh_.points()(vertex, b) + centre(b)",
         "FreeFeatures.*",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/assembly/plan/propagation_plan.h"
+#include "sheetmorph/assembly/assembly.h"
 #include "sheetmorph/volume/oriented_box.h"
 
 namespace sheetmorph

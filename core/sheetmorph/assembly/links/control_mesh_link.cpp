@@ -3,10 +3,10 @@
 #include "sheetmorph/assembly/links/link_rates.h"
 #include "sheetmorph/assembly/links/motion_link.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/mesh/geometry/components.h"
 #include "sheetmorph/mesh/geometry/normals.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 #include "sheetmorph/mesh/quality/median.h"
-#include "sheetmorph/mesh/topology/components.h"
 #include "sheetmorph/mesh/topology/orientation.h"
 #include "sheetmorph/volume/local_rotations.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/surface/rates/target_rates.h"
-#include "sheetmorph/surface/surface_deformer.h"
+#include "sheetmorph/surface/solve/deformation.h"
 #include "sheetmorph/volume/local_rotations.h"
 
 namespace sheetmorph

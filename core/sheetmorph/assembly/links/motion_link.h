@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/search/part_geometry.h"
 #include "sheetmorph/surface/rates/target_rates.h"
-#include "sheetmorph/surface/surface_deformer.h"
+#include "sheetmorph/surface/solve/deformation.h"
 #include "sheetmorph/volume/oriented_box.h"
 #include "sheetmorph/volume/volume_link.h"
 

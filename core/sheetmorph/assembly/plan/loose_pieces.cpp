@@ -4,9 +4,9 @@
 #include "sheetmorph/assembly/labels.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/mesh/geometry/components.h"
 #include "sheetmorph/mesh/search/picking.h"
-#include "sheetmorph/mesh/topology/components.h"
-#include "sheetmorph/surface/operators/vertex_roles.h"
+#include "sheetmorph/surface/bodies/vertex_roles.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/assembly/links/link_plan.h"
+#include "sheetmorph/assembly/plan/link_plan.h"
 #include "sheetmorph/assembly/plan/pair_plan.h"
 #include "sheetmorph/assembly/plan/part_pose.h"
 #include "sheetmorph/surface/surface_deformer.h"

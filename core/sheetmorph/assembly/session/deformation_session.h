@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/assembly/links/fidelity.h"
 #include "sheetmorph/assembly/links/motion_link.h"
 #include "sheetmorph/assembly/plan/propagation_plan.h"
+#include "sheetmorph/assembly/session/fidelity.h"
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/forms/feature_shape.h"
 #include "sheetmorph/recognise/thin/thin_solid.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/carry/face_patch.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 
 #include <Geom2dAdaptor_Curve.hxx>
 #include <Geom_BSplineCurve.hxx>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/carry/kept_motion.h"
 #include "sheetmorph/base/rigid_motion.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

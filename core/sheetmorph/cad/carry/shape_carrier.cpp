@@ -4,7 +4,7 @@
 #include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/cad/carry/face_motions.h"
 #include "sheetmorph/cad/carry/face_patch.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 #include "sheetmorph/cad/splines/parameter_curve.h"
 #include "sheetmorph/cad/splines/surface_breaks.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/carry/washers.h"
 #include "sheetmorph/cad/carry/washer_region.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 #include "sheetmorph/cad/splines/spline_curve.h"
 
 #include <BRep_Builder.hxx>

@@ -2,7 +2,7 @@
 #include "sheetmorph/cad/healing/healing.h"
 #include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/cad/healing/shape_faults.h"
-#include "sheetmorph/cad/writing/label_attributes.h"
+#include "sheetmorph/cad/label_attributes.h"
 
 #include <BRep_Tool.hxx>
 #include <ShapeBuild_ReShape.hxx>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/meshing/face_nodes.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/cad/cad_reader.h"
+#include "sheetmorph/cad/meshing/cad_meshing.h"
 #include "sheetmorph/cad/meshing/face_mesh.h"
 
 #include <TopTools_IndexedMapOfShape.hxx>

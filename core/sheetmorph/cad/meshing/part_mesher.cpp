@@ -3,8 +3,8 @@
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/meshing/face_nodes.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 #include "sheetmorph/cad/meshing/shape_mesh.h"
-#include "sheetmorph/cad/occt_surface.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>

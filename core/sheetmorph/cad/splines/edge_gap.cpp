@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/splines/edge_gap.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 #include "sheetmorph/cad/splines/cubic_basis.h"
 #include "sheetmorph/cad/splines/parameter_curve.h"
 

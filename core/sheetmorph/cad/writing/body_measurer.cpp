@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/body_measurer.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>

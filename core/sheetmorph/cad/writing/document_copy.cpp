@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/document_copy.h"
-#include "sheetmorph/cad/writing/label_attributes.h"
+#include "sheetmorph/cad/label_attributes.h"
 
 #include <BRep_Builder.hxx>
 #include <TDF_LabelSequence.hxx>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/cad/cad_shapes.h"
+#include "sheetmorph/cad/cad_source.h"
 #include "sheetmorph/cad/carry/carried_shape.h"
-#include "sheetmorph/cad/writing/label_attributes.h"
+#include "sheetmorph/cad/label_attributes.h"
 
 #include <map>
 

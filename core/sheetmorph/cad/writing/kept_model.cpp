@@ -2,9 +2,9 @@
 #include "sheetmorph/cad/writing/kept_model.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/cad_guard.h"
-#include "sheetmorph/cad/cad_shapes.h"
+#include "sheetmorph/cad/meshing/occt_surface.h"
 #include "sheetmorph/cad/meshing/shape_mesh.h"
-#include "sheetmorph/cad/occt_surface.h"
+#include "sheetmorph/cad/reading/cad_shapes.h"
 
 #include <TopExp.hxx>
 #include <TopoDS.hxx>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/writing/written_file.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/reading/cad_shapes.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>

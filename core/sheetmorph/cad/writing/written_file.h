@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/cad/cad_shapes.h"
+#include "sheetmorph/cad/cad_source.h"
 #include "sheetmorph/cad/writing/cad_writer.h"
 
 namespace sheetmorph

@@ -2,7 +2,7 @@
 #include "sheetmorph/mesh/quality/noise.h"
 
 #include "sheetmorph/mesh/geometry/areas.h"
-#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

@@ -4,7 +4,7 @@
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/geometry/areas.h"
-#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/regions/flags.h"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/numerics/dense_products.h"
+#include "sheetmorph/numerics/products/dense_products.h"
 
 namespace sheetmorph
 {

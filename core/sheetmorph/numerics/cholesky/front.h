@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/numerics/cholesky/front_pattern.h"
-#include "sheetmorph/numerics/dense_products.h"
+#include "sheetmorph/numerics/products/dense_products.h"
 
 #include <memory>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/threads/parallel.h"
-#include "sheetmorph/numerics/elimination.h"
+#include "sheetmorph/numerics/ordering/elimination.h"
 
 namespace sheetmorph
 {

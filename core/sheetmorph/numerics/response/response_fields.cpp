@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/threads/parallel.h"
-#include "sheetmorph/numerics/halving.h"
+#include "sheetmorph/numerics/ordering/halving.h"
 #include "sheetmorph/numerics/response/response_kernel.h"
 
 #include <algorithm>

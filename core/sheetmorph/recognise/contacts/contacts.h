@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
-#include "sheetmorph/recognise/features/feature.h"
+#include "sheetmorph/recognise/feature.h"
 #include "sheetmorph/recognise/tolerances.h"
 
 namespace sheetmorph

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/triangle_mesh.h"
-#include "sheetmorph/recognise/features/feature.h"
+#include "sheetmorph/recognise/feature.h"
 #include "sheetmorph/recognise/tolerances.h"
 
 namespace sheetmorph

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/recognise/features/feature.h"
+#include "sheetmorph/recognise/feature.h"
 #include "sheetmorph/recognise/surfaces/facet_graph.h"
 #include "sheetmorph/recognise/tolerances.h"
 

@@ -2,8 +2,8 @@
 #include "sheetmorph/recognise/surfaces/facet_graph.h"
 
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/quality/noise.h"
-#include "sheetmorph/mesh/quality/thinness.h"
 #include "sheetmorph/recognise/surfaces/welding.h"
 
 #include <Eigen/Geometry>

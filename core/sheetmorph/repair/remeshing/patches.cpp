@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/mesh/geometry/areas.h"
-#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/triangle_mesh.h"
-#include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/constraints/constraints.h"
 
 #include <optional>
 #include <set>

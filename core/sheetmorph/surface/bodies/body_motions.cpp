@@ -6,7 +6,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/surface/bodies/allowed_motion.h"
-#include "sheetmorph/surface/operators/clamping.h"
+#include "sheetmorph/surface/bodies/clamping.h"
 
 #include <Eigen/Geometry>
 

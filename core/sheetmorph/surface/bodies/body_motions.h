@@ -2,8 +2,8 @@
 #pragma once
 
 #include "sheetmorph/mesh/triangle_mesh.h"
-#include "sheetmorph/surface/rotation/rotation_field.h"
-#include "sheetmorph/surface/targets.h"
+#include "sheetmorph/surface/bodies/vertex_roles.h"
+#include "sheetmorph/surface/constraints/targets.h"
 
 #include <utility>
 
@@ -16,6 +16,16 @@ struct BodyMotions
     std::vector<RigidMotion> motions;  //!< whole motion of known bodies, about the body's centre
     Points logs;                       //!< (b, 3) rotations, zero where interpolated
     Points tilts;                      //!< (b, 3) what the logs cannot tell: R = exp(tilt) exp(log)
+};
+
+//! The rotations a pose knows, all as logarithms (2.6).
+struct KnownRotations
+{
+    Points vertices;  //!< (n, 3) rows read at vertices whose rotation is known
+    Points handles;   //!< (h, 3)
+    Points bodies;    //!< (b, 3) rows read at bodies whose rotation is known
+    Points regions;   //!< (p, 3) mean logarithm of every propagated region
+    Points points;    //!< (k, 3) rows read at turned points
 };
 
 //! What the rotation field is given. Near whole turns the logarithm of a rotation leaps; there the

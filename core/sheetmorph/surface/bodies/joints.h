@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/surface/bodies/body_motions.h"
-#include "sheetmorph/surface/rotation/turners.h"
+#include "sheetmorph/surface/bodies/turners.h"
 
 namespace sheetmorph
 {

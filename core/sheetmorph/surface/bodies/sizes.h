@@ -2,8 +2,8 @@
 #pragma once
 
 #include "sheetmorph/forms/feature_shape.h"
-#include "sheetmorph/surface/constraints.h"
-#include "sheetmorph/surface/targets.h"
+#include "sheetmorph/surface/constraints/constraints.h"
+#include "sheetmorph/surface/constraints/targets.h"
 
 namespace sheetmorph
 {

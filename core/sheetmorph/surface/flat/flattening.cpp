@@ -3,9 +3,9 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/geometry/components.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/topology/boundary.h"
-#include "sheetmorph/mesh/topology/components.h"
 #include "sheetmorph/mesh/topology/orientation.h"
 #include "sheetmorph/surface/flat/flat_system.h"
 

@@ -5,9 +5,9 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/surface/features/reduced_minimum.h"
+#include "sheetmorph/surface/features/turner_field.h"
 #include "sheetmorph/surface/live/learning.h"
-#include "sheetmorph/surface/rotation/turner_field.h"
-#include "sheetmorph/surface/solve/reduced_minimum.h"
 
 #include <Eigen/QR>
 #include <algorithm>

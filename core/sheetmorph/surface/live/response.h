@@ -5,7 +5,7 @@
 #include "sheetmorph/surface/bodies/joints.h"
 #include "sheetmorph/surface/live/pose_numbers.h"
 #include "sheetmorph/surface/live/span.h"
-#include "sheetmorph/surface/surface_deformer.h"
+#include "sheetmorph/surface/solve/deformation.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/search/anchor.h"
-#include "sheetmorph/surface/operators/vertex_roles.h"
+#include "sheetmorph/surface/bodies/vertex_roles.h"
 
 namespace sheetmorph
 {

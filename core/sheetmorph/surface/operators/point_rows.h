@@ -3,8 +3,8 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
-#include "sheetmorph/surface/constraints.h"
-#include "sheetmorph/surface/targets.h"
+#include "sheetmorph/surface/constraints/constraints.h"
+#include "sheetmorph/surface/constraints/targets.h"
 
 namespace sheetmorph
 {

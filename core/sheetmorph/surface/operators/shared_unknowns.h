@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/surface/bodies/vertex_roles.h"
 #include "sheetmorph/surface/operators/unknowns.h"
-#include "sheetmorph/surface/operators/vertex_roles.h"
 
 namespace sheetmorph
 {

@@ -7,7 +7,7 @@
 #include "sheetmorph/mesh/geometry/delaunay_flips.h"
 #include "sheetmorph/mesh/geometry/fans.h"
 #include "sheetmorph/mesh/geometry/operators.h"
-#include "sheetmorph/surface/operators/clamping.h"
+#include "sheetmorph/surface/bodies/clamping.h"
 #include "sheetmorph/surface/operators/hinged_sheets.h"
 #include "sheetmorph/surface/operators/natural_rows.h"
 #include "sheetmorph/surface/operators/ties.h"

@@ -4,7 +4,7 @@
 #include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
-#include "sheetmorph/surface/operators/vertex_roles.h"
+#include "sheetmorph/surface/bodies/vertex_roles.h"
 
 namespace sheetmorph
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
-#include "sheetmorph/surface/constraints.h"
+#include "sheetmorph/surface/constraints/constraints.h"
 
 namespace sheetmorph
 {

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
-#include "sheetmorph/surface/operators/clamping.h"
+#include "sheetmorph/surface/bodies/clamping.h"
 
 #include <Eigen/Geometry>
 

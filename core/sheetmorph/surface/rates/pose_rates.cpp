@@ -5,9 +5,9 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/surface/features/turner_field.h"
 #include "sheetmorph/surface/operators/point_rows.h"
 #include "sheetmorph/surface/rates/body_rates.h"
-#include "sheetmorph/surface/rotation/turner_field.h"
 #include "sheetmorph/surface/solve/placement.h"
 
 #include <Eigen/Geometry>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/surface/features/reduced_expansion.h"
 #include "sheetmorph/surface/rates/target_rates.h"
 #include "sheetmorph/surface/solve/pose_steps.h"
-#include "sheetmorph/surface/solve/reduced_expansion.h"
 
 namespace sheetmorph
 {

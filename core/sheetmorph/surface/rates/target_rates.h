@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/rates.h"
-#include "sheetmorph/surface/targets.h"
+#include "sheetmorph/surface/constraints/targets.h"
 
 namespace sheetmorph
 {

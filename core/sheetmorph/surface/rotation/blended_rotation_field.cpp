@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/numerics/panel_rows.h"
+#include "sheetmorph/numerics/products/panel_rows.h"
 #include "sheetmorph/surface/operators/shared_unknowns.h"
 #include "sheetmorph/surface/operators/ties.h"
 #include "sheetmorph/surface/rotation/rotation_field.h"

@@ -2,23 +2,13 @@
 #pragma once
 
 #include "sheetmorph/base/convergence.h"
+#include "sheetmorph/surface/bodies/body_motions.h"
 #include "sheetmorph/surface/operators/surface_operators.h"
-#include "sheetmorph/surface/operators/vertex_roles.h"
 
 #include <memory>
 
 namespace sheetmorph
 {
-
-//! The rotations a pose knows, all as logarithms (2.6).
-struct KnownRotations
-{
-    Points vertices;  //!< (n, 3) rows read at vertices whose rotation is known
-    Points handles;   //!< (h, 3)
-    Points bodies;    //!< (b, 3) rows read at bodies whose rotation is known
-    Points regions;   //!< (p, 3) mean logarithm of every propagated region
-    Points points;    //!< (k, 3) rows read at turned points
-};
 
 //! Rotation logarithms of a whole sheet.
 struct SpreadRotations

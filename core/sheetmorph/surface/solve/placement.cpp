@@ -2,7 +2,7 @@
 #include "sheetmorph/surface/solve/placement.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/surface/operators/clamping.h"
+#include "sheetmorph/surface/bodies/clamping.h"
 
 namespace sheetmorph
 {

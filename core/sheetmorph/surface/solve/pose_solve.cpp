@@ -3,13 +3,13 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/surface/constraint_checks.h"
+#include "sheetmorph/surface/constraints/constraint_checks.h"
+#include "sheetmorph/surface/features/reduced_minimum.h"
+#include "sheetmorph/surface/features/turner_field.h"
 #include "sheetmorph/surface/operators/point_rows.h"
-#include "sheetmorph/surface/rotation/turner_field.h"
 #include "sheetmorph/surface/solve/placement.h"
 #include "sheetmorph/surface/solve/pose_steps.h"
 #include "sheetmorph/surface/solve/reachable_size.h"
-#include "sheetmorph/surface/solve/reduced_minimum.h"
 
 #include <algorithm>
 #include <cmath>

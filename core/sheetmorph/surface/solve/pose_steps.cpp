@@ -5,9 +5,9 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotations/rotation_batch.h"
 #include "sheetmorph/base/threads/parallel.h"
-#include "sheetmorph/surface/rotation/turner_field.h"
+#include "sheetmorph/surface/features/reduced_minimum.h"
+#include "sheetmorph/surface/features/turner_field.h"
 #include "sheetmorph/surface/solve/placement.h"
-#include "sheetmorph/surface/solve/reduced_minimum.h"
 
 namespace sheetmorph
 {

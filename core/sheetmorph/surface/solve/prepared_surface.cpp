@@ -2,7 +2,7 @@
 #include "sheetmorph/surface/solve/prepared_surface.h"
 
 #include "sheetmorph/base/index.h"
-#include "sheetmorph/surface/operators/clamping.h"
+#include "sheetmorph/surface/bodies/clamping.h"
 #include "sheetmorph/surface/operators/point_rows.h"
 #include "sheetmorph/surface/operators/shared_unknowns.h"
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "sheetmorph/base/progress.h"
-#include "sheetmorph/surface/bodies/sheet_growth.h"
+#include "sheetmorph/surface/features/feature_responses.h"
 #include "sheetmorph/surface/operators/followers.h"
 #include "sheetmorph/surface/operators/unknowns.h"
 #include "sheetmorph/surface/rotation/far_turns.h"
-#include "sheetmorph/surface/solve/feature_responses.h"
+#include "sheetmorph/surface/solve/sheet_growth.h"
 #include "sheetmorph/surface/steel/steel_answer.h"
 
 namespace sheetmorph

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/surface/solve/deformation.h"
 #include "sheetmorph/surface/solve/prepared_surface.h"
-#include "sheetmorph/surface/surface_deformer.h"
 
 namespace sheetmorph
 {

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/rotation.h"
-#include "sheetmorph/mesh/quality/thinness.h"
+#include "sheetmorph/mesh/geometry/thinness.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

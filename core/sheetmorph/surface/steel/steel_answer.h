@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/base/convergence.h"
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/surface/steel/shell_movers.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/healing/healing.h"
-#include "sheetmorph/cad/cad_reader.h"
 #include "sheetmorph/cad/healing/shape_faults.h"
+#include "sheetmorph/cad/reading/cad_reader.h"
 #include "cad/cad_files.h"
 
 #include <fstream>

@@ -2,8 +2,8 @@
 #include "sheetmorph/cad/writing/cad_writer.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/cad/analytic_features.h"
-#include "sheetmorph/cad/cad_reader.h"
-#include "sheetmorph/cad/cad_shapes.h"
+#include "sheetmorph/cad/reading/cad_reader.h"
+#include "sheetmorph/cad/reading/cad_shapes.h"
 #include "cad/cad_files.h"
 
 #include <BOPAlgo_ArgumentAnalyzer.hxx>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/numerics/elimination.h"
+#include "sheetmorph/numerics/ordering/elimination.h"
 
 #include <cholmod.h>
 

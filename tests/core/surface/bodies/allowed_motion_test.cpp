@@ -2,7 +2,7 @@
 // The motion that a feature's motion or link allows, nearest to a wanted one.
 #include "sheetmorph/surface/bodies/allowed_motion.h"
 
-#include "sheetmorph/surface/operators/vertex_roles.h"
+#include "sheetmorph/surface/bodies/vertex_roles.h"
 #include "surface/free_strip.h"
 
 #include <gtest/gtest.h>

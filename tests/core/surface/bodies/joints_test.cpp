@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/bodies/joints.h"
 
-#include "sheetmorph/surface/operators/vertex_roles.h"
+#include "sheetmorph/surface/bodies/vertex_roles.h"
 #include "surface/free_strip.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Products with the second derivative of the energy beside the derivative itself.
+#include "sheetmorph/surface/features/reduced_expansion.h"
 #include "sheetmorph/surface/solve/pose_steps.h"
-#include "sheetmorph/surface/solve/reduced_expansion.h"
 #include "surface/free_strip.h"
 
 #include <gmock/gmock.h>

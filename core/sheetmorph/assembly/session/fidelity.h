@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/assembly/plan/propagation_plan.h"
+#include "sheetmorph/surface/solve/deformation.h"
+
+namespace sheetmorph
+{
+
+//! How well one contact was kept in a pose.
+struct ContactFidelity
+{
+    int contact = 0;  //!< index into Assembly::contacts
+    int source_part = 0;
+    int target_part = 0;
+    double deviation = 0.0;    //!< mm: farthest a driven vertex is from the source side's own best
+                               //!< rigid motion; bending of the region counts
+    double region_size = 0.0;  //!< mm: diagonal of both sides at rest, to compare with
+};
+
+//! Measures one contact.
+class ContactGauge
+{
+public:
+    ContactGauge(const Assembly& assembly, const DirectedContact& contact);
+
+    //! \param source  the whole source part in one pose
+    //! \param target  (n, 3) positions of the whole target part, mm
+    ContactFidelity measure(const Deformation& source, const Points& target) const;
+
+private:
+    ContactFidelity blank_;
+    VertexIds source_, target_;
+    Points source_rest_, target_rest_;  // rows of the two sides
+};
+
+}  // namespace sheetmorph

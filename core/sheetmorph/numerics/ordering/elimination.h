@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/numerics/ordering/nested_dissection.h"
+
+#include <memory>
+
+namespace sheetmorph
+{
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+//! S^T M S of a whole symmetric matrix M, S having one 1 a row at most: rows of one unknown are
+//! added up, rows of none are left out.
+struct MergedMatrix
+{
+    std::shared_ptr<const SparseMatrix> whole;  //!< M (n, n), both triangles
+    std::vector<int> unknown_of;                //!< (n) 0 .. count - 1; negative: none
+    int count = 0;
+};
+
+//! Every row an unknown of its own.
+MergedMatrix unmerged(std::shared_ptr<const SparseMatrix> whole);
+
+//! Where in a tree of the whole matrix every unknown is eliminated: at the lowest node that has
+//! all its rows below it. Unknowns are told by slots, the places of their first rows in the tree's
+//! order, which stay the same when other unknowns come and go.
+class Elimination
+{
+public:
+    Elimination(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree);
+
+    const MergedMatrix& matrix() const { return matrix_; }
+    const SeparatorTree& tree() const { return *tree_; }
+    int slots() const { return static_cast<int>(tree_->order.size()); }
+
+    //! Rows of the whole matrix of an unknown: [begin, end).
+    const int* rows_begin(int unknown) const { return rows_.data() + index(unknown, rows_start_); }
+    const int* rows_end(int unknown) const
+    {
+        return rows_.data() + index(unknown + 1, rows_start_);
+    }
+
+    //! Unknowns of a node, in their order: [begin, end).
+    const int* own_begin(int node) const { return order_.data() + index(node, own_start_); }
+    const int* own_end(int node) const { return order_.data() + index(node + 1, own_start_); }
+
+    int slot_of(int unknown) const { return slot_of_[static_cast<std::size_t>(unknown)]; }
+
+    //! Which in the order of elimination an unknown is.
+    int rank_of(int unknown) const { return rank_of_[static_cast<std::size_t>(unknown)]; }
+    int rank_of_slot(int slot) const { return rank_of_slot_[static_cast<std::size_t>(slot)]; }
+    int slot_of_rank(int rank) const { return slot_of(order_[static_cast<std::size_t>(rank)]); }
+
+    //! First rank after those of a node.
+    int rank_after(int node) const { return own_start_[static_cast<std::size_t>(node) + 1]; }
+
+    //! (nodes) whose columns and all below them are what they were in an earlier elimination.
+    std::vector<char> unchanged_nodes(const Elimination& earlier) const;
+
+private:
+    static std::size_t index(int k, const std::vector<int>& starts)
+    {
+        return static_cast<std::size_t>(starts[static_cast<std::size_t>(k)]);
+    }
+    void collect_rows();
+    void find_nodes();
+    void sort_by_node();
+    std::vector<char> same_unknowns(const Elimination& earlier) const;
+
+    MergedMatrix matrix_;
+    std::shared_ptr<const SeparatorTree> tree_;
+    std::vector<int> rows_, rows_start_;  // by unknown
+    std::vector<int> slot_of_;            // by unknown
+    std::vector<int> node_of_;            // by unknown
+    std::vector<int> order_, own_start_;  // unknowns by node
+    std::vector<int> rank_of_;            // by unknown
+    std::vector<int> rank_of_slot_;
+};
+
+}  // namespace sheetmorph
