@@ -39,8 +39,7 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input,
       operators_(input.operators),
       minimiser_(minimiser),
       turners_(std::move(turners)),
-      weights_(turner_weights(input, turners_)),
-      by_vertex_(weights_)
+      weights_(turner_weights(input, turners_))
 {
     number_columns();
     offsets_ = direct_moves();
@@ -92,16 +91,12 @@ SparseMatrix FeatureResponses::direct_moves() const
 // How the columns turn the rest rows around the turners.
 SparseMatrix FeatureResponses::turned_rows() const
 {
-    std::vector<std::vector<int>> rows(at(mesh_.vertex_count()));
-    for (std::size_t row = 0; row < operators_.row_vertices.size(); ++row)
-        rows[at(operators_.row_vertices[row])].push_back(static_cast<int>(row));
     std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index k = 0; k < weights_.cols(); ++k)
-        for (SparseMatrix::InnerIterator entry(weights_, k); entry; ++entry)
-            for (const int row : rows[at(entry.row())])
-                for (int b = 0; b < 3 && columns_[at(k)].turn != none; ++b)
-                    entries.emplace_back(row, columns_[at(k)].turn + b,
-                                         entry.value() * operators_.rest_rows(row, b));
+    for (std::size_t row = 0; row < operators_.row_vertices.size(); ++row)
+        for (auto entry = weights_.at_vertex(operators_.row_vertices[row]); entry; ++entry)
+            for (int b = 0; b < 3 && columns_[at(entry.col())].turn != none; ++b)
+                entries.emplace_back(row, columns_[at(entry.col())].turn + b,
+                                     entry.value() * operators_.rest_rows(row, b));
     SparseMatrix turned(operators_.rest_rows.rows(), count_);
     turned.setFromTriplets(entries.begin(), entries.end());
     return turned;

@@ -44,10 +44,7 @@ public:
     const std::vector<TurnerColumns>& columns() const { return columns_; }
 
     //! (n, turners) turner_weights().
-    const SparseMatrix& weights() const { return weights_; }
-
-    //! The same, the turners of a vertex together.
-    const WeightsByVertex& weights_by_vertex() const { return by_vertex_; }
+    const SmoothWeights& weights() const { return weights_; }
 
     //! \param base  the minimum of the pose with every turner unmoved, and what it was asked for
     ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
@@ -89,8 +86,7 @@ private:
     std::vector<Turner> turners_;
     std::vector<TurnerColumns> columns_;
     int count_ = 0;  // c
-    SparseMatrix weights_;
-    WeightsByVertex by_vertex_;
+    SmoothWeights weights_;
     SparseMatrix offsets_;      // (n, c) what the columns move directly
     SparseMatrix turned_rows_;  // (r, c)
     Weights stiffness_;         // (c, c)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
 namespace sheetmorph
@@ -16,7 +17,6 @@ namespace
 {
 
 // Fewest for which another thread is worth its start.
-constexpr Eigen::Index least_turners = 16;
 constexpr Eigen::Index least_blended = 2048;
 
 bool turns_sheet(const Turner& turner)
@@ -38,24 +38,25 @@ double hold(double angle)
 
 std::vector<double> farthest_turns(const FeatureResponses& responses, const Points& logs)
 {
-    const auto farthest = [&](std::size_t k)
+    const std::vector<Turner>& turners = responses.turners();
+    Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(turners.size()));
+    std::mutex joining;
+    const auto look = [&](Eigen::Index begin, Eigen::Index end)
     {
-        double square = 0.0;
-        if (!turns_sheet(responses.turners()[k]))
-            return square;
-        const Eigen::RowVector3d own = logs.row(responses.turners()[k].vertices.front());
-        for (SparseMatrix::InnerIterator entry(responses.weights(), static_cast<Eigen::Index>(k));
-             entry; ++entry)
-            square = std::max(square, (logs.row(entry.row()) - own).squaredNorm());
-        return std::sqrt(square);
+        Eigen::ArrayXd largest = Eigen::ArrayXd::Zero(squares.size());
+        for (Eigen::Index i = begin; i < end; ++i)
+            for (auto entry = responses.weights().at_vertex(i); entry; ++entry)
+                if (const Turner& turner = turners[at(entry.col())]; turns_sheet(turner))
+                {
+                    const auto turn = logs.row(i) - logs.row(turner.vertices.front());
+                    largest(entry.col()) = std::max(largest(entry.col()), turn.squaredNorm());
+                }
+        const std::lock_guard<std::mutex> lock(joining);
+        squares = squares.max(largest);
     };
-    std::vector<double> all(responses.turners().size());
-    const auto take = [&](Eigen::Index begin, Eigen::Index end)
-    {
-        for (std::size_t k = at(begin); k < at(end); ++k)
-            all[k] = farthest(k);
-    };
-    parallel_ranges(responses.weights().cols(), least_turners, take);
+    parallel_ranges(responses.weights().vertices(), least_blended, look);
+    std::vector<double> all(turners.size());
+    Eigen::Map<Eigen::ArrayXd>(all.data(), squares.size()) = squares.sqrt();
     return all;
 }
 
@@ -89,18 +90,18 @@ void blend_logs(const FeatureResponses& responses, const std::vector<BodyState>&
             const Vector3 field = logs.row(turner.vertices.front()).transpose();
             turned[k] = log_near(states[k].rotation, field).transpose();
         }
-    const WeightsByVertex& weights = responses.weights_by_vertex();
+    const SmoothWeights& weights = responses.weights();
     const auto blend = [&](Eigen::Index begin, Eigen::Index end)
     {
         for (Eigen::Index i = begin; i < end; ++i)
         {
             const Eigen::RowVector3d field = logs.row(i);
-            for (WeightsByVertex::InnerIterator entry(weights, i); entry; ++entry)
+            for (auto entry = weights.at_vertex(i); entry; ++entry)
                 if (const auto& log = turned[at(entry.col())])
                     logs.row(i) += entry.value() * (*log - field);
         }
     };
-    parallel_ranges(weights.rows(), least_blended, blend);
+    parallel_ranges(weights.vertices(), least_blended, blend);
 }
 
 }  // namespace sheetmorph

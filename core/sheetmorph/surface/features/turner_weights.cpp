@@ -3,8 +3,6 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/operators/shared_unknowns.h"
-#include "sheetmorph/surface/operators/ties.h"
-#include "sheetmorph/surface/rotation/smooth_weights.h"
 
 #include <algorithm>
 
@@ -60,10 +58,10 @@ constexpr double faded = 1e-3;
 
 }  // namespace
 
-SparseMatrix turner_weights(const RotationFieldInput& input, const std::vector<Turner>& turners)
+SmoothWeights turner_weights(const RotationFieldInput& input, const std::vector<Turner>& turners)
 {
     if (turners.empty())
-        return SparseMatrix(input.mesh.vertex_count(), 0);
+        return SmoothWeights(input.mesh.vertex_count());
     const std::vector<int> owner = owners(input.mesh.vertex_count(), turners);
     std::vector<VertexIds> owned(turners.size());
     for (std::size_t i = 0; i < owner.size(); ++i)
@@ -72,11 +70,9 @@ SparseMatrix turner_weights(const RotationFieldInput& input, const std::vector<T
     const SurfaceOperators& operators = input.operators;
     const Unknowns unknowns = open_vertices(input, owner);
     const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.harmonic_tree);
-    SparseMatrix weights =
-        smooth_weights({*operators.harmonic, unknowns, factor}, owned, {faded, 0.0, true});
-    if (input.roles.ties.empty())
-        return weights;
-    return tie_basis(input.mesh.vertex_count(), input.roles.ties) * weights;
+    SmoothWeights weights({*operators.harmonic, unknowns, factor}, owned, {faded, 0.0, true});
+    weights.fill_tied(input.roles.ties);
+    return weights;
 }
 
 }  // namespace sheetmorph

@@ -103,30 +103,25 @@ void Response::find_blends()
 {
     if (part_.responses == nullptr)
         return;
-    const SparseMatrix& weights = part_.responses->weights();
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
-        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
-        {
-            const auto row = std::lower_bound(readers_.vertices.begin(), readers_.vertices.end(),
-                                              static_cast<int>(entry.row()));
-            if (row != readers_.vertices.end() && *row == entry.row())
-                blends_.push_back({row - readers_.vertices.begin(), k, entry.value()});
-        }
+    for (std::size_t row = 0; row < readers_.vertices.size(); ++row)
+        for (auto entry = part_.responses->weights().at_vertex(readers_.vertices[row]); entry;
+             ++entry)
+            blends_.push_back({static_cast<Eigen::Index>(row), entry.col(), entry.value()});
 }
 
 void Response::find_spread()
 {
     if (part_.responses == nullptr)
         return;
-    const SparseMatrix& weights = part_.responses->weights();
+    const SmoothWeights& weights = part_.responses->weights();
     const Weights& field = numbers_->field();
-    spread_ = Eigen::MatrixXd::Zero(weights.cols(), field.cols());
-    for (Eigen::Index k = 0; k < weights.cols(); ++k)
-        for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
+    spread_ = Eigen::MatrixXd::Zero(weights.groups(), field.cols());
+    for (Eigen::Index i = 0; i < weights.vertices(); ++i)
+        for (auto entry = weights.at_vertex(i); entry; ++entry)
         {
-            const int own = part_.responses->turners()[at(k)].vertices.front();
-            spread_.row(k) =
-                spread_.row(k).cwiseMax((field.row(entry.row()) - field.row(own)).cwiseAbs());
+            const int own = part_.responses->turners()[at(entry.col())].vertices.front();
+            auto spread = spread_.row(entry.col());
+            spread = spread.cwiseMax((field.row(i) - field.row(own)).cwiseAbs());
         }
 }
 

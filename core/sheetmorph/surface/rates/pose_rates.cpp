@@ -137,16 +137,16 @@ std::vector<Matrix3> PoseRates::turn_rates(const Direction& direction,
                                            const std::vector<Vector3>& spins) const
 {
     std::vector<Matrix3> change(turns_.size());
-    for (std::size_t i = 0; i < change.size(); ++i)
-        change[i] = shares_(static_cast<Eigen::Index>(i)) * cross_matrix(direction.field_spins[i])
-                    * turns_[i];
+    std::vector<Matrix3> turns;
     for (std::size_t k = 0; k < spins.size(); ++k)
+        turns.push_back(cross_matrix(spins[k]) * turned_->joints.states()[k].rotation);
+    for (std::size_t i = 0; i < change.size(); ++i)
     {
-        const Matrix3 turn = cross_matrix(spins[k]) * turned_->joints.states()[k].rotation;
-        for (SparseMatrix::InnerIterator entry(part_.responses->weights(),
-                                               static_cast<Eigen::Index>(k));
-             entry; ++entry)
-            change[at(entry.row())] += entry.value() * turn;
+        const auto vertex = static_cast<Eigen::Index>(i);
+        change[i] = shares_(vertex) * cross_matrix(direction.field_spins[i]) * turns_[i];
+        if (!turns.empty())
+            for (auto entry = part_.responses->weights().at_vertex(vertex); entry; ++entry)
+                change[i] += entry.value() * turns[at(entry.col())];
     }
     return change;
 }
@@ -218,6 +218,7 @@ void PoseRates::blend(Direction& direction) const
 {
     const Points field = direction.logs;
     const FeatureResponses& responses = *part_.responses;
+    Points rates = Points::Zero(static_cast<Eigen::Index>(direction.turner_spins.size()), 3);
     for (std::size_t k = 0; k < direction.turner_spins.size(); ++k)
     {
         const Turner& turner = responses.turners()[k];
@@ -227,12 +228,12 @@ void PoseRates::blend(Direction& direction) const
         const Vector3 log =
             log_near(rotation, field_.logs.row(turner.vertices.front()).transpose());
         require_whole_log(rotation, log);
-        const Vector3 rate = log_rate_of_spin(log, direction.turner_spins[k]);
-        for (SparseMatrix::InnerIterator entry(responses.weights(), static_cast<Eigen::Index>(k));
-             entry; ++entry)
-            direction.logs.row(entry.row()) +=
-                entry.value() * (rate.transpose() - field.row(entry.row()));
+        rates.row(static_cast<Eigen::Index>(k)) =
+            log_rate_of_spin(log, direction.turner_spins[k]).transpose();
     }
+    for (Eigen::Index i = 0; i < field.rows() && rates.rows() > 0; ++i)
+        for (auto entry = responses.weights().at_vertex(i); entry; ++entry)
+            direction.logs.row(i) += entry.value() * (rates.row(entry.col()) - field.row(i));
 }
 
 // Bodies that the sheet shifts.

@@ -183,8 +183,7 @@ public:
           factor_(unknowns_.merged(harmonic_), input.operators.harmonic_tree,
                   earlier != nullptr ? &earlier->factor_ : nullptr),
           used_(used_sources(sources_)),
-          weights_(
-              smooth_weights(sheet(), vertices_of(sources_, used_), {0.0, least_weight, false})),
+          weights_(sheet(), vertices_of(sources_, used_), {0.0, least_weight, false}),
           ties_(input.roles.ties)
     {
         keep_answers();
@@ -196,7 +195,7 @@ public:
         Points of_used(static_cast<Eigen::Index>(used_.size()), 3);
         for (std::size_t k = 0; k < used_.size(); ++k)
             of_used.row(static_cast<Eigen::Index>(k)) = of_source.row(used_[k]);
-        Points logs = weighted(weights_, of_used);
+        Points logs = weights_.times(of_used);
         Points excess = Points::Zero(known.vertices.rows(), 3);
         for (const int i : told_alone_)
             excess.row(i) = known.vertices.row(i) - of_source.row(sources_.of_vertex[at(i)]);
@@ -299,8 +298,8 @@ private:
     Unknowns unknowns_;
     std::shared_ptr<const SparseMatrix> harmonic_;  // K (n, n)
     SparseCholesky factor_;
-    std::vector<int> used_;    // sources that have a vertex
-    WeightsByVertex weights_;  // (n, used sources)
+    std::vector<int> used_;  // sources that have a vertex
+    SmoothWeights weights_;  // (n, used sources)
     std::vector<Tie> ties_;
     VertexIds told_alone_;  // in propagated regions, each by its own
     bool is_kept_ = false;

@@ -83,12 +83,12 @@ Eigen::MatrixXd pull_of(const WeightedSheet& sheet, const VertexIds* groups, Eig
     return pull;
 }
 
-SparseMatrix smooth_weights(const WeightedSheet& sheet, const std::vector<VertexIds>& groups,
-                            const WeightCount& count)
+SmoothWeights::SmoothWeights(const WeightedSheet& sheet, const std::vector<VertexIds>& groups,
+                             const WeightCount& count)
 {
-    const Eigen::Index vertices = sheet.harmonic.rows();
-    const std::vector<int> owner = owners(vertices, groups);
-    Columns columns(vertices, static_cast<Eigen::Index>(groups.size()), count);
+    const Eigen::Index vertex_count = sheet.harmonic.rows();
+    const std::vector<int> owner = owners(vertex_count, groups);
+    Columns columns(vertex_count, static_cast<Eigen::Index>(groups.size()), count);
     for (std::size_t first = 0; first < groups.size(); first += together)
     {
         const auto wide = static_cast<Eigen::Index>(std::min(together, groups.size() - first));
@@ -98,7 +98,7 @@ SparseMatrix smooth_weights(const WeightedSheet& sheet, const std::vector<Vertex
         {
             const Eigen::Index group = static_cast<Eigen::Index>(first) + k;
             columns.weights.startVec(group);
-            for (Eigen::Index i = 0; i < vertices; ++i)
+            for (Eigen::Index i = 0; i < vertex_count; ++i)
                 if (owner[at(i)] == static_cast<int>(group))
                     columns.add(i, group, 1.0);
                 else if (const int unknown = sheet.unknowns.of_vertex[at(i)];
@@ -107,23 +107,37 @@ SparseMatrix smooth_weights(const WeightedSheet& sheet, const std::vector<Vertex
         }
     }
     columns.normalise();
-    return std::move(columns.weights);
+    by_vertex_ = columns.weights;
 }
 
-Points weighted(const WeightsByVertex& weights, const Points& values)
+void SmoothWeights::fill_tied(const std::vector<Tie>& ties)
 {
-    Points found(weights.rows(), 3);
+    if (!ties.empty())
+        by_vertex_ = SparseMatrix(tie_basis(vertices(), ties) * SparseMatrix(by_vertex_));
+}
+
+double SmoothWeights::sum(Eigen::Index vertex) const
+{
+    double all = 0.0;
+    for (auto entry = at_vertex(vertex); entry; ++entry)
+        all += entry.value();
+    return all;
+}
+
+Points SmoothWeights::times(const Points& values) const
+{
+    Points found(vertices(), 3);
     const auto weigh = [&](Eigen::Index begin, Eigen::Index end)
     {
         for (Eigen::Index i = begin; i < end; ++i)
         {
             Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-            for (WeightsByVertex::InnerIterator entry(weights, i); entry; ++entry)
+            for (auto entry = at_vertex(i); entry; ++entry)
                 sum += entry.value() * values.row(entry.col());
             found.row(i) = sum;
         }
     };
-    parallel_ranges(weights.rows(), least_weighted, weigh);
+    parallel_ranges(vertices(), least_weighted, weigh);
     return found;
 }
 

@@ -2,13 +2,11 @@
 #pragma once
 
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
+#include "sheetmorph/surface/operators/ties.h"
 #include "sheetmorph/surface/operators/unknowns.h"
 
 namespace sheetmorph
 {
-
-//! Weights of groups, the weights of one vertex side by side.
-using WeightsByVertex = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 //! A sheet with some groups of vertices; the other vertices are unknown, or belong to no group and
 //! have no weight.
@@ -27,18 +25,44 @@ struct WeightCount
     bool has_rest = true;  //!< what the weights lack of 1 belongs to somebody else, and counts too
 };
 
-//! Harmonic weights w of groups, 1 on the group and 0 on all others, each passed through
-//! 3 w^2 - 2 w^3 and divided by their sum. Time and memory grow with the weights that are stored: a
-//! vertex among many groups sees those around it.
-//! \param groups  vertices of no other group
-//! \returns       (n, groups), rows within [0, 1] with the sum 1, at most 1 where there is a rest
-SparseMatrix smooth_weights(const WeightedSheet& sheet, const std::vector<VertexIds>& groups,
-                            const WeightCount& count);
+//! Weights of groups at every vertex: harmonic weights w, 1 on the group and 0 on all others, each
+//! passed through 3 w^2 - 2 w^3 and divided by their sum. Time and memory grow with the weights
+//! that are stored: a vertex among many groups sees those around it.
+class SmoothWeights
+{
+public:
+    using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+    //! No group has a weight.
+    explicit SmoothWeights(Eigen::Index vertices) : by_vertex_(vertices, 0) {}
+
+    //! \param groups  vertices of no other group; within [0, 1], the weights of a vertex have the
+    //! sum
+    //!                1, at most 1 where there is a rest
+    SmoothWeights(const WeightedSheet& sheet, const std::vector<VertexIds>& groups,
+                  const WeightCount& count);
+
+    //! Gives tied vertices the weights of the corners that they stand on.
+    void fill_tied(const std::vector<Tie>& ties);
+
+    Eigen::Index vertices() const { return by_vertex_.rows(); }
+    Eigen::Index groups() const { return by_vertex_.cols(); }
+    bool is_empty() const { return by_vertex_.nonZeros() == 0; }
+
+    //! The weights of a vertex, by ascending group: col() and value().
+    Matrix::InnerIterator at_vertex(Eigen::Index vertex) const { return {by_vertex_, vertex}; }
+
+    //! The sum of the weights of a vertex.
+    double sum(Eigen::Index vertex) const;
+
+    //! (n, 3) weights * values. \param values  (groups, 3)
+    Points times(const Points& values) const;
+
+private:
+    Matrix by_vertex_;  // (n, groups)
+};
 
 //! (unknowns, count): what groups of value 1 pull on the unknowns around them.
 Eigen::MatrixXd pull_of(const WeightedSheet& sheet, const VertexIds* groups, Eigen::Index count);
-
-//! (n, 3) weights * values. \param values  (groups, 3)
-Points weighted(const WeightsByVertex& weights, const Points& values);
 
 }  // namespace sheetmorph

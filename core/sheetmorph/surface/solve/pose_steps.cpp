@@ -45,32 +45,34 @@ Eigen::VectorXd shares_of_field(const PreparedSurface& part)
     const Eigen::Index count = part.rest.vertex_count();
     if (!part.responses)
         return Eigen::VectorXd::Ones(count);
-    const SparseMatrix& weights = part.responses->weights();
-    return Eigen::VectorXd::Ones(count) - weights * Eigen::VectorXd::Ones(weights.cols());
+    Eigen::VectorXd shares(count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        shares(i) = 1.0 - part.responses->weights().sum(i);
+    return shares;
 }
 
 std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
                               const std::vector<BodyState>& turns)
 {
     // What of the sheet's turn at a vertex is the turners'.
-    const WeightsByVertex none(part.rest.vertex_count(), 0);
-    const WeightsByVertex& weights = part.responses ? part.responses->weights_by_vertex() : none;
+    const SmoothWeights none(part.rest.vertex_count());
+    const SmoothWeights& weights = part.responses ? part.responses->weights() : none;
     std::vector<Matrix3> turn(at(part.rest.vertex_count()));
     const bool is_tilted = !field.tilts.isZero(0.0);
     const auto turn_vertices = [&](Eigen::Index begin, Eigen::Index end)
     {
         turns_from_logs(field.logs, begin, end, turn.data() + begin);
-        for (Eigen::Index i = begin; i < end && (is_tilted || weights.nonZeros() > 0); ++i)
+        for (Eigen::Index i = begin; i < end && (is_tilted || !weights.is_empty()); ++i)
         {
             Matrix3& change = turn[at(i)];
             if (is_tilted)
                 change =
                     tilted_rotation(field.logs.row(i), field.tilts.row(i)) - Matrix3::Identity();
             double left = 1.0;
-            for (WeightsByVertex::InnerIterator entry(weights, i); entry; ++entry)
+            for (auto entry = weights.at_vertex(i); entry; ++entry)
                 left -= entry.value();
             change *= left;
-            for (WeightsByVertex::InnerIterator entry(weights, i); entry && !turns.empty(); ++entry)
+            for (auto entry = weights.at_vertex(i); entry && !turns.empty(); ++entry)
                 change += entry.value() * (turns[at(entry.col())].rotation - Matrix3::Identity());
         }
     };
