@@ -69,6 +69,12 @@ MUTATIONS = [
         "Features.*",
     ),
     Mutation(
+        "recognise/facets/facet_graph.cpp",
+        "volume[component_[t]] < 0.0",
+        "volume[component_[t]] > 0.0",
+        "FacetGraph.*:ThinSolid.*",
+    ),
+    Mutation(
         "recognise/thin/inward_probes.cpp",
         "dot(normal) < facing",
         "dot(normal) > facing",

@@ -197,7 +197,7 @@ MUTATIONS = [
     ),
     Mutation(
         "surface/live/response.cpp",
-        "spread_.row(k).cwiseMax(",
+        "spread.cwiseMax(",
         "spread_.row(k).cwiseMin(",
         LIVE,
     ),

@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/vertex_triangles.h"
 #include "sheetmorph/recognise/contacts/contacts.h"
-#include "sheetmorph/recognise/surfaces/facet_graph.h"
+#include "sheetmorph/recognise/facets/facet_graph.h"
 
 namespace sheetmorph
 {

@@ -2,11 +2,11 @@
 #include "sheetmorph/recognise/features/features.h"
 
 #include "sheetmorph/base/vertex_sets.h"
+#include "sheetmorph/recognise/facets/facet_graph.h"
 #include "sheetmorph/recognise/features/bends.h"
 #include "sheetmorph/recognise/features/holes.h"
 #include "sheetmorph/recognise/features/strips.h"
 #include "sheetmorph/recognise/features/washers.h"
-#include "sheetmorph/recognise/surfaces/facet_graph.h"
 #include "sheetmorph/recognise/surfaces/surfaces.h"
 
 #include <algorithm>

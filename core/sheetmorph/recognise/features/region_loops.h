@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/recognise/surfaces/facet_graph.h"
+#include "sheetmorph/recognise/facets/facet_graph.h"
 
 namespace sheetmorph
 {

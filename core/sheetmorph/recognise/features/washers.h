@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/mesh/topology/vertex_triangles.h"
-#include "sheetmorph/recognise/surfaces/facet_graph.h"
+#include "sheetmorph/recognise/facets/facet_graph.h"
 
 namespace sheetmorph
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/surfaces/surfaces.h"
 
-#include "sheetmorph/recognise/surfaces/coarse_facets.h"
+#include "sheetmorph/recognise/facets/coarse_facets.h"
 #include "sheetmorph/recognise/surfaces/surface_grower.h"
 
 #include <Eigen/Geometry>

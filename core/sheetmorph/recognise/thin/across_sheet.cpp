@@ -124,8 +124,9 @@ public:
 
     void push_neighbours(const Hit& hit, double way, std::optional<SolidSide> only = {})
     {
-        for (const int facet : across_.neighbours(hit.triangle))
-            if (facet >= 0 && (!only || across_.side(facet) == *only))
+        for (int k = 0; k < 3; ++k)
+            if (const int facet = across_.graph_.across(hit.triangle, k);
+                facet >= 0 && (!only || across_.side(facet) == *only))
                 push(facet, way);
     }
 
@@ -162,24 +163,13 @@ AcrossSheet::AcrossSheet(const TriangleMesh& mesh, const ThinSolid& solid)
     : mesh_(mesh),
       solid_(solid),
       size_(mesh.size()),
-      graph_(solid_facets(mesh)),
-      around_(mesh),
-      neighbours_(at(mesh.triangle_count()), {-1, -1, -1})
+      graph_(FacetGraph::of_solids(mesh)),
+      around_(mesh)
 {
-    const auto add = [&](int facet, int other)
-    {
-        auto& known = neighbours_[at(facet)];
-        *std::find(known.begin(), known.end() - 1, -1) = other;
-    };
-    for (const FacetJoint& joint : graph_.joints)
-    {
-        add(joint.one, joint.other);
-        add(joint.other, joint.one);
-    }
     std::map<int, std::vector<int>> facets;
     for (int t = 0; t < mesh.triangle_count(); ++t)
         if (thickness_at(t) > 0.0)
-            facets[graph_.component[at(t)]].push_back(t);
+            facets[graph_.component(t)].push_back(t);
     for (auto& [component, own] : facets)
     {
         PickingTree tree(submesh(mesh, own).mesh);
@@ -191,12 +181,12 @@ AcrossSheet::AcrossSheet(const TriangleMesh& mesh, const ThinSolid& solid)
 // there is none.
 int AcrossSheet::facet_behind(int facet, const Vector3& point, SolidSide skin) const
 {
-    if (graph_.is_thin[at(facet)])
+    if (graph_.is_thin(facet))
         return -1;
-    const Component& component = thin_.at(graph_.component[at(facet)]);
-    const Vector3 inwards = -graph_.normals.row(facet).transpose();
+    const Component& component = thin_.at(graph_.component(facet));
+    const Vector3 inwards = -graph_.normal(facet);
     const Vector3 start = nearest_on(mesh_.points(), mesh_.triangles(), facet, point).point;
-    const Vector3 way = graph_.centres.row(facet).transpose() - start;
+    const Vector3 way = graph_.centroid(facet) - start;
     const double step = first_step * size_;
     for (const double thicknesses : beside)
     {
@@ -238,7 +228,7 @@ std::vector<Hit> AcrossSheet::places(int vertex, SolidSide skin) const
                 walk.push_neighbours(hit, way);
             continue;
         }
-        const double along = (hit.point - point).dot(graph_.normals.row(facet));
+        const double along = (hit.point - point).dot(graph_.normal(facet));
         found.add(hit, is_on_lump || along >= from_behind * hit.distance);
         walk.push_neighbours(hit, 0.0, skin);
     }
@@ -253,7 +243,7 @@ bool AcrossSheet::crosses(int facet, SolidSide skin, Walk& walk,
     const SolidSide other = skin == SolidSide::main ? SolidSide::opposite : SolidSide::main;
     if (side(facet) != other)
         return false;
-    const Vector3 normal = graph_.normals.row(facet).transpose();
+    const Vector3 normal = graph_.normal(facet);
     const auto faces_alike = [&](const Vector3& one) { return one.dot(normal) > alike; };
     if (std::any_of(crossed.begin(), crossed.end(), faces_alike))
         return true;

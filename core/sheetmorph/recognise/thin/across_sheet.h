@@ -3,10 +3,9 @@
 
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/vertex_triangles.h"
-#include "sheetmorph/recognise/thin/solid_facets.h"
+#include "sheetmorph/recognise/facets/facet_graph.h"
 #include "sheetmorph/recognise/thin/thin_solid.h"
 
-#include <array>
 #include <map>
 
 namespace sheetmorph
@@ -40,13 +39,9 @@ private:
         PickingTree tree;
     };
 
-    const std::array<int, 3>& neighbours(int facet) const
-    {
-        return neighbours_[static_cast<std::size_t>(facet)];
-    }
     double thickness_at(int facet) const
     {
-        const int component = graph_.component[static_cast<std::size_t>(facet)];
+        const int component = graph_.component(facet);
         return solid_.of_component[static_cast<std::size_t>(component)];
     }
     SolidSide side(int facet) const { return solid_.facets[static_cast<std::size_t>(facet)]; }
@@ -56,10 +51,9 @@ private:
     const TriangleMesh& mesh_;
     const ThinSolid& solid_;
     double size_;
-    SolidFacets graph_;
+    FacetGraph graph_;
     VertexTriangles around_;
-    std::vector<std::array<int, 3>> neighbours_;  // by facet, over its sides; -1 without
-    std::map<int, Component> thin_;               // by component, those with two skins
+    std::map<int, Component> thin_;  // by component, those with two skins
 };
 
 }  // namespace sheetmorph

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/thin/inward_probes.h"
 
+#include "sheetmorph/base/index.h"
 #include "sheetmorph/base/threads/parallel.h"
 #include "sheetmorph/mesh/search/picking.h"
 #include "sheetmorph/mesh/topology/submesh.h"
@@ -39,13 +40,11 @@ Vector3 spread(int k)
 class ComponentProbe
 {
 public:
-    ComponentProbe(const TriangleMesh& mesh, const SolidFacets& graph, std::vector<int> facets)
-        : mesh_(mesh),
-          graph_(graph),
-          facets_(std::move(facets)),
-          tree_(submesh(mesh, facets_).mesh),
-          area_(graph.areas(facets_).sum())
+    ComponentProbe(const TriangleMesh& mesh, const FacetGraph& graph, std::vector<int> facets)
+        : mesh_(mesh), graph_(graph), facets_(std::move(facets)), tree_(submesh(mesh, facets_).mesh)
     {
+        for (const int facet : facets_)
+            area_ += graph.area(facet);
     }
 
     void look(std::vector<InwardProbe>& probes) const
@@ -57,9 +56,9 @@ public:
         std::vector<Look> looks;
         for (const int facet : facets_)
         {
-            if (graph_.is_thin[static_cast<std::size_t>(facet)])
+            if (graph_.is_thin(facet))
                 continue;
-            const double share = graph_.areas(facet) / area_ * looks_a_component;
+            const double share = graph_.area(facet) / area_ * looks_a_component;
             const int count = std::clamp(static_cast<int>(std::ceil(share)), 1, most_looks);
             for (int k = 0; k < count; ++k)
                 looks.push_back({facet, k, count});
@@ -83,38 +82,38 @@ public:
 private:
     InwardProbe probe(int facet, const Vector3& place, int looks) const
     {
-        const Vector3 normal = graph_.normals.row(facet).transpose();
+        const Vector3 normal = graph_.normal(facet);
         Vector3 start = Vector3::Zero();
         for (int k = 0; k < 3; ++k)
             start += place(k) * mesh_.points().row(mesh_.triangles()(facet, k)).transpose();
         const double step = first_step * std::sqrt(area_);
         const std::optional<Hit> hit = tree_.nearest_hit(start - step * normal, -normal);
-        InwardProbe found{facet, -1, 0.0, graph_.areas(facet) / looks, false};
+        InwardProbe found{facet, -1, 0.0, graph_.area(facet) / looks, false};
         if (!hit)
             return found;
         found.opposite = facets_[static_cast<std::size_t>(hit->triangle)];
         found.distance = hit->distance + step;
-        found.is_facing = graph_.normals.row(found.opposite).dot(normal) < facing;
+        found.is_facing = graph_.normal(found.opposite).dot(normal) < facing;
         return found;
     }
 
     const TriangleMesh& mesh_;
-    const SolidFacets& graph_;
+    const FacetGraph& graph_;
     std::vector<int> facets_;
     PickingTree tree_;
-    double area_;
+    double area_ = 0.0;
 };
 
 }  // namespace
 
-std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const SolidFacets& graph)
+std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const FacetGraph& graph)
 {
-    std::vector<std::vector<int>> facets(graph.is_closed.size());
-    for (int t = 0; t < graph.facet_count(); ++t)
-        facets[static_cast<std::size_t>(graph.component[static_cast<std::size_t>(t)])].push_back(t);
+    std::vector<std::vector<int>> facets(at(graph.component_count()));
+    for (int t = 0; t < graph.triangle_count(); ++t)
+        facets[static_cast<std::size_t>(graph.component(t))].push_back(t);
     std::vector<InwardProbe> probes;
     for (std::size_t k = 0; k < facets.size(); ++k)
-        if (graph.is_closed[k])
+        if (graph.is_closed(static_cast<int>(k)))
             ComponentProbe(mesh, graph, std::move(facets[k])).look(probes);
     return probes;
 }

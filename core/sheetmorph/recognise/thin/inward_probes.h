@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/recognise/thin/solid_facets.h"
+#include "sheetmorph/recognise/facets/facet_graph.h"
 
 namespace sheetmorph
 {
@@ -18,6 +18,6 @@ struct InwardProbe
 
 //! Looks from points spread over every facet with a plane of every closed component: one a facet,
 //! up to 64 where a facet is large, since CAD tessellations have a few huge facets on every flat.
-std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const SolidFacets& graph);
+std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const FacetGraph& graph);
 
 }  // namespace sheetmorph

@@ -51,39 +51,39 @@ double typical(WeightedDistances distances)
     return best.second == 0 ? 0.0 : median(distances, best.first, best.second);
 }
 
-std::vector<double> thicknesses(const SolidFacets& graph, const std::vector<InwardProbe>& probes,
+std::vector<double> thicknesses(const FacetGraph& graph, const std::vector<InwardProbe>& probes,
                                 double given)
 {
-    std::vector<WeightedDistances> facing(graph.is_closed.size());
+    std::vector<WeightedDistances> facing(at(graph.component_count()));
     for (const InwardProbe& probe : probes)
         if (probe.is_facing)
-            facing[at(graph.component[at(probe.facet)])].emplace_back(probe.distance, probe.area);
+            facing[at(graph.component(probe.facet))].emplace_back(probe.distance, probe.area);
     std::vector<double> found;
     for (WeightedDistances& distances : facing)
         found.push_back(given > 0.0 && !distances.empty() ? given : typical(std::move(distances)));
     return found;
 }
 
-std::vector<int> smooth_patches(const SolidFacets& graph)
+std::vector<int> smooth_patches(const FacetGraph& graph)
 {
-    DisjointSets smooth(graph.facet_count());
-    for (const FacetJoint& joint : graph.joints)
-        if (joint.bend < crease && !graph.is_thin[at(joint.one)] && !graph.is_thin[at(joint.other)])
+    DisjointSets smooth(graph.triangle_count());
+    for (const FacetJoint& joint : graph.joints())
+        if (joint.bend < crease && !graph.is_thin(joint.one) && !graph.is_thin(joint.other))
             smooth.join(joint.one, joint.other);
     std::vector<int> patch;
-    for (int t = 0; t < graph.facet_count(); ++t)
+    for (int t = 0; t < graph.triangle_count(); ++t)
         patch.push_back(smooth.root(t));
     return patch;
 }
 
 // Whether a look finds the other skin where it should be.
-std::vector<char> thin_looks(const SolidFacets& graph, const std::vector<InwardProbe>& probes,
+std::vector<char> thin_looks(const FacetGraph& graph, const std::vector<InwardProbe>& probes,
                              const std::vector<double>& thickness)
 {
     std::vector<char> found;
     for (const InwardProbe& probe : probes)
     {
-        const double typical_one = thickness[at(graph.component[at(probe.facet)])];
+        const double typical_one = thickness[at(graph.component(probe.facet))];
         found.push_back(probe.is_facing && probe.distance > thinnest_skin * typical_one
                         && probe.distance < thickest_skin * typical_one);
     }
@@ -101,16 +101,16 @@ void drop_crumbs(const SkinCells& cells, std::vector<char>& is_skin)
         }
 }
 
-void number_cells(const SolidFacets& graph, const std::vector<char>& is_skin, SkinCells& cells)
+void number_cells(const FacetGraph& graph, const std::vector<char>& is_skin, SkinCells& cells)
 {
-    DisjointSets sets(graph.facet_count());
-    for (const FacetJoint& joint : graph.joints)
+    DisjointSets sets(graph.triangle_count());
+    for (const FacetJoint& joint : graph.joints())
         if (joint.bend < crease && is_skin[at(joint.one)] && is_skin[at(joint.other)])
             sets.join(joint.one, joint.other);
     cells.cell.assign(is_skin.size(), -1);
     cells.area.clear();
     cells.component.clear();
-    for (int t = 0; t < graph.facet_count(); ++t)
+    for (int t = 0; t < graph.triangle_count(); ++t)
     {
         if (!is_skin[at(t)])
             continue;
@@ -119,10 +119,10 @@ void number_cells(const SolidFacets& graph, const std::vector<char>& is_skin, Sk
         {
             of_root = cells.count();
             cells.area.push_back(0.0);
-            cells.component.push_back(graph.component[at(t)]);
+            cells.component.push_back(graph.component(t));
         }
         cells.cell[at(t)] = of_root;
-        cells.area[at(of_root)] += graph.areas(t);
+        cells.area[at(of_root)] += graph.area(t);
     }
 }
 
@@ -149,14 +149,14 @@ std::vector<OpposedCells> opposed_cells(const std::vector<InwardProbe>& probes,
 
 }  // namespace
 
-SkinCells skin_cells(const SolidFacets& graph, const std::vector<InwardProbe>& probes,
+SkinCells skin_cells(const FacetGraph& graph, const std::vector<InwardProbe>& probes,
                      double thickness)
 {
     SkinCells cells;
     cells.thickness = thicknesses(graph, probes, thickness);
     cells.patch = smooth_patches(graph);
     const std::vector<char> is_thin_look = thin_looks(graph, probes, cells.thickness);
-    std::vector<double> balance(at(graph.facet_count()), 0.0);
+    std::vector<double> balance(at(graph.triangle_count()), 0.0);
     for (std::size_t k = 0; k < probes.size(); ++k)
         balance[at(probes[k].facet)] += is_thin_look[k] ? probes[k].area : -probes[k].area;
     std::vector<char> is_skin;

@@ -35,7 +35,7 @@ struct SkinCells
 //! A facet may be skin if most of the looks from it end after 0.5 to 1.6 typical thicknesses on a
 //! facet that looks the other way, and it lies in a cell larger than the square of the thickness.
 //! \param thickness  mm: the typical one where it is known, 0 to find it out
-SkinCells skin_cells(const SolidFacets& graph, const std::vector<InwardProbe>& probes,
+SkinCells skin_cells(const FacetGraph& graph, const std::vector<InwardProbe>& probes,
                      double thickness);
 
 }  // namespace sheetmorph

@@ -33,12 +33,12 @@ class Sheets
 {
 public:
     //! \param are_several  whether components may have more sheets than their largest
-    Sheets(const SolidFacets& graph, const SkinCells& cells, bool are_several)
+    Sheets(const FacetGraph& graph, const SkinCells& cells, bool are_several)
         : graph_(graph), cells_(cells), sets_(cells.count())
     {
         for (const OpposedCells& pair : cells.opposed)
             sets_.join(pair.one, pair.other, 1);
-        seeds_.assign(graph.is_closed.size(), -1);
+        seeds_.assign(at(graph.component_count()), -1);
         ledges_ = cells_at_ledges();
         while (choose_seeds())
         {
@@ -106,7 +106,7 @@ private:
     Evidence at_creases() const
     {
         Evidence evidence;
-        for (const FacetJoint& joint : graph_.joints)
+        for (const FacetJoint& joint : graph_.joints())
         {
             const int a = cells_.cell[at(joint.one)], b = cells_.cell[at(joint.other)];
             if (a < 0 || b < 0 || a == b)
@@ -129,10 +129,10 @@ private:
                 return;
             around[patch][cell] += length;
             const double thickness = cells_.thickness[at(cells_.component[at(cell)])];
-            if (2.0 * graph_.areas(facet) > highest_ledge * thickness * length)
+            if (2.0 * graph_.area(facet) > highest_ledge * thickness * length)
                 high.insert(patch);
         };
-        for (const FacetJoint& joint : graph_.joints)
+        for (const FacetJoint& joint : graph_.joints())
         {
             note(joint.one, joint.other, joint.length);
             note(joint.other, joint.one, joint.length);
@@ -169,7 +169,7 @@ private:
             const auto found = sheet_cell.find(cells_.patch[t]);
             if (cells_.cell[t] >= 0 && found != sheet_cell.end() && found->second.second == 0)
                 speak(evidence, found->second.first, cells_.cell[t],
-                      weight_of_patch * std::sqrt(graph_.areas(static_cast<Eigen::Index>(t))));
+                      weight_of_patch * std::sqrt(graph_.area(static_cast<int>(t))));
         }
     }
 
@@ -192,7 +192,7 @@ private:
         return has_grown;
     }
 
-    const SolidFacets& graph_;
+    const FacetGraph& graph_;
     const SkinCells& cells_;
     ParitySets sets_;
     std::vector<int> seeds_;  // by component: a cell of the sheet that grows, -1 without
@@ -201,16 +201,16 @@ private:
 };
 
 // Diagonals of the components' boxes, mm.
-std::vector<double> sizes(const TriangleMesh& mesh, const SolidFacets& graph)
+std::vector<double> sizes(const TriangleMesh& mesh, const FacetGraph& graph)
 {
-    std::vector<Eigen::RowVector3d> low(graph.is_closed.size(),
+    std::vector<Eigen::RowVector3d> low(at(graph.component_count()),
                                         Eigen::RowVector3d::Constant(1e300));
-    std::vector<Eigen::RowVector3d> high(graph.is_closed.size(),
+    std::vector<Eigen::RowVector3d> high(at(graph.component_count()),
                                          Eigen::RowVector3d::Constant(-1e300));
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k)
         {
-            const std::size_t component = at(graph.component[at(t)]);
+            const std::size_t component = at(graph.component(t));
             const auto point = mesh.points().row(mesh.triangles()(t, k));
             low[component] = low[component].cwiseMin(point);
             high[component] = high[component].cwiseMax(point);
@@ -223,19 +223,19 @@ std::vector<double> sizes(const TriangleMesh& mesh, const SolidFacets& graph)
 
 }  // namespace
 
-SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+SkinPairs skin_pairs(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
                      bool are_several)
 {
     const Sheets sheets(graph, cells, are_several);
     SkinPairs pairs;
-    const std::size_t count = graph.is_closed.size();
+    const std::size_t count = at(graph.component_count());
     std::vector<double> whole(count, 0.0), skins(count, 0.0);
-    for (int t = 0; t < graph.facet_count(); ++t)
+    for (int t = 0; t < graph.triangle_count(); ++t)
     {
         pairs.side.push_back(cells.cell[at(t)] < 0 ? 0 : sheets.side(cells.cell[at(t)]));
-        const std::size_t component = at(graph.component[at(t)]);
-        whole[component] += graph.areas(t);
-        skins[component] += pairs.side.back() != 0 ? graph.areas(t) : 0.0;
+        const std::size_t component = at(graph.component(t));
+        whole[component] += graph.area(t);
+        skins[component] += pairs.side.back() != 0 ? graph.area(t) : 0.0;
     }
     const std::vector<double> size = sizes(mesh, graph);
     for (std::size_t k = 0; k < count; ++k)
@@ -244,8 +244,8 @@ SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const S
         pairs.is_thin.push_back(pairs.share[k] >= least_share_of_skins
                                 && cells.thickness[k] <= thickest_of_size * size[k]);
     }
-    for (int t = 0; t < graph.facet_count(); ++t)
-        if (!pairs.is_thin[at(graph.component[at(t)])])
+    for (int t = 0; t < graph.triangle_count(); ++t)
+        if (!pairs.is_thin[at(graph.component(t))])
             pairs.side[at(t)] = 0;
     return pairs;
 }

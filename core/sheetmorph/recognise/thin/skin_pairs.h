@@ -25,7 +25,7 @@ struct SkinPairs
 //! \param are_several  whether a component may have several sheets, which something that is not
 //! thin
 //!                     joins, as welded brackets do
-SkinPairs skin_pairs(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+SkinPairs skin_pairs(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
                      bool are_several = false);
 
 }  // namespace sheetmorph

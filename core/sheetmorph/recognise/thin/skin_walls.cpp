@@ -32,14 +32,14 @@ constexpr Eigen::Index least_facets = 50;  // worth a thread
 class Walls
 {
 public:
-    Walls(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+    Walls(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
           const SkinPairs& pairs)
         : mesh_(mesh), graph_(graph), cells_(cells), pairs_(pairs)
     {
         std::map<std::pair<int, int>, std::vector<int>> skins;
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             if (pairs.side[at(t)] != 0)
-                skins[{graph.component[at(t)], pairs.side[at(t)]}].push_back(t);
+                skins[{graph.component(t), pairs.side[at(t)]}].push_back(t);
         for (const auto& [skin, facets] : skins)
             trees_.emplace(skin, PickingTree(submesh(mesh, facets).mesh));
         result_.side = pairs.side;
@@ -53,7 +53,7 @@ public:
     {
         find_sides_of_patches();
         measure_corners();
-        parallel_ranges(graph_.facet_count(), least_facets,
+        parallel_ranges(graph_.triangle_count(), least_facets,
                         [this](Eigen::Index begin, Eigen::Index end)
                         {
                             for (auto t = static_cast<int>(begin); t < end; ++t)
@@ -69,14 +69,14 @@ private:
     // 0 on components that are not thin solids.
     double thickness(int facet) const
     {
-        const std::size_t component = at(graph_.component[at(facet)]);
+        const std::size_t component = at(graph_.component(facet));
         return pairs_.is_thin[component] ? cells_.thickness[component] : 0.0;
     }
 
     // Whether a facet is yet on neither skin.
     bool is_open(int facet) const
     {
-        return pairs_.side[at(facet)] == 0 && !graph_.is_thin[at(facet)] && thickness(facet) > 0.0;
+        return pairs_.side[at(facet)] == 0 && !graph_.is_thin(facet) && thickness(facet) > 0.0;
     }
 
     // The skin that the patch of a facet is on, if it is on one.
@@ -90,10 +90,10 @@ private:
     void measure_corners()
     {
         facet_at_.assign(at(mesh_.vertex_count()), none);
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             for (int k = 0; k < 3 && is_open(t) && side_of(t) == on_both; ++k)
                 if (int& facet = facet_at_[at(mesh_.triangles()(t, k))];
-                    facet == none || graph_.component[at(facet)] == graph_.component[at(t)])
+                    facet == none || graph_.component(facet) == graph_.component(t))
                     facet = t;
         distances_.resize(facet_at_.size());
         parallel_ranges(mesh_.vertex_count(), least_facets,
@@ -112,12 +112,12 @@ private:
     // On a skin of the component of a facet: what touches it from outside plays no role.
     Hit nearest(int facet, int sign, const Vector3& point) const
     {
-        return *trees_.at({graph_.component[at(facet)], sign}).nearest_point(point);
+        return *trees_.at({graph_.component(facet), sign}).nearest_point(point);
     }
 
     void find_sides_of_patches()
     {
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             if (const int side = pairs_.side[at(t)]; side != 0)
             {
                 int& found = side_of_patch_.emplace(cells_.patch[at(t)], side).first->second;
@@ -133,7 +133,7 @@ private:
         {
             const int vertex = mesh_.triangles()(facet, k);
             const bool is_measured =
-                graph_.component[at(facet_at_[at(vertex)])] == graph_.component[at(facet)];
+                graph_.component(facet_at_[at(vertex)]) == graph_.component(facet);
             longest =
                 std::max(longest, is_measured ? distances_[at(vertex)][sign > 0]
                                               : nearest(facet, sign, corner(vertex)).distance);
@@ -143,8 +143,8 @@ private:
 
     bool runs_along(int facet, const Hit& other) const
     {
-        const Vector3 way = other.point - graph_.centres.row(facet).transpose();
-        return -way.dot(graph_.normals.row(facet)) < across * way.norm();
+        const Vector3 way = other.point - graph_.centroid(facet);
+        return -way.dot(graph_.normal(facet)) < across * way.norm();
     }
 
     void place(int facet)
@@ -153,7 +153,7 @@ private:
         const double reach = reach_of_walls * thickness(facet);
         if (side != on_both)
         {
-            const Hit other = nearest(facet, -side, graph_.centres.row(facet).transpose());
+            const Hit other = nearest(facet, -side, graph_.centroid(facet));
             is_wall_[at(facet)] = other.distance <= reach && runs_along(facet, other);
             if (!is_wall_[at(facet)])
                 add_to_skin(facet, side);
@@ -168,7 +168,7 @@ private:
     void add_to_skin(int facet, int sign)
     {
         result_.side[at(facet)] = sign;
-        const Hit other = nearest(facet, -sign, graph_.centres.row(facet).transpose());
+        const Hit other = nearest(facet, -sign, graph_.centroid(facet));
         result_.is_lump[at(facet)] = other.distance > thickest_of_skin * thickness(facet);
     }
 
@@ -176,10 +176,10 @@ private:
     void keep_whole_ledges()
     {
         std::set<int> high;
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             if (is_wall_[at(t)] && !is_ledge_[at(t)])
                 high.insert(cells_.patch[at(t)]);
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             if (high.count(cells_.patch[at(t)]) != 0)
                 is_ledge_[at(t)] = 0;
     }
@@ -187,8 +187,8 @@ private:
     void give_steps_to_their_skin()
     {
         keep_whole_ledges();
-        DisjointSets walls(graph_.facet_count());
-        for (const FacetJoint& joint : graph_.joints)
+        DisjointSets walls(graph_.triangle_count());
+        for (const FacetJoint& joint : graph_.joints())
             if (is_wall_[at(joint.one)] && is_wall_[at(joint.other)]
                 && is_ledge_[at(joint.one)] == is_ledge_[at(joint.other)])
                 walls.join(joint.one, joint.other);
@@ -201,12 +201,12 @@ private:
             int& found = side_around.emplace(walls.root(wall), side).first->second;
             found = found == side ? side : on_both;
         };
-        for (const FacetJoint& joint : graph_.joints)
+        for (const FacetJoint& joint : graph_.joints())
         {
             note(joint.one, joint.other);
             note(joint.other, joint.one);
         }
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             if (is_wall_[at(t)])
                 if (const auto found = side_around.find(walls.root(t));
                     found != side_around.end() && found->second != on_both)
@@ -221,12 +221,12 @@ private:
     void place_thin_facets()
     {
         std::vector<std::array<char, 2>> touches(at(mesh_.vertex_count()), {0, 0});
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             for (int k = 0; k < 3 && result_.side[at(t)] != 0; ++k)
                 touches[at(mesh_.triangles()(t, k))][result_.side[at(t)] > 0 ? 0 : 1] = 1;
-        for (int t = 0; t < graph_.facet_count(); ++t)
+        for (int t = 0; t < graph_.triangle_count(); ++t)
             for (const int sign : {1, -1})
-                if (graph_.is_thin[at(t)] && thickness(t) > 0.0 && result_.side[at(t)] == 0)
+                if (graph_.is_thin(t) && thickness(t) > 0.0 && result_.side[at(t)] == 0)
                 {
                     bool all = true;
                     for (int k = 0; k < 3; ++k)
@@ -236,7 +236,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    const SolidFacets& graph_;
+    const FacetGraph& graph_;
     const SkinCells& cells_;
     const SkinPairs& pairs_;
     std::map<std::pair<int, int>, PickingTree> trees_;  // by component and side
@@ -249,7 +249,7 @@ private:
 
 }  // namespace
 
-FacetSides skin_walls(const TriangleMesh& mesh, const SolidFacets& graph, const SkinCells& cells,
+FacetSides skin_walls(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
                       const SkinPairs& pairs)
 {
     if (std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 1) == pairs.is_thin.end())

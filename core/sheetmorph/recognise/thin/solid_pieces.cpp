@@ -41,27 +41,27 @@ VertexIds corners_of(const TriangleMesh& mesh, const std::vector<int>& facets)
     return corners;
 }
 
-std::vector<std::vector<int>> wall_facets(const SolidFacets& graph,
+std::vector<std::vector<int>> wall_facets(const FacetGraph& graph,
                                           const std::vector<SolidSide>& facets)
 {
     std::vector<char> is_wall;
     for (const SolidSide side : facets)
         is_wall.push_back(side == SolidSide::wall);
-    DisjointSets sets(graph.facet_count());
-    for (const FacetJoint& joint : graph.joints)
+    DisjointSets sets(graph.triangle_count());
+    for (const FacetJoint& joint : graph.joints())
         if (is_wall[at(joint.one)] && is_wall[at(joint.other)])
             sets.join(joint.one, joint.other);
     return grouped(sets, is_wall);
 }
 
-bool goes_around_a_hole(const SolidFacets& graph, const std::vector<int>& facets)
+bool goes_around_a_hole(const FacetGraph& graph, const std::vector<int>& facets)
 {
     Vector3 middle = Vector3::Zero();
     double area = 0.0;
     for (const int t : facets)
     {
-        middle += graph.areas(t) * graph.centres.row(t).transpose();
-        area += graph.areas(t);
+        middle += graph.area(t) * graph.centroid(t);
+        area += graph.area(t);
     }
     if (area <= 0.0)
         return false;
@@ -69,9 +69,9 @@ bool goes_around_a_hole(const SolidFacets& graph, const std::vector<int>& facets
     double inwards = 0.0, away = 0.0;
     for (const int t : facets)
     {
-        const Vector3 way = middle - graph.centres.row(t).transpose();
-        inwards += graph.areas(t) * way.dot(graph.normals.row(t));
-        away += graph.areas(t) * way.norm();
+        const Vector3 way = middle - graph.centroid(t);
+        inwards += graph.area(t) * way.dot(graph.normal(t));
+        away += graph.area(t) * way.norm();
     }
     return inwards > looks_inwards * away;
 }
@@ -89,7 +89,7 @@ void sort_pieces(std::vector<VertexIds>& pieces)
 
 }  // namespace
 
-std::vector<VertexIds> wall_pieces(const TriangleMesh& mesh, const SolidFacets& graph,
+std::vector<VertexIds> wall_pieces(const TriangleMesh& mesh, const FacetGraph& graph,
                                    const std::vector<SolidSide>& facets)
 {
     std::vector<VertexIds> pieces;
@@ -99,7 +99,7 @@ std::vector<VertexIds> wall_pieces(const TriangleMesh& mesh, const SolidFacets& 
     return pieces;
 }
 
-std::vector<ThroughHole> through_holes(const TriangleMesh& mesh, const SolidFacets& graph,
+std::vector<ThroughHole> through_holes(const TriangleMesh& mesh, const FacetGraph& graph,
                                        const ThinSolid& solid)
 {
     std::vector<ThroughHole> holes;

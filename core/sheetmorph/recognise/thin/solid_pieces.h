@@ -8,12 +8,12 @@ namespace sheetmorph
 {
 
 //! The vertices of every connected piece of wall, rims included; by rising first vertex.
-std::vector<VertexIds> wall_pieces(const TriangleMesh& mesh, const SolidFacets& graph,
+std::vector<VertexIds> wall_pieces(const TriangleMesh& mesh, const FacetGraph& graph,
                                    const std::vector<SolidSide>& facets);
 
 //! The walls that go around a hole: their facets look at the middle of what they enclose, those of
 //! an outer border away from it. \param solid  facets, vertices and walls are read
-std::vector<ThroughHole> through_holes(const TriangleMesh& mesh, const SolidFacets& graph,
+std::vector<ThroughHole> through_holes(const TriangleMesh& mesh, const FacetGraph& graph,
                                        const ThinSolid& solid);
 
 //! The vertices of every lump; facets on both skins are one if they see each other.

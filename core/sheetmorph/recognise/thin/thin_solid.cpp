@@ -39,16 +39,16 @@ struct Candidate
 };
 
 // By component: +1 or -1, the side that is the main skin.
-std::vector<int> main_sides(const SolidFacets& graph, const FacetSides& sides)
+std::vector<int> main_sides(const FacetGraph& graph, const FacetSides& sides)
 {
-    std::vector<std::array<Candidate, 2>> skins(graph.is_closed.size());
-    for (int t = 0; t < graph.facet_count(); ++t)
+    std::vector<std::array<Candidate, 2>> skins(at(graph.component_count()));
+    for (int t = 0; t < graph.triangle_count(); ++t)
     {
         if (sides.side[at(t)] == 0)
             continue;
-        Candidate& skin = skins[at(graph.component[at(t)])][sides.side[at(t)] > 0 ? 0 : 1];
-        skin.area += graph.areas(t);
-        skin.steps += sides.is_step[at(t)] ? graph.areas(t) : 0.0;
+        Candidate& skin = skins[at(graph.component(t))][sides.side[at(t)] > 0 ? 0 : 1];
+        skin.area += graph.area(t);
+        skin.steps += sides.is_step[at(t)] ? graph.area(t) : 0.0;
         skin.first = std::min(skin.first, t);
     }
     std::vector<int> found;
@@ -57,14 +57,14 @@ std::vector<int> main_sides(const SolidFacets& graph, const FacetSides& sides)
     return found;
 }
 
-std::vector<SolidSide> facet_sides(const SolidFacets& graph, const SkinPairs& pairs,
+std::vector<SolidSide> facet_sides(const FacetGraph& graph, const SkinPairs& pairs,
                                    const FacetSides& sides)
 {
     const std::vector<int> main = main_sides(graph, sides);
     std::vector<SolidSide> found;
-    for (int t = 0; t < graph.facet_count(); ++t)
+    for (int t = 0; t < graph.triangle_count(); ++t)
     {
-        const std::size_t component = at(graph.component[at(t)]);
+        const std::size_t component = at(graph.component(t));
         if (!pairs.is_thin[component] || sides.side[at(t)] == main[component])
             found.push_back(SolidSide::main);
         else if (sides.side[at(t)] != 0)
@@ -125,31 +125,32 @@ std::vector<double> thickness_of_components(const SkinCells& cells, const SkinPa
 }
 
 // The thickness of the thin component with the largest surface.
-double main_thickness(const SolidFacets& graph, const SkinCells& cells, const SkinPairs& pairs)
+double main_thickness(const FacetGraph& graph, const SkinCells& cells, const SkinPairs& pairs)
 {
-    std::vector<double> areas(graph.is_closed.size(), 0.0);
-    for (int t = 0; t < graph.facet_count(); ++t)
-        if (pairs.is_thin[at(graph.component[at(t)])])
-            areas[at(graph.component[at(t)])] += graph.areas(t);
+    std::vector<double> areas(at(graph.component_count()), 0.0);
+    for (int t = 0; t < graph.triangle_count(); ++t)
+        if (pairs.is_thin[at(graph.component(t))])
+            areas[at(graph.component(t))] += graph.area(t);
     const auto largest = std::max_element(areas.begin(), areas.end());
     return cells.thickness[static_cast<std::size_t>(largest - areas.begin())];
 }
 
 // Takes components over that are thin if they have several sheets, joined by what is not thin.
-void add_joined_sheets(const SkinPairs& several, const SolidFacets& graph, SkinPairs& pairs)
+void add_joined_sheets(const SkinPairs& several, const FacetGraph& graph, SkinPairs& pairs)
 {
-    for (int t = 0; t < graph.facet_count(); ++t)
-        if (!pairs.is_thin[at(graph.component[at(t)])])
+    for (int t = 0; t < graph.triangle_count(); ++t)
+        if (!pairs.is_thin[at(graph.component(t))])
             pairs.side[at(t)] = several.side[at(t)];
     for (std::size_t k = 0; k < pairs.is_thin.size(); ++k)
         pairs.is_thin[k] = pairs.is_thin[k] || several.is_thin[k];
 }
 
-std::string why_not(const SolidFacets& graph, const SkinPairs& pairs)
+std::string why_not(const FacetGraph& graph, const SkinPairs& pairs)
 {
-    const auto none = [](const std::vector<char>& flags)
-    { return std::find(flags.begin(), flags.end(), 1) == flags.end(); };
-    if (none(graph.is_closed))
+    bool is_any_closed = false;
+    for (int component = 0; component < graph.component_count(); ++component)
+        is_any_closed = is_any_closed || graph.is_closed(component);
+    if (!is_any_closed)
         return "its surface is not closed, or not oriented in one way; weld and orient it if it "
                "should be a solid";
     const double share = *std::max_element(pairs.share.begin(), pairs.share.end());
@@ -163,7 +164,7 @@ std::string why_not(const SolidFacets& graph, const SkinPairs& pairs)
 struct Findings
 {
     const TriangleMesh& mesh;
-    const SolidFacets& graph;
+    const FacetGraph& graph;
     const std::vector<InwardProbe>& probes;
     const SkinCells& cells;
 };
@@ -174,7 +175,7 @@ ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
     ThinSolid solid;
     solid.thickness = main_thickness(found.graph, found.cells, pairs);
     solid.facets = facet_sides(found.graph, pairs, sides);
-    solid.component = found.graph.component;
+    solid.component = found.graph.components();
     solid.of_component = thickness_of_components(found.cells, pairs);
     solid.vertices = vertex_sides(found.mesh, solid.facets);
     solid.thicknesses = thickness_map(found.mesh, solid, found.probes, found.cells.thickness);
@@ -222,7 +223,7 @@ ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
         throw InvalidInput("the thickness of a thin solid must be a number of mm, 0 or more");
     if (mesh.triangle_count() == 0)
         return {std::nullopt, "it has no triangles; give it some"};
-    const SolidFacets graph = solid_facets(mesh);
+    const FacetGraph graph = FacetGraph::of_solids(mesh);
     const std::vector<InwardProbe> probes = inward_probes(mesh, graph);
     const SkinCells cells = skin_cells(graph, probes, thickness);
     SkinPairs pairs = skin_pairs(mesh, graph, cells);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/surfaces/welding.h"
+#include "sheetmorph/recognise/facets/welding.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
 

@@ -6,14 +6,29 @@
 namespace sheetmorph
 {
 
-//! A part as the recognition sees it: coincident vertices welded, so that the
-//! seams of an import are no edges; normals, areas and bends at hand.
+//! Two facets that are joined at an edge.
+struct FacetJoint
+{
+    int one, other;
+    double bend;    //!< radians between the planes, 0 flat
+    double length;  //!< of the edge, mm
+};
+
+//! The dual graph of a part: its facets with their normals and areas, and how far the surface bends
+//! where two of them are joined.
 class FacetGraph
 {
 public:
+    //! A part as the recognition sees it: coincident vertices are merged, so that the seams of an
+    //! import are no edges.
     //! \param weld     vertices nearer than this share of the size count as one
     //! \param scatter  standard deviation of measured vertices, mm; < 0: told from the mesh
     FacetGraph(const TriangleMesh& mesh, double weld, double scatter = -1.0);
+
+    //! The facets of solids: the vertices of the mesh as they are, and only facets joined that are
+    //! alone at their edge and oriented alike. Normals look outwards where a component encloses a
+    //! volume; thin facets have one, too.
+    static FacetGraph of_solids(const TriangleMesh& mesh);
 
     const TriangleMesh& mesh() const { return welded_; }
     const EdgeTable& edges() const { return edges_; }
@@ -37,6 +52,17 @@ public:
     //! Whether the part is closed and its triangles agree on what is outside.
     bool is_solid() const { return is_solid_; }
 
+    //! The component of a facet, connected across joints, from 0 in order of first appearance.
+    int component(int triangle) const { return component_[triangle]; }
+    const std::vector<int>& components() const { return component_; }
+    int component_count() const { return static_cast<int>(is_closed_.size()); }
+
+    //! Whether as many facets of a component run along every edge one way as the other.
+    bool is_closed(int component) const { return is_closed_[component] != 0; }
+
+    //! All edges at which exactly two facets meet that are joined.
+    std::vector<FacetJoint> joints() const;
+
     //! The triangle across side k; where several are, the one that goes straight
     //! on; else -1.
     int across(int triangle, int k) const { return across_[3 * triangle + k]; }
@@ -53,8 +79,12 @@ public:
     VertexIds representatives(const VertexIds& vertices) const;
 
 private:
+    FacetGraph(const TriangleMesh& mesh, double scatter, bool is_oriented);
     void measure_triangles();
-    void measure_bends();
+    void measure_bends(bool is_oriented);
+    void find_components();
+    void turn_outwards();
+    int side_of(const EdgeUse& use) const;
     double bend_between(const EdgeUse& one, const EdgeUse& other) const;
     void join(const EdgeUse& one, const EdgeUse& other);
     void join_straightest(int edge);
@@ -73,6 +103,8 @@ private:
     double scatter_ = 0.0;
     std::vector<double> unsure_;  // empty for a drawn mesh
     bool is_solid_ = false;
+    std::vector<int> component_;
+    std::vector<char> is_closed_;  // by component
 };
 
 //! The label of every triangle's region: triangles belong together across edges

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/surfaces/coarse_facets.h"
+#include "sheetmorph/recognise/facets/coarse_facets.h"
 
 #include "sheetmorph/mesh/topology/editable_triangles.h"
 

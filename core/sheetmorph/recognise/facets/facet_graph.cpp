@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/recognise/surfaces/facet_graph.h"
+#include "sheetmorph/recognise/facets/facet_graph.h"
 
+#include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/quality/noise.h"
-#include "sheetmorph/recognise/surfaces/welding.h"
+#include "sheetmorph/recognise/facets/welding.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -26,12 +28,12 @@ constexpr int none = -1;
 constexpr int most_sheets = 12;
 constexpr double straight_on = 0.17;
 
-int side_of(const Triangles& triangles, const EdgeUse& use)
+bool is_balanced(const EdgeUses& uses)
 {
-    for (int k = 0; k < 2; ++k)
-        if (triangles(use.triangle, k) == use.from)
-            return k;
-    return 2;
+    int sum = 0;
+    for (const EdgeUse& use : uses)
+        sum += use.from < use.to ? 1 : -1;
+    return sum == 0;
 }
 
 struct Welded
@@ -146,8 +148,40 @@ FacetGraph::FacetGraph(const TriangleMesh& mesh, double weld, double scatter)
     members_ = std::move(welded.members);
     edges_ = EdgeTable(welded_);
     measure_triangles();
-    measure_bends();
+    measure_bends(false);
     look_whether_solid();
+    find_components();
+}
+
+FacetGraph::FacetGraph(const TriangleMesh& mesh, double scatter, bool is_oriented)
+    : welded_(mesh),
+      representative_(static_cast<std::size_t>(mesh.vertex_count())),
+      edges_(mesh),
+      scatter_(scatter)
+{
+    std::iota(representative_.begin(), representative_.end(), 0);
+    members_ = representative_;
+    member_starts_ = representative_;
+    member_starts_.push_back(mesh.vertex_count());
+    measure_triangles();
+    measure_bends(is_oriented);
+    look_whether_solid();
+    find_components();
+}
+
+FacetGraph FacetGraph::of_solids(const TriangleMesh& mesh)
+{
+    FacetGraph graph(mesh, 0.0, true);
+    graph.turn_outwards();
+    return graph;
+}
+
+int FacetGraph::side_of(const EdgeUse& use) const
+{
+    for (int k = 0; k < 2; ++k)
+        if (welded_.triangles()(use.triangle, k) == use.from)
+            return k;
+    return 2;
 }
 
 void FacetGraph::measure_triangles()
@@ -181,16 +215,18 @@ double FacetGraph::bend_between(const EdgeUse& one, const EdgeUse& other) const
     return std::acos(std::clamp(one.from != other.from ? cosine : -cosine, -1.0, 1.0));
 }
 
-void FacetGraph::measure_bends()
+void FacetGraph::measure_bends(bool is_oriented)
 {
     across_.assign(3 * static_cast<std::size_t>(triangle_count()), none);
     bends_.assign(across_.size(), pi);
     for (int edge = 0; edge < edges_.count(); ++edge)
     {
         const EdgeUses uses = edges_.uses(edge);
+        if (is_oriented && !is_balanced(uses))
+            continue;
         if (uses.count() == 2)
             join(uses.begin()[0], uses.begin()[1]);
-        else if (uses.count() > 2 && uses.count() <= most_sheets)
+        else if (!is_oriented && uses.count() > 2 && uses.count() <= most_sheets)
             join_straightest(edge);
     }
 }
@@ -200,7 +236,7 @@ void FacetGraph::join(const EdgeUse& one, const EdgeUse& other)
     const double bend = bend_between(one, other);
     for (const auto& [here, there] : {std::pair(&one, &other), std::pair(&other, &one)})
     {
-        const int side = side_of(welded_.triangles(), *here);
+        const int side = side_of(*here);
         across_[3 * here->triangle + side] = there->triangle;
         bends_[3 * here->triangle + side] = bend;
     }
@@ -224,6 +260,65 @@ void FacetGraph::join_straightest(int edge)
             join(uses.begin()[a], uses.begin()[b]);
             is_joined[a] = is_joined[b] = 1;
         }
+}
+
+std::vector<FacetJoint> FacetGraph::joints() const
+{
+    std::vector<FacetJoint> found;
+    for (int edge = 0; edge < edges_.count(); ++edge)
+    {
+        const EdgeUses uses = edges_.uses(edge);
+        if (uses.count() != 2)
+            continue;
+        const EdgeUse &one = uses.begin()[0], &other = uses.begin()[1];
+        if (const int side = side_of(one); across(one.triangle, side) == other.triangle)
+            found.push_back({one.triangle, other.triangle, bend(one.triangle, side),
+                             (point(one.from) - point(one.to)).norm()});
+    }
+    return found;
+}
+
+void FacetGraph::find_components()
+{
+    DisjointSets sets(triangle_count());
+    for (int t = 0; t < triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k)
+            if (across(t, k) != none)
+                sets.join(t, across(t, k));
+    component_.resize(static_cast<std::size_t>(triangle_count()));
+    for (int t = 0; t < triangle_count(); ++t)
+    {
+        component_[t] = sets.root(t) == t ? component_count() : component_[sets.root(t)];
+        if (sets.root(t) == t)
+            is_closed_.push_back(1);
+    }
+    for (int edge = 0; edge < edges_.count(); ++edge)
+        if (const EdgeUses uses = edges_.uses(edge); !is_balanced(uses))
+            for (const EdgeUse& use : uses)
+                is_closed_[component_[use.triangle]] = 0;
+}
+
+// The sign of the volume that a component encloses tells inside from outside. What looks out of a
+// solid needs some normal for thin facets, too.
+void FacetGraph::turn_outwards()
+{
+    std::vector<double> volume(is_closed_.size(), 0.0);
+    std::vector<int> first(is_closed_.size(), none);
+    for (int t = 0; t < triangle_count(); ++t)
+    {
+        int& start = first[component_[t]];
+        start = start == none ? t : start;
+        const Eigen::RowVector3i corners = welded_.triangles().row(t);
+        const Vector3 origin = point(welded_.triangles()(start, 0));
+        const Vector3 a = point(corners(0)) - origin, b = point(corners(1)) - origin;
+        const Vector3 c = point(corners(2)) - origin;
+        volume[component_[t]] += a.dot(b.cross(c));
+        if (is_thin(t))
+            normals_.row(t) = (b - a).cross(c - a).stableNormalized().transpose();
+    }
+    for (int t = 0; t < triangle_count(); ++t)
+        if (volume[component_[t]] < 0.0)
+            normals_.row(t) *= -1.0;
 }
 
 void FacetGraph::look_whether_solid()
