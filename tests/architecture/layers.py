@@ -3,14 +3,15 @@
 import ast
 import re
 
-BELOW_ASSEMBLY = {"base", "numerics", "mesh"}
+BELOW_ASSEMBLY = {"base", "numerics", "fitting", "mesh"}
 MAY_INCLUDE = {
     "base": {"base"},
     "numerics": {"base", "numerics"},
-    "mesh": {"base", "numerics", "mesh"},
+    "fitting": {"base", "numerics", "fitting"},
+    "mesh": {"base", "numerics", "fitting", "mesh"},
     "forms": BELOW_ASSEMBLY | {"forms"},
     "pick": {"base", "mesh", "pick"},
-    "repair": {"base", "mesh", "repair"},
+    "repair": {"base", "fitting", "mesh", "repair"},
     "surface": BELOW_ASSEMBLY | {"forms", "surface"},
     "volume": BELOW_ASSEMBLY | {"volume"},
     "recognise": BELOW_ASSEMBLY | {"recognise"},

@@ -63,7 +63,8 @@ def test_the_freecad_namespace_stays_a_namespace():
     ("layer", "line"),
     [
         ("base", '#include "sheetmorph/mesh/triangle_mesh.h"'),
-        ("mesh", '#include "sheetmorph/forms/rim_profile.h"'),
+        ("mesh", '#include "sheetmorph/forms/feature_shape.h"'),
+        ("fitting", '#include "sheetmorph/mesh/triangle_mesh.h"'),
         ("surface", '#include "sheetmorph/volume/control_mesh.h"'),
         ("volume", '#include "sheetmorph/assembly/part.h"'),
         ("base", "#include <pybind11/pybind11.h>"),

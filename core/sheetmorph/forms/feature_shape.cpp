@@ -3,8 +3,9 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/limits.h"
-#include "sheetmorph/forms/cylinder_fit.h"
+#include "sheetmorph/fitting/cylinder.h"
 #include "sheetmorph/forms/feature_patch.h"
+#include "sheetmorph/mesh/geometry/facets.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -284,7 +285,7 @@ std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const Vertex
         if (core)
             return shape_of(patch, *core);
     }
-    const std::optional<RimProfile> cylinder = fit_cylinder(patch.covered_mesh());
+    const std::optional<RimProfile> cylinder = fit_cylinder(facets_of(patch.covered_mesh()));
     if (!cylinder || !lie_on(patch, *cylinder, patch.feature()))
         return std::nullopt;
     return shape_of(patch, {*cylinder, patch.feature(), {}, true});

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/convergence.h"
-#include "sheetmorph/mesh/regions/outline.h"
+#include "sheetmorph/fitting/outline.h"
 
 namespace sheetmorph
 {

@@ -2,7 +2,7 @@
 #include "sheetmorph/assembly/relations.h"
 
 #include "sheetmorph/assembly/session/deformation_session.h"
-#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/fitting/circle.h"
 #include "assembly/frames.h"
 #include "assembly/refusals.h"
 

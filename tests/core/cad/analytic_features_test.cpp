@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/analytic_features.h"
 #include "sheetmorph/cad/reading/cad_reader.h"
-#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/fitting/circle.h"
 #include "cad_files.h"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include "sheetmorph/forms/feature_shape.h"
 
 #include "sheetmorph/base/rotation.h"
-#include "sheetmorph/forms/rim_profile.h"
-#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/fitting/circle.h"
+#include "sheetmorph/fitting/rim_profile.h"
 #include "shapes.h"
 
 #include <gmock/gmock.h>

@@ -6,10 +6,11 @@ OPERATORS = "mesh/geometry/operators.cpp"
 FLIPS = "mesh/geometry/delaunay_flips.cpp"
 QUERIES = "mesh/search/triangle_queries.cpp"
 ORIENTATION = "mesh/topology/orientation.cpp"
-PROFILE = "forms/rim_profile.cpp"
+PROFILE = "fitting/rim_profile.cpp"
 SHAPE = "forms/feature_shape.cpp"
 NEAREST = "TriangleQueries.*:Picking.*"
-SHAPES = "FeatureShape.*:RimProfile.*:CylinderFit.*"
+SHAPES = "FeatureShape.*"
+FITS = "Circle.*:RimProfile.*:CylinderFit.*"
 
 MUTATIONS = [
     Mutation(OPERATORS, "0.125 * cotangent", "0.25 * cotangent", "Operators.*"),
@@ -92,18 +93,18 @@ MUTATIONS = [
     ),
     # Outlines of holes and slots.
     Mutation(
-        "forms/cylinder_fit.cpp",
-        "-height * out.dot(u), -height",
-        "height * out.dot(u), -height",
-        SHAPES,
+        "fitting/surface.cpp",
+        "slope(3) = -along * out.dot(u);",
+        "slope(3) = along * out.dot(u);",
+        FITS,
     ),
-    Mutation(PROFILE, "radius = outline.radius;", "radius = 1.01 * outline.radius;", SHAPES),
-    Mutation(PROFILE, "rows(i, 4) = -end * out", "rows(i, 4) = end * out", SHAPES),
+    Mutation(PROFILE, "radius = outline.radius;", "radius = 1.01 * outline.radius;", FITS),
+    Mutation("fitting/stadium.cpp", "rows(i, 4) = -end * out", "rows(i, 4) = end * out", FITS),
     Mutation(
         PROFILE,
         "frame.leftCols<2>() * shape.across()",
         "frame.leftCols<2>() * shape.along()",
-        SHAPES,
+        FITS,
     ),
     Mutation(SHAPE, "Kind::hole ? 0.5 : 1.0", "Kind::hole ? 1.0 : 0.5", SHAPES),
     Mutation(SHAPE, "-core.profile.distance(point) *", "core.profile.distance(point) *", SHAPES),

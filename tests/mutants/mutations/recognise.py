@@ -2,7 +2,7 @@
 """Mistakes in fitted surfaces, contacts, holes, bends and thin solids."""
 from mutation import Mutation
 
-FIT = "recognise/surfaces/surface_fit.cpp"
+FIT = "fitting/surface.cpp"
 CONTACTS = "recognise/contacts/found_contacts.cpp"
 PATCHES = "recognise/contacts/contact_patches.cpp"
 HOLES = "recognise/features/holes.cpp"
@@ -14,17 +14,26 @@ MUTATIONS = [
         "square = solved(3) + center.squaredNorm()",
         "square = solved(3)",
         "Surfaces.*:Features.*",
+        layer="recognise",
     ),
     Mutation(
         FIT,
         "surface.angle = std::asin(sine)",
         "surface.angle = std::acos(sine)",
         "Surfaces.*:Features.*",
+        layer="recognise",
     ),
     Mutation(
         FIT,
         "away * std::cos(angle) - along * std::sin(angle)",
         "away * std::sin(angle) - along * std::cos(angle)",
+        "Surfaces.*:Features.*",
+        layer="recognise",
+    ),
+    Mutation(
+        "recognise/surfaces/surfaces.cpp",
+        ": extent.x();",
+        ": extent.y();",
         "Surfaces.*:Features.*",
     ),
     Mutation(

@@ -5,8 +5,8 @@
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/forms/feature_shape.h"
-#include "sheetmorph/mesh/regions/circle.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

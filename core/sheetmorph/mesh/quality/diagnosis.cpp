@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/diagnosis.h"
 
+#include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/quality/median.h"
 #include "sheetmorph/mesh/quality/pieces.h"
 #include "sheetmorph/mesh/quality/t_junctions.h"
-#include "sheetmorph/mesh/regions/circle.h"
 #include "sheetmorph/mesh/regions/crease_loops.h"
 #include "sheetmorph/mesh/search/near_vertices.h"
 

@@ -88,7 +88,7 @@ public:
     {
         for (std::size_t r = 0; r < surfaces.size(); ++r)
         {
-            is_curved_[r] = surfaces[r].surface.kind != FeatureKind::plane;
+            is_curved_[r] = surfaces[r].surface.kind != Surface::Kind::plane;
             for (const int t : surfaces[r].triangles)
                 region_[t] = static_cast<int>(r);
         }
@@ -96,7 +96,7 @@ public:
 
     std::optional<Strip> strip(const SurfaceRegion& found) const
     {
-        if (found.surface.kind != FeatureKind::cylinder)
+        if (found.surface.kind != Surface::Kind::cylinder)
             return std::nullopt;
         const SurfaceRegion region = whole(found);
         Strip strip{region, feature_of(graph_, region), Vector3::Zero()};

@@ -2,7 +2,7 @@
 #include "sheetmorph/recognise/features/holes.h"
 
 #include "sheetmorph/base/vertex_sets.h"
-#include "sheetmorph/mesh/regions/outline.h"
+#include "sheetmorph/fitting/outline.h"
 #include "sheetmorph/recognise/features/hole_wall.h"
 #include "sheetmorph/recognise/features/outer_borders.h"
 

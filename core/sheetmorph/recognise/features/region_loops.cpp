@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/region_loops.h"
 
-#include "sheetmorph/mesh/regions/outline.h"
+#include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/mesh/topology/boundary.h"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/strips.h"
 
-#include "sheetmorph/mesh/regions/outline.h"
+#include "sheetmorph/fitting/outline.h"
 #include "sheetmorph/recognise/features/hole_wall.h"
 
 #include <Eigen/Geometry>
@@ -51,7 +51,7 @@ public:
     {
         // Bends are cylinders; a strip does not go on over them.
         for (const SurfaceRegion& region : surfaces)
-            if (region.surface.kind == FeatureKind::cylinder)
+            if (region.surface.kind == Surface::Kind::cylinder)
                 for (const int t : region.triangles)
                     label_[t] = bend_label;
     }
@@ -121,7 +121,7 @@ VertexIds corners_of(const FacetGraph& graph, const std::vector<int>& triangles)
 Feature flange_of(const FacetGraph& graph, const Strip& strip)
 {
     SurfaceRegion region;
-    region.surface = *fit_surface(graph, strip.triangles, FeatureKind::plane);
+    region.surface = *fit_surface(sample_of(graph, strip.triangles), Surface::Kind::plane);
     region.triangles = strip.triangles;
     region.area = strip.area;
     Feature feature = feature_of(graph, region);
@@ -176,7 +176,8 @@ std::vector<Feature> find_embosses(const FacetGraph& graph,
     std::vector<Feature> found;
     for (const SurfaceRegion& base : surfaces)
     {
-        if (base.surface.kind != FeatureKind::plane || base.area < least_base * graph.total_area())
+        if (base.surface.kind != Surface::Kind::plane
+            || base.area < least_base * graph.total_area())
             continue;
         std::vector<int> labels(static_cast<std::size_t>(graph.triangle_count()), 1);
         for (const int t : base.triangles)

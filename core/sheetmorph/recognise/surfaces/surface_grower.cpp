@@ -18,7 +18,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t patch_size = 14;
 constexpr std::size_t measured_patch_size = 40;
 constexpr std::size_t fewest_triangles = 6;
-constexpr FeatureKind curved[] = {FeatureKind::cylinder, FeatureKind::sphere, FeatureKind::cone};
+constexpr Surface::Kind curved[] = {Surface::Kind::cylinder, Surface::Kind::sphere,
+                                    Surface::Kind::cone};
 
 // Mean square difference of normals from which a patch turns; what calming leaves of scatter.
 constexpr double turning = 0.002;
@@ -112,9 +113,10 @@ std::vector<SurfaceGrower::Seed> SurfaceGrower::seeds()
         if (patch.size() >= fewest_triangles && turns(patch))
         {
             seed.misfit = 1.0;
-            for (const FeatureKind kind : curved)
-                if (const auto surface = fit_surface(graph_, patch, kind))
-                    seed.misfit = std::min(seed.misfit, misfit_of(graph_, patch, *surface));
+            const FacetSample facets = sample_of(graph_, patch);
+            for (const Surface::Kind kind : curved)
+                if (const auto surface = fit_surface(facets, kind))
+                    seed.misfit = std::min(seed.misfit, misfit_of(facets.corners, *surface));
         }
         seeds.push_back(seed);
     }
@@ -180,7 +182,7 @@ double SurfaceGrower::area_of(const std::vector<int>& triangles) const
 
 bool SurfaceGrower::is_near(const Surface& surface, int triangle) const
 {
-    const bool is_plane = surface.kind == FeatureKind::plane;
+    const bool is_plane = surface.kind == Surface::Kind::plane;
     const Vector3 middle = graph_.centroid(triangle);
     const double reach =
         (is_plane ? flatness * size_ : tolerances_.surface * surface.radius_at(middle))
@@ -216,7 +218,7 @@ std::vector<int> SurfaceGrower::grown(int seed, const Surface& surface)
 
 bool SurfaceGrower::is_curved(const Surface& surface, const std::vector<int>& triangles) const
 {
-    if (surface.kind == FeatureKind::sphere)
+    if (surface.kind == Surface::Kind::sphere)
         return triangles.size() >= 2 * fewest_triangles;
     const Vector3 u = surface.axis.unitOrthogonal();
     const Vector3 v = surface.axis.cross(u);
@@ -245,24 +247,24 @@ void SurfaceGrower::keep(SurfaceRegion region)
 }
 
 std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed, const std::vector<int>& patch,
-                                                      FeatureKind kind)
+                                                      Surface::Kind kind)
 {
-    std::optional<Surface> surface = fit_surface(graph_, patch, kind);
+    std::optional<Surface> surface = fit_surface(sample_of(graph_, patch), kind);
     SurfaceRegion region{{}, patch, 0.0, growth};
     for (Convergence& of = region.convergence;
          surface && !of.is_converged && of.rounds < most_rounds; ++of.rounds)
     {
-        *surface = refined(graph_, region.triangles, *surface);
+        *surface = refined(some_corners(graph_, region.triangles), *surface);
         if (surface->radius > 2.0 * size_ || !is_near(*surface, seed))
             return std::nullopt;
         take(region, grown(seed, *surface));
         if (region.triangles.size() < fewest_triangles || !is_curved(*surface, region.triangles))
             return std::nullopt;
-        surface = fit_surface(graph_, region.triangles, kind);
+        surface = fit_surface(sample_of(graph_, region.triangles), kind);
     }
     if (!surface)
         return std::nullopt;
-    region.surface = refined(graph_, region.triangles, *surface);
+    region.surface = refined(some_corners(graph_, region.triangles), *surface);
     if (!is_near(region.surface, seed) || !is_curved(region.surface, region.triangles))
         return std::nullopt;
     region.area = area_of(region.triangles);
@@ -275,11 +277,11 @@ std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed)
     if (patch.size() < fewest_triangles)
         return std::nullopt;
     std::optional<SurfaceRegion> best;
-    for (const FeatureKind kind : curved)
+    for (const Surface::Kind kind : curved)
         better(curved_at(seed, patch, kind), best);
     // A small patch does not tell how a slender cone tapers.
-    if (best && best->surface.kind != FeatureKind::cone)
-        better(curved_at(seed, best->triangles, FeatureKind::cone), best);
+    if (best && best->surface.kind != Surface::Kind::cone)
+        better(curved_at(seed, best->triangles, Surface::Kind::cone), best);
     return best;
 }
 
@@ -313,7 +315,7 @@ SurfaceRegion SurfaceGrower::plane_at(int seed)
     for (Convergence& of = region.convergence; !of.is_converged && of.rounds < most_rounds;
          ++of.rounds)
     {
-        const auto fitted = fit_surface(graph_, region.triangles, FeatureKind::plane);
+        const auto fitted = fit_surface(sample_of(graph_, region.triangles), Surface::Kind::plane);
         of.is_converged = !fitted || !is_near(*fitted, seed);
         if (of.is_converged)
             break;

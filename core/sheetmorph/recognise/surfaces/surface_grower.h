@@ -32,7 +32,7 @@ private:
     bool turns(const std::vector<int>& patch) const;
     std::optional<SurfaceRegion> curved_at(int seed);
     std::optional<SurfaceRegion> curved_at(int seed, const std::vector<int>& patch,
-                                           FeatureKind kind);
+                                           Surface::Kind kind);
     SurfaceRegion plane_at(int seed);
     void better(std::optional<SurfaceRegion> region, std::optional<SurfaceRegion>& best) const;
     double bulge(const SurfaceRegion& region) const;

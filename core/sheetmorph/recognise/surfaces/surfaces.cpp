@@ -17,6 +17,22 @@ namespace
 {
 
 // How far the vertices reach along the axis and across it, and the middle of that.
+FeatureKind kind_of(const Surface& surface)
+{
+    switch (surface.kind)
+    {
+        case Surface::Kind::cylinder:
+            return FeatureKind::cylinder;
+        case Surface::Kind::cone:
+            return FeatureKind::cone;
+        case Surface::Kind::sphere:
+            return FeatureKind::sphere;
+        case Surface::Kind::plane:
+            break;
+    }
+    return FeatureKind::plane;
+}
+
 void measure_extent(const FacetGraph& graph, const Surface& surface, Feature& feature)
 {
     Matrix3 frame;
@@ -33,15 +49,15 @@ void measure_extent(const FacetGraph& graph, const Surface& surface, Feature& fe
     }
     const Vector3 extent = high - low;
     const Vector3 middle = 0.5 * (low + high);
-    const bool is_plane = surface.kind == FeatureKind::plane;
+    const bool is_plane = surface.kind == Surface::Kind::plane;
     feature.length = is_plane ? std::max(extent.y(), extent.z()) : extent.x();
     feature.width = is_plane ? std::min(extent.y(), extent.z()) : 0.0;
     feature.center = surface.point;
     if (is_plane)
         feature.center += frame * middle.cwiseProduct(Vector3(0, 1, 1));
-    else if (surface.kind != FeatureKind::sphere)
+    else if (surface.kind != Surface::Kind::sphere)
         feature.center += middle.x() * surface.axis;
-    if (surface.kind == FeatureKind::cone)
+    if (surface.kind == Surface::Kind::cone)
         feature.radius = middle.x() * std::tan(surface.angle);
 }
 
@@ -71,7 +87,7 @@ std::vector<SurfaceRegion> find_surfaces(const FacetGraph& graph,
 Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region)
 {
     Feature feature;
-    feature.kind = region.surface.kind;
+    feature.kind = kind_of(region.surface);
     feature.axis = region.surface.axis;
     feature.radius = region.surface.radius;
     feature.angle = region.surface.angle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "sheetmorph/recognise/feature.h"
 #include "sheetmorph/recognise/surfaces/surface_fit.h"
 #include "sheetmorph/recognise/tolerances.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/repair/remeshing/ridge_cuts.h"
 
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/plan/feature_sizes.h"
 
-#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/fitting/circle.h"
 #include "assembly/frames.h"
 #include "assembly/refusals.h"
 

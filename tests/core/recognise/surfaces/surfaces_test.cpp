@@ -37,14 +37,14 @@ TEST(Surfaces, ABentSheetIsTwoPlanesAndACylinder)
     ASSERT_EQ(found.size(), 3u);
     int planes = 0;
     for (const Surface& surface : found)
-        if (surface.kind == FeatureKind::cylinder)
+        if (surface.kind == Surface::Kind::cylinder)
         {
             EXPECT_NEAR(surface.radius, 6.0, 1e-9);
             EXPECT_NEAR(std::abs(surface.axis.y()), 1.0, 1e-12);
             EXPECT_NEAR(surface.point.z(), 6.0, 1e-9);
         }
         else
-            planes += surface.kind == FeatureKind::plane;
+            planes += surface.kind == Surface::Kind::plane;
     EXPECT_EQ(planes, 2);
 }
 
@@ -60,7 +60,7 @@ TEST(Surfaces, AConeIsExactHoweverSlenderAndFine)
                                          });
         const auto found = surfaces_of(cone);
         ASSERT_EQ(found.size(), 1u) << slope;
-        EXPECT_EQ(found[0].kind, FeatureKind::cone);
+        EXPECT_EQ(found[0].kind, Surface::Kind::cone);
         EXPECT_NEAR(found[0].angle, std::atan(slope), 1e-9);
         EXPECT_NEAR((found[0].point - Vector3(0.0, 0.0, -10.0 / slope)).norm(), 0.0, 1e-6);
     }
@@ -70,12 +70,12 @@ TEST(Surfaces, ASphereAndABoxAreWhatTheyAre)
 {
     const auto sphere = surfaces_of(shapes::sphere(3, 30.0));
     ASSERT_EQ(sphere.size(), 1u);
-    EXPECT_EQ(sphere[0].kind, FeatureKind::sphere);
+    EXPECT_EQ(sphere[0].kind, Surface::Kind::sphere);
     EXPECT_NEAR(sphere[0].radius, 30.0, 1e-9);
     const auto box = surfaces_of(shapes::box(6, Vector3(30.0, 40.0, 50.0)));
     EXPECT_EQ(box.size(), 6u);
     for (const Surface& side : box)
-        EXPECT_EQ(side.kind, FeatureKind::plane);
+        EXPECT_EQ(side.kind, Surface::Kind::plane);
 }
 
 TEST(Surfaces, OfASaddleTheyTellThatTheyDidNotSettle)
@@ -107,7 +107,7 @@ TEST(Surfaces, AMeasuredTubeIsOneCylinder)
         const auto tube = shapes::scattered(shapes::cylinder(48, 24, 40.0, 120.0), 0.15, seed);
         const auto found = surfaces_of(tube);
         ASSERT_EQ(found.size(), 1u) << seed;
-        EXPECT_EQ(found[0].kind, FeatureKind::cylinder);
+        EXPECT_EQ(found[0].kind, Surface::Kind::cylinder);
         EXPECT_NEAR(found[0].radius, 40.0, 0.1);
     }
 }

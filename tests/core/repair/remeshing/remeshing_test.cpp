@@ -4,7 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/quality/diagnosis.h"
 #include "sheetmorph/mesh/quality/quality.h"
-#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/mesh/regions/round_holes.h"
 #include "sheetmorph/mesh/topology/boundary.h"
 #include "sheetmorph/repair/remeshing/working_mesh.h"
 #include "sheetmorph/repair/self_intersections.h"

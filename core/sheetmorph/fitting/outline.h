@@ -34,9 +34,6 @@ struct Outline
 //! The default of `roundness` below, no unit.
 constexpr double default_roundness = 0.12;
 
-//! Fewest vertices of a rim that may be a circle or a slot.
-constexpr int fewest_outline_vertices = 6;
-
 //! The simplest outline that fits closed points: a circle or slot to its own faceting, a rectangle
 //! to `roundness` of its half width. The one place that decides what a rim is.
 //!
@@ -48,9 +45,5 @@ constexpr int fewest_outline_vertices = 6;
 //! \param scatter    standard deviation of the points in one direction, mm: a fit may be off by
 //!                   thrice that besides
 Outline fit_outline(const Points& loop, double roundness = default_roundness, double scatter = 0.0);
-
-//! Twice the area vector of a closed polygon: its normal times twice its area,
-//! mm^2.
-Vector3 doubled_area(const Points& loop);
 
 }  // namespace sheetmorph

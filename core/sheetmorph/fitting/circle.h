@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/convergence.h"
-#include "sheetmorph/mesh/triangle_mesh.h"
+#include "sheetmorph/base/types.h"
 
 #include <optional>
 
@@ -19,6 +19,16 @@ struct CircleFit
     Convergence convergence = {};  //!< of the fit: nearly straight rows of points settle nowhere
 };
 
+//! Fewest points of a rim that may be a circle or a slot.
+constexpr int fewest_rim_points = 6;
+
+//! Twice the area vector of a closed polygon: its normal times twice its area, mm^2.
+//! \param loop  (k, 3) mm, in order
+Vector3 doubled_area(const Points& loop);
+
+//! Whether a closed polygon encloses an area: no circle fits a slit or a single place.
+bool encloses_area(const Points& loop);
+
 //! The circle in the points' best plane with the least sum of squared distances in that plane.
 //! Exact circles are found to rounding, far from the origin too. Points without a sense of rotation
 //! take the axis whose largest component is positive.
@@ -26,22 +36,10 @@ struct CircleFit
 //! \throws InvalidInput for fewer points, points on one line, or coordinates that are not finite
 CircleFit fit_circle(const Points& points);
 
-//! The circle a closed rim of at least 6 points is, within tolerance * radius; nothing if it is
+//! The circle a closed rim is, within tolerance * radius; nothing if it is
 //! none, has no extent, or no circle settles on it.
 //! \param rim        (k, 3) mm, in order
 //! \param tolerance  no unit, > 0
 std::optional<CircleFit> round_rim(const Points& rim, double tolerance);
-
-//! A boundary loop that is a circle.
-struct RoundHole
-{
-    VertexIds rim;  //!< in order, as boundary_loops gives it
-    CircleFit circle;
-};
-
-//! The boundary loops of at least 6 vertices whose residual is below tolerance * radius, in the
-//! order of boundary_loops; a round outer border is one of them.
-//! \param tolerance  no unit, > 0
-std::vector<RoundHole> round_holes(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace sheetmorph

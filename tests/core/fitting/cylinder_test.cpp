@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/forms/cylinder_fit.h"
+#include "sheetmorph/fitting/cylinder.h"
+
+#include "sheetmorph/mesh/geometry/facets.h"
 
 #include "sheetmorph/base/rotation.h"
 #include "shapes/sheets.h"
@@ -41,7 +43,7 @@ TEST(CylinderFit, ACylinderIsFoundExactlyWhereverItsVerticesLieOnIt)
             const TriangleMesh tube = drawn_tube(share, 4.0, seed);
             const TriangleMesh moved(
                 (tube.points() * turn.transpose()).rowwise() + shift.transpose(), tube.triangles());
-            const auto found = fit_cylinder(moved);
+            const auto found = fit_cylinder(facets_of(moved));
             ASSERT_TRUE(found) << seed << ' ' << share;
             EXPECT_NEAR(found->radius, 5.0, 1e-8);
             const Vector3 axis = turn.col(2);
@@ -52,7 +54,7 @@ TEST(CylinderFit, ACylinderIsFoundExactlyWhereverItsVerticesLieOnIt)
 
 TEST(CylinderFit, FlatSheetsConesAndSpheresAreNone)
 {
-    EXPECT_FALSE(fit_cylinder(shapes::grid(6, 6, 10.0, 10.0)));
+    EXPECT_FALSE(fit_cylinder(facets_of(shapes::grid(6, 6, 10.0, 10.0))));
     const TriangleMesh cone = shapes::sheet(
         {16, 4, true, false},
         [](double u, double v)
@@ -60,7 +62,7 @@ TEST(CylinderFit, FlatSheetsConesAndSpheresAreNone)
             const double angle = 2.0 * shapes::pi * u, radius = 5.0 + v;
             return Vector3(radius * std::cos(angle), radius * std::sin(angle), 3.0 * v);
         });
-    EXPECT_FALSE(fit_cylinder(cone));
+    EXPECT_FALSE(fit_cylinder(facets_of(cone)));
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/mesh/regions/outline.h"
+#include "sheetmorph/fitting/outline.h"
 
-#include "sheetmorph/mesh/regions/circle.h"
+#include "sheetmorph/fitting/circle.h"
+#include "sheetmorph/fitting/stadium.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace sheetmorph
 namespace
 {
 
-using Plane = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Corners = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
 constexpr double pi = 3.14159265358979323846;
@@ -68,7 +68,7 @@ double distance_to(const RoundedBox& box, const Eigen::Vector2d& point)
     return out.cwiseMax(0.0).norm() + std::min(0.0, out.maxCoeff()) - box.radius;
 }
 
-double worst_miss(const Plane& points, const RoundedBox& box)
+double worst_miss(const PlanePoints& points, const RoundedBox& box)
 {
     double worst = 0.0;
     for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -77,7 +77,7 @@ double worst_miss(const Plane& points, const RoundedBox& box)
 }
 
 // The rectangle around the points with sides along and across a direction of length 1.
-RoundedBox rectangle_along(const Plane& points, const Eigen::Vector2d& u)
+RoundedBox rectangle_along(const PlanePoints& points, const Eigen::Vector2d& u)
 {
     const Eigen::Vector2d v(-u.y(), u.x());
     const Eigen::VectorXd x = points * u;
@@ -93,7 +93,7 @@ RoundedBox rectangle_along(const Plane& points, const Eigen::Vector2d& u)
 
 // The rectangle of the smallest area around the points that is parallel to one
 // of the edges.
-RoundedBox smallest_rectangle(const Plane& points)
+RoundedBox smallest_rectangle(const PlanePoints& points)
 {
     const std::size_t count = static_cast<std::size_t>(points.rows());
     std::vector<std::size_t> order(count);
@@ -118,7 +118,7 @@ RoundedBox smallest_rectangle(const Plane& points)
 
 // The corner radius with the smallest residual: a coarse scan, then around the best ever finer.
 // Four scans leave 1e-4 of the half width, and the residual is that of the radius that is returned.
-RoundedBox with_corners(const Plane& points, RoundedBox box)
+RoundedBox with_corners(const PlanePoints& points, RoundedBox box)
 {
     double low = 0.0;
     double high = box.half.y();
@@ -148,7 +148,7 @@ RoundedBox with_corners(const Plane& points, RoundedBox box)
 
 // The sides of a slot without vertices at their ends lie along no edge: the box is turned until it
 // fits best.
-RoundedBox rounded_box(const Plane& points)
+RoundedBox rounded_box(const PlanePoints& points)
 {
     RoundedBox best = with_corners(points, smallest_rectangle(points));
     for (double turn = 0.04; turn > 1e-5; turn *= 0.5)
@@ -186,7 +186,7 @@ double faceting_tolerance(Eigen::Index corners)
 }
 
 // Which vertices turn: refining a mesh puts others on the chords of a hole, which tell nothing.
-Corners corners_of(const Plane& points)
+Corners corners_of(const PlanePoints& points)
 {
     const Eigen::Index count = points.rows();
     const double least = least_turn * 2.0 * pi / static_cast<double>(count);
@@ -226,7 +226,7 @@ struct RoundEnds
     Eigen::Index right = 0;
     Eigen::Index corners = 0;
 
-    RoundEnds(const Plane& points, const RoundedBox& box)
+    RoundEnds(const PlanePoints& points, const RoundedBox& box)
     {
         const double straight = box.half.x() - box.half.y() - least_tolerance * box.half.y();
         const Eigen::ArrayXd along = (points.rowwise() - box.center.transpose()) * box.along;
@@ -256,7 +256,7 @@ Outline outline_of(const RoundedBox& box, const Outline& circle, const Matrix3& 
 }
 
 // The slot or rectangle that the points are; a slot is as exact as the facets of its ends.
-Outline boxed(const Plane& points, const Outline& circle, const Matrix3& frame, Slack slack)
+Outline boxed(const PlanePoints& points, const Outline& circle, const Matrix3& frame, Slack slack)
 {
     const RoundedBox box = rounded_box(points);
     Outline found = outline_of(box, circle, frame);
@@ -289,15 +289,6 @@ Matrix3 frame_of(const Vector3& normal)
 
 }  // namespace
 
-Vector3 doubled_area(const Points& loop)
-{
-    Vector3 area = Vector3::Zero();
-    const Eigen::Index count = loop.rows();
-    for (Eigen::Index i = 1; i + 1 < count; ++i)
-        area += Vector3(loop.row(i) - loop.row(0)).cross(Vector3(loop.row(i + 1) - loop.row(0)));
-    return area;
-}
-
 Outline fit_outline(const Points& loop, double roundness, double scatter)
 {
     Outline circle;
@@ -313,14 +304,14 @@ Outline fit_outline(const Points& loop, double roundness, double scatter)
     circle.along = frame.col(0);
     circle.length = circle.width = 2.0 * fit.radius;
     const Points off = loop.rowwise() - fit.centre.transpose();
-    const Plane flat = off * frame.leftCols<2>();
+    const PlanePoints flat = off * frame.leftCols<2>();
     circle.residual = (flat.rowwise().norm().array() - fit.radius).abs().maxCoeff();
     circle.bulge = (off * circle.axis).cwiseAbs().maxCoeff();
 
     const Slack most{roundness, scatter};
     const Eigen::Index corners = corners_of(flat).count();
     const Slack slack{std::min(roundness, faceting_tolerance(corners)), scatter};
-    if (!fit.convergence.is_converged || loop.rows() < fewest_outline_vertices
+    if (!fit.convergence.is_converged || loop.rows() < fewest_rim_points
         || !is_round(circle, rounded_box(flat), slack, corners))
         return boxed(flat, circle, frame, most);
     circle.kind = OutlineKind::round;

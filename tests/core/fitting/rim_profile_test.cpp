@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/forms/rim_profile.h"
+#include "sheetmorph/fitting/rim_profile.h"
 
 #include "sheetmorph/base/rotation.h"
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sheetmorph/fitting/cylinder.h"
+
+#include <Eigen/Geometry>
+
+namespace sheetmorph
+{
+
+namespace
+{
+
+// Of the radius.
+constexpr double tolerance = 0.02;
+
+// The normals of a sheet that goes around less than 30 degrees do not tell its axis; those of a
+// measured one spread along the axis, too.
+constexpr SpreadLimits spread{0.01, 0.02};
+
+}  // namespace
+
+std::optional<RimProfile> fit_cylinder(const FacetSample& facets)
+{
+    if (facets.areas.size() < 2 || facets.corners.rows() < 6)
+        return std::nullopt;
+    const auto start = fit_surface(facets, Surface::Kind::cylinder, spread);
+    if (!start)
+        return std::nullopt;
+    const Surface surface = refined(facets.corners, *start);
+    if (!(surface.radius > 0.0 && misfit_of(facets.corners, surface) <= tolerance))
+        return std::nullopt;
+    const Vector3 middle = facets.corners.colwise().mean().transpose();
+    RimProfile cylinder;
+    cylinder.frame.col(2) = surface.axis;
+    cylinder.frame.col(0) = surface.axis.unitOrthogonal();
+    cylinder.frame.col(1) = surface.axis.cross(cylinder.frame.col(0));
+    cylinder.centre = surface.point + (middle - surface.point).dot(surface.axis) * surface.axis;
+    cylinder.radius = surface.radius;
+    return cylinder;
+}
+
+}  // namespace sheetmorph

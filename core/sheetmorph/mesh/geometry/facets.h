@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "sheetmorph/fitting/surface.h"
+#include "sheetmorph/mesh/triangle_mesh.h"
+
+namespace sheetmorph
+{
+
+//! All facets of a mesh, with every vertex once.
+FacetSample facets_of(const TriangleMesh& mesh);
+
+}  // namespace sheetmorph
