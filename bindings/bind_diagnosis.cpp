@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/sheet_diagnosis.h"
 #include "layers.h"
+#include "progress.h"
 
 #include <pybind11/stl.h>
 
@@ -93,7 +94,7 @@ void bind_diagnosis(py::module_& module)
         "diagnose",
         [](const TriangleMesh& mesh, double tolerance)
         {
-            const py::gil_scoped_release released;
+            const LongWork work;
             return diagnose_sheets(mesh, tolerance);
         },
         py::arg("mesh"), py::arg("tolerance"),

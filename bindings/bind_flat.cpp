@@ -38,9 +38,8 @@ Flattening flattened(const TriangleMesh& mesh, const std::vector<VertexIds>& rim
         input.factors = Eigen::Map<const Eigen::VectorXd>(
             factors.data(), static_cast<Eigen::Index>(factors.size()));
     }
-    const Progress progress = progress_from(callback);
-    const py::gil_scoped_release without_gil;
-    return flatten(input, progress);
+    const LongWork work(callback);
+    return flatten(input, work.progress());
 }
 
 py::object places_of(const Flattening& flat)

@@ -11,6 +11,7 @@
 #include "sheetmorph/mesh/topology/polygons.h"
 #include "arrays.h"
 #include "layers.h"
+#include "progress.h"
 
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
@@ -31,7 +32,7 @@ namespace
 template <typename Work>
 auto without_gil(Work&& work)
 {
-    const py::gil_scoped_release released;
+    const LongWork long_work;
     return work();
 }
 

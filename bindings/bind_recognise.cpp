@@ -104,7 +104,7 @@ void bind_feature_search(py::module_& module)
         [](const TriangleMesh& mesh, const FeatureTolerances& tolerances)
         {
             const auto copy = tolerances;  // another thread may change them
-            const py::gil_scoped_release released;
+            const LongWork work;
             return find_features(mesh, copy);
         },
         py::arg("mesh"), py::arg("tolerances") = FeatureTolerances(),
@@ -114,10 +114,9 @@ void bind_feature_search(py::module_& module)
         [](const std::vector<const TriangleMesh*>& meshes, const FeatureTolerances& tolerances,
            const py::object& progress)
         {
-            const Progress told = progress_from(progress);
             const auto copy = tolerances;  // another thread may change them
-            const py::gil_scoped_release released;
-            return features_of_all(meshes, copy, told);
+            const LongWork work(progress);
+            return features_of_all(meshes, copy, work.progress());
         },
         py::arg("meshes"), py::arg("tolerances"), py::arg("progress") = py::none(),
         "The same of every mesh, on all cores. progress(fraction, task) returns whether to go on.");
@@ -161,10 +160,9 @@ void bind_contact_search(py::module_& module)
             std::vector<Connection> elements;
             for (const auto& [part_a, vertex_a, part_b, vertex_b, joint, rigid] : connections)
                 elements.push_back({part_a, vertex_a, part_b, vertex_b, joint, rigid != 0});
-            const Progress reported = progress_from(progress);
             const auto copy = tolerances;  // another thread may change them
-            const py::gil_scoped_release released;
-            return find_contacts(parts, elements, copy, reported);
+            const LongWork work(progress);
+            return find_contacts(parts, elements, copy, work.progress());
         },
         py::arg("parts"), py::arg("connections") = std::vector<std::array<int, 6>>(),
         py::arg("tolerances") = ContactTolerances(), py::arg("progress") = py::none(),
@@ -176,7 +174,7 @@ void bind_contact_search(py::module_& module)
         [](const std::vector<ContactPart>& parts, const ContactTolerances& tolerances)
         {
             const auto copy = tolerances;  // another thread may change them
-            const py::gil_scoped_release released;
+            const LongWork work;
             return proposed_gap(parts, copy);
         },
         py::arg("parts"), py::arg("tolerances") = ContactTolerances(),

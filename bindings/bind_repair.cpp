@@ -43,7 +43,7 @@ void bind_cured(py::module_& module)
         "cured",
         [](const TriangleMesh& mesh, double tolerance)
         {
-            const py::gil_scoped_release released;
+            const LongWork work;
             return cured(mesh, tolerance);
         },
         py::arg("mesh"), py::arg("tolerance"),
@@ -59,7 +59,7 @@ void bind_self_intersections(py::module_& module)
         {
             std::vector<std::pair<int, int>> found;
             {
-                const py::gil_scoped_release released;
+                const LongWork work;
                 found = self_intersections(mesh);
             }
             VertexIds ids;
@@ -127,9 +127,8 @@ void bind_repair(py::module_& module)
             RemeshOptions options;
             options.edge = edge;
             options.are_rims_on_circles = are_rims_on_circles;
-            const Progress told = progress_from(progress);
-            const py::gil_scoped_release released;
-            return remeshed(mesh, options, told);
+            const LongWork work(progress);
+            return remeshed(mesh, options, work.progress());
         },
         py::arg("mesh"), py::arg("edge"), py::arg("are_rims_on_circles") = false,
         py::arg("progress") = py::none(),

@@ -105,10 +105,9 @@ void bind_deformed(py::module_& module)
 DeformationSession session_from(const Assembly& assembly, const py::object& callback,
                                 const DeformationSession* previous)
 {
-    const Progress progress = progress_from(callback);
     const Assembly copy(assembly);
-    const py::gil_scoped_release without_gil;
-    return DeformationSession(copy, progress, previous);
+    const LongWork work(callback);
+    return DeformationSession(copy, work.progress(), previous);
 }
 
 std::vector<std::string> names_of(const DeformationSession& session, const std::vector<int>& parts)
@@ -147,10 +146,9 @@ std::unique_ptr<LiveDrag> begin_drag(const DeformationSession& session,
 Deformed deform(const DeformationSession& session, const Pose& pose, bool exact,
                 const py::object& callback)
 {
-    const Progress progress = progress_from(callback);
     const Pose copy(pose);
-    const py::gil_scoped_release without_gil;
-    return session.deform(copy, exact ? Exactness::exact : Exactness::live, progress);
+    const LongWork work(callback);
+    return session.deform(copy, exact ? Exactness::exact : Exactness::live, work.progress());
 }
 
 // By direction, by part.
@@ -161,7 +159,7 @@ std::vector<std::vector<py::array_t<double>>> rates(const DeformationSession& se
     std::vector<std::vector<Points>> found;
     const Pose copy(pose);
     {
-        const py::gil_scoped_release without_gil;
+        const LongWork work;
         found = session.rates(copy, directions);
     }
     std::vector<std::vector<py::array_t<double>>> arrays(found.size());
@@ -198,7 +196,7 @@ void bind_drag(py::module_& module)
         .def("frame", &frame, py::arg("pose"), "Every part in one pose, within 1e-6 of the size.")
         .def_property_readonly("failure", &LiveDrag::failure,
                                "What the background work has failed with, empty if it has not.")
-        .def("wait", &LiveDrag::wait, py::call_guard<py::gil_scoped_release>(),
+        .def("wait", &LiveDrag::wait, py::call_guard<LongWork>(),
              "Returns when the background work is done.")
         .def_property_readonly("is_ready", &LiveDrag::is_ready)
         .def_property_readonly("answered", &answered,

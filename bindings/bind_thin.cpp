@@ -2,6 +2,7 @@
 #include "sheetmorph/recognise/thin/thickness_gauge.h"
 #include "arrays.h"
 #include "layers.h"
+#include "progress.h"
 
 #include <pybind11/stl.h>
 
@@ -53,7 +54,7 @@ void bind_change(py::module_& module)
         [](const TriangleMesh& mesh, const ThinSolid& solid, const py::object& positions)
         {
             const Points points = points_from(positions, "positions");
-            const py::gil_scoped_release released;
+            const LongWork work;
             return thickness_change(mesh, solid, points);
         },
         py::arg("mesh"), py::arg("solid"), py::arg("positions"),
@@ -101,7 +102,7 @@ void bind_finding(py::module_& module)
         {
             ThinFinding found;
             {
-                const py::gil_scoped_release released;
+                const LongWork work;
                 found = find_thin_solid(mesh, thickness);
             }
             return py::make_tuple(std::move(found.solid), found.reason);

@@ -162,21 +162,6 @@ CadMeshing meshing_from(const py::dict& sizes)
     return meshing;
 }
 
-// Reports to a callable; without one it lets Python act on Ctrl+C all the same.
-Progress interruptible(const py::object& callback)
-{
-    if (!callback.is_none())
-        return progress_from(callback);
-    return Progress(
-        [](double, const std::string&)
-        {
-            const py::gil_scoped_acquire gil;
-            if (PyErr_CheckSignals() != 0)
-                throw py::error_already_set();
-            return true;
-        });
-}
-
 void bind_readers(py::module_& module)
 {
     module.def(
@@ -184,9 +169,8 @@ void bind_readers(py::module_& module)
         [](const std::string& path, const py::dict& sizes, const py::object& progress)
         {
             const CadMeshing meshing = meshing_from(sizes);
-            const Progress reported = interruptible(progress);
-            const py::gil_scoped_release released;
-            return read_cad(path, meshing, reported);
+            const LongWork work(progress);
+            return read_cad(path, meshing, work.progress());
         },
         py::arg("path"), py::arg("sizes") = py::dict(), py::arg("progress") = py::none(),
         "The parts of a STEP, IGES or BREP file as a CadModel. sizes: `edge` mm, that no edge is "
@@ -198,9 +182,8 @@ void bind_readers(py::module_& module)
         [](const std::string& text, const std::string& name, const py::dict& sizes)
         {
             const CadMeshing meshing = meshing_from(sizes);
-            const Progress reported = interruptible(py::none());
-            const py::gil_scoped_release released;
-            return read_brep(text, name, meshing, reported);
+            const LongWork work;
+            return read_brep(text, name, meshing, work.progress());
         },
         py::arg("text"), py::arg("name"), py::arg("sizes") = py::dict(),
         "The same for the text of a BREP file; its parts are called name, or name.1, name.2, ...");
@@ -281,11 +264,10 @@ void bind_writer(py::module_& module)
             wanted.format = format_from(writing["format"].cast<std::string>());
             wanted.tolerance = writing["tolerance"].cast<double>();
             wanted.edge_tolerance = writing["edge_tolerance"].cast<double>();
-            const Progress reported = progress_from(progress);
             std::vector<CadMeasures> measures;
             {
-                const py::gil_scoped_release released;
-                measures = write_cad(model, positions, wanted, reported);
+                const LongWork work(progress);
+                measures = write_cad(model, positions, wanted, work.progress());
             }
             py::list found;
             for (const CadMeasures& one : measures)

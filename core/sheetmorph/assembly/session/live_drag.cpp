@@ -4,6 +4,7 @@
 #include "sheetmorph/assembly/session/drag_samples.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/threads/stopping.h"
 
 #include <algorithm>
 #include <atomic>
@@ -24,6 +25,8 @@ constexpr std::size_t frames_kept = 3;
 
 // The first frame has all cores, unless it does not come: a button that is held still.
 constexpr std::chrono::milliseconds longest_wait(100);
+
+constexpr std::chrono::milliseconds between_looks(100);
 
 std::string words_of(const std::exception_ptr& failure)
 {
@@ -110,7 +113,12 @@ public:
     {
         begin();
         std::unique_lock<std::mutex> lock(mutex_);
-        finished_.wait(lock, [this] { return is_done_; });
+        while (!finished_.wait_for(lock, between_looks, [this] { return is_done_; }))
+        {
+            lock.unlock();
+            look_for_stop();
+            lock.lock();
+        }
         if (failure_)
             std::rethrow_exception(failure_);
     }

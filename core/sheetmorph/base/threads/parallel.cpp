@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/threads/parallel.h"
 
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/base/threads/thread_pool.h"
 
 #include <algorithm>
@@ -19,8 +20,11 @@ void run_in_turn(const std::vector<Task>& tasks, const Progress& progress)
 {
     const auto count = static_cast<double>(tasks.size());
     for (std::size_t k = 0; k < tasks.size(); ++k)
+    {
+        look_for_stop();
         tasks[k].work(
             progress.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count));
+    }
 }
 
 }  // namespace
@@ -51,7 +55,10 @@ void parallel_ranges(Eigen::Index count, Eigen::Index least,
     const Eigen::Index ranges =
         std::clamp<Eigen::Index>(count / std::max<Eigen::Index>(least, 1), 1, most_ranges);
     if (ranges == 1)
+    {
+        look_for_stop();
         work(0, count);
+    }
     else
         parallel_items(ranges, [&](Eigen::Index range)
                        { work(count * range / ranges, count * (range + 1) / ranges); });

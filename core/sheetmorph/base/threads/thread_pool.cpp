@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/threads/thread_pool.h"
 
+#include "sheetmorph/base/threads/stopping.h"
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -11,6 +13,7 @@
 #include <sched.h>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace sheetmorph
@@ -61,7 +64,7 @@ bool holds_soon(const Condition& condition)
 struct ThreadPool::Job
 {
     Job(Eigen::Index items, const Work& done_by, int places)
-        : count(items), work(done_by), free_places(places)
+        : count(items), work(done_by), stop(StopSignal::current()), free_places(places)
     {
     }
 
@@ -70,32 +73,43 @@ struct ThreadPool::Job
 
     void work_on()
     {
+        const WorkFor caller(stop);
         for (Eigen::Index item = next++; item < count; item = next++)
             try
             {
+                look_for_stop();
                 work(item);
                 ++done;
             }
             catch (...)
             {
-                give_up();
-                const std::lock_guard<std::mutex> lock(failing);
-                if (!failure || item < failed)
-                {
-                    failure = std::current_exception();
-                    failed = item;
-                }
+                fail(item);
             }
     }
 
-    void tell() const
+    //! The exception in hand ends it.
+    void fail(Eigen::Index item)
+    {
+        give_up();
+        const std::lock_guard<std::mutex> lock(failing);
+        if (!failure || item < failed)
+        {
+            failure = std::current_exception();
+            failed = item;
+        }
+    }
+
+    //! What it failed with is the caller's alone: a thread that still holds the job destroys none
+    //! of Python's exceptions.
+    void tell()
     {
         if (failure)
-            std::rethrow_exception(failure);
+            std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
     const Eigen::Index count;
     const Work& work;
+    StopSignal* const stop;  // of the caller
     std::atomic<Eigen::Index> next{0}, done{0};
     std::atomic<int> helpers{0};  // at it
     int free_places;              // for further ones
@@ -159,7 +173,8 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
                              [&] { return job.has_begun() && job.helpers == 0; });
     }
 
-    //! Waits for those who help with a job that nobody joins any more.
+    //! Waits for those who help with a job that nobody joins any more, and looks meanwhile whether
+    //! they are to stop.
     void finish(const std::shared_ptr<Job>& job)
     {
         close(job);
@@ -167,7 +182,24 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
         if (holds_soon(is_left))
             return;
         std::unique_lock<std::mutex> lock(mutex);
-        left.wait(lock, is_left);
+        while (!left.wait_for(lock, between_looks, is_left))
+        {
+            lock.unlock();
+            look_for(*job);
+            lock.lock();
+        }
+    }
+
+    static void look_for(Job& job)
+    {
+        try
+        {
+            look_for_stop();
+        }
+        catch (...)
+        {
+            job.fail(job.count);
+        }
     }
 
     //! The life of a thread; it sleeps until the process ends.
@@ -240,7 +272,10 @@ void ThreadPool::run(Eigen::Index count, const Work& work)
     if (helpers < 1)
     {
         for (Eigen::Index item = 0; item < count; ++item)
+        {
+            look_for_stop();
             work(item);
+        }
         return;
     }
     const auto job = std::make_shared<Job>(count, work, helpers);
@@ -261,11 +296,16 @@ void ThreadPool::run_watched(Eigen::Index count, const Work& work, const Watch& 
     try
     {
         while (!shared->is_over(*job))
+        {
             watch(job->done);
+            look_for_stop();
+        }
     }
     catch (...)
     {
         job->give_up();
+        if (StopSignal* const stop = StopSignal::current())
+            stop->end(std::current_exception());
         shared->finish(job);
         throw;
     }

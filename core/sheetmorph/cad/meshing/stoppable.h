@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/progress.h"
+#include "sheetmorph/base/threads/stopping.h"
 
 #include <atomic>
 #include <chrono>
@@ -24,8 +25,8 @@ inline void stop_if(const StopFlag* flag)
 }
 
 //! Does work(flag) in another thread and reports meanwhile, several times a second: long work of
-//! OpenCASCADE has no place to report from. Where the report cancels, or throws, the flag is set,
-//! and it throws when the work has ended.
+//! OpenCASCADE has no place to report from. Where the report cancels or throws, or this thread is
+//! to stop, the flag is set, and it throws when the work has ended.
 //! \param work  must look at the flag, and throw Cancelled or return early
 template <typename Work>
 auto stoppable(const Progress& progress, double fraction, const std::string& task, Work&& work)
@@ -35,7 +36,10 @@ auto stoppable(const Progress& progress, double fraction, const std::string& tas
     try
     {
         while (found.wait_for(std::chrono::milliseconds(100)) == std::future_status::timeout)
+        {
             progress.report(fraction, task);
+            look_for_stop();
+        }
     }
     catch (...)
     {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/cad/reading/cad_shapes.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/cad/healing/healing.h"
 #include "sheetmorph/cad/reading/face_tags.h"
 #include "sheetmorph/cad/reading/step_text.h"
+#include "sheetmorph/cad/reading/stop_indicator.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -204,6 +206,18 @@ std::vector<std::string> unread_entities(const Interface_InterfaceModel& model)
     return found;
 }
 
+template <typename Reader>
+void transfer(Reader& reader, CadSource& source, const char* todo)
+{
+    look_for_stop();
+    Handle(TDocStd_Document) document = source.document.handle();
+    const Handle(StopIndicator) stop = new StopIndicator;
+    const bool is_done = reader.Transfer(document, stop->Start());
+    look_for_stop();
+    if (!is_done)
+        throw InvalidInput("its shapes cannot be read", todo);
+}
+
 bool names_ap242(const std::string& path)
 {
     std::string head(4096, ' ');
@@ -234,30 +248,30 @@ std::shared_ptr<CadSource> source_of_step(const std::string& path)
     const auto source = std::make_shared<CadSource>();
     STEPCAFControl_Reader reader;
     read_step(reader, path);
+    look_for_stop();
     source->unread = unread_entities(*reader.Reader().Model());
     source->unit = unit_of(reader.ChangeReader());
     source->is_ap242 = names_ap242(path);
-    Handle(TDocStd_Document) document = source->document.handle();
-    if (!reader.Transfer(document))
-        throw InvalidInput("its shapes cannot be read", "export it again as AP214 or AP242");
-    const Handle(XSControl_TransferReader) transfer = reader.Reader().WS()->TransferReader();
+    transfer(reader, *source, "export it again as AP214 or AP242");
+    const Handle(XSControl_TransferReader) transferred = reader.Reader().WS()->TransferReader();
     // The names of solids stand beside them, not in the document.
     const auto name_of_body = [&](const TopoDS_Shape& body) -> std::string
     {
         const TopoDS_Shape unplaced = body.Located(TopLoc_Location());
         const auto item = Handle(StepRepr_RepresentationItem)::DownCast(
-            transfer->EntityFromShapeResult(unplaced, 1));
+            transferred->EntityFromShapeResult(unplaced, 1));
         return item.IsNull() || item->Name().IsNull() ? "" : trimmed(item->Name()->ToCString());
     };
-    source->lost_faces = count_lost_faces(transfer);
+    source->lost_faces = count_lost_faces(transferred);
     if (source->lost_faces > 0)
-        source->lost_in = solids_with_lost_faces(transfer);
+        source->lost_in = solids_with_lost_faces(transferred);
     const Healing healing = collect_healed(*source, name_of_body);
-    FaceNames names = face_names_of(transfer);
+    FaceNames names = face_names_of(transferred);
     for (TopTools_DataMapOfShapeShape::Iterator it(healing.before()); it.More(); it.Next())
         if (const std::string* name = names.Seek(it.Value()))
             names.Bind(it.Key(), std::string(*name));
-    tag_faces(source->bodies, names, XCAFDoc_DocumentTool::ColorTool(document->Main()));
+    tag_faces(source->bodies, names,
+              XCAFDoc_DocumentTool::ColorTool(source->document.handle()->Main()));
     return source;
 }
 
@@ -273,10 +287,7 @@ std::shared_ptr<CadSource> source_of_iges(const std::string& path)
     reader.SetLayerMode(true);
     if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
         throw InvalidInput("it is no IGES file, or a damaged one", "export it again");
-    Handle(TDocStd_Document) document = source->document.handle();
-    if (!reader.Transfer(document))
-        throw InvalidInput("its shapes cannot be read",
-                           "export it again, surfaces as trimmed ones");
+    transfer(reader, *source, "export it again, surfaces as trimmed ones");
     source->lost_faces = count_lost_faces(reader.WS()->TransferReader());
     collect_healed(*source, {});
     return source;

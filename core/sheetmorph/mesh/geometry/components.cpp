@@ -2,6 +2,7 @@
 #include "sheetmorph/mesh/geometry/components.h"
 
 #include "sheetmorph/base/disjoint_sets.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/mesh/geometry/operators.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ VertexIds Components::vertices(int component) const
 
 Components connected_components(const TriangleMesh& mesh, const std::vector<VertexIds>& joined)
 {
+    look_for_stop();
     const int vertex_count = mesh.vertex_count();
     DisjointSets sets(vertex_count);
     std::vector<char> used(static_cast<std::size_t>(vertex_count), 0);

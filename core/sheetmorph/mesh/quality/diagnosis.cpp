@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/diagnosis.h"
 
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/mesh/geometry/thinness.h"
 #include "sheetmorph/mesh/quality/median.h"
@@ -153,6 +154,7 @@ Diagnosis diagnose(const TriangleMesh& mesh, double tolerance)
     found.size = size_of_triangles(mesh);
     found.tolerance = tolerance;
     const Weld places = weld(mesh, tolerance);
+    look_for_stop();
     count_vertices(mesh, places, found);
     count_triangles(mesh, found);
     const EdgeTable table(mesh);
@@ -162,13 +164,17 @@ Diagnosis diagnose(const TriangleMesh& mesh, double tolerance)
     found.is_one_sided = !orientation.is_possible;
     std::tie(found.open_edges, found.non_manifold_edges) =
         std::tuple_cat(open_and_non_manifold(table));
+    look_for_stop();
     const TriangleMesh exact = with_one_vertex_a_place(mesh, weld(mesh, 0.0).first);
     found.t_junctions = static_cast<int>(t_junctions(exact, tolerance).size());
+    look_for_stop();
     const TriangleMesh whole = without_cuts(mesh, tolerance);
     const EdgeTable seams(whole);
     std::tie(found.open_edges_welded, found.non_manifold_edges_welded) =
         std::tuple_cat(open_and_non_manifold(seams));
+    look_for_stop();
     find_rims(whole, seams, found);
+    look_for_stop();
     found.pieces = diagnose_pieces(whole, seams);
     return found;
 }

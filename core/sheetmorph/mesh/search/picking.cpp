@@ -4,6 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/limits.h"
 #include "sheetmorph/base/threads/parallel.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/mesh/search/triangle_queries.h"
 
 #include <algorithm>
@@ -135,6 +136,7 @@ PickingTree::PickingTree(const TriangleMesh& mesh)
         return;
     for (leaf_count_ = 1; leaf_count_ * triangles_per_leaf < mesh.triangle_count();)
         leaf_count_ *= 2;
+    look_for_stop();
     order_triangles();
     fit_boxes();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/topology/edges.h"
 
+#include "sheetmorph/base/threads/stopping.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -43,7 +45,9 @@ bool repeats_a_vertex(const Eigen::RowVector3i& t)
 
 EdgeTable::EdgeTable(const TriangleMesh& mesh)
 {
+    look_for_stop();
     sort_uses(mesh);
+    look_for_stop();
     drop_doubled_triangles(mesh);
     number_edges(mesh);
 }

@@ -2,6 +2,7 @@
 #include "sheetmorph/numerics/cholesky/front_builder.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 
 #include <algorithm>
@@ -53,6 +54,7 @@ void FrontBuilder::gather(int node)
     const int beyond = elimination_.rank_after(node);
     for (int below = tree_.lowest[at(node)]; below <= node; ++below)
     {
+        look_for_stop();
         const Front& front = work_.front(below);
         const auto first = std::partition_point(
             front.rows().begin(), front.rows().end(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sheetmorph/base/threads/parallel.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/numerics/ordering/elimination.h"
 
 namespace sheetmorph
@@ -43,11 +44,17 @@ public:
                            for (int node = tree().lowest[static_cast<std::size_t>(root)];
                                 node <= root; ++node)
                                if (!is_unchanged(node))
+                               {
+                                   look_for_stop();
                                    visit(worker, node);
+                               }
                        });
         auto worker = new_worker();
         for (const int node : top_)
+        {
+            look_for_stop();
             visit(worker, node);
+        }
     }
 
 private:

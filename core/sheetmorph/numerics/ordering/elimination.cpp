@@ -2,6 +2,7 @@
 #include "sheetmorph/numerics/ordering/elimination.h"
 
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/threads/stopping.h"
 
 #include <algorithm>
 #include <numeric>
@@ -76,6 +77,7 @@ void Elimination::find_nodes()
         }
     for (bool is_lifted = true; is_lifted;)
     {
+        look_for_stop();
         is_lifted = false;
         for (Eigen::Index column = 0; column < matrix_.whole->outerSize(); ++column)
         {
@@ -99,6 +101,7 @@ void Elimination::find_nodes()
 void Elimination::sort_by_node()
 {
     own_start_ = sorted_by(node_of_, tree_->size(), order_);
+    look_for_stop();
     for (int node = 0; node < tree_->size(); ++node)
         std::sort(order_.begin() + own_start_[at(node)], order_.begin() + own_start_[at(node) + 1],
                   [this](int a, int b) { return slot_of(a) < slot_of(b); });

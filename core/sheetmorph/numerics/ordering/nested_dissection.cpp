@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/threads/parallel.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/numerics/ordering/halving.h"
 #include "sheetmorph/numerics/ordering/vertex_cover.h"
 
@@ -109,6 +110,7 @@ private:
     // both halves: as few as touch all entries between them.
     std::pair<Place, Place> cut(Place begin, Place end)
     {
+        look_for_stop();
         const Place middle = begin + (end - begin) / 2;
         halve(begin, middle, end, places_);
         const std::vector<int> separator = separator_of(begin, middle, end);

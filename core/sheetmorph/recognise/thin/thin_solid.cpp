@@ -4,6 +4,7 @@
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/recognise/thin/skin_walls.h"
 #include "sheetmorph/recognise/thin/solid_pieces.h"
 
@@ -172,6 +173,7 @@ struct Findings
 ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
 {
     const FacetSides sides = skin_walls(found.mesh, found.graph, found.cells, pairs);
+    look_for_stop();
     ThinSolid solid;
     solid.thickness = main_thickness(found.graph, found.cells, pairs);
     solid.facets = facet_sides(found.graph, pairs, sides);
@@ -179,6 +181,7 @@ ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
     solid.of_component = thickness_of_components(found.cells, pairs);
     solid.vertices = vertex_sides(found.mesh, solid.facets);
     solid.thicknesses = thickness_map(found.mesh, solid, found.probes, found.cells.thickness);
+    look_for_stop();
     solid.walls = wall_pieces(found.mesh, found.graph, solid.facets);
     solid.holes = through_holes(found.mesh, found.graph, solid);
     solid.lumps = lump_pieces(found.mesh, found.probes, sides.is_lump);
@@ -224,9 +227,13 @@ ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
     if (mesh.triangle_count() == 0)
         return {std::nullopt, "it has no triangles; give it some"};
     const FacetGraph graph = FacetGraph::of_solids(mesh);
+    look_for_stop();
     const std::vector<InwardProbe> probes = inward_probes(mesh, graph);
+    look_for_stop();
     const SkinCells cells = skin_cells(graph, probes, thickness);
+    look_for_stop();
     SkinPairs pairs = skin_pairs(mesh, graph, cells);
+    look_for_stop();
     if (std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 0) != pairs.is_thin.end())
         add_joined_sheets(skin_pairs(mesh, graph, cells, true), graph, pairs);
     const auto is_none = [&]

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/threads/parallel.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/delaunay_flips.h"
 #include "sheetmorph/mesh/geometry/fans.h"
@@ -257,6 +258,7 @@ void append_rows(BendingRows& bending, const SurfaceOperators& laplacian, const 
 
 void add_stiffness(SurfaceOperators& operators, const Points& points)
 {
+    look_for_stop();
     operators.stiffness =
         std::make_shared<const SparseMatrix>(own_product(operators.rows, operators.weights));
     const auto tree_of = [&](const SparseMatrix& matrix)
@@ -286,9 +288,11 @@ SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstr
     const LaidFaces laid = as_one.empty() ? faces : faces_of(one, constraints).faces;
     BendingRows bending = natural_rows(laid, holding_vertices(constraints, roles));
     stand(bending, roles);
+    look_for_stop();
     const VertexIds straightened = straightened_vertices(one, constraints, roles, laid);
     if (!straightened.empty())
         append_rows(bending, operators, straightened);
+    look_for_stop();
     operators.rest_rows = rest_rows(bending, mesh.points());
     operators.rows = std::move(bending.rows);
     operators.weights = std::move(bending.weights);

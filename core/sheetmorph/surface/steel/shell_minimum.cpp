@@ -2,6 +2,7 @@
 #include "sheetmorph/surface/steel/shell_minimum.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/numerics/newton_minimum.h"
 
 #include <Eigen/QR>
@@ -207,6 +208,7 @@ private:
         double largest = 0.0;
         for (int k = 0; k < buckling_rounds; ++k)
         {
+            look_for_stop();
             const Eigen::VectorXd load = *tension.matrix * mode;
             const double energy = mode.dot(load);
             if (!(energy > 0.0))

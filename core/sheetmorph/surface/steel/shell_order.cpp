@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The order in which a shell's unknowns are eliminated.
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/surface/steel/shell_system.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ using Kind = ShellMover::Kind;
 
 void ShellSystem::find_things()
 {
+    look_for_stop();
     const auto place = [this](int vertex) -> Vector3
     { return part_.rest.points().row(vertex).transpose(); };
     for (std::size_t i = 0; i < movers_.vertices.size(); ++i)
@@ -46,6 +48,7 @@ void ShellSystem::find_things()
 // Ones where some element couples two things.
 SparseMatrix ShellSystem::coupled_things() const
 {
+    look_for_stop();
     std::vector<int> first(things_.size() + 2, 0);  // of the elements of each thing, one later
     for (const Freedom& freedom : freedoms_)
         for (const int thing : freedom.things)
@@ -85,6 +88,7 @@ SparseMatrix ShellSystem::coupled_things() const
 // The unknowns of one thing stay together.
 void ShellSystem::find_tree(const SparseMatrix& coupled)
 {
+    look_for_stop();
     Points places(static_cast<Eigen::Index>(things_.size()), 3);
     for (std::size_t k = 0; k < things_.size(); ++k)
         places.row(static_cast<Eigen::Index>(k)) = things_[k].place.transpose();

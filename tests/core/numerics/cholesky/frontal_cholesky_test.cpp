@@ -2,6 +2,8 @@
 #include "sheetmorph/numerics/cholesky/frontal_cholesky.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/threads/stopping.h"
+#include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 #include "numerics/cholesky/cholmod_oracle.h"
 
@@ -216,6 +218,67 @@ TEST(FrontalCholesky, TakesAMatrixWithMoreEntriesThanItsTreeKnows)
     const Sheet coupled{std::make_shared<const SparseMatrix>(more), given.tree};
     const MergedMatrix matrix = merged(coupled, {}, {});
     EXPECT_LT(miss(SparseCholesky(matrix, given.tree), matrix), 1e-9);
+}
+
+// One look for every front at least, in the rows as in the values, and one for every cut.
+TEST(FrontalCholesky, LooksForAStopAtEveryFront)
+{
+    const ThreadCount alone(1);
+    int looks = 0;
+    const StopSignal signal([&] { ++looks; }, std::chrono::milliseconds(0));
+    const auto counted = [&looks](const auto& work)
+    {
+        looks = 0;
+        work();
+        return looks;
+    };
+    Sheet given;
+    const int cuts = counted([&] { given = sheet(); });
+    const int nodes = given.tree->size();
+    EXPECT_GE(2 * cuts, nodes);
+    const FrontPattern pattern({merged(given, block(60, 60, 5), {}), given.tree});
+    EXPECT_GE(counted([&] { FrontPattern(pattern.elimination()); }), nodes);
+    EXPECT_GE(counted([&] { factorised(pattern); }), nodes);
+}
+
+// A front with many columns takes long by itself: a look at every block of them.
+TEST(FrontalCholesky, LooksForAStopInTheBlocksOfOneFront)
+{
+    const ThreadCount alone(1);
+    constexpr Eigen::Index size = 600;
+    Weights matrix = Weights::Identity(size, size);
+    int looks = 0;
+    const StopSignal signal([&] { ++looks; }, std::chrono::milliseconds(0));
+    EXPECT_NO_THROW(DenseCholesky{matrix});
+    EXPECT_GE(looks, size / 48);
+}
+
+// Wherever it is stopped, the same factor gives the same bits afterwards.
+TEST(FrontalCholesky, EndsAtAnyLookAndFactorisesAsBeforeThen)
+{
+    const Sheet given = sheet();
+    const MergedMatrix matrix = merged(given, block(60, 60, 5), {});
+    const Eigen::MatrixXd right = Eigen::MatrixXd::Random(matrix.count, 3);
+    SparseCholesky factor(matrix, given.tree);
+    const Eigen::MatrixXd wanted = factor.solve(right);
+    for (int after = 1; after < 1000; after = 3 * after / 2 + 1)
+    {
+        int looks = 0;
+        {
+            const StopSignal signal(
+                [&]
+                {
+                    if (++looks == after)
+                        throw Cancelled();
+                },
+                std::chrono::milliseconds(0));
+            const ThreadCount alone(1);
+            EXPECT_THROW(factor.factorise(*given.whole), Cancelled);
+            EXPECT_EQ(looks, after);
+        }
+        factor.factorise(*given.whole);
+        EXPECT_EQ(factor.solve(right), wanted);
+    }
 }
 
 }  // namespace
