@@ -142,7 +142,7 @@ def read_mesh(mesh) -> tuple[np.ndarray, np.ndarray]:
     start = len(BMS_HEADER) + counts.nbytes
     points = np.frombuffer(data, "<f4", 3 * n_points, start).reshape(-1, 3)
     facets = np.frombuffer(data, BMS_FACET, n_facets, start + points.nbytes)
-    return points, facets["points"].astype(np.int32)
+    return points.copy(), facets["points"].astype(np.int32)  # a view would keep all of the file
 
 
 def temporary_folder() -> tempfile.TemporaryDirectory:
@@ -160,23 +160,22 @@ class MeshWriter:
     """Makes FreeCAD meshes of one topology; the constructor does what the points do not need."""
 
     def __init__(self, triangles: np.ndarray):
-        """`triangles`: (m, 3) indices of points."""
-        facets = np.empty(len(triangles), BMS_FACET)
-        facets["points"] = triangles
-        facets["neighbours"] = neighbours(np.asarray(triangles))
-        self._facets = facets.tobytes()
-        self._count = len(facets)
+        """`triangles`: (m, 3) indices of points; they are kept, not copied."""
+        self.triangles = np.asarray(triangles)
+        self._neighbours = neighbours(self.triangles)
 
     def mesh(self, points: np.ndarray, placement: FreeCAD.Placement | None = None) -> Mesh.Mesh:
         """Return a mesh of local `points` (n, 3) mm, seen under `placement`."""
         local = np.ascontiguousarray(points, "<f4")
         corners = np.stack([local.min(axis=0), local.max(axis=0)], axis=1)
+        facets = np.empty(len(self.triangles), BMS_FACET)
+        facets["points"], facets["neighbours"] = self.triangles, self._neighbours
         data = b"".join(
             [
                 BMS_HEADER,
-                np.array([len(local), self._count], "<u4").tobytes(),
+                np.array([len(local), len(facets)], "<u4").tobytes(),
                 local.tobytes(),
-                self._facets,
+                facets.tobytes(),
                 corners.astype("<f4").tobytes(),
             ]
         )

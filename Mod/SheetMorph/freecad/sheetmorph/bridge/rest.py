@@ -67,7 +67,8 @@ def read_rest(part) -> RestPart:
     kept, is_original = read_kept(part), part.Original is None
 
     def rest() -> RestPart:
-        points = kept.frame.to_global(kept.points)
+        is_unmoved = kept.frame.is_unmoved()
+        points = kept.points if is_unmoved else kept.frame.to_global(kept.points)
         points.setflags(write=False)
         is_from_file = kept.is_exact and is_original
         known = (kept.triangles, kept.ids, kept.frame, is_from_file, kept.rows, kept.faces)

@@ -23,6 +23,7 @@ class Snapshot:
     def __init__(self, mesh):
         """`mesh`: a FreeCAD mesh."""
         self.points, self.triangles = conversion.read_mesh(mesh)  # (n, 3) float32 local, (m, 3)
+        self.points.setflags(write=False)
         self.triangles.setflags(write=False)
         self._derived: dict[str, tuple[Any, Any]] = {}
 

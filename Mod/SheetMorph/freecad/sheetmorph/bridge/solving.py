@@ -119,7 +119,7 @@ class SessionCache:
         self._sessions: OrderedDict[str, Any] = OrderedDict()
         self._results: OrderedDict[tuple, Any] = OrderedDict()
         self._refused: OrderedDict[str, ValueError] = OrderedDict()
-        self._writers: dict[str, tuple] = {}
+        self._writers: dict[str, conversion.MeshWriter] = {}
 
     def session(self, morph: Morph):
         """Return the sheetmorph.Session of `morph`, building it if it is not kept.
@@ -285,11 +285,10 @@ class SessionCache:
                 f"Part '{part.Label}' is in no morph: drag it back into its group.", part
             )
         kept = self._writers.get(part.Name)
-        if kept is None or not np.array_equal(kept[0], rest.triangles):
-            kept = (rest.triangles, conversion.MeshWriter(rest.triangles))
-            self._writers[part.Name] = kept
+        if kept is None or not np.array_equal(kept.triangles, rest.triangles):
+            kept = self._writers[part.Name] = conversion.MeshWriter(rest.triangles)
         local = rest.frame.to_local(outcome.positions[part.Name])
-        return kept[1].mesh(local, conversion.result_placement(part))
+        return kept.mesh(local, conversion.result_placement(part))
 
     def _keep(self, store: OrderedDict, key, value) -> None:
         with self._lock:

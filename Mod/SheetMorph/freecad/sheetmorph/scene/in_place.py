@@ -4,6 +4,7 @@
 from pivy import coin
 
 from freecad.sheetmorph.scene.hanging import Hanging
+from freecad.sheetmorph.scene.relay import Relay
 
 
 class InPlace:
@@ -43,7 +44,8 @@ class _Hidden:
         self._unseen = coin.SoSwitch()  # off as it is made
         self._root.replaceChild(self._drawn, self._unseen)
         self._unseen.addChild(self._drawn)
-        self._sensor = coin.SoFieldSensor(on_change, None)
+        self._relay = Relay(on_change)  # Coin keeps what it calls for ever
+        self._sensor = coin.SoFieldSensor(self._relay, None)
         self._sensor.attach(self._drawn.whichChild)
 
     @property
@@ -55,5 +57,6 @@ class _Hidden:
         """Draws the object again."""
         self._sensor.detach()
         self._sensor = None  # which knows its owner: what is drawn would live on with both
+        self._relay.let_go()
         if self._root.findChild(self._unseen) >= 0:
             self._root.replaceChild(self._unseen, self._drawn)
