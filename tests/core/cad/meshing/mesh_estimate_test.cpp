@@ -2,6 +2,7 @@
 #include "sheetmorph/cad/meshing/mesh_estimate.h"
 
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/cad/reading/cad_reader.h"
 #include "cad/cad_files.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>

@@ -272,7 +272,9 @@ TEST(CadReader, refuses_an_iges_file_that_is_cut_off)
     {
         std::ofstream(path) << text.str().substr(0, text.str().size() - lost);
         if (lost > 2)
+        {
             EXPECT_THAT(complaint(path), testing::HasSubstr("; ")) << lost;
+        }
     }
 }
 
