@@ -8,7 +8,7 @@ from PySide import QtCore
 from desk import child, choose_below, enter, picture, press, press_tool, settled, tick, until
 from freecad.sheetmorph import api
 from freecad.sheetmorph.objects import model
-from scenes import assembly, drawn, largest, new_morph, part, regions
+from scenes import assembly, drawn, largest, new_morph, part, patience, regions
 
 __all__ = [
     "test_motion_and_size_are_set_in_the_panel_as_one_undo_step",
@@ -64,8 +64,9 @@ def test_a_size_that_is_too_large_is_told_and_the_panel_stays():
     yield from press_tool("Form Feature Settings…")
     yield from tick(child("has_size"))
     yield from enter(child("feature_size"), "900 mm")
-    yield from press("OK")
-    assert "largest" in child("message").text(), child("message").text()
+    with patience():
+        yield from press("OK")
+        yield from until(lambda: "largest" in child("message").text(), "the message")
     yield from press("Cancel")
     assert hole.Size.Value == 0.0
 

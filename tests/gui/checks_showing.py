@@ -101,6 +101,7 @@ def test_a_ghost_of_what_has_not_moved_is_never_seen():
     yield from open_panel()
     yield from enter(child("translation_x"), "0.001")  # so that the preview is drawn
     yield from settled()
+    gc.collect()  # scenes of tests before
     (scene,) = [one for one in gc.get_objects() if isinstance(one, live_scene.LiveScene)]
     rest, draw = scene._live.parts[part().Name], np.random.default_rng(37)
     noise = 1e-6 * np.linalg.norm(np.ptp(rest.points, axis=0))

@@ -2,6 +2,7 @@
 """Documents that tests start from, and what is in them."""
 
 import os
+from contextlib import contextmanager
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -9,6 +10,7 @@ import numpy as np
 from desk import WORK, activate, settled, view
 from freecad.sheetmorph import api
 from freecad.sheetmorph.bridge import conversion
+from freecad.sheetmorph.interaction import finishing
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene import nodes
 from shapes import sheet, strip, write_ply
@@ -24,6 +26,17 @@ def new_document():
     Gui.doCommand(f"Mesh.insert({path!r}, 'Sheet')")
     yield from settled()
     look()
+
+
+@contextmanager
+def patience():
+    """In this context OK waits for a small shape as long as a loaded machine takes, so that what
+    is wrong with it is always told in the panel."""
+    before, finishing.PATIENCE = finishing.PATIENCE, 20.0
+    try:
+        yield
+    finally:
+        finishing.PATIENCE = before
 
 
 def look() -> None:
