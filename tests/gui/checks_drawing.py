@@ -14,7 +14,7 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.scene.figure import Figure
 from freecad.sheetmorph.scene.viewport import Listener, Viewport
 from PySide import QtCore, QtGui
-from scenes import handle_vertices, labelled, new_assembly, new_morph, part, regions
+from scenes import fit, handle_vertices, labelled, new_assembly, new_morph, part, regions
 from shapes import HOLES, sheet
 
 __all__ = [
@@ -34,7 +34,7 @@ __all__ = [
 def top() -> None:
     """The whole morph from above."""
     view().viewTop()
-    Gui.SendMsgToActiveView("ViewFit")
+    fit()
 
 
 def ring(x: float, y: float, radius: float) -> list[tuple]:

@@ -19,7 +19,8 @@ from freecad.sheetmorph.actions import DOCUMENT, call, name, record
 from freecad.sheetmorph.commands import exchange
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.qt import QtWidgets
-from scenes import assembly, contacts, drawn, labelled, largest, regions, stored, stored_of_all
+from scenes import assembly, contacts, drawn, fit, labelled, largest, regions, stored
+from scenes import stored_of_all
 
 __all__ = [
     "test_the_door_mirror_from_files_to_a_second_drag",
@@ -49,7 +50,7 @@ def select(obj) -> None:
 def look(direction: str):
     """Front, Top or Isometric, everything in the view."""
     getattr(view(), f"view{direction}")()
-    Gui.SendMsgToActiveView("ViewFit")
+    fit()
     yield from settled()
 
 

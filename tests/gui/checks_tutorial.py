@@ -11,7 +11,7 @@ from desk import settled, until, view, xdotool
 from freecad.sheetmorph import api, paths
 from freecad.sheetmorph.objects import model
 from PySide import QtCore, QtGui
-from scenes import assembly, largest, part, regions, stored
+from scenes import assembly, fit, largest, part, regions, stored
 
 __all__ = ["test_the_tutorial_as_a_new_user_does_it"]
 
@@ -100,7 +100,7 @@ def test_the_tutorial_as_a_new_user_does_it():
     assert part().Label == "cover"
     view().graphicsView().setFocus()
     yield from xdotool("key", "1")
-    Gui.SendMsgToActiveView("ViewFit")
+    fit()
     yield from settled()
     yield from mark("Mark Fixed Region…", near_edge(-1.0))
     yield from press("OK")

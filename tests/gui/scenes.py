@@ -39,6 +39,15 @@ def patience():
         finishing.PATIENCE = before
 
 
+def fit() -> None:
+    """All of the document in the view; where panels lie over it, as since FreeCAD 1.0, between
+    them."""
+    Gui.SendMsgToActiveView("ViewFit")
+    if int(App.Version()[0]) >= 1:
+        camera = view().getCameraNode()
+        camera.height = 1.5 * camera.height.getValue()
+
+
 def look() -> None:
     """The whole sheet from above in front, at once."""
     view().viewIsometric()
