@@ -11,8 +11,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
-//! The callback and what it was called with last.
-struct LongWork::Told
+//! The callback and the arguments of its last call.
+struct LongWork::Report
 {
     bool call() const
     {
@@ -20,8 +20,8 @@ struct LongWork::Told
         return answer.is_none() || PyObject_IsTrue(answer.ptr()) != 0;
     }
 
-    // Signals first: they are due even if there is nothing to repeat.
-    void ask() const
+    // Signals first: Ctrl-C must work before the first report, too.
+    void check() const
     {
         const py::gil_scoped_acquire gil;
         if (PyErr_CheckSignals() != 0)
@@ -37,19 +37,20 @@ struct LongWork::Told
 };
 
 LongWork::LongWork(const py::object& callback)
-    : told_(std::make_shared<Told>(Told{&callback})), stop_([told = told_] { told->ask(); })
+    : report_(std::make_shared<Report>(Report{&callback})),
+      stop_([report = report_] { report->check(); })
 {
     if (callback.is_none())
         return;
     progress_ = Progress(
-        [told = told_](double fraction, const std::string& task)
+        [report = report_](double fraction, const std::string& task)
         {
-            if (std::this_thread::get_id() != told->caller)
+            if (std::this_thread::get_id() != report->caller)
                 return true;
             const py::gil_scoped_acquire gil;
-            told->fraction = fraction;
-            told->task = task;
-            return told->call();
+            report->fraction = fraction;
+            report->task = task;
+            return report->call();
         });
 }
 

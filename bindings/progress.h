@@ -10,23 +10,22 @@
 namespace sheetmorph
 {
 
-//! Every call of the kernel that may take long is done while one of these lives: the GIL is
-//! released, and the kernel ends wherever it looks for a stop (Ctrl-C, or a progress that returns
-//! False). Python runs in the calling thread alone: in another one it may collect garbage, widgets
-//! among it, which belong to the window's thread.
+//! Surrounds every kernel call that may take long. It releases the GIL, and lets Ctrl-C or a
+//! callback that returns False cancel the call. The callback runs in the calling thread alone:
+//! Python may collect garbage in it, and widgets must be destroyed in the window's thread.
 class LongWork
 {
 public:
     //! \param callback  (fraction, task) -> anything; False cancels. None: no progress. It must
-    //!                  outlive the work.
+    //!                  outlive this object.
     explicit LongWork(const pybind11::object& callback = pybind11::none());
 
     //! Reports to the callback.
     const Progress& progress() const { return progress_; }
 
 private:
-    struct Told;
-    std::shared_ptr<Told> told_;
+    struct Report;
+    std::shared_ptr<Report> report_;
     Progress progress_;
     pybind11::gil_scoped_release released_;
     StopSignal stop_;

@@ -73,8 +73,8 @@ class SlowSolves:
 
 
 def timed(act, act_name: str, bound: float = BOUND):
-    """Does something and waits until the event loop is idle; bounds that time without what the 3D
-    views take to draw. Notes it, and how long the program takes until it has closed the panel."""
+    """Does something and waits until the event loop is idle. Notes how long closing the panel
+    takes, the time until idle, and the drawing of the 3D view, which the bound leaves out."""
     found, begin = [], time.monotonic()
 
     def is_idle() -> None:

@@ -30,8 +30,8 @@ FAULT = (
 def test_every_panel_fits_a_small_window_and_shows_what_is_wrong():
     """The screen of these tests is 1000 px high, with title, menu and toolbars.
 
-    Study has two tables and is scrolled, but not to see what is wrong. Nor are panels for that that
-    lie over the view, as since FreeCAD 1.0, which leaves them two thirds of its height.
+    Study has two tables and may be scrolled. Since FreeCAD 1.0 panels lie over the view and have
+    two thirds of its height, so all may be. A fault must be visible without scrolling everywhere.
     """
     is_over_view = int(App.Version()[0]) >= 1
     yield from prepared()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long the 3D view takes to draw: no work of ours, and long without a graphics card."""
+"""Measures how long the 3D view draws: FreeCAD's work, and slow without a graphics card."""
 
 import time
 
@@ -15,7 +15,7 @@ class Painting(QtCore.QObject):
         super().__init__()
         self.seconds, self.count = 0.0, 0
         self._is_inside = False
-        # From FreeCAD, not by findChildren: PySide would keep what stands for a closed view.
+        # From FreeCAD, not by findChildren: PySide would keep the wrapper of a closed view.
         document = Gui.activeDocument()
         self._widget = document and document.activeView().graphicsView().viewport()
 
@@ -33,7 +33,7 @@ class Painting(QtCore.QObject):
         self._widget = None
 
     def eventFilter(self, widget, event) -> bool:
-        """Lets a view draw within, so that the end is seen too."""
+        """Sends the paint event on by itself, to measure until drawing has ended."""
         if self._is_inside or event.type() != QtCore.QEvent.Paint:
             return False
         self._is_inside, begin = True, time.monotonic()

@@ -30,8 +30,8 @@ def new_document():
 
 @contextmanager
 def patience():
-    """In this context OK waits for a small shape as long as a loaded machine takes, so that what
-    is wrong with it is always told in the panel."""
+    """In this context OK waits long enough for a small shape on a loaded machine, so that a fault
+    always appears in the panel."""
     before, finishing.PATIENCE = finishing.PATIENCE, 20.0
     try:
         yield
@@ -40,8 +40,8 @@ def patience():
 
 
 def fit() -> None:
-    """All of the document in the view; where panels lie over it, as since FreeCAD 1.0, between
-    them."""
+    """Fits the document into the view. Since FreeCAD 1.0 panels lie over the view, so leaves
+    room for them."""
     Gui.SendMsgToActiveView("ViewFit")
     if int(App.Version()[0]) >= 1:
         camera = view().getCameraNode()

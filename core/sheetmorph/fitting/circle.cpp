@@ -21,11 +21,11 @@ namespace
 // Width over length below which points count as lying on one line.
 constexpr double straightest = 1e-8;
 
-// Enclosed area over squared radius that tells a rim (2.6 for a hexagon) from the border of a
-// narrow curved strip, which lies close to a large circle without going around it.
+// Least enclosed area over squared radius of a rim (a hexagon has 2.6). The border of a narrow
+// curved strip has less: it follows an arc of a large circle and returns beside it.
 constexpr double least_area = 2.0;
 
-// The frame of the best plane: columns along it, along it, normal to it.
+// Frame of the best-fitting plane; columns: two directions in the plane, and its normal.
 Matrix3 best_plane(const Points& offsets, double noise)
 {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(offsets, Eigen::ComputeThinV);
@@ -51,7 +51,7 @@ Stadium algebraic_circle(const PlanePoints& points)
     return circle;
 }
 
-// The side of the plane from which the points run counter-clockwise.
+// Orient the axis so that the points run counter-clockwise around it.
 Vector3 oriented_axis(const Vector3& normal, const Points& offsets)
 {
     const double sense = normal.dot(doubled_area(offsets));

@@ -16,7 +16,7 @@ struct CircleFit
     Vector3 axis = Vector3::UnitZ();  //!< of length 1; the points run around it counter-clockwise
     double radius = 0.0;
     double residual = 0.0;         //!< largest distance of a point from the circle
-    Convergence convergence = {};  //!< of the fit: nearly straight rows of points settle nowhere
+    Convergence convergence = {};  //!< the fit of nearly collinear points does not converge
 };
 
 //! Fewest points of a rim that may be a circle or a slot.
@@ -26,7 +26,7 @@ constexpr int fewest_rim_points = 6;
 //! \param loop  (k, 3) mm, in order
 Vector3 doubled_area(const Points& loop);
 
-//! Whether a closed polygon encloses an area: no circle fits a slit or a single place.
+//! Whether a closed polygon encloses an area; a slit or a point does not.
 bool encloses_area(const Points& loop);
 
 //! The circle in the points' best plane with the least sum of squared distances in that plane.
@@ -36,8 +36,8 @@ bool encloses_area(const Points& loop);
 //! \throws InvalidInput for fewer points, points on one line, or coordinates that are not finite
 CircleFit fit_circle(const Points& points);
 
-//! The circle a closed rim is, within tolerance * radius; nothing if it is
-//! none, has no extent, or no circle settles on it.
+//! The circle through a closed rim, or nothing if a vertex deviates by more than
+//! tolerance * radius, the rim encloses no area, or the fit does not converge.
 //! \param rim        (k, 3) mm, in order
 //! \param tolerance  no unit, > 0
 std::optional<CircleFit> round_rim(const Points& rim, double tolerance);

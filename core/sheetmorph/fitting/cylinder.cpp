@@ -12,8 +12,8 @@ namespace
 // Of the radius.
 constexpr double tolerance = 0.02;
 
-// The normals of a sheet that goes around less than 30 degrees do not tell its axis; those of a
-// measured one spread along the axis, too.
+// Below 30 degrees of arc the normals do not determine the axis. Scatter of measured vertices
+// spreads the normals along the axis as well.
 constexpr SpreadLimits spread{0.01, 0.02};
 
 }  // namespace

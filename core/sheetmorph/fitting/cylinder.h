@@ -7,8 +7,8 @@
 namespace sheetmorph
 {
 
-//! The cylinder that all corners of the facets lie on within 2 % of its radius, if there is one and
-//! the facets go around enough of it (30 degrees) to tell.
+//! The cylinder through all corners of the facets, or nothing if a corner deviates by more than 2 %
+//! of the radius, or the facets cover less than 30 degrees of arc.
 std::optional<RimProfile> fit_cylinder(const FacetSample& facets);
 
 }  // namespace sheetmorph

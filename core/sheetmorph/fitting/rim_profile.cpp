@@ -16,17 +16,17 @@ namespace sheetmorph
 namespace
 {
 
-// Of the radius: how far a point may be from the plane of the rim.
+// The largest distance of a point from the plane of the rim, relative to the radius.
 constexpr double along_tolerance = 0.05;
 
-// Nothing where the fit does not converge.
+// Returns nothing if the fit does not converge.
 std::optional<Stadium> fitted(const PlanePoints& points, Stadium shape, bool is_slot)
 {
     const StadiumFit how{"the outline", is_slot, true};
     return fit_stadium(points, how, shape).is_converged ? std::optional(shape) : std::nullopt;
 }
 
-//! A plane with a unit of length, in which outlines are fitted.
+//! A plane and a unit of length for fitting outlines in two dimensions.
 struct Chart
 {
     Vector3 origin;
@@ -51,7 +51,7 @@ struct Chart
     }
 };
 
-// A slot is fitted by least squares, so that noise counts less than in the outline's corners.
+// Least squares reduce the noise that the corners of the outline carry.
 std::optional<RimProfile> slot_of(const Points& rim, const Outline& outline)
 {
     Matrix3 frame;

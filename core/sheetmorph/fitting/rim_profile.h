@@ -8,16 +8,16 @@
 namespace sheetmorph
 {
 
-//! The outline of a hole or slot, drawn out along its axis: all points at one distance from a
-//! segment (a circle, where the segment has no length).
+//! The outline of a hole or slot, extruded along its axis: all points at one distance from a
+//! segment. A segment of length 0 gives a circle.
 struct RimProfile
 {
     Vector3 centre = Vector3::Zero();     //!< mm
     Matrix3 frame = Matrix3::Identity();  //!< columns: along the segment, across, axis
     double half_segment = 0.0;            //!< mm; 0 for a circle
     double radius = 0.0;                  //!< mm
-    double tolerance = 0.0;               //!< how far points of the rim may be from it, mm
-    double residual = 0.0;                //!< how far its own points are from it at most, mm
+    double tolerance = 0.0;  //!< the largest deviation allowed for points of the rim, mm
+    double residual = 0.0;   //!< the largest deviation of the fitted points, mm
 
     bool is_circle() const { return half_segment == 0.0; }
 
@@ -34,14 +34,14 @@ struct RimProfile
     double place_along(const Vector3& point) const;
 };
 
-//! The circle or slot that a closed row of points runs around, as fit_outline() decides it; nothing
-//! if it is neither, or if a point is farther from its plane than 5 % of the radius.
+//! The circle or slot through a closed rim. Returns nothing if fit_outline() finds neither, or if a
+//! point is farther from the plane than 5 % of the radius.
 //! \param rim      (k, 3) mm, in order
 //! \param scatter  of the mesh, as for fit_outline()
 std::optional<RimProfile> fit_rim(const Points& rim, double scatter = 0.0);
 
-//! The outline through points near one: the same axis, its other numbers by least squares; nothing
-//! if they do not settle.
+//! Fits an outline to points near it by least squares, with the axis unchanged. Returns nothing if
+//! the fit does not converge.
 //! \param points  (k, 3) mm, in any order
 std::optional<RimProfile> refit(const RimProfile& profile, const Points& points);
 

@@ -14,12 +14,13 @@ namespace sheetmorph
 namespace
 {
 
-// Rounds of the fit, and the steps over the outline's size that count as small and as none.
-constexpr int most_rounds = 100;
-constexpr double settled = 1e-9;
-constexpr double finest = 1e-16;
+// Limits of the iteration; step lengths are relative to the size of the outline. A step below
+// `tolerance` has converged; one below `rounding` is numerically zero.
+constexpr int most_iterations = 100;
+constexpr double tolerance = 1e-9;
+constexpr double rounding = 1e-16;
 
-// By centre (2), radius, and for slots half_segment and angle.
+// Derivatives of the distances by centre (2) and radius; for a slot also by half_segment and angle.
 Eigen::MatrixXd jacobian(const PlanePoints& points, const Stadium& shape, bool is_slot)
 {
     Eigen::MatrixXd rows(points.rows(), is_slot ? 5 : 3);
@@ -52,7 +53,8 @@ Stadium stepped(const Stadium& shape, const Eigen::VectorXd& step)
     return next;
 }
 
-//! An outline by Gauss-Newton steps for the distances to it; points in units of its size.
+//! Least squares of the distances from points to an outline, solved by Gauss-Newton steps. The
+//! coordinates are divided by the size of the outline.
 class OutlineProblem : public NewtonProblem
 {
 public:
@@ -65,7 +67,7 @@ public:
 
     double value() override { return shape_.misses(points_).squaredNorm(); }
 
-    // Model 1 leaves alone what the points do not determine, as the angle of a slot that is round.
+    // Model 1 keeps parameters that the points do not determine, such as the angle of a round slot.
     std::optional<NewtonStep> step(int model) override
     {
         const Eigen::VectorXd miss = shape_.misses(points_);
@@ -124,9 +126,9 @@ Convergence fit_stadium(const PlanePoints& points, const StadiumFit& how, Stadiu
 {
     OutlineProblem problem(points, shape, how.is_slot);
     NewtonLimits limits{how.what};
-    limits.most_rounds = most_rounds;
-    limits.settled = settled;
-    limits.finest = finest;
+    limits.most_rounds = most_iterations;
+    limits.settled = tolerance;
+    limits.finest = rounding;
     limits.models = how.leaves_undetermined ? 2 : 1;
     Convergence found = newton_minimum(problem, limits);
     shape = problem.shape();

@@ -11,8 +11,8 @@ namespace sheetmorph
 //! (k, 2) points of a plane.
 using PlanePoints = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
-//! All points of a plane at one distance from a segment: the outline of a slot, or a circle where
-//! the segment has no length.
+//! The outline of a slot: all points of a plane at one distance from a segment. A segment of length
+//! 0 gives a circle.
 struct Stadium
 {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
@@ -23,24 +23,23 @@ struct Stadium
     Eigen::Vector2d along() const;
     Eigen::Vector2d across() const;
 
-    //! From the nearest point of the segment to a point.
+    //! The vector from the nearest point of the segment to a point.
     Eigen::Vector2d arm(const Eigen::Vector2d& point) const;
 
-    //! (k) distances of points from it, negative inside.
+    //! Signed distances (k) of points from the outline, negative inside.
     Eigen::VectorXd misses(const PlanePoints& points) const;
 };
 
-//! How a stadium is fitted.
+//! Options of fit_stadium().
 struct StadiumFit
 {
     const char* what;                  //!< as Convergence::what
-    bool is_slot = false;              //!< the segment may turn and change its length, too
-    bool leaves_undetermined = false;  //!< what the points do not determine stays as it was
+    bool is_slot = false;              //!< fit the angle and length of the segment as well
+    bool leaves_undetermined = false;  //!< keep parameters that the points do not determine
 };
 
-//! Moves a circle or slot to the least sum of squared distances of the points, by Gauss-Newton
-//! steps.
-//! \param shape  where it starts, of about the size 1
+//! Fits a circle or slot to points by least squares of their distances (Gauss-Newton).
+//! \param shape  the initial guess, of a size of about 1; replaced by the result
 [[nodiscard]] Convergence fit_stadium(const PlanePoints& points, const StadiumFit& how,
                                       Stadium& shape);
 

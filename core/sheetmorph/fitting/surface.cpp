@@ -151,8 +151,8 @@ std::optional<Surface> plane(const FacetSample& facets)
 using Row = Eigen::Matrix<double, 7, 1>;
 using Normal = Eigen::Matrix<double, 7, 7>;
 
-// How the offset of a place changes with the point (3), the tilt of the axis to two sides, the
-// radius and the angle of a surface.
+// Derivatives of the offset of a point by the point of the surface (3), the tilt of its axis in two
+// directions, its radius and its angle.
 Row slope_at(const Surface& surface, const Vector3& place, const Vector3& u, const Vector3& v)
 {
     const Vector3 off = place - surface.point;
@@ -251,7 +251,7 @@ std::optional<Surface> fit_surface(const FacetSample& facets, Surface::Kind kind
 
 Surface refined(const Points& points, const Surface& start)
 {
-    // Each step that is taken lowers the squares, and what fits is judged by the triangles near it.
+    // Every accepted step reduces the sum, so an early end is safe: callers check the residual.
     constexpr int most_steps = 12;
     Surface best = start;
     double least = squares_of(points, best);

@@ -22,23 +22,23 @@ struct Surface
 
     Kind kind = Kind::plane;
     Vector3 point = Vector3::Zero();  //!< on the plane or axis, apex, center, mm
-    Vector3 axis = Vector3::UnitZ();  //!< normal or axis, length 1; of a cone away
-                                      //!< from its apex
+    Vector3 axis = Vector3::UnitZ();  //!< normal or axis, length 1; that of a cone points
+                                      //!< away from the apex
     double radius = 0.0;              //!< of cylinder and sphere, mm
     double angle = 0.0;               //!< of a cone, between axis and surface, radians
 
-    //! Distance of a point from it, mm; offset: to which side, along the normal.
+    //! Distance of a point from the surface, mm; offset() is signed along the normal.
     double distance(const Vector3& place) const { return std::abs(offset(place)); }
     double offset(const Vector3& place) const;
 
-    //! Its normal at a place, length 1, to either side.
+    //! The normal at a point, length 1, of either sign.
     Vector3 normal(const Vector3& place) const;
 
-    //! What residuals are compared with: the radius at a place, mm.
+    //! The radius at a point, mm, which residuals are relative to.
     double radius_at(const Vector3& place) const;
 };
 
-//! Facets that a surface is fitted to.
+//! Facets to fit a surface to.
 struct FacetSample
 {
     Points corners;         //!< (k, 3) mm, each at least once
@@ -47,24 +47,26 @@ struct FacetSample
     Eigen::VectorXd areas;  //!< (m) mm^2
 };
 
-//! Shares of the spread of normals that tell surfaces apart.
+//! Limits for the spread of normals, which distinguishes the kinds of surfaces: eigenvalues of the
+//! second moments of the normals, weighted by area and divided by the whole area.
 struct SpreadLimits
 {
     double flattest = 0.004;  //!< below it, normals lie in a plane through the origin
     double turning = 0.002;   //!< above it, normals turn at all
 };
 
-//! A surface of one kind through facets, from their normals and corners; nothing where their
-//! normals are not those of that kind.
+//! Fits a surface of one kind to facets, from their normals and corners. Returns nothing if the
+//! normals do not belong to that kind.
 std::optional<Surface> fit_surface(const FacetSample& facets, Surface::Kind kind,
                                    const SpreadLimits& limits = {});
 
-//! The surface with the least squared distances from points (Levenberg and Marquardt): exact where
-//! they were drawn on one. A start that nothing betters is returned.
+//! Fits a surface to points by least squares of their distances (Levenberg-Marquardt). Returns the
+//! initial guess if no step reduces the sum.
 //! \param points  (k, 3) mm
 Surface refined(const Points& points, const Surface& start);
 
-//! The largest distance of a point over the radius there. \param points  (k, 3) mm
+//! The largest distance of a point from the surface, relative to the radius there.
+//! \param points  (k, 3) mm
 double misfit_of(const Points& points, const Surface& surface);
 
 }  // namespace sheetmorph

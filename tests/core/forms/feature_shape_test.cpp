@@ -91,7 +91,6 @@ void expect_circle(const TriangleMesh& mesh, const VertexIds& vertices, double s
 // The wall of a pipe: its centre is half the way between its rims.
 TEST(FeatureShape, AWallHasItsCentreInTheMiddle)
 {
-    constexpr int around = 24;
     Points points(2 * around, 3);
     Triangles triangles(2 * around, 3);
     for (int k = 0; k < around; ++k)

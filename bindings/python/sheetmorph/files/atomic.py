@@ -171,7 +171,7 @@ def _hidden(path: Path) -> Path:
 
 
 def temporaries_of(path: Path) -> list[Path]:
-    """What a process that writes a file, or that died while it did, has beside it."""
+    """Return the temporaries beside a file, of a process that writes it or that was killed."""
     name = re.compile(rf"\.{re.escape(path.stem)}\.[0-9a-f]{{8}}\.tmp{re.escape(path.suffix)}")
     return [there for there in path.parent.iterdir() if name.fullmatch(there.name)]
 

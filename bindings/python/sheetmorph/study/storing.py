@@ -87,7 +87,8 @@ class Store:
         self._fetch(wanted)
 
     def sweep(self) -> None:
-        """Remove what workers and calls that died have left half done; for who is alone in it."""
+        """Remove half-written files of killed calls and workers. The caller must be alone in the
+        folder."""
         for file in self._files:
             for half_written in temporaries_of(file):
                 half_written.unlink(missing_ok=True)

@@ -9,14 +9,14 @@ namespace sheetmorph
 namespace
 {
 
-// Whoever starts a long work passes no signal through the functions between: a function that
-// forgets to pass it on would freeze its caller.
+// A signal of the thread, not a parameter: one function on the way that does not pass a parameter
+// on would make the call impossible to cancel.
 thread_local StopSignal* of_this_thread = nullptr;
 
 }  // namespace
 
-StopSignal::StopSignal(Ask ask, std::chrono::milliseconds pause)
-    : ask_(std::move(ask)),
+StopSignal::StopSignal(Check check, std::chrono::milliseconds pause)
+    : check_(std::move(check)),
       pause_(pause),
       owner_(std::this_thread::get_id()),
       outer_(of_this_thread),
@@ -47,7 +47,7 @@ void StopSignal::look()
     next_ = now + pause_;
     try
     {
-        ask_();
+        check_();
     }
     catch (...)
     {

@@ -10,31 +10,32 @@
 namespace sheetmorph
 {
 
-//! Ends the work of a thread from inside, however deep it is. While a StopSignal lives, every
-//! look_for_stop() in its thread asks whether to go on, at most once per pause. Threads of the pool
-//! that help with the work look too: they never ask, and end with the same exception.
+//! Cancels a long call from inside. While a StopSignal lives, look_for_stop() in its thread runs
+//! the check, at most once per pause. Pool threads that help with the call never run the check;
+//! once it has thrown, they end with the same exception.
 class StopSignal
 {
 public:
-    //! Throws to end the work; the exception reaches whoever started it.
-    using Ask = std::function<void()>;
+    //! Throws to cancel the call; the exception reaches its caller.
+    using Check = std::function<void()>;
 
-    explicit StopSignal(Ask ask, std::chrono::milliseconds pause = std::chrono::milliseconds(100));
+    explicit StopSignal(Check check,
+                        std::chrono::milliseconds pause = std::chrono::milliseconds(100));
     ~StopSignal();
     StopSignal(const StopSignal&) = delete;
     StopSignal& operator=(const StopSignal&) = delete;
 
-    //! The signal of the work that this thread does, or nullptr.
+    //! The signal of this thread, or nullptr.
     static StopSignal* current();
 
-    //! \throws what `ask` threw, now or before
+    //! \throws what the check threw, now or before
     void look();
 
-    //! Ends the work of all threads with this exception.
+    //! Cancels the work of all threads with this exception.
     void end(std::exception_ptr reason);
 
 private:
-    const Ask ask_;
+    const Check check_;
     const std::chrono::milliseconds pause_;
     const std::thread::id owner_;
     StopSignal* const outer_;
@@ -43,7 +44,7 @@ private:
     std::atomic<bool> is_ended_{false};
 };
 
-//! This thread works for a signal of another thread while it lives.
+//! While it lives, this thread obeys the signal of another thread.
 class WorkFor
 {
 public:
@@ -56,8 +57,8 @@ private:
     StopSignal* const before_;
 };
 
-//! Every loop that can take longer than a tenth of a second calls this. It costs some nanoseconds.
-//! \throws whatever ends the work
+//! Call this in every loop that may take longer than 0.1 s. It costs a few nanoseconds.
+//! \throws what the check of this thread's signal threw
 void look_for_stop();
 
 }  // namespace sheetmorph

@@ -87,7 +87,7 @@ struct ThreadPool::Job
             }
     }
 
-    //! The exception in hand ends it.
+    //! Ends the job with the current exception.
     void fail(Eigen::Index item)
     {
         give_up();
@@ -99,9 +99,9 @@ struct ThreadPool::Job
         }
     }
 
-    //! What it failed with is the caller's alone: a thread that still holds the job destroys none
-    //! of Python's exceptions.
-    void tell()
+    //! Hands the exception over to the caller. A pool thread that still refers to the job must not
+    //! destroy an exception of Python.
+    void rethrow()
     {
         if (failure)
             std::rethrow_exception(std::exchange(failure, nullptr));
@@ -173,8 +173,8 @@ struct ThreadPool::Shared : std::enable_shared_from_this<Shared>
                              [&] { return job.has_begun() && job.helpers == 0; });
     }
 
-    //! Waits for those who help with a job that nobody joins any more, and looks meanwhile whether
-    //! they are to stop.
+    //! Lets no thread join the job any more, and waits for those at work on it. Looks for a stop
+    //! meanwhile.
     void finish(const std::shared_ptr<Job>& job)
     {
         close(job);
@@ -283,7 +283,7 @@ void ThreadPool::run(Eigen::Index count, const Work& work)
     shared->offer(job);
     job->work_on();
     shared->finish(job);
-    job->tell();
+    job->rethrow();
 }
 
 void ThreadPool::run_watched(Eigen::Index count, const Work& work, const Watch& watch)
@@ -310,7 +310,7 @@ void ThreadPool::run_watched(Eigen::Index count, const Work& work, const Watch& 
         throw;
     }
     shared->finish(job);
-    job->tell();
+    job->rethrow();
 }
 
 }  // namespace sheetmorph

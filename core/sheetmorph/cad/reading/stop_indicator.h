@@ -8,7 +8,7 @@
 namespace sheetmorph
 {
 
-//! Ends work of OpenCASCADE that takes a progress. What it returns then is incomplete: call
+//! Cancels an OpenCASCADE call that takes a progress range. Its result is then incomplete: call
 //! look_for_stop() afterwards, which throws.
 class StopIndicator : public Message_ProgressIndicator
 {

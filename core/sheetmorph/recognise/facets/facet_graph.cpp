@@ -298,8 +298,8 @@ void FacetGraph::find_components()
                 is_closed_[component_[use.triangle]] = 0;
 }
 
-// The sign of the volume that a component encloses tells inside from outside. What looks out of a
-// solid needs some normal for thin facets, too.
+// The sign of the volume that a component encloses distinguishes inside from outside. Thin facets
+// need a normal as well, because rays start from every facet of a solid.
 void FacetGraph::turn_outwards()
 {
     std::vector<double> volume(is_closed_.size(), 0.0);

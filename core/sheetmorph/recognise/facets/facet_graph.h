@@ -14,20 +14,19 @@ struct FacetJoint
     double length;  //!< of the edge, mm
 };
 
-//! The dual graph of a part: its facets with their normals and areas, and how far the surface bends
-//! where two of them are joined.
+//! The dual graph of a part: facets with their normals and areas, and the angle between any two
+//! facets that share an edge.
 class FacetGraph
 {
 public:
-    //! A part as the recognition sees it: coincident vertices are merged, so that the seams of an
-    //! import are no edges.
-    //! \param weld     vertices nearer than this share of the size count as one
-    //! \param scatter  standard deviation of measured vertices, mm; < 0: told from the mesh
+    //! Merges coincident vertices, so that seams of an import are not borders.
+    //! \param weld     merging distance, relative to the size of the part
+    //! \param scatter  standard deviation of measured vertices, mm; < 0: estimated from the mesh
     FacetGraph(const TriangleMesh& mesh, double weld, double scatter = -1.0);
 
-    //! The facets of solids: the vertices of the mesh as they are, and only facets joined that are
-    //! alone at their edge and oriented alike. Normals look outwards where a component encloses a
-    //! volume; thin facets have one, too.
+    //! The facets of solids. Merges no vertices, and joins facets only where exactly two of them,
+    //! consistently oriented, share an edge. Normals of a component that encloses a volume point
+    //! outwards. Thin facets have a normal, too.
     static FacetGraph of_solids(const TriangleMesh& mesh);
 
     const TriangleMesh& mesh() const { return welded_; }
@@ -52,15 +51,15 @@ public:
     //! Whether the part is closed and its triangles agree on what is outside.
     bool is_solid() const { return is_solid_; }
 
-    //! The component of a facet, connected across joints, from 0 in order of first appearance.
+    //! The connected component of a facet. Components count from 0 in order of first appearance.
     int component(int triangle) const { return component_[triangle]; }
     const std::vector<int>& components() const { return component_; }
     int component_count() const { return static_cast<int>(is_closed_.size()); }
 
-    //! Whether as many facets of a component run along every edge one way as the other.
+    //! Whether a component is closed: at every edge as many facets run one way as the other.
     bool is_closed(int component) const { return is_closed_[component] != 0; }
 
-    //! All edges at which exactly two facets meet that are joined.
+    //! All edges where exactly two facets are joined.
     std::vector<FacetJoint> joints() const;
 
     //! The triangle across side k; where several are, the one that goes straight

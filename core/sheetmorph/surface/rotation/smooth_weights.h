@@ -25,24 +25,23 @@ struct WeightCount
     bool has_rest = true;  //!< what the weights lack of 1 belongs to somebody else, and counts too
 };
 
-//! Weights of groups at every vertex: harmonic weights w, 1 on the group and 0 on all others, each
-//! passed through 3 w^2 - 2 w^3 and divided by their sum. Time and memory grow with the weights
-//! that are stored: a vertex among many groups sees those around it.
+//! Weights of groups at every vertex. A harmonic weight w is 1 on its group and 0 on all others;
+//! smoothstep 3 w^2 - 2 w^3 is applied, and the sum normalised. Only weights above
+//! WeightCount::least are stored, so a vertex has the weights of nearby groups alone.
 class SmoothWeights
 {
 public:
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-    //! No group has a weight.
+    //! Weights of no groups.
     explicit SmoothWeights(Eigen::Index vertices) : by_vertex_(vertices, 0) {}
 
-    //! \param groups  vertices of no other group; within [0, 1], the weights of a vertex have the
-    //! sum
-    //!                1, at most 1 where there is a rest
+    //! Weights are within [0, 1]. Their sum at a vertex is 1, or less if WeightCount::has_rest.
+    //! \param groups  disjoint sets of vertices
     SmoothWeights(const WeightedSheet& sheet, const std::vector<VertexIds>& groups,
                   const WeightCount& count);
 
-    //! Gives tied vertices the weights of the corners that they stand on.
+    //! Interpolates the weights of tied vertices from the corners of their triangles.
     void fill_tied(const std::vector<Tie>& ties);
 
     Eigen::Index vertices() const { return by_vertex_.rows(); }

@@ -43,8 +43,8 @@ def names_of(assembly) -> dict[str, str]:
     """Return the recipe's name of every part, region, contact, relation by document object name.
 
     Labels, because the user reads them. A label that another object or an entry of the imported
-    recipe has gets the object's own name behind it. Here and below `assembly` is one, or the
-    Members of one: who asks for several things reads them once.
+    recipe has gets the object's own name behind it. Here and below `assembly` may be the
+    Members of one: a caller of several functions reads them once.
     """
     return {found: name for (_, name), found in objects_of(assembly).items()}
 

@@ -48,8 +48,8 @@ class Finish(QtCore.QObject):
         self._scene = scene
 
     def expect(self, morph) -> None:
-        """Computes this first: most likely it is what the document has, which takes long to read
-        if there are many regions."""
+        """Computes this morph first. It most likely equals the document, and reading that takes
+        long with many regions."""
         self._expected = morph
 
     def drop_scene(self) -> None:

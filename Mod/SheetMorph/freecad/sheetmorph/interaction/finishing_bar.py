@@ -40,7 +40,7 @@ class FinishingBar:
         """Shows the name of a morph, what is under way and how much of it is done."""
         text = translate("SheetMorph_panels", "Computing the final shape of {0}").format(label)
         self._text.setText(f"{text}: {task}" if task else text)
-        if percent != self._percent:  # each time the whole window is drawn at once
+        if percent != self._percent:  # setValue repaints the whole window at once
             self._percent = percent
             self._bar.setRange(0, 100 if percent else 0)
             self._bar.setValue(percent)

@@ -13,7 +13,7 @@ from freecad.sheetmorph.objects.errors import Fault
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.latest import Latest
 
-NICENESS = 10  # of 19: a tenth of the time of a thread that works beside it
+NICENESS = 10  # of 19: a thread at 0 gets ten times as much processor time
 ENDING: set = set()
 """Workers that were stopped and whose threads are at work still; they go when that has ended."""
 
@@ -120,8 +120,8 @@ class FrameWorker(QtCore.QObject):
 
 
 def give_way() -> None:
-    """In a thread: the window's goes first. Elsewhere than on Linux the system has no such means,
-    or means the whole process by it."""
+    """Lowers the priority of the current thread, so that the window's runs first. Only Linux has
+    priorities of single threads."""
     if sys.platform == "linux":
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), NICENESS)
 

@@ -35,7 +35,7 @@ def prepare(table, columns) -> None:
 
 
 def freeze(table) -> None:
-    """Keeps the rows as high as they are: a long list that goes would measure all of them again."""
+    """Keeps the heights of all rows: closing a panel with a long list would measure each again."""
     table.verticalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Fixed)
 
 
