@@ -4,6 +4,8 @@
 FreeCAD's `PySide` stands for the one it was built with; FreeCAD 0.20's lacks `QtWidgets`.
 """
 
+from functools import cache
+
 import FreeCAD as App
 from PySide import QtCore, QtGui
 
@@ -16,8 +18,10 @@ try:
 except ImportError:
     import shiboken2 as shiboken
 
-__all__ = ["QtCore", "QtGui", "QtWidgets", "draw", "forget", "frame_of", "number"]
+__all__ = ["QtCore", "QtGui", "QtWidgets", "draw", "forget", "frame_of", "icon_of", "number"]
 __all__ += ["translate", "widen"]
+
+OVERLAY, GRIP = "Gui::OverlayTabWidget", "Gui::OverlaySizeGrip"  # FreeCAD's, since 1.0
 
 
 def number(choice) -> int:
@@ -28,6 +32,12 @@ def number(choice) -> int:
 def translate(context: str, text: str) -> str:
     """A text in the user's language, else as it is."""
     return QtCore.QCoreApplication.translate(context, text)
+
+
+@cache
+def icon_of(path: str):
+    """The icon of a file, read once: Qt keeps what it has drawn of each icon that is made."""
+    return QtGui.QIcon(path)
 
 
 def forget(form) -> None:
@@ -47,7 +57,7 @@ def frame_of(dock):
     window's layout knows nothing, and which cuts off what is wider.
     """
     over = dock.parentWidget()
-    while over is not None and not over.metaObject().className().endswith("OverlayTabWidget"):
+    while over is not None and not over.inherits(OVERLAY):
         over = over.parentWidget()
     return dock if over is None else over
 
@@ -98,6 +108,6 @@ def _grip_of(frame):
     for title in frame.window().findChildren(QtWidgets.QWidget, "OverlayTitle"):
         if frame.isAncestorOf(title):
             for widget in title.findChildren(QtWidgets.QWidget):
-                if widget.metaObject().className().endswith("OverlaySizeGrip"):
+                if widget.inherits(GRIP):
                     return widget
     return None

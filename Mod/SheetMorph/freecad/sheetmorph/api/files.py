@@ -34,6 +34,7 @@ from freecad.sheetmorph.api.propagations import set_mode
 from freecad.sheetmorph.api.shapes import update_shapes
 from freecad.sheetmorph.api.thin import set_sheet, set_thin
 from freecad.sheetmorph.objects.assembly import together
+from freecad.sheetmorph.objects.properties import number_of
 
 
 def import_part(assembly, path: str | os.PathLike, label: str | None = None, *, mesh=None):
@@ -185,7 +186,7 @@ def add_entry(assembly, entry: dict, file: Path, *, meshes: dict) -> dict:
         set_mode(part, entry.get("mode", 0))
         thin = entry.get("thin", "auto" if kernel.load().files.is_cad(file) else False)
         set_thin(part, thin["thickness"] if isinstance(thin, dict) else thin)
-        thickness = entry.get("thickness") or part.SheetThickness.Value
+        thickness = entry.get("thickness") or number_of(part, "SheetThickness")
         set_sheet(part, thickness, entry.get("poisson", 0.3))
     return added
 

@@ -10,6 +10,7 @@ from freecad.sheetmorph.api.checks import number, require_kind
 from freecad.sheetmorph.bridge import kernel, solving
 from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.objects import assembly_of, model
+from freecad.sheetmorph.objects.properties import number_of
 
 # Between the assembly and its blanks, a share of their size.
 _GAP = 0.1
@@ -29,7 +30,9 @@ def flatten(
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
     positions = solving.deform(assembly_of(part))[part.Name]
-    told = part.SheetThickness.Value if thickness is None else number(thickness, "thickness")
+    told = (
+        number_of(part, "SheetThickness") if thickness is None else number(thickness, "thickness")
+    )
     shapes = [(part.Label, positions)]
     if at_rest and not np.array_equal(positions, rest.points):
         shapes.append((f"{part.Label} at rest", rest.points))

@@ -14,6 +14,7 @@ from freecad.sheetmorph.api.features import shape_of
 from freecad.sheetmorph.api.motions import put, rest_centroid
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.pose import PoseProxy, keep_motions, kept_motions, kept_sizes
+from freecad.sheetmorph.objects.properties import number_of
 from freecad.sheetmorph.objects.region import FORM_FEATURE, HANDLE, PRESCRIBED
 from freecad.sheetmorph.objects.region import as_told, motion_of
 from freecad.sheetmorph.tools import poses as tools
@@ -60,7 +61,7 @@ def blend_poses(first, second, weight: float) -> None:
         put(assembly.Document.getObject(name), motion)
     for name, size in blended_sizes(assembly, first, second, share).items():
         feature = assembly.Document.getObject(name)
-        if feature.Size.Value != size:
+        if number_of(feature, "Size") != size:
             feature.Size = size
 
 
@@ -199,7 +200,7 @@ def motions_in(assembly, pose) -> tools.Pose:
 def sizes_of(assembly) -> dict[str, float]:
     """Return the size of every form feature by `region.Name`, mm; 0: as in the mesh."""
     features = [r for r in model.regions(assembly) if r.Role == FORM_FEATURE and r.Part is not None]
-    return {feature.Name: float(feature.Size.Value) for feature in features}
+    return {feature.Name: number_of(feature, "Size") for feature in features}
 
 
 def blended_sizes(assembly, first, second, weight: float) -> dict[str, float]:

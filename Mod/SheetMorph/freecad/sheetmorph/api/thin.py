@@ -13,6 +13,7 @@ from freecad.sheetmorph.api.regions import add_feature
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.part import THIN_AUTOMATIC, THIN_GIVEN, THIN_NO
 from freecad.sheetmorph.bridge.rest import read_rest
+from freecad.sheetmorph.objects.properties import number_of
 
 
 def set_thin(part, thin: str | bool | float) -> None:
@@ -59,7 +60,7 @@ def thin_solid(part) -> tuple[Any, str]:
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
     core = kernel.core()
-    thickness = part.Thickness.Value if part.Thin == THIN_GIVEN else 0.0
+    thickness = number_of(part, "Thickness") if part.Thin == THIN_GIVEN else 0.0
     return core.find_thin_solid(core.TriangleMesh(rest.points, rest.triangles), thickness)
 
 

@@ -10,6 +10,7 @@ from freecad.sheetmorph.bridge.faults import Names, warning_of
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import Fault
 from freecad.sheetmorph.objects.model import set_where_new
+from freecad.sheetmorph.objects.properties import number_of
 from freecad.sheetmorph.tools import words
 
 NO_FIDELITY = (0.0, 0.0)
@@ -77,5 +78,5 @@ def show(assembly, outcome) -> None:
 
 def set_length(obj, name: str, value: float) -> None:
     """Set a length, mm, that differs."""
-    if getattr(obj, name).Value != value:
+    if number_of(obj, name) != value:
         setattr(obj, name, value)

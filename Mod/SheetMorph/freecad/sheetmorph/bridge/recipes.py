@@ -26,6 +26,7 @@ from freecad.sheetmorph.objects.region import (
     as_told,
     motion_of,
 )
+from freecad.sheetmorph.objects.properties import number_of, vector_of
 from freecad.sheetmorph.objects.relation import COAXIAL, DISTANCE, GROUP
 from freecad.sheetmorph.tools.motion import Motion
 
@@ -130,7 +131,9 @@ def answer_options(assembly) -> dict:
     """Return the plane of symmetry, the refinement, what becomes of loose pieces, where chosen."""
     found: dict = {}
     if assembly.Symmetry:
-        point, normal = list(assembly.SymmetryPoint), list(assembly.SymmetryNormal)
+        point, normal = (
+            list(vector_of(assembly, f"Symmetry{what}")) for what in ("Point", "Normal")
+        )
         found["symmetry"] = {"point": point, "normal": normal}
     if assembly.Refine:
         found["refine"] = True
@@ -148,7 +151,7 @@ def part_entry(part, names: dict[str, str]) -> dict:
 
 def sheet_entry(part) -> dict:
     """Return what a part is as steel, where that is not what is usual."""
-    thickness, poisson = part.SheetThickness.Value or told_thickness(part), part.Poisson
+    thickness, poisson = number_of(part, "SheetThickness") or told_thickness(part), part.Poisson
     found = {"thickness": thickness} if thickness > 0.0 else {}
     return {**found, **({"poisson": poisson} if poisson != 0.3 else {})}
 
@@ -157,7 +160,7 @@ def thin_entry(part) -> dict:
     """Return the key that makes a part a thin solid, none for one that is solved as it is."""
     if part.Thin == THIN_AUTOMATIC:
         return {"thin": "auto"}
-    return {"thin": {"thickness": part.Thickness.Value}} if part.Thin == THIN_GIVEN else {}
+    return {"thin": {"thickness": number_of(part, "Thickness")}} if part.Thin == THIN_GIVEN else {}
 
 
 def propagation_of(assembly) -> dict:
@@ -234,7 +237,7 @@ def entry_of(region, names: dict[str, str], ids: np.ndarray) -> dict:
 def allowed_of(feature) -> dict:
     """Return the motion and the size of a form feature, as far as they are set."""
     found: dict = {}
-    direction = list(feature.MotionDirection)
+    direction = list(vector_of(feature, "MotionDirection"))
     if feature.Motion != FREE:
         found["motion"] = {"type": feature.Motion}
     if feature.Motion == PLANE:
@@ -242,9 +245,9 @@ def allowed_of(feature) -> dict:
     elif feature.Motion in (LINE, AXIS):
         found["motion"]["direction"] = direction
     if feature.Motion == AXIS:
-        found["motion"]["point"] = list(feature.MotionPoint)
-    if feature.Size.Value > 0.0:
-        found["size"] = feature.Size.Value
+        found["motion"]["point"] = list(vector_of(feature, "MotionPoint"))
+    if number_of(feature, "Size") > 0.0:
+        found["size"] = number_of(feature, "Size")
     return found
 
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import FreeCAD
 
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.properties import vector_of
 from freecad.sheetmorph.objects.region import FORM_FEATURE, HANDLE, PRESCRIBED
 from freecad.sheetmorph.tools.studies import ANGLE, LENGTH, NUMBER
 
@@ -92,7 +93,8 @@ def unit_in(content: str) -> str | None:
 
 def number_of(owner, number: str) -> float:
     """Return a number as the document has it, mm or degrees; a size of 0 is the mesh's own."""
-    found = owner.get(number) if owner.TypeId == SHEET else getattr(owner, number)
+    is_cell = owner.TypeId == SHEET
+    found = owner.get(number) if is_cell else owner.getPropertyByName(number)
     return float(getattr(found, "Value", found))
 
 
@@ -120,6 +122,6 @@ def say_number(recipe: dict, name: str, variable: Variable, value: float) -> Non
         entry = next(entry for entry in recipe["features"] if entry["name"] == name)
         entry["size"] = value
     elif number in (TURN, FEATURE_TURN):
-        axis = region.Axis if number == TURN else region.RotationAxis
+        axis = vector_of(region, "Axis" if number == TURN else "RotationAxis")
         motion = recipe.setdefault("pose", {}).setdefault(name, {})
         motion["rotation"] = {"axis": list(axis), "degrees": value}

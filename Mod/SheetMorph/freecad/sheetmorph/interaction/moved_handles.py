@@ -5,6 +5,7 @@ from freecad.sheetmorph import api
 from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.api.motions import put
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.properties import vector_of
 from freecad.sheetmorph.objects.region import motion_of
 from freecad.sheetmorph.tools.motion import Motion
 
@@ -35,7 +36,7 @@ class MovedHandles:
     def pivot(self, handle) -> tuple:
         """Where a handle turns about at rest, (3,) mm; kept until ``look_again``."""
         if not handle.PivotAtCentroid:
-            return tuple(handle.Pivot)
+            return vector_of(handle, "Pivot")
         if handle.Name not in self._centres:
             self._centres[handle.Name] = tuple(api.pivot(handle))
         return self._centres[handle.Name]

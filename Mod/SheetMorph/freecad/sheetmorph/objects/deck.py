@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from freecad.sheetmorph.kinds import DECK, SHELLS
-from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property
+from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, Property, number_of
 from freecad.sheetmorph.objects.proxy import ObjectProxy
 
 JOINTS = ["refuse", "tell"]
@@ -59,6 +59,6 @@ def told_thickness(part) -> float:
 
     The same that the package takes where a recipe tells none.
     """
-    told = [shells.Thickness.Value for shells in part.Shells]
+    told = [number_of(shells, "Thickness") for shells in part.Shells]
     counts = [shells.Elements for shells in part.Shells]
     return float(np.median(np.repeat(told, counts))) if sum(counts) else 0.0

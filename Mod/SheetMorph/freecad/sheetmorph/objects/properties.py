@@ -32,6 +32,19 @@ SCHEMA_VERSION = Property(
 )
 
 
+def number_of(obj, name: str) -> float:
+    """Return a length, mm, or an angle, degrees, of an object.
+
+    Read as an attribute, each would stay in memory for ever: FreeCAD counts it once too often.
+    """
+    return float(obj.getPropertyByName(name).Value)
+
+
+def vector_of(obj, name: str) -> tuple[float, float, float]:
+    """Return a vector of an object; not as an attribute, as in `number_of`."""
+    return tuple(obj.getPropertyByName(name))
+
+
 def apply_properties(obj, table: Sequence[Property]) -> None:
     """Add the properties of `table` that `obj` lacks, and set the editor modes of all.
 

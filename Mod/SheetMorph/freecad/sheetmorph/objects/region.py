@@ -10,7 +10,14 @@ import FreeCAD
 from freecad.sheetmorph.objects.assembly import join_assembly
 from freecad.sheetmorph.objects.model import REGION
 from freecad.sheetmorph.objects.orphans import MemberProxy
-from freecad.sheetmorph.objects.properties import HIDDEN, READ_ONLY, SHOWN, Property
+from freecad.sheetmorph.objects.properties import (
+    HIDDEN,
+    READ_ONLY,
+    SHOWN,
+    Property,
+    number_of,
+    vector_of,
+)
 from freecad.sheetmorph.tools.motion import Motion
 
 FIXED, HANDLE, FORM_FEATURE, FOLLOWER = "fixed", "handle", "form feature", "follower"
@@ -138,11 +145,12 @@ def offer_all_rotations(obj) -> None:
 def motion_of(region) -> Motion:
     """Return the motion of a handle, or the rotation of a form feature as one."""
     if region.Role == FORM_FEATURE:
-        return Motion(axis=tuple(region.RotationAxis), angle=region.RotationAngle.Value)
-    shift = (region.TranslationX, region.TranslationY, region.TranslationZ)
-    pivot = None if region.PivotAtCentroid else tuple(region.Pivot)
-    translation = tuple(float(length.Value) for length in shift)
-    return Motion(translation, tuple(region.Axis), float(region.Angle.Value), pivot)
+        return Motion(
+            axis=vector_of(region, "RotationAxis"), angle=number_of(region, "RotationAngle")
+        )
+    pivot = None if region.PivotAtCentroid else vector_of(region, "Pivot")
+    translation = tuple(number_of(region, f"Translation{axis}") for axis in "XYZ")
+    return Motion(translation, vector_of(region, "Axis"), number_of(region, "Angle"), pivot)
 
 
 def as_told(region, motion: Motion) -> Motion:

@@ -7,7 +7,7 @@ from freecad.sheetmorph import paths
 from freecad.sheetmorph.interaction.finishing import finishing
 from freecad.sheetmorph.panels.notices import Notices
 from freecad.sheetmorph.panels.number_field import loaded
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, forget, number, translate, widen
+from freecad.sheetmorph.qt import QtCore, QtWidgets, forget, icon_of, number, translate, widen
 from freecad.sheetmorph.scene import colours
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
@@ -36,7 +36,7 @@ class Panel:
         self.session = session
         self._form = loaded(paths.panel(widgets))
         self.form.setWindowTitle(translate(f"SheetMorph_{widgets}", title))
-        self.form.setWindowIcon(QtGui.QIcon(paths.icon(icon)))
+        self.form.setWindowIcon(icon_of(paths.icon(icon)))
         self.notices = None
         if hasattr(self.form, "message"):
             self.notices = Notices(self.form, self.lines)

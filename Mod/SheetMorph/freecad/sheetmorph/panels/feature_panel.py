@@ -7,6 +7,7 @@ from freecad.sheetmorph.actions import call, name
 from freecad.sheetmorph.editing import transactions
 from freecad.sheetmorph.editing.session import EditingSession
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.properties import number_of, vector_of
 from freecad.sheetmorph.objects.region import AXIS, FORM_FEATURE, LINE, MOTIONS, PLANE
 from freecad.sheetmorph.objects.region import PRESCRIBED, ROTATIONS
 from freecad.sheetmorph.panels import keeping
@@ -169,7 +170,11 @@ class FeaturePanel(Panel):
         if chosen != PRESCRIBED:
             is_same, wanted = chosen == feature.Rotation, chosen
         else:
-            before = (feature.Rotation, tuple(feature.RotationAxis), feature.RotationAngle.Value)
+            before = (
+                feature.Rotation,
+                vector_of(feature, "RotationAxis"),
+                number_of(feature, "RotationAngle"),
+            )
             is_same, wanted = before == (chosen, axis, degrees), (axis, degrees)
         return None if is_same else ("set_rotation", (feature, wanted), {})
 
@@ -188,7 +193,7 @@ class FeaturePanel(Panel):
         if self._shape is None:
             return None
         size = self.form.feature_size.value() if self.form.has_size.isChecked() else 0.0
-        is_same = size == self._feature.Size.Value
+        is_same = size == number_of(self._feature, "Size")
         return None if is_same else ("set_size", (self._feature, size or None), {})
 
     def _relation(self) -> Change | None:
@@ -236,20 +241,20 @@ class FeaturePanel(Panel):
         form, feature, shape = self.form, self._feature, self._shape
         form.rotation.setCurrentIndex(ROTATIONS.index(feature.Rotation))
         form.motion.setCurrentIndex(MOTIONS.index(feature.Motion))
-        self._show("rotation", feature.RotationAxis)
-        self._show("direction", feature.MotionDirection)
-        self._show("point", feature.MotionPoint)
+        self._show("rotation", vector_of(feature, "RotationAxis"))
+        self._show("direction", vector_of(feature, "MotionDirection"))
+        self._show("point", vector_of(feature, "MotionPoint"))
         self._given = self._vector("direction"), self._vector("point")
-        form.angle.setValue(feature.RotationAngle.Value)
+        form.angle.setValue(number_of(feature, "RotationAngle"))
         form.has_size.setEnabled(shape is not None)
-        form.has_size.setChecked(shape is not None and feature.Size.Value > 0.0)
+        form.has_size.setChecked(shape is not None and number_of(feature, "Size") > 0.0)
         if shape is None:
             text = translate(
                 "SheetMorph_panels", "No hole, slot or cylinder: it has no size to set."
             )
             form.size_text.setText(text)
             return
-        form.feature_size.setValue(feature.Size.Value or shape.size)
+        form.feature_size.setValue(number_of(feature, "Size") or shape.size)
         size = words.length(shape.size, 6)
         form.size_text.setText(f"{shape.kind.capitalize()}, {shape.measure} {size}.")
 

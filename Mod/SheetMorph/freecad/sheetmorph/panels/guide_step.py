@@ -2,7 +2,7 @@
 """One step in the guide: a mark, a title, what is missing in words, and buttons for commands."""
 
 from freecad.sheetmorph.panels.base import say
-from freecad.sheetmorph.qt import QtCore, QtGui, translate
+from freecad.sheetmorph.qt import QtCore, icon_of, translate
 from freecad.sheetmorph.tools import guide
 
 MARKS = {
@@ -79,6 +79,6 @@ def dress(buttons, command) -> None:
     words = [translate(command.name, resources[key]) for key in ("MenuText", "ToolTip")]
     for button in buttons:
         if [button.text(), button.toolTip()] != words:
-            button.setIcon(QtGui.QIcon(resources["Pixmap"]))
+            button.setIcon(icon_of(resources["Pixmap"]))
             button.setText(words[0])
             button.setToolTip(words[1])

@@ -11,7 +11,8 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.bridge import units
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
-REPLACED = ("Gui::QuantitySpinBox", "QDoubleSpinBox")
+LENGTH = "Gui::QuantitySpinBox"  # FreeCAD's field for a length
+REPLACED = (LENGTH, "QDoubleSpinBox")
 COPIED = ("objectName", "toolTip", "minimumSize", "sizePolicy", "suffix", "singleStep")
 COPIED += ("keyboardTracking", "buttonSymbols", "specialValueText")
 FARTHEST = 1e15
@@ -106,8 +107,8 @@ def loaded(file: str):
     form = Gui.PySideUic.loadUi(file)
     layouts = form.findChildren(QtWidgets.QLayout)
     for name, widget in list(vars(form).items()):
-        is_widget = isinstance(widget, QtWidgets.QWidget)
-        if is_widget and widget.metaObject().className() in REPLACED:
+        # Not by its meta object: PySide keeps each one that it is asked for.
+        if isinstance(widget, QtWidgets.QWidget) and any(map(widget.inherits, REPLACED)):
             layout = next(one for one in layouts if one.indexOf(widget) >= 0)
             setattr(form, name, replaced(widget, layout))
     return form
@@ -115,7 +116,7 @@ def loaded(file: str):
 
 def replaced(old, layout) -> NumberField:
     """A field in the place of an old one, which goes."""
-    is_length = old.metaObject().className() == REPLACED[0]
+    is_length = old.inherits(LENGTH)
     new = NumberField("mm") if is_length else NumberField("", old.property("decimals"))
     low, high = float(old.property("minimum")), float(old.property("maximum"))
     new.setRange(max(low, -FARTHEST), min(high, FARTHEST))

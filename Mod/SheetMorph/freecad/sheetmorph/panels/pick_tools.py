@@ -5,7 +5,7 @@ import math
 
 from freecad.sheetmorph import paths, preferences
 from freecad.sheetmorph.panels.number_field import loaded
-from freecad.sheetmorph.qt import QtGui, translate
+from freecad.sheetmorph.qt import icon_of, translate
 from freecad.sheetmorph.tools import figures, picking
 from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 
@@ -62,7 +62,7 @@ class PickTools:
             getattr(widgets, f"mode_{mode}").toggled.connect(self._apply)
         for tool, icon in ICONS.items():
             button = getattr(widgets, tool)
-            button.setIcon(QtGui.QIcon(paths.icon(icon)))
+            button.setIcon(icon_of(paths.icon(icon)))
             button.clicked.connect(lambda _=False, t=tool: self.choose(t))
         for button, step in STEPS.items():
             getattr(widgets, button).clicked.connect(lambda _=False, s=step: self._do(s))

@@ -3,7 +3,8 @@
 
 from freecad.sheetmorph import paths
 from freecad.sheetmorph.objects import model
-from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets, translate
+from freecad.sheetmorph.objects.properties import number_of
+from freecad.sheetmorph.qt import QtCore, QtWidgets, icon_of, translate
 
 OBJECT = QtCore.Qt.UserRole
 HINT = "Parts not reached stay at rest: mark a contact that joins them to a part above."
@@ -80,7 +81,7 @@ def _add_contact(above, contact, origin: str) -> None:
     row.setToolTip(
         1, contact.Type if contact.Active else translate("SheetMorph_panels", "not in use")
     )
-    row.setText(2, _millimetres(contact.GapChange.Value) if contact.Active else "")
+    row.setText(2, _millimetres(number_of(contact, "GapChange")) if contact.Active else "")
     row.setToolTip(0, f"{contact.Label}, {origin}: {_parts_of(contact)}")
     changed = translate(
         "SheetMorph_panels", "How much the gap between both sides has changed, at most"
@@ -120,7 +121,7 @@ def _row(above, obj):
     row = QtWidgets.QTreeWidgetItem(above, [obj.Label])
     row.setData(0, OBJECT, obj.Name)
     icon = "MarkContact" if model.kind(obj) == model.CONTACT else "Part"
-    row.setIcon(0, QtGui.QIcon(paths.icon(icon)))
+    row.setIcon(0, icon_of(paths.icon(icon)))
     return row
 
 
