@@ -52,7 +52,7 @@ py::dict abi_info()
     info["kernel_api"] = kernel_api;
     info["python"] = PY_VERSION;
     info["compiler"] = __VERSION__;
-    info["linear_algebra"] = linear_algebra_version();
+    info["linear_algebra"] = numerics::linear_algebra_version();
     return info;
 }
 

@@ -11,6 +11,9 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace assembly;
+using namespace surface;
+
 namespace
 {
 
@@ -85,7 +88,8 @@ void bind_part(py::module_& module)
 {
     py::class_<Part>(module, "Part", "One mesh of the assembly.")
         .def(py::init(
-                 [](std::string name, const TriangleMesh& mesh, const py::object& ids, int mode)
+                 [](std::string name, const mesh::TriangleMesh& mesh, const py::object& ids,
+                    int mode)
                  {
                      Part part;
                      part.name = std::move(name);

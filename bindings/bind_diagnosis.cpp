@@ -10,6 +10,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace mesh;
+
 namespace
 {
 
@@ -95,7 +97,7 @@ void bind_diagnosis(py::module_& module)
         [](const TriangleMesh& mesh, double tolerance)
         {
             const LongWork work;
-            return diagnose_sheets(mesh, tolerance);
+            return recognise::diagnose_sheets(mesh, tolerance);
         },
         py::arg("mesh"), py::arg("tolerance"),
         "Look at a mesh; vertices nearer than `tolerance` (mm) are one place. Changes nothing.");

@@ -16,6 +16,10 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace assembly;
+using namespace forms;
+using namespace surface;
+
 namespace
 {
 
@@ -165,13 +169,13 @@ void bind_shape(py::module_& module)
         "feature_shape",
         [](const py::object& points, const py::object& triangles, const py::object& vertices)
         {
-            const TriangleMesh mesh(points_from(points, "points"),
-                                    triangles_from(triangles, "triangles"));
+            const mesh::TriangleMesh mesh(points_from(points, "points"),
+                                          triangles_from(triangles, "triangles"));
             const VertexIds ids = ids_from(vertices, "vertices");
             for (const int vertex : ids)
                 if (vertex < 0 || vertex >= mesh.vertex_count())
                     throw InvalidInput("vertex " + std::to_string(vertex) + " does not exist");
-            return feature_shape(mesh, ids, scatter_of(mesh));
+            return feature_shape(mesh, ids, mesh::scatter_of(mesh));
         },
         py::arg("points"), py::arg("triangles"), py::arg("vertices"),
         "The hole, slot or cylinder that vertices (k,) are; None if they are neither.");

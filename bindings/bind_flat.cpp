@@ -12,6 +12,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace surface;
+
 namespace
 {
 
@@ -27,7 +29,7 @@ std::pair<py::object, std::vector<double>> neutral_from(const py::object& neutra
     }
 }
 
-Flattening flattened(const TriangleMesh& mesh, const std::vector<VertexIds>& rims,
+Flattening flattened(const mesh::TriangleMesh& mesh, const std::vector<VertexIds>& rims,
                      const py::object& neutral, const py::object& callback)
 {
     FlatInput input{mesh, rims};

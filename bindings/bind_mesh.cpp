@@ -25,6 +25,9 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace fitting;
+using namespace mesh;
+
 namespace
 {
 

@@ -15,6 +15,9 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace mesh;
+using namespace pick;
+
 namespace
 {
 

@@ -13,12 +13,14 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace recognise;
+
 namespace
 {
 
-std::vector<std::vector<Feature>> features_of_all(const std::vector<const TriangleMesh*>& meshes,
-                                                  const FeatureTolerances& tolerances,
-                                                  const Progress& progress)
+std::vector<std::vector<Feature>> features_of_all(
+    const std::vector<const mesh::TriangleMesh*>& meshes, const FeatureTolerances& tolerances,
+    const Progress& progress)
 {
     const std::string task = "looking for features";
     std::vector<std::vector<Feature>> found(meshes.size());
@@ -101,7 +103,7 @@ void bind_feature_search(py::module_& module)
 {
     module.def(
         "find_features",
-        [](const TriangleMesh& mesh, const FeatureTolerances& tolerances)
+        [](const mesh::TriangleMesh& mesh, const FeatureTolerances& tolerances)
         {
             const auto copy = tolerances;  // another thread may change them
             const LongWork work;
@@ -111,8 +113,8 @@ void bind_feature_search(py::module_& module)
         "The holes, surfaces, flanges, beads of a mesh as a list of Feature, holes first.");
     module.def(
         "find_features",
-        [](const std::vector<const TriangleMesh*>& meshes, const FeatureTolerances& tolerances,
-           const py::object& progress)
+        [](const std::vector<const mesh::TriangleMesh*>& meshes,
+           const FeatureTolerances& tolerances, const py::object& progress)
         {
             const auto copy = tolerances;  // another thread may change them
             const LongWork work(progress);
@@ -126,7 +128,8 @@ void bind_contacts(py::module_& module)
 {
     py::class_<ContactPart>(module, "ContactPart", "A part among others.")
         .def(py::init(
-                 [](const TriangleMesh& mesh, double thickness, std::vector<Feature> features) {
+                 [](const mesh::TriangleMesh& mesh, double thickness, std::vector<Feature> features)
+                 {
                      return ContactPart{mesh, thickness, std::move(features)};
                  }),
              py::arg("mesh"), py::arg("thickness") = 0.0,

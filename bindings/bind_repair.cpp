@@ -13,6 +13,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace repair;
+
 namespace
 {
 
@@ -41,7 +43,7 @@ void bind_cured(py::module_& module)
             "empty, or that the cuts did not end, and how far they got");
     module.def(
         "cured",
-        [](const TriangleMesh& mesh, double tolerance)
+        [](const mesh::TriangleMesh& mesh, double tolerance)
         {
             const LongWork work;
             return cured(mesh, tolerance);
@@ -55,7 +57,7 @@ void bind_self_intersections(py::module_& module)
 {
     module.def(
         "self_intersections",
-        [](const TriangleMesh& mesh)
+        [](const mesh::TriangleMesh& mesh)
         {
             std::vector<std::pair<int, int>> found;
             {
@@ -121,7 +123,7 @@ void bind_repair(py::module_& module)
     bind_remeshed_type(module);
     module.def(
         "remeshed",
-        [](const TriangleMesh& mesh, double edge, bool are_rims_on_circles,
+        [](const mesh::TriangleMesh& mesh, double edge, bool are_rims_on_circles,
            const py::object& progress)
         {
             RemeshOptions options;

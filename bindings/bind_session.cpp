@@ -12,6 +12,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace assembly;
+
 namespace
 {
 

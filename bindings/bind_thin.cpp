@@ -11,6 +11,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace recognise;
+
 namespace
 {
 
@@ -51,7 +53,7 @@ void bind_change(py::module_& module)
             "(vertex, mm at rest, mm in the pose) where it changes most; vertex -1 if nowhere");
     module.def(
         "thickness_change",
-        [](const TriangleMesh& mesh, const ThinSolid& solid, const py::object& positions)
+        [](const mesh::TriangleMesh& mesh, const ThinSolid& solid, const py::object& positions)
         {
             const Points points = points_from(positions, "positions");
             const LongWork work;
@@ -98,7 +100,7 @@ void bind_finding(py::module_& module)
 {
     module.def(
         "find_thin_solid",
-        [](const TriangleMesh& mesh, double thickness) -> py::tuple
+        [](const mesh::TriangleMesh& mesh, double thickness) -> py::tuple
         {
             ThinFinding found;
             {

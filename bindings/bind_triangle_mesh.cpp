@@ -8,6 +8,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace mesh;
+
 void bind_triangle_mesh(py::module_& module)
 {
     py::class_<TriangleMesh>(module, "TriangleMesh",

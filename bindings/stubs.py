@@ -35,7 +35,7 @@ def loaded(path: Path) -> ModuleType:
 
 def plain(text: str, module: str) -> str:
     """A type as a stub writes it; Any for what is none in Python."""
-    text = without_notes(re.sub(rf"{module}\.|sheetmorph::", "", text.strip()))
+    text = without_notes(re.sub(rf"{module}\.|sheetmorph::(\w+::)*", "", text.strip()))
     text = re.sub(
         r"numpy\.ndarray\[numpy\.(\w+)(\[[^]]*\])?(, flags\.\w+)?\]", r"NDArray[np.\1]", text
     )

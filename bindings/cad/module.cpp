@@ -15,6 +15,8 @@ namespace py = pybind11;
 namespace sheetmorph
 {
 
+using namespace cad;
+
 namespace
 {
 

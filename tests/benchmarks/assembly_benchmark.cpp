@@ -12,6 +12,8 @@
 namespace sheetmorph::benchmarks
 {
 
+using namespace assembly;
+
 namespace
 {
 
@@ -20,7 +22,8 @@ constexpr int along = 4;
 constexpr int weld_vertices = 48;
 
 // The vertices nearest to a place that no hole has.
-VertexIds nearest(const TriangleMesh& mesh, const std::vector<char>& is_taken, const Vector3& place)
+VertexIds nearest(const mesh::TriangleMesh& mesh, const std::vector<char>& is_taken,
+                  const Vector3& place)
 {
     std::vector<std::pair<double, int>> order;
     for (int i = 0; i < mesh.vertex_count(); ++i)
@@ -35,7 +38,7 @@ VertexIds nearest(const TriangleMesh& mesh, const std::vector<char>& is_taken, c
 }
 
 // Middle of the right (0), upper (1), left (2) or lower (3) edge.
-Vector3 edge_middle(const TriangleMesh& mesh, int edge)
+Vector3 edge_middle(const mesh::TriangleMesh& mesh, int edge)
 {
     const Eigen::RowVector3d low = mesh.points().colwise().minCoeff();
     const Eigen::RowVector3d high = mesh.points().colwise().maxCoeff();
@@ -54,10 +57,10 @@ void add_panels(const Panel& panel, Assembly& assembly)
         const std::string name = "panel" + std::to_string(k);
         assembly.parts.push_back(
             {name,
-             TriangleMesh(panel.mesh.points().rowwise() + shift, panel.mesh.triangles()),
+             mesh::TriangleMesh(panel.mesh.points().rowwise() + shift, panel.mesh.triangles()),
              {},
              Mode::automatic});
-        for (const FormFeature& hole : panel.constraints.features)
+        for (const surface::FormFeature& hole : panel.constraints.features)
             assembly.features.push_back(
                 {name + " " + hole.name, k, hole.vertices, hole.rotation, {}, {}, false});
     }
@@ -67,7 +70,7 @@ Assembly grid_of_panels(int vertices, ContactType type)
 {
     const Panel& panel = panel_of(vertices);
     std::vector<char> is_taken(static_cast<std::size_t>(panel.mesh.vertex_count()), 0);
-    for (const FormFeature& hole : panel.constraints.features)
+    for (const surface::FormFeature& hole : panel.constraints.features)
         for (const int vertex : hole.vertices)
             is_taken[static_cast<std::size_t>(vertex)] = 1;
     VertexIds patches[4];

@@ -11,6 +11,8 @@
 namespace sheetmorph::benchmarks
 {
 
+using namespace numerics;
+
 namespace
 {
 
@@ -20,11 +22,11 @@ SparseMatrix unknowns_of(const Panel& panel)
     const int count = panel.mesh.vertex_count();
     std::vector<int> of_vertex(static_cast<std::size_t>(count), 0);
     for (const auto* known : {&panel.constraints.fixed, &panel.constraints.handles})
-        for (const KnownRegion& region : *known)
+        for (const surface::KnownRegion& region : *known)
             for (const int vertex : region.vertices)
                 of_vertex[static_cast<std::size_t>(vertex)] = -1;
     int hole = 0;
-    for (const FormFeature& feature : panel.constraints.features)
+    for (const surface::FormFeature& feature : panel.constraints.features)
     {
         ++hole;
         for (const int vertex : feature.vertices)
@@ -45,7 +47,7 @@ SparseMatrix unknowns_of(const Panel& panel)
 
 SparseMatrix reduced_bilaplacian(const Panel& panel)
 {
-    const SurfaceOperators operators = surface_operators(panel.mesh, {}, {});
+    const surface::SurfaceOperators operators = surface::surface_operators(panel.mesh, {}, {});
     const SparseMatrix rows =
         operators.weights.cwiseSqrt().asDiagonal() * operators.rows * unknowns_of(panel);
     return SparseMatrix(rows.transpose()) * rows;

@@ -119,15 +119,15 @@ Panel curved_panel(int vertices)
     const Grid grid(vertices);
     Cut cut = cut_holes(grid);
     const double width = edge * (grid.columns - 1);
-    SurfaceConstraints constraints;
+    surface::SurfaceConstraints constraints;
     constraints.fixed = {{"fixed strip", vertices_where(cut.points, 0.0, 0.02 * width)}};
     constraints.handles = {{"handle", vertices_where(cut.points, 0.99 * width, width)}};
     for (const VertexIds& rim : cut.rims)
     {
-        FormFeature hole;
+        surface::FormFeature hole;
         hole.name = "hole" + std::to_string(constraints.features.size() + 1);
         hole.vertices = rim;
-        hole.rotation = FeatureRotation::interpolated;
+        hole.rotation = surface::FeatureRotation::interpolated;
         constraints.features.push_back(hole);
     }
     const Triangles triangles = triangulate(grid, cut);
@@ -137,7 +137,7 @@ Panel curved_panel(int vertices)
         const double y = cut.points(vertex, 1) / width;
         cut.points(vertex, 2) = 0.15 * width * std::sin(M_PI * x) * (1.0 - 0.5 * y * y);
     }
-    return {TriangleMesh(cut.points, triangles), constraints};
+    return {mesh::TriangleMesh(cut.points, triangles), constraints};
 }
 
 }  // namespace sheetmorph::benchmarks

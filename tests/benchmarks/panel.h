@@ -11,8 +11,8 @@ namespace sheetmorph::benchmarks
 //! handle of about 1 % of its vertices on its right.
 struct Panel
 {
-    TriangleMesh mesh;
-    SurfaceConstraints constraints;
+    mesh::TriangleMesh mesh;
+    surface::SurfaceConstraints constraints;
 };
 
 //! \param vertices  about how many; edges are 10 mm long at any number

@@ -10,6 +10,8 @@
 namespace sheetmorph::benchmarks
 {
 
+using namespace surface;
+
 namespace
 {
 

@@ -12,7 +12,7 @@ namespace sheetmorph::benchmarks
 
 //! Made once for every size; benchmarks of one size share them.
 const Panel& panel_of(int vertices);
-const SurfaceDeformer& deformer_of(int vertices);
+const surface::SurfaceDeformer& deformer_of(int vertices);
 
 //! Forgets deformers, so that the peak memory of what follows is its own.
 void forget_deformers();
@@ -20,7 +20,7 @@ void forget_deformers();
 //! Another pose at every call, as a drag gives them: the handle turned by up to 60 degrees and
 //! moved by up to a tenth of the panel.
 RigidMotion drag_motion(const Panel& panel, int step);
-SurfaceTargets drag(const Panel& panel, int step);
+surface::SurfaceTargets drag(const Panel& panel, int step);
 
 //! Largest memory of the process so far.
 double peak_memory_mib();

@@ -13,6 +13,9 @@
 namespace sheetmorph::benchmarks
 {
 
+using namespace mesh;
+using namespace pick;
+
 namespace
 {
 

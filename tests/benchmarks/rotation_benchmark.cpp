@@ -11,6 +11,8 @@
 namespace sheetmorph::benchmarks
 {
 
+using namespace surface;
+
 namespace
 {
 
@@ -19,7 +21,7 @@ int side_of(benchmark::State& state)
     return static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0)))));
 }
 
-TriangleMesh square_sheet(int side)
+mesh::TriangleMesh square_sheet(int side)
 {
     Points points(side * side, 3);
     for (int i = 0; i < side; ++i)
@@ -48,7 +50,7 @@ RigidMotion bent(const Vector3& point, int side, double amount)
     return motion;
 }
 
-void count(benchmark::State& state, const TriangleMesh& mesh)
+void count(benchmark::State& state, const mesh::TriangleMesh& mesh)
 {
     state.counters["vertices"] = mesh.vertex_count();
     state.counters["peak_memory_mib"] = peak_memory_mib();
@@ -78,7 +80,7 @@ struct DrivenSheet
         return found;
     }
 
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     SurfaceConstraints constraints;
 };
 
@@ -107,7 +109,7 @@ struct PatchedSheet
         return found;
     }
 
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     SurfaceConstraints constraints;
 };
 

@@ -12,6 +12,8 @@
 namespace sheetmorph::benchmarks
 {
 
+using namespace mesh;
+
 TriangleMesh with_slivers(const TriangleMesh& mesh)
 {
     const int count = mesh.triangle_count();

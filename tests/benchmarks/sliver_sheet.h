@@ -14,13 +14,13 @@ constexpr double wanted_edge = 0.77 * sheet_edge;
 
 //! Every third triangle gets a fourth vertex near the middle of one of its edges: three in its
 //! place, one of them a sliver.
-TriangleMesh with_slivers(const TriangleMesh& mesh);
+mesh::TriangleMesh with_slivers(const mesh::TriangleMesh& mesh);
 
 //! A curved open sheet with 20 round holes, a third of its triangles slivers.
-const TriangleMesh& sliver_sheet();
+const mesh::TriangleMesh& sliver_sheet();
 
 //! Counts what remeshing sliver_sheet() made: triangles, their smallest angles, and how far
 //! corners and middles of edges are from the sheet given.
-void count_remeshed(const TriangleMesh& made, benchmark::State& state);
+void count_remeshed(const mesh::TriangleMesh& made, benchmark::State& state);
 
 }  // namespace sheetmorph::benchmarks

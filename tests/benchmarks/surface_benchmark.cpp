@@ -8,6 +8,8 @@
 namespace sheetmorph::benchmarks
 {
 
+using namespace surface;
+
 namespace
 {
 

@@ -15,8 +15,8 @@ namespace
 
 void mean_value_coordinates(benchmark::State& state)
 {
-    const ControlShape shape;
-    const MeanValueCoordinates coordinates(shape.vertices(), shape.triangles());
+    const volume::ControlShape shape;
+    const volume::MeanValueCoordinates coordinates(shape.vertices(), shape.triangles());
     const Points points =
         Points::NullaryExpr(state.range(0), 3,
                             [](Eigen::Index row, Eigen::Index axis)

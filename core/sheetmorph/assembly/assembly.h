@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Which vertices of a part other parts decide (section 4.1).
@@ -41,7 +41,7 @@ enum class Unheld
 struct Part
 {
     std::string name;
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::vector<int> ids;  //!< (n) the file's own vertex ids, for messages; empty: 0..n-1
     Mode mode = Mode::automatic;
     Thin thin = Thin::no;
@@ -54,7 +54,7 @@ struct Part
     std::vector<int> joined = {};  //!< first vertices of those that it is joined of, ascending
     std::vector<Subject> of = {};  //!< those, in the same order; empty: itself
     std::vector<PartRegion> stitches = {};  //!< vertices of it that stay together with rigid ones
-    std::vector<Tie> ties = {};             //!< where its sheets stand on each other
+    std::vector<surface::Tie> ties = {};    //!< where its sheets stand on each other
 };
 
 //! Vertices of one part that a pose moves as one rigid body.
@@ -73,8 +73,8 @@ struct PartFeature
     std::string name;
     int part = 0;
     VertexIds vertices;
-    FeatureRotation rotation = FeatureRotation::free;
-    FeatureMotion motion;
+    surface::FeatureRotation rotation = surface::FeatureRotation::free;
+    surface::FeatureMotion motion;
     std::optional<double> size;  //!< mm: diameter of a hole, length of a slot, radius of a cylinder
     bool is_resizable = false;   //!< a pose may set its size too
     std::vector<Subject> of = {};  //!< the entries that it was made of; empty: itself
@@ -85,7 +85,7 @@ struct PartPoint
 {
     std::string name;
     int part = 0;
-    PointConstraint constraint;
+    surface::PointConstraint constraint;
     std::vector<Subject> of = {};  //!< the entries that it was made of; empty: itself
 };
 
@@ -94,8 +94,8 @@ struct Assembly
 {
     std::vector<Part> parts;
     int primary = 0;
-    Energy energy = Energy::neumann;
-    Laplacian laplacian = Laplacian::cotangent;
+    surface::Energy energy = surface::Energy::neumann;
+    surface::Laplacian laplacian = surface::Laplacian::cotangent;
     std::vector<PartRegion> fixed;
     std::vector<PartHandle> handles;
     std::vector<PartFeature> features;
@@ -110,4 +110,4 @@ struct Assembly
     Unheld unheld = Unheld::rest;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

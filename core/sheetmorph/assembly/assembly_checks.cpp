@@ -10,7 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -127,7 +127,7 @@ void check_propagation(const Assembly& assembly)
 {
     const Propagation& propagation = assembly.propagation;
     if (propagation.type == PropagationType::whole
-        && (assembly.energy == Energy::steel || assembly.is_refined))
+        && (assembly.energy == surface::Energy::steel || assembly.is_refined))
         throw InvalidInput(
             "parts that are solved as a whole cannot be of the energy 'steel', nor refined, which "
             "goes part by part",
@@ -149,17 +149,17 @@ void check_followers(const Assembly& assembly)
                    follower);
 }
 
-bool has_direction(FeatureMotion::Type type)
+bool has_direction(surface::FeatureMotion::Type type)
 {
-    return type == FeatureMotion::Type::plane || type == FeatureMotion::Type::line
-           || type == FeatureMotion::Type::axis;
+    return type == surface::FeatureMotion::Type::plane || type == surface::FeatureMotion::Type::line
+           || type == surface::FeatureMotion::Type::axis;
 }
 
 void check_motions(const Assembly& assembly)
 {
     for (const PartFeature& feature : assembly.features)
     {
-        const FeatureMotion& motion = feature.motion;
+        const surface::FeatureMotion& motion = feature.motion;
         if (!has_direction(motion.type))
             continue;
         if (!motion.point.allFinite() || !(std::abs(motion.direction.norm() - 1.0) < 1e-9))
@@ -268,4 +268,4 @@ std::string unused_name(const Assembly& assembly, const std::string& wanted)
     return name;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

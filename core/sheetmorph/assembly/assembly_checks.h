@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/assembly.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Checks what belongs to no single part.
@@ -13,4 +13,4 @@ void check_assembly(const Assembly& assembly);
 //! A name for a feature that none of the assembly has.
 std::string unused_name(const Assembly& assembly, const std::string& wanted);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Vertices of one part: a fixed region, a follower, or one side of a contact.
@@ -51,4 +51,4 @@ struct Propagation
     double smoothness = 0.05;  //!< c of (3.3)
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

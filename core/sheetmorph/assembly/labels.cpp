@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -40,4 +40,4 @@ SolverError on_part(const SolverError& fault, const Part& part)
     return fault.in_parts(part.name, concerned(part, {}));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

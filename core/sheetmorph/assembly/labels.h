@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/assembly.h"
 #include "sheetmorph/base/errors.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! The entries of the user that an entry of an assembly stands for.
@@ -25,4 +25,4 @@ Text label_of(const std::string& kind, const Entry& entry)
 InvalidInput in_part(const InvalidInput& fault, const Part& part);
 SolverError on_part(const SolverError& fault, const Part& part);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! The few numbers that decide every shape: what a document stores and a drag changes.
@@ -16,17 +16,17 @@ struct Pose
 {
     std::map<std::string, RigidMotion> handles;   //!< no motion where left out
     std::map<std::string, Vector3> feature_logs;  //!< of prescribed features (2.6); none left out
-    std::map<std::string, PointTarget> points;    //!< every point needs one
-    std::map<std::string, double> sizes;          //!< mm, of resizable features
+    std::map<std::string, surface::PointTarget> points;  //!< every point needs one
+    std::map<std::string, double> sizes;                 //!< mm, of resizable features
 };
 
 //! How a pose changes along one direction; what is left out does not. Spins are worked out.
 struct PoseRate
 {
     std::map<std::string, MotionRate> handles;
-    std::map<std::string, Vector3> feature_logs;  //!< radians
-    std::map<std::string, PointTarget> points;    //!< mm, radians
-    std::map<std::string, double> sizes;          //!< mm
+    std::map<std::string, Vector3> feature_logs;         //!< radians
+    std::map<std::string, surface::PointTarget> points;  //!< mm, radians
+    std::map<std::string, double> sizes;                 //!< mm
 };
 
 //! How a drag prepares its frames.
@@ -40,4 +40,4 @@ struct DragOptions
     Progress progress = {};
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Form features of one part that move as one rigid body.
@@ -20,7 +20,7 @@ struct FeatureGroup
 struct FeaturePair
 {
     std::string name;
-    FeatureLinkType type = FeatureLinkType::coaxial;
+    surface::FeatureLinkType type = surface::FeatureLinkType::coaxial;
     int a = 0;  //!< index into Assembly::features
     int b = 0;
     std::vector<Subject> of = {};  //!< the pair that it mirrors; empty: itself
@@ -33,4 +33,4 @@ struct SymmetryPlane
     Vector3 normal = Vector3::UnitX();  //!< unit length
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -79,7 +79,7 @@ public:
         const double size = std::max(1.0, part.mesh.size());
         for (int e = 0; e < edges_.count(); ++e)
         {
-            const EdgeUses uses = edges_.uses(e);
+            const mesh::EdgeUses uses = edges_.uses(e);
             if (uses.count() != 2)
                 continue;
             const int a = face_of(uses.first[0].triangle), b = face_of(uses.first[1].triangle);
@@ -186,8 +186,8 @@ private:
         for (const int t : triangles)
             for (int k = 0; k < 3; ++k)
             {
-                const EdgeUses uses = edges_.uses(edges_.edge_of(t, k));
-                const auto is_inside = [&](const EdgeUse& use)
+                const mesh::EdgeUses uses = edges_.uses(edges_.edge_of(t, k));
+                const auto is_inside = [&](const mesh::EdgeUse& use)
                 { return use.triangle != t && groups_.root(face_of(use.triangle)) == group; };
                 if (std::none_of(uses.begin(), uses.end(), is_inside))
                     next[part_.mesh.triangles()(t, k)].push_back(
@@ -225,7 +225,7 @@ private:
     void add_rims(std::vector<CadFeature>& found) const
     {
         const double tolerance = same_within * std::max(1.0, part_.mesh.size());
-        for (const VertexIds& loop : boundary_loops(part_.mesh))
+        for (const VertexIds& loop : mesh::boundary_loops(part_.mesh))
         {
             VertexIds sorted = loop;
             std::sort(sorted.begin(), sorted.end());
@@ -258,7 +258,7 @@ private:
     {
         for (int e = 0; e < edges_.count(); ++e)
         {
-            const EdgeUses uses = edges_.uses(e);
+            const mesh::EdgeUses uses = edges_.uses(e);
             if (uses.count() == 1 && uses.first->from == loop[0])
                 return across(about, point(uses.first->opposite)).norm()
                        > about.radius * (1.0 + 1e-6);
@@ -267,7 +267,7 @@ private:
     }
 
     const CadPart& part_;
-    EdgeTable edges_;
+    mesh::EdgeTable edges_;
     DisjointSets groups_;
     std::map<int, std::vector<int>> triangles_;
 };
@@ -279,4 +279,4 @@ std::vector<CadFeature> analytic_features(const CadPart& part)
     return part.mesh.triangle_count() > 0 ? FeatureFinder(part).find() : std::vector<CadFeature>();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

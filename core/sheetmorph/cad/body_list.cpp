@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -116,4 +116,4 @@ std::string BodyList::unique(const std::string& name)
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! What a file says of a face besides its surface; empty where it says nothing.
@@ -59,4 +59,4 @@ private:
     std::set<std::string> used_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -6,7 +6,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 CadDocument::CadDocument()
@@ -52,4 +52,4 @@ bool is_given_name(const std::string& name)
     return types.count(name) == 0;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

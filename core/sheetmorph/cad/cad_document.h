@@ -6,7 +6,7 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A document of OpenCASCADE's own application, closed at the end.
@@ -31,4 +31,4 @@ std::string name_of(const TDF_Label& label);
 //! Whether somebody gave that name: OpenCASCADE calls what has none after its type.
 bool is_given_name(const std::string& name);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -16,7 +16,7 @@
 #include <Standard_Failure.hxx>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! While it lives, OpenCASCADE does not tell the console what it does; nobody asked.
@@ -58,4 +58,4 @@ auto guarded(const std::string& what, const std::string& todo, Work&& work)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

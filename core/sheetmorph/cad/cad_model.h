@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 struct ShapeMesh;
@@ -75,7 +75,7 @@ struct CadFeature
 struct CadPart
 {
     std::string name;  //!< from the file, made unique
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::vector<int> face_of_triangle;  //!< (m) index into `surfaces`
     std::vector<CadSurface> surfaces;   //!< one a face
     std::vector<CadCircle> circles;
@@ -103,4 +103,4 @@ struct CadModel
                                       //!< the number of each, and why
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

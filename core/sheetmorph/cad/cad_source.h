@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! What was read of a CAD file: its solids and free shells in the order in which its assembly lists
@@ -23,4 +23,4 @@ struct CadSource
     std::vector<std::string> unread;   //!< entities of a STEP file with values that make no sense
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

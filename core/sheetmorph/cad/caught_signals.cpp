@@ -8,7 +8,7 @@
 
 #include <OSD.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -102,4 +102,4 @@ CaughtSignals::~CaughtSignals()
     actions().give_back();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! While it lives, memory that is reached for in vain (damaged files make OpenCASCADE follow null
@@ -25,4 +25,4 @@ private:
     std::unique_ptr<OwnStack> stack_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -14,7 +14,7 @@
 #include <XCAFDoc_Material.hxx>
 #include <XCAFDoc_MaterialTool.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -98,4 +98,4 @@ void copy_parts(const TDF_Label& from, const TDF_Label& to, const PartImages& im
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

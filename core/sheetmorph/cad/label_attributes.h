@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! What became of the parts of a shape.
@@ -33,4 +33,4 @@ void copy_attributes(const TDF_Label& from, const TDF_Label& to);
 void copy_parts(const TDF_Label& from, const TDF_Label& to, const PartImages& images,
                 const Handle(XCAFDoc_ShapeTool) & shapes);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 namespace
@@ -118,4 +118,4 @@ std::optional<CircleFit> round_rim(const Points& rim, double tolerance)
     return std::nullopt;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

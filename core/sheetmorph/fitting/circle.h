@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 //! A circle in space through points, mm.
@@ -42,4 +42,4 @@ CircleFit fit_circle(const Points& points);
 //! \param tolerance  no unit, > 0
 std::optional<CircleFit> round_rim(const Points& rim, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 namespace
@@ -38,4 +38,4 @@ std::optional<RimProfile> fit_cylinder(const FacetSample& facets)
     return cylinder;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

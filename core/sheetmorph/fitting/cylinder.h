@@ -4,11 +4,11 @@
 #include "sheetmorph/fitting/rim_profile.h"
 #include "sheetmorph/fitting/surface.h"
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 //! The cylinder through all corners of the facets, or nothing if a corner deviates by more than 2 %
 //! of the radius, or the facets cover less than 30 degrees of arc.
 std::optional<RimProfile> fit_cylinder(const FacetSample& facets);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

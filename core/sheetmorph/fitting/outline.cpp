@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 namespace
@@ -319,4 +319,4 @@ Outline fit_outline(const Points& loop, double roundness, double scatter)
     return circle;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

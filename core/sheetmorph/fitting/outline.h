@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 enum class OutlineKind
@@ -46,4 +46,4 @@ constexpr double default_roundness = 0.12;
 //!                   thrice that besides
 Outline fit_outline(const Points& loop, double roundness = default_roundness, double scatter = 0.0);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

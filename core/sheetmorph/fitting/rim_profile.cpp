@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 namespace
@@ -146,4 +146,4 @@ std::optional<RimProfile> refit(const RimProfile& profile, const Points& points)
     return better;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 //! The outline of a hole or slot, extruded along its axis: all points at one distance from a
@@ -45,4 +45,4 @@ std::optional<RimProfile> fit_rim(const Points& rim, double scatter = 0.0);
 //! \param points  (k, 3) mm, in any order
 std::optional<RimProfile> refit(const RimProfile& profile, const Points& points);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

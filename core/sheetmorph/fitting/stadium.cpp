@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 namespace
@@ -55,7 +55,7 @@ Stadium stepped(const Stadium& shape, const Eigen::VectorXd& step)
 
 //! Least squares of the distances from points to an outline, solved by Gauss-Newton steps. The
 //! coordinates are divided by the size of the outline.
-class OutlineProblem : public NewtonProblem
+class OutlineProblem : public numerics::NewtonProblem
 {
 public:
     OutlineProblem(const PlanePoints& points, const Stadium& start, bool is_slot)
@@ -68,7 +68,7 @@ public:
     double value() override { return shape_.misses(points_).squaredNorm(); }
 
     // Model 1 keeps parameters that the points do not determine, such as the angle of a round slot.
-    std::optional<NewtonStep> step(int model) override
+    std::optional<numerics::NewtonStep> step(int model) override
     {
         const Eigen::VectorXd miss = shape_.misses(points_);
         const Eigen::MatrixXd rows = jacobian(points_, shape_, is_slot_);
@@ -76,7 +76,7 @@ public:
         const bool is_determined = factor.rank() == rows.cols();
         if (model == 0 && !is_determined)
             return std::nullopt;
-        NewtonStep found{-factor.solve(miss)};
+        numerics::NewtonStep found{-factor.solve(miss)};
         found.length = found.change.norm() / (shape_.half_segment + shape_.radius);
         found.slope = 2.0 * miss.dot(rows * found.change);
         found.is_exact = is_determined;
@@ -85,7 +85,7 @@ public:
 
     void remember() override { before_ = shape_; }
     void restore() override { shape_ = before_; }
-    void move(const NewtonStep& step, double share) override
+    void move(const numerics::NewtonStep& step, double share) override
     {
         shape_ = stepped(before_, share * step.change);
     }
@@ -125,14 +125,14 @@ Eigen::VectorXd Stadium::misses(const PlanePoints& points) const
 Convergence fit_stadium(const PlanePoints& points, const StadiumFit& how, Stadium& shape)
 {
     OutlineProblem problem(points, shape, how.is_slot);
-    NewtonLimits limits{how.what};
+    numerics::NewtonLimits limits{how.what};
     limits.most_rounds = most_iterations;
     limits.settled = tolerance;
     limits.finest = rounding;
     limits.models = how.leaves_undetermined ? 2 : 1;
-    Convergence found = newton_minimum(problem, limits);
+    Convergence found = numerics::newton_minimum(problem, limits);
     shape = problem.shape();
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

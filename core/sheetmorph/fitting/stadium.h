@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 //! (k, 2) points of a plane.
@@ -43,4 +43,4 @@ struct StadiumFit
 [[nodiscard]] Convergence fit_stadium(const PlanePoints& points, const StadiumFit& how,
                                       Stadium& shape);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 namespace
@@ -300,4 +300,4 @@ double misfit_of(const Points& points, const Surface& surface)
     return worst;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 //! A plane, cylinder, cone or sphere in space.
@@ -69,4 +69,4 @@ Surface refined(const Points& points, const Surface& start);
 //! \param points  (k, 3) mm
 double misfit_of(const Points& points, const Surface& surface);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

@@ -9,7 +9,7 @@
 #include <set>
 #include <unordered_map>
 
-namespace sheetmorph
+namespace sheetmorph::forms
 {
 
 namespace
@@ -44,7 +44,8 @@ Triangles stacked(const std::vector<Eigen::RowVector3i>& rows)
 
 }  // namespace
 
-FeaturePatch::FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices, double scatter)
+FeaturePatch::FeaturePatch(const mesh::TriangleMesh& mesh, const VertexIds& vertices,
+                           double scatter)
     : scatter_(scatter)
 {
     std::vector<char> is_inside(at(mesh.vertex_count()), 0);
@@ -64,8 +65,8 @@ FeaturePatch::FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices, 
             touching.emplace_back(numbers.number(corners(0)), numbers.number(corners(1)),
                                   numbers.number(corners(2)));
     }
-    mesh_ =
-        TriangleMesh(mesh.points()(numbers.vertices(), Eigen::indexing::all), stacked(touching));
+    mesh_ = mesh::TriangleMesh(mesh.points()(numbers.vertices(), Eigen::indexing::all),
+                               stacked(touching));
     loops_ = border_loops();
     is_free_ = !loops_.empty();
     if (loops_.empty() && has_triangles(feature_))
@@ -108,7 +109,7 @@ std::vector<VertexIds> FeaturePatch::border_loops() const
 {
     const std::vector<char> is_inside = marked(feature_);
     std::vector<VertexIds> found;
-    for (const VertexIds& loop : boundary_loops(mesh_))
+    for (const VertexIds& loop : mesh::boundary_loops(mesh_))
         if (std::all_of(loop.begin(), loop.end(), [&](int v) { return is_inside[at(v)] != 0; }))
             found.push_back(loop);
     return found;
@@ -120,7 +121,7 @@ void FeaturePatch::add_sharp_loops()
     constexpr double sharp = 0.6;  // radians, as for the rims that are found
     const std::vector<char> is_inside = marked(feature_);
     const std::vector<VertexIds> known = loops_;
-    for (const VertexIds& loop : crease_loops(mesh_, EdgeTable(mesh_), sharp))
+    for (const VertexIds& loop : mesh::crease_loops(mesh_, mesh::EdgeTable(mesh_), sharp))
     {
         const bool is_new = std::none_of(
             known.begin(), known.end(),
@@ -178,7 +179,7 @@ double FeaturePatch::length_of(const VertexIds& loop) const
 
 std::vector<VertexIds> FeaturePatch::loops_of(const VertexIds& vertices) const
 {
-    return boundary_loops(TriangleMesh(mesh_.points(), triangles_among(vertices)));
+    return mesh::boundary_loops(mesh::TriangleMesh(mesh_.points(), triangles_among(vertices)));
 }
 
 bool FeaturePatch::has_triangles(const VertexIds& vertices) const
@@ -205,14 +206,14 @@ Points FeaturePatch::points_of(const VertexIds& vertices) const
     return mesh_.points()(vertices, Eigen::indexing::all);
 }
 
-TriangleMesh FeaturePatch::covered_mesh() const
+mesh::TriangleMesh FeaturePatch::covered_mesh() const
 {
     Renumbering numbers;
     Triangles triangles = triangles_among(feature_);
     for (Eigen::Index t = 0; t < triangles.rows(); ++t)
         for (int k = 0; k < 3; ++k)
             triangles(t, k) = numbers.number(triangles(t, k));
-    return TriangleMesh(mesh_.points()(numbers.vertices(), Eigen::indexing::all), triangles);
+    return mesh::TriangleMesh(mesh_.points()(numbers.vertices(), Eigen::indexing::all), triangles);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::forms

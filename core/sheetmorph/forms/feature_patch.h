@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::forms
 {
 
 //! A form feature with the triangles that touch it, as a small mesh of its own.
@@ -12,12 +12,12 @@ class FeaturePatch
 public:
     //! \param vertices  of the feature, in any order, repeated or not
     //! \param scatter   standard deviation of the mesh's vertices, mm
-    FeaturePatch(const TriangleMesh& mesh, const VertexIds& vertices, double scatter = 0.0);
+    FeaturePatch(const mesh::TriangleMesh& mesh, const VertexIds& vertices, double scatter = 0.0);
 
     double scatter() const { return scatter_; }
 
     //! The feature's vertices and their neighbours; every index below is one of this mesh.
-    const TriangleMesh& mesh() const { return mesh_; }
+    const mesh::TriangleMesh& mesh() const { return mesh_; }
 
     const VertexIds& feature() const { return feature_; }  //!< each once
     const VertexIds& rows() const { return rows_; }        //!< as given to the constructor
@@ -41,7 +41,7 @@ public:
     Points points_of(const VertexIds& vertices) const;
 
     //! Its own triangles, without vertices that are on none.
-    TriangleMesh covered_mesh() const;
+    mesh::TriangleMesh covered_mesh() const;
 
 private:
     std::vector<char> marked(const VertexIds& vertices) const;
@@ -51,7 +51,7 @@ private:
     void add_sharp_loops();
     double length_of(const VertexIds& loop) const;
 
-    TriangleMesh mesh_;
+    mesh::TriangleMesh mesh_;
     VertexIds feature_;
     VertexIds rows_;
     std::vector<VertexIds> loops_;
@@ -60,4 +60,4 @@ private:
     double scatter_ = 0.0;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::forms

@@ -13,8 +13,10 @@
 #include <cmath>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::forms
 {
+
+using fitting::RimProfile;
 
 namespace
 {
@@ -110,14 +112,16 @@ std::optional<Core> wall(const FeaturePatch& patch, const VertexIds& vertices)
     Core core{{}, vertices, patch.loops_of(vertices), true};
     if (core.rims.size() != 2)
         return std::nullopt;
-    const std::optional<RimProfile> one = fit_rim(patch.points_of(core.rims[0]), patch.scatter());
-    const std::optional<RimProfile> other = fit_rim(patch.points_of(core.rims[1]), patch.scatter());
+    const std::optional<RimProfile> one =
+        fitting::fit_rim(patch.points_of(core.rims[0]), patch.scatter());
+    const std::optional<RimProfile> other =
+        fitting::fit_rim(patch.points_of(core.rims[1]), patch.scatter());
     if (!one || !other || one->is_circle() != other->is_circle())
         return std::nullopt;
     const std::optional<RimProfile> profile = between(*one, *other);
     if (!profile)
         return std::nullopt;
-    const std::optional<RimProfile> settled = refit(*profile, patch.points_of(vertices));
+    const std::optional<RimProfile> settled = fitting::refit(*profile, patch.points_of(vertices));
     if (!settled)
         return std::nullopt;
     core.profile = *settled;
@@ -136,7 +140,8 @@ bool goes_outwards(const FeaturePatch& patch, const RimProfile& profile, const V
 
 std::optional<Core> core_around(const FeaturePatch& patch, const VertexIds& loop)
 {
-    const std::optional<RimProfile> profile = fit_rim(patch.points_of(loop), patch.scatter());
+    const std::optional<RimProfile> profile =
+        fitting::fit_rim(patch.points_of(loop), patch.scatter());
     if (!profile)
         return std::nullopt;
     if (patch.is_disk() || (patch.is_free() && goes_outwards(patch, *profile, loop)))
@@ -275,7 +280,7 @@ double FeatureShape::outline_error(const Points& placed, double wanted) const
     return worst;
 }
 
-std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const VertexIds& vertices,
+std::optional<FeatureShape> feature_shape(const mesh::TriangleMesh& mesh, const VertexIds& vertices,
                                           double scatter)
 {
     const FeaturePatch patch(mesh, vertices, scatter);
@@ -285,10 +290,11 @@ std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const Vertex
         if (core)
             return shape_of(patch, *core);
     }
-    const std::optional<RimProfile> cylinder = fit_cylinder(facets_of(patch.covered_mesh()));
+    const std::optional<RimProfile> cylinder =
+        fitting::fit_cylinder(mesh::facets_of(patch.covered_mesh()));
     if (!cylinder || !lie_on(patch, *cylinder, patch.feature()))
         return std::nullopt;
     return shape_of(patch, {*cylinder, patch.feature(), {}, true});
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::forms

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::forms
 {
 
 //! The form of a feature whose size can be set: how its vertices follow the size.
@@ -47,7 +47,7 @@ struct FeatureShape
 //! width; the same through both skins of a thin solid, with its wall; a cylinder or a part of one.
 //! \param vertices  in any order; rows of the answer are in this order
 //! \param scatter   of a measured mesh, scatter_of(), mm: its rims are allowed to be as uneven
-std::optional<FeatureShape> feature_shape(const TriangleMesh& mesh, const VertexIds& vertices,
+std::optional<FeatureShape> feature_shape(const mesh::TriangleMesh& mesh, const VertexIds& vertices,
                                           double scatter = 0.0);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::forms

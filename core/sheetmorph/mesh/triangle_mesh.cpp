@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -59,4 +59,4 @@ double exactness(const Points& points, double size)
     return 1e-12 * size + 8.0 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! A mesh at rest: any triangles over any points; nothing about manifoldness is assumed.
@@ -41,4 +41,4 @@ private:
 //! tol = 1e-12 * size + 8 * eps * max|coordinate|: what "exact" means for these points (mm).
 double exactness(const Points& points, double size);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -218,4 +218,4 @@ Eigen::VectorXd ConstrainedMinimiser::constraint_error(const Eigen::MatrixXd& u,
     return (problem_.constraints * u - c).cwiseAbs().rowwise().maxCoeff();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -6,7 +6,7 @@
 
 #include <Eigen/QR>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! The parts of a quadratic energy that no pose changes.
@@ -94,4 +94,4 @@ private:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> schur_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

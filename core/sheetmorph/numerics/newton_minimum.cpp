@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -125,4 +125,4 @@ Convergence newton_minimum(NewtonProblem& problem, const NewtonLimits& limits,
     return Descent(problem, limits).run(progress);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

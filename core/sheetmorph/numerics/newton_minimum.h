@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! The step to the minimum of a quadratic model.
@@ -72,4 +72,4 @@ struct NewtonLimits
 [[nodiscard]] Convergence newton_minimum(NewtonProblem& problem, const NewtonLimits& limits,
                                          const Progress& progress = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

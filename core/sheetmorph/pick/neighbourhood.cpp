@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 namespace
@@ -27,7 +27,8 @@ void require_rings(int rings)
 
 }  // namespace
 
-Neighbourhood::Neighbourhood(const TriangleMesh& mesh) : mesh_(mesh), edges_(mesh), triangles_(mesh)
+Neighbourhood::Neighbourhood(const mesh::TriangleMesh& mesh)
+    : mesh_(mesh), edges_(mesh), triangles_(mesh)
 {
     measure_bends();
 }
@@ -35,20 +36,20 @@ Neighbourhood::Neighbourhood(const TriangleMesh& mesh) : mesh_(mesh), edges_(mes
 void Neighbourhood::measure_bends()
 {
     for (int t = 0; t < mesh_.triangle_count() && !has_thin_; ++t)
-        has_thin_ = is_thin(mesh_.points(), mesh_.triangles(), t);
+        has_thin_ = mesh::is_thin(mesh_.points(), mesh_.triangles(), t);
     bends_.resize(static_cast<std::size_t>(edges_.count()));
     for (int edge = 0; edge < edges_.count(); ++edge)
-        if (const EdgeUses uses = edges_.uses(edge); uses.count() == 2)
-            bends_[edge] = bend_angle(mesh_.points(), uses.first[0], uses.first[1]);
+        if (const mesh::EdgeUses uses = edges_.uses(edge); uses.count() == 2)
+            bends_[edge] = mesh::bend_angle(mesh_.points(), uses.first[0], uses.first[1]);
 }
 
-double Neighbourhood::bend(int edge, int triangle, const EdgeUse& other) const
+double Neighbourhood::bend(int edge, int triangle, const mesh::EdgeUse& other) const
 {
     if (edges_.uses(edge).count() == 2)
         return bends_[edge];
-    for (const EdgeUse& use : edges_.uses(edge))
+    for (const mesh::EdgeUse& use : edges_.uses(edge))
         if (use.triangle == triangle)
-            return bend_angle(mesh_.points(), use, other);
+            return mesh::bend_angle(mesh_.points(), use, other);
     return 0.0;
 }
 
@@ -62,14 +63,14 @@ void Neighbourhood::visit_around(int vertex, Visit&& visit) const
 
 std::vector<int> Neighbourhood::triangles_at(const VertexIds& vertices) const
 {
-    flags_of(vertices, mesh_.vertex_count(), "vertices");
+    mesh::flags_of(vertices, mesh_.vertex_count(), "vertices");
     return triangles_.around(vertices);
 }
 
 VertexIds Neighbourhood::grown(const VertexIds& vertices, int rings) const
 {
     require_rings(rings);
-    Flags inside = flags_of(vertices, mesh_.vertex_count(), "vertices");
+    mesh::Flags inside = mesh::flags_of(vertices, mesh_.vertex_count(), "vertices");
     VertexIds front = vertices;
     for (; rings > 0 && !front.empty(); --rings)
     {
@@ -84,13 +85,13 @@ VertexIds Neighbourhood::grown(const VertexIds& vertices, int rings) const
                          });
         front = std::move(reached);
     }
-    return ids_of(inside);
+    return mesh::ids_of(inside);
 }
 
 // What goes lies within as many rings of the vertices just outside.
 VertexIds Neighbourhood::shrunk(const VertexIds& vertices, int rings) const
 {
-    Flags inside = flags_of(vertices, mesh_.vertex_count(), "vertices");
+    mesh::Flags inside = mesh::flags_of(vertices, mesh_.vertex_count(), "vertices");
     VertexIds outside;
     for (const int vertex : vertices)
         visit_around(vertex,
@@ -101,41 +102,42 @@ VertexIds Neighbourhood::shrunk(const VertexIds& vertices, int rings) const
                      });
     for (const int vertex : grown(outside, rings))
         inside[vertex] = 0;
-    return ids_of(inside);
+    return mesh::ids_of(inside);
 }
 
 // Without triangles too thin to have a plane, and they are rare, every bend is known beforehand.
 std::vector<int> Neighbourhood::face(int triangle, double max_angle) const
 {
     if (has_thin_ || !std::isfinite(max_angle))
-        return grow_to_creases(mesh_, edges_, triangle, max_angle);
-    Flags is_reached = flags_of({triangle}, mesh_.triangle_count(), "triangles");
+        return mesh::grow_to_creases(mesh_, edges_, triangle, max_angle);
+    mesh::Flags is_reached = mesh::flags_of({triangle}, mesh_.triangle_count(), "triangles");
     std::vector<int> front = {triangle};
     for (std::size_t next = 0; next < front.size(); ++next)
         for (int k = 0; k < 3; ++k)
         {
             const int edge = edges_.edge_of(front[next], k);
-            for (const EdgeUse& use : edge < 0 ? EdgeUses{nullptr, nullptr} : edges_.uses(edge))
+            for (const mesh::EdgeUse& use :
+                 edge < 0 ? mesh::EdgeUses{nullptr, nullptr} : edges_.uses(edge))
                 if (!is_reached[use.triangle] && bend(edge, front[next], use) < max_angle)
                 {
                     is_reached[use.triangle] = 1;
                     front.push_back(use.triangle);
                 }
         }
-    return ids_of(is_reached);
+    return mesh::ids_of(is_reached);
 }
 
 std::vector<int> Neighbourhood::piece(int triangle) const
 {
-    flags_of({triangle}, mesh_.triangle_count(), "triangles");
+    mesh::flags_of({triangle}, mesh_.triangle_count(), "triangles");
     return triangles_at(grown({mesh_.triangles()(triangle, 0)}, mesh_.vertex_count()));
 }
 
 std::vector<VertexIds> Neighbourhood::pieces(const VertexIds& vertices) const
 {
-    Flags waiting = flags_of(vertices, mesh_.vertex_count(), "vertices");
+    mesh::Flags waiting = mesh::flags_of(vertices, mesh_.vertex_count(), "vertices");
     std::vector<VertexIds> found;
-    for (const int first : ids_of(waiting))
+    for (const int first : mesh::ids_of(waiting))
     {
         if (!waiting[first])
             continue;
@@ -157,7 +159,7 @@ std::vector<VertexIds> Neighbourhood::pieces(const VertexIds& vertices) const
 
 std::vector<VertexIds> Neighbourhood::rims(double crease) const
 {
-    return crease_loops(mesh_, edges_, crease);
+    return mesh::crease_loops(mesh_, edges_, crease);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/topology/edges.h"
 #include "sheetmorph/mesh/topology/vertex_triangles.h"
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 //! What growing.h finds, from tables: fast enough to be asked at every move of the mouse. Ids may
@@ -13,7 +13,7 @@ namespace sheetmorph
 class Neighbourhood
 {
 public:
-    explicit Neighbourhood(const TriangleMesh& mesh);
+    explicit Neighbourhood(const mesh::TriangleMesh& mesh);
 
     //! The triangles with a corner among the vertices.
     std::vector<int> triangles_at(const VertexIds& vertices) const;
@@ -41,13 +41,13 @@ private:
     template <typename Visit>
     void visit_around(int vertex, Visit&& visit) const;
     void measure_bends();
-    double bend(int edge, int triangle, const EdgeUse& other) const;
+    double bend(int edge, int triangle, const mesh::EdgeUse& other) const;
 
-    TriangleMesh mesh_;
-    EdgeTable edges_;
-    VertexTriangles triangles_;
+    mesh::TriangleMesh mesh_;
+    mesh::EdgeTable edges_;
+    mesh::VertexTriangles triangles_;
     std::vector<double> bends_;  // radians, at every edge of two triangles
     bool has_thin_ = false;      // triangles without a plane of their own
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

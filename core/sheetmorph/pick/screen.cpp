@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 namespace
@@ -39,9 +39,9 @@ Vector3 Screen::seen(const Vector3& point) const
     return {(unit.x() + 1.0) * half_.x(), (unit.y() + 1.0) * half_.y(), unit.z()};
 }
 
-Planes Screen::planes_around(const Vector3& low, const Vector3& high) const
+mesh::Planes Screen::planes_around(const Vector3& low, const Vector3& high) const
 {
-    Planes planes(6, 4);
+    mesh::Planes planes(6, 4);
     for (int c = 0; c < 2; ++c)
     {
         const double from = (low(c) - margin) / half_(c) - 1.0;
@@ -97,4 +97,4 @@ bool ScreenOutline::contains(double x, double y) const
     return turns != 0;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

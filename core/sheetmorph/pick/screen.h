@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/search/picking.h"
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 using Matrix4 = Eigen::Matrix4d;
@@ -26,7 +26,7 @@ public:
 
     //! Planes around what is seen in a box, px and depth, as PickingTree::triangles_between takes
     //! them: between low and high in x and y, in front of the eye, and not behind high in depth.
-    Planes planes_around(const Vector3& low, const Vector3& high) const;
+    mesh::Planes planes_around(const Vector3& low, const Vector3& high) const;
 
 private:
     Matrix4 to_clip_;
@@ -56,4 +56,4 @@ private:
     std::vector<std::vector<int>> sides_;  // of each of equal rows from low to high
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

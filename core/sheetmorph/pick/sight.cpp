@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 namespace
@@ -20,7 +20,7 @@ constexpr std::size_t few = 5000;  // vertices that are looked at in one go
 class Picture
 {
 public:
-    Picture(const PickingTree& tree, const Screen& screen)
+    Picture(const mesh::PickingTree& tree, const Screen& screen)
         : points_(tree.points()),
           screen_(screen),
           seen_(tree.points().rows(), 3),
@@ -46,13 +46,13 @@ private:
 };
 
 VertexIds not_hidden(const std::vector<Seen>& seen, const Screen& screen,
-                     const std::vector<const PickingTree*>& shapes)
+                     const std::vector<const mesh::PickingTree*>& shapes)
 {
     if (seen.empty())
         return {};
     VertexCells cells(seen);
-    const Planes planes = screen.planes_around(cells.low(), cells.high());
-    for (const PickingTree* shape : shapes)
+    const mesh::Planes planes = screen.planes_around(cells.low(), cells.high());
+    for (const mesh::PickingTree* shape : shapes)
     {
         Picture picture(*shape, screen);
         for (const int t : shape->triangles_between(planes))
@@ -66,27 +66,28 @@ VertexIds not_hidden(const std::vector<Seen>& seen, const Screen& screen,
 
 }  // namespace
 
-VertexIds vertices_inside(const PickingTree& tree, const Screen& screen,
+VertexIds vertices_inside(const mesh::PickingTree& tree, const Screen& screen,
                           const ScreenOutline& outline)
 {
-    Flags is_near(static_cast<std::size_t>(tree.points().rows()), 0);
+    mesh::Flags is_near(static_cast<std::size_t>(tree.points().rows()), 0);
     for (const int t : tree.triangles_between(screen.planes_around(outline.low(), outline.high())))
         for (int k = 0; k < 3; ++k)
             is_near[static_cast<std::size_t>(tree.triangles()(t, k))] = 1;
     VertexIds inside;
-    for (const int vertex : ids_of(is_near))
+    for (const int vertex : mesh::ids_of(is_near))
         if (const Vector3 place = screen.seen(tree.points().row(vertex));
             outline.contains(place.x(), place.y()))
             inside.push_back(vertex);
     return inside;
 }
 
-VertexIds visible_vertices(const PickingTree& tree, const VertexIds& vertices, const Screen& screen,
-                           const std::vector<const PickingTree*>& shapes)
+VertexIds visible_vertices(const mesh::PickingTree& tree, const VertexIds& vertices,
+                           const Screen& screen,
+                           const std::vector<const mesh::PickingTree*>& shapes)
 {
     std::vector<Seen> seen;
     const int count = static_cast<int>(tree.points().rows());
-    for (const int vertex : ids_of(flags_of(vertices, count, "vertices")))
+    for (const int vertex : mesh::ids_of(mesh::flags_of(vertices, count, "vertices")))
         if (const Vector3 place = screen.seen(tree.points().row(vertex)); are_numbers(place))
             seen.push_back({place, vertex});
     // Two bands of the screen, each with cells of its own.
@@ -109,4 +110,4 @@ VertexIds visible_vertices(const PickingTree& tree, const VertexIds& vertices, c
     return visible;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 namespace
@@ -175,4 +175,4 @@ void VertexCells::hide_in(Cell& cell, const std::array<Vector3, 3>& corners, dou
         cell.farthest = -infinite;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

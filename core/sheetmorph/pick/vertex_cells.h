@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 //! A vertex and where it is seen, as Screen::seen has it.
@@ -65,4 +65,4 @@ private:
     std::vector<Seen> members_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

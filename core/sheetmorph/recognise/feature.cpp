@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 const char* name_of(FeatureKind kind)
@@ -14,7 +14,7 @@ const char* name_of(FeatureKind kind)
     return names[static_cast<std::size_t>(kind)];
 }
 
-FeatureKind hole_kind(OutlineKind outline)
+FeatureKind hole_kind(fitting::OutlineKind outline)
 {
     static constexpr std::array<FeatureKind, 4> kinds = {
         FeatureKind::round_hole, FeatureKind::slotted_hole, FeatureKind::rectangular_hole,
@@ -28,4 +28,4 @@ FeatureKind raised_kind(double length, double width)
     return length >= shortest_bead * width ? FeatureKind::bead : FeatureKind::emboss;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -4,7 +4,7 @@
 #include "sheetmorph/base/convergence.h"
 #include "sheetmorph/fitting/outline.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! What a part of a sheet is. A hole is seen by its rims, whether the mesh is
@@ -32,7 +32,7 @@ enum class FeatureKind
 const char* name_of(FeatureKind kind);
 
 //! What a hole with such a rim is.
-FeatureKind hole_kind(OutlineKind outline);
+FeatureKind hole_kind(fitting::OutlineKind outline);
 
 //! What a raised place of this length and width is called: a bead or an emboss.
 FeatureKind raised_kind(double length, double width);
@@ -62,4 +62,4 @@ struct Feature
     std::vector<VertexIds> washer;  //!< ring k: the vertices one triangle around ring k - 1
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

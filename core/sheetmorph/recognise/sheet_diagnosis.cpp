@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -22,14 +22,14 @@ constexpr double least_share = 0.5;
 // Local thicknesses of the skins, each with the area it stands for, ascending.
 using Samples = std::vector<std::pair<double, double>>;
 
-Samples thicknesses(const TriangleMesh& mesh, const ThinSolid& solid,
+Samples thicknesses(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
                     const std::vector<int>& triangles)
 {
     Samples found;
     for (const int t : triangles)
         for (int k = 0; k < 3; ++k)
             if (const double local = solid.thicknesses(mesh.triangles()(t, k)); local > 0.0)
-                found.emplace_back(local, doubled_area(mesh, t).norm() / 6.0);
+                found.emplace_back(local, mesh::doubled_area(mesh, t).norm() / 6.0);
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -46,19 +46,20 @@ double quantile(const Samples& samples, double share)
     return samples.back().first;
 }
 
-void look_at(const TriangleMesh& mesh, const ThinSolid& solid, const std::vector<int>& triangles,
-             PieceDiagnosis& piece)
+void look_at(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
+             const std::vector<int>& triangles, mesh::PieceDiagnosis& piece)
 {
     std::map<double, double> areas;  // by thickness of the sheets, 0 of what is no sheet
     for (const int t : triangles)
-        areas[solid.of_component[at(solid.component[at(t)])]] += 0.5 * doubled_area(mesh, t).norm();
+        areas[solid.of_component[at(solid.component[at(t)])]] +=
+            0.5 * mesh::doubled_area(mesh, t).norm();
     if (piece.area - areas[0.0] < least_share * piece.area || areas.size() < 2)
         return;
     areas.erase(0.0);
     const auto largest =
         std::max_element(areas.begin(), areas.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    piece.kind = PieceKind::thin_solid;
+    piece.kind = mesh::PieceKind::thin_solid;
     piece.thickness = piece.thinnest = piece.thickest = largest->first;
     const Samples samples = thicknesses(mesh, solid, triangles);
     if (samples.empty())
@@ -69,20 +70,21 @@ void look_at(const TriangleMesh& mesh, const ThinSolid& solid, const std::vector
 
 }  // namespace
 
-Diagnosis diagnose_sheets(const TriangleMesh& mesh, double tolerance)
+mesh::Diagnosis diagnose_sheets(const mesh::TriangleMesh& mesh, double tolerance)
 {
-    Diagnosis found = diagnose(mesh, tolerance);
-    const TriangleMesh merged = without_cuts(mesh, tolerance);
-    const EdgeTable table(merged);
-    const TriangleMesh whole = oriented(merged, outward_orientation(merged, table));
+    mesh::Diagnosis found = mesh::diagnose(mesh, tolerance);
+    const mesh::TriangleMesh merged = mesh::without_cuts(mesh, tolerance);
+    const mesh::EdgeTable table(merged);
+    const mesh::TriangleMesh whole =
+        mesh::oriented(merged, mesh::outward_orientation(merged, table));
     const std::optional<ThinSolid> solid = find_thin_solid(whole).solid;
     if (!solid)
         return found;
-    const std::vector<std::vector<int>> pieces = triangles_of_pieces(merged, table);
+    const std::vector<std::vector<int>> pieces = mesh::triangles_of_pieces(merged, table);
     for (std::size_t k = 0; k < pieces.size(); ++k)
-        if (found.pieces[k].kind == PieceKind::solid)
+        if (found.pieces[k].kind == mesh::PieceKind::solid)
             look_at(whole, *solid, pieces[k], found.pieces[k]);
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,12 +3,12 @@
 
 #include "sheetmorph/mesh/quality/diagnosis.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! The diagnosis of a mesh with its thin solids: the closed pieces that find_thin_solid() finds
 //! thin once near vertices are one and every piece faces outwards.
 //! \throws InvalidInput as diagnose()
-Diagnosis diagnose_sheets(const TriangleMesh& mesh, double tolerance);
+mesh::Diagnosis diagnose_sheets(const mesh::TriangleMesh& mesh, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -56,4 +56,4 @@ void ContactTolerances::check() const
     require({"smallest", static_cast<double>(smallest), 1.0, 1e6});
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! How features are told from each other. Angles in radians; shares have no
@@ -40,4 +40,4 @@ struct ContactTolerances
     void check() const;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

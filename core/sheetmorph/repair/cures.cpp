@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -38,13 +38,13 @@ struct Facet
 using Facets = std::vector<Facet>;
 using Edge = std::pair<int, int>;
 
-TriangleMesh mesh_of(const Points& points, const Facets& facets)
+mesh::TriangleMesh mesh_of(const Points& points, const Facets& facets)
 {
     Triangles triangles(facets.size(), 3);
     for (std::size_t t = 0; t < facets.size(); ++t)
         for (int k = 0; k < 3; ++k)
             triangles(t, k) = facets[t].corners[k];
-    return TriangleMesh(points, std::move(triangles));
+    return mesh::TriangleMesh(points, std::move(triangles));
 }
 
 // Its height over the longest edge, 0 if a corner stands twice.
@@ -72,7 +72,7 @@ Facets without_doubles(const Facets& facets)
 }
 
 // Leaves out facets without height and doubled ones.
-Facets sound_facets(const TriangleMesh& mesh, const std::vector<int>& first, double tolerance)
+Facets sound_facets(const mesh::TriangleMesh& mesh, const std::vector<int>& first, double tolerance)
 {
     Facets facets;
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -275,10 +275,10 @@ Facets fan(const Facet& facet, int side, VertexIds cuts)
 // Cuts each facet at the vertices inside one of its edges; returns how many were cut.
 int cut_junctions(const Points& points, Facets& facets, double tolerance)
 {
-    const TriangleMesh mesh = mesh_of(points, facets);
+    const mesh::TriangleMesh mesh = mesh_of(points, facets);
     Cuts cuts;
-    for (const auto junctions : {t_junctions, seam_junctions})
-        for (const TJunction& junction : junctions(mesh, tolerance))
+    for (const auto junctions : {mesh::t_junctions, seam_junctions})
+        for (const mesh::TJunction& junction : junctions(mesh, tolerance))
             cuts[{junction.from, junction.to}].insert(junction.vertex);
     int count = 0;
     Facets whole;
@@ -320,7 +320,7 @@ void number_vertices(const Points& points, const Facets& facets, const std::vect
     }
     for (const int place : first)
         found.vertex_of.push_back(number[place]);
-    found.mesh = TriangleMesh(std::move(kept), std::move(triangles));
+    found.mesh = mesh::TriangleMesh(std::move(kept), std::move(triangles));
 }
 
 // The mesh of the facets, each piece facing one way, closed ones outwards.
@@ -330,13 +330,14 @@ void put_together(const Points& points, const Facets& facets, const std::vector<
     found.triangle_of.clear();
     found.vertex_of.clear();
     number_vertices(points, facets, first, found);
-    const Orientation orientation = outward_orientation(found.mesh, EdgeTable(found.mesh));
+    const mesh::Orientation orientation =
+        mesh::outward_orientation(found.mesh, mesh::EdgeTable(found.mesh));
     found.turned = static_cast<int>(orientation.flipped.size());
-    found.mesh = oriented(found.mesh, orientation);
+    found.mesh = mesh::oriented(found.mesh, orientation);
 }
 
 // Leaves out the walls that two pieces have in common; returns how many facets.
-int open_inner_walls(const TriangleMesh& mesh, Facets& facets)
+int open_inner_walls(const mesh::TriangleMesh& mesh, Facets& facets)
 {
     const std::vector<char> is_inner = inner_walls(mesh);
     Facets outer;
@@ -350,10 +351,10 @@ int open_inner_walls(const TriangleMesh& mesh, Facets& facets)
 
 }  // namespace
 
-CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds)
+CuredMesh cured(const mesh::TriangleMesh& mesh, double tolerance, int most_rounds)
 {
     CuredMesh found;
-    Weld places = weld(mesh, tolerance);
+    mesh::Weld places = mesh::weld(mesh, tolerance);
     for (std::size_t i = 0; i < places.first.size(); ++i)
         found.welded += places.first[i] != static_cast<int>(i);
     Facets facets = sound_facets(mesh, places.first, tolerance);
@@ -387,4 +388,4 @@ CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds)
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -4,13 +4,13 @@
 #include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! A mesh after its cures, and where everything in it came from.
 struct CuredMesh
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::vector<int> vertex_of;    //!< (n) of every vertex given: its place in `mesh`, -1 if gone
     std::vector<int> triangle_of;  //!< (m) of every triangle of `mesh`: the one given it is part of
     int welded = 0;                //!< vertices that became one with an earlier one
@@ -31,6 +31,6 @@ struct CuredMesh
 //! stay as they are; vertices in no triangle go. \param tolerance    mm, >= 0 \param most_rounds of
 //! cuts \throws InvalidInput if the tolerance is negative or not finite, or no triangle would be
 //! left
-CuredMesh cured(const TriangleMesh& mesh, double tolerance, int most_rounds = 8);
+CuredMesh cured(const mesh::TriangleMesh& mesh, double tolerance, int most_rounds = 8);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

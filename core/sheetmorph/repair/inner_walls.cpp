@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -31,7 +31,7 @@ struct Side
 // twice count twice.
 using Edge = std::vector<Side>;
 
-std::vector<Edge> edges_of(const TriangleMesh& mesh)
+std::vector<Edge> edges_of(const mesh::TriangleMesh& mesh)
 {
     std::vector<Side> sides;
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -56,7 +56,7 @@ std::vector<Edge> edges_of(const TriangleMesh& mesh)
 }
 
 // By triangle: its piece, connected across edges of two triangles; the piece's first triangle.
-std::vector<int> pieces_of(const TriangleMesh& mesh, const std::vector<Edge>& edges)
+std::vector<int> pieces_of(const mesh::TriangleMesh& mesh, const std::vector<Edge>& edges)
 {
     DisjointSets sets(mesh.triangle_count());
     for (const Edge& edge : edges)
@@ -74,7 +74,7 @@ struct Touching
     std::vector<std::set<int>> at;  // by vertex
     std::set<std::pair<int, int>> pairs;
 
-    Touching(const TriangleMesh& mesh, const std::vector<int>& piece)
+    Touching(const mesh::TriangleMesh& mesh, const std::vector<int>& piece)
         : at(static_cast<std::size_t>(mesh.vertex_count()))
     {
         for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -110,7 +110,7 @@ struct Wall
     double size = 0.0;  // mm^2
 };
 
-std::map<int, Wall> walls_of(const TriangleMesh& mesh, const std::vector<Edge>& edges,
+std::map<int, Wall> walls_of(const mesh::TriangleMesh& mesh, const std::vector<Edge>& edges,
                              const std::vector<int>& piece)
 {
     std::map<int, Wall> walls;
@@ -144,31 +144,31 @@ bool are_face_to_face(const Wall& one, const Wall& other)
 
 }  // namespace
 
-std::vector<TJunction> seam_junctions(const TriangleMesh& mesh, double tolerance)
+std::vector<mesh::TJunction> seam_junctions(const mesh::TriangleMesh& mesh, double tolerance)
 {
     const std::vector<Edge> edges = edges_of(mesh);
     const std::vector<int> piece = pieces_of(mesh, edges);
     const Touching touching(mesh, piece);
-    std::vector<TJunction> found;
+    std::vector<mesh::TJunction> found;
     if (touching.pairs.empty())
         return found;
-    std::vector<BoundaryEdge> seams;
+    std::vector<mesh::BoundaryEdge> seams;
     for (const Edge& edge : edges)
         for (const Side& side : edge)
             if (edge.size() == 2 && touching.touches_any(piece[side.triangle]))
                 seams.push_back({mesh.triangles()(side.triangle, side.k),
                                  mesh.triangles()(side.triangle, (side.k + 1) % 3), side.triangle});
     std::map<std::pair<int, int>, int> triangle_at;
-    for (const BoundaryEdge& edge : seams)
+    for (const mesh::BoundaryEdge& edge : seams)
         triangle_at[{edge.from, edge.to}] = edge.triangle;
-    for (const TJunction& junction : junctions_on(mesh, seams, tolerance))
+    for (const mesh::TJunction& junction : mesh::junctions_on(mesh, seams, tolerance))
         if (touching.is_across(junction.vertex,
                                piece[triangle_at.at({junction.from, junction.to})]))
             found.push_back(junction);
     return found;
 }
 
-std::vector<char> inner_walls(const TriangleMesh& mesh)
+std::vector<char> inner_walls(const mesh::TriangleMesh& mesh)
 {
     const std::vector<Edge> edges = edges_of(mesh);
     const std::vector<int> piece = pieces_of(mesh, edges);
@@ -188,4 +188,4 @@ std::vector<char> inner_walls(const TriangleMesh& mesh)
     return flags;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -12,7 +12,7 @@
 #include <array>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -20,7 +20,7 @@ namespace
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-Vector3 corner(const TriangleMesh& mesh, int t, int k)
+Vector3 corner(const mesh::TriangleMesh& mesh, int t, int k)
 {
     return mesh.points().row(mesh.triangles()(t, k));
 }
@@ -30,7 +30,7 @@ Kernel::Point_3 exact(const Vector3& place)
     return {place.x(), place.y(), place.z()};
 }
 
-bool has_area(const TriangleMesh& mesh, int t)
+bool has_area(const mesh::TriangleMesh& mesh, int t)
 {
     return !CGAL::collinear(exact(corner(mesh, t, 0)), exact(corner(mesh, t, 1)),
                             exact(corner(mesh, t, 2)));
@@ -40,7 +40,7 @@ bool has_area(const TriangleMesh& mesh, int t)
 class Pair
 {
 public:
-    Pair(const TriangleMesh& mesh, int one, int other)
+    Pair(const mesh::TriangleMesh& mesh, int one, int other)
     {
         Order p{0, 1, 2}, q{0, 1, 2};
         for (int k = 0; k < 3; ++k)
@@ -131,15 +131,15 @@ private:
 
 }  // namespace
 
-std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh)
+std::vector<std::pair<int, int>> self_intersections(const mesh::TriangleMesh& mesh)
 {
     std::vector<char> counts;
     for (int t = 0; t < mesh.triangle_count(); ++t)
         counts.push_back(has_area(mesh, t));
-    return PickingTree(mesh).pairs_where(
+    return mesh::PickingTree(mesh).pairs_where(
         [&](int one, int other) {
             return counts[at(one)] && counts[at(other)] && Pair(mesh, one, other).meet_elsewhere();
         });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -5,11 +5,11 @@
 
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! The pairs of triangles, smaller index first, that meet anywhere but in the corners and sides
 //! they share, told exactly; ascending. Triangles without area do not count.
-std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh);
+std::vector<std::pair<int, int>> self_intersections(const mesh::TriangleMesh& mesh);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -5,7 +5,7 @@
 #include "sheetmorph/surface/rates/pose_rates.h"
 #include "sheetmorph/surface/solve/pose_solve.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 struct SurfaceDeformer::Precomputed : PreparedSurface
@@ -13,8 +13,9 @@ struct SurfaceDeformer::Precomputed : PreparedSurface
     using PreparedSurface::PreparedSurface;
 };
 
-SurfaceDeformer::SurfaceDeformer(const TriangleMesh& rest, const SurfaceConstraints& constraints,
-                                 const Progress& progress, const SurfaceDeformer* earlier)
+SurfaceDeformer::SurfaceDeformer(const mesh::TriangleMesh& rest,
+                                 const SurfaceConstraints& constraints, const Progress& progress,
+                                 const SurfaceDeformer* earlier)
     : data_(std::make_unique<const Precomputed>(
         rest, constraints, progress, earlier != nullptr ? earlier->data_.get() : nullptr))
 {
@@ -47,7 +48,7 @@ bool SurfaceDeformer::can_respond() const
     return Response::is_possible(*data_);
 }
 
-const TriangleMesh& SurfaceDeformer::rest() const
+const mesh::TriangleMesh& SurfaceDeformer::rest() const
 {
     return data_->rest;
 }
@@ -62,4 +63,4 @@ double SurfaceDeformer::factor_entries() const
     return data_->minimiser.factor_entries();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 class PoseRates;
@@ -25,7 +25,7 @@ public:
     //! \param earlier  the same part under other constraints: what does not change is taken over
     //! \throws InvalidInput naming ids: a component that nothing holds, constraints that contradict
     //! \throws Cancelled    if the progress callback asks for it
-    SurfaceDeformer(const TriangleMesh& rest, const SurfaceConstraints& constraints,
+    SurfaceDeformer(const mesh::TriangleMesh& rest, const SurfaceConstraints& constraints,
                     const Progress& progress = {}, const SurfaceDeformer* earlier = nullptr);
     ~SurfaceDeformer();
     SurfaceDeformer(SurfaceDeformer&&) noexcept;
@@ -53,7 +53,7 @@ public:
     //! Whether response() knows the part.
     bool can_respond() const;
 
-    const TriangleMesh& rest() const;
+    const mesh::TriangleMesh& rest() const;
     const SurfaceConstraints& constraints() const;
 
     //! Entries of the sparse factor, for memory reports.
@@ -64,4 +64,4 @@ private:
     std::unique_ptr<const Precomputed> data_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -140,4 +140,4 @@ ControlMesh::ControlMesh(const ControlShape& given_shape, const OrientedBox& giv
     vertices = (shape.vertices() * to_world.transpose()).rowwise() + box.centre.transpose();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -6,7 +6,7 @@
 
 #include <Eigen/SparseCore>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! The one shape of which every control mesh is an affine image: a cube after Catmull-Clark
@@ -46,4 +46,4 @@ struct ControlMesh
     Points vertices;  //!< (m, 3) mm, rows as the shape's
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -5,8 +5,10 @@
 
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
+
+using numerics::Weights;
 
 namespace
 {
@@ -38,15 +40,15 @@ Weights normal_matrix(const Weights& sample_weights, const Weights& weighted,
         for (Eigen::SparseMatrix<double>::InnerIterator entry(square, column); entry; ++entry)
             matrix(entry.row(), column) = smoothness * share * entry.value();
     const Weights left = weighted.transpose(), right = sample_weights.transpose();
-    add_lower_product(left, right, 1.0, matrix);
+    numerics::add_lower_product(left, right, 1.0, matrix);
     return matrix;
 }
 
-DenseCholesky factor_of(Weights matrix)
+numerics::DenseCholesky factor_of(Weights matrix)
 {
     try
     {
-        return DenseCholesky(std::move(matrix));
+        return numerics::DenseCholesky(std::move(matrix));
     }
     catch (const SolverError&)
     {
@@ -70,4 +72,4 @@ Points ControlMeshFit::displacements(const Points& sample_displacements) const
     return factor_.solve(Points(weighted_.transpose() * sample_displacements));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

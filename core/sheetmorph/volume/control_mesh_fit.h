@@ -6,7 +6,7 @@
 
 #include <Eigen/SparseCore>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! Fits a control mesh to displaced samples (3.3), as a displacement d about a rigid motion:
@@ -20,7 +20,7 @@ public:
     //! \param laplacian       L, (m, m), of the control shape
     //! \param smoothness      c > 0, no unit
     //! \throws InvalidInput if the sizes disagree, no area is positive, or c is not positive
-    ControlMeshFit(const Weights& sample_weights, const Eigen::VectorXd& areas,
+    ControlMeshFit(const numerics::Weights& sample_weights, const Eigen::VectorXd& areas,
                    const Eigen::SparseMatrix<double>& laplacian, double smoothness);
 
     //! \param sample_displacements  u, (n, 3) mm: of the samples, beyond the rigid motion
@@ -28,12 +28,12 @@ public:
     Points displacements(const Points& sample_displacements) const;
 
     //! W^T diag(a), transposed, (n, m): with factor(), what a composed operator is made of.
-    const Weights& weighted_samples() const { return weighted_; }
-    const DenseCholesky& factor() const { return factor_; }
+    const numerics::Weights& weighted_samples() const { return weighted_; }
+    const numerics::DenseCholesky& factor() const { return factor_; }
 
 private:
-    Weights weighted_;
-    DenseCholesky factor_;
+    numerics::Weights weighted_;
+    numerics::DenseCholesky factor_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

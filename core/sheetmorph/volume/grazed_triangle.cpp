@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -128,4 +128,4 @@ GrazedTriangle grazed_triangle(const Matrix3& corners, const Vector3& point, dou
     return result;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! What a triangle near whose plane the point lies adds to the point's mean value weights.
@@ -19,4 +19,4 @@ struct GrazedTriangle
 //! \param tolerance  distance that counts as on the surface, mm
 GrazedTriangle grazed_triangle(const Matrix3& corners, const Vector3& point, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -85,4 +85,4 @@ KernelBlock::KernelBlock(const KernelMesh& mesh)
 {
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

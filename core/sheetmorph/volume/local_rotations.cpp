@@ -14,7 +14,7 @@
 #include <iterator>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -84,7 +84,7 @@ std::vector<int> chained(std::vector<int> sides, std::vector<int>& ends)
 }
 
 // The neighbours of a vertex in every triangle around.
-std::vector<int> ring_of(const PartGeometry& part, int vertex)
+std::vector<int> ring_of(const mesh::PartGeometry& part, int vertex)
 {
     const Triangles& triangles = part.mesh().triangles();
     std::vector<int> others;
@@ -131,12 +131,12 @@ void set_moments(RingBatch& batch, Matrix3 moments, const Vector3& area)
 
 }  // namespace
 
-LocalRotationMeter::LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices)
-    : LocalRotationMeter(PartGeometry(rest), vertices)
+LocalRotationMeter::LocalRotationMeter(const mesh::TriangleMesh& rest, const VertexIds& vertices)
+    : LocalRotationMeter(mesh::PartGeometry(rest), vertices)
 {
 }
 
-LocalRotationMeter::LocalRotationMeter(const PartGeometry& rest, const VertexIds& vertices)
+LocalRotationMeter::LocalRotationMeter(const mesh::PartGeometry& rest, const VertexIds& vertices)
     : vertex_count_(rest.mesh().vertex_count())
 {
     std::vector<int> missing;
@@ -376,4 +376,4 @@ MotionRate mean_motion_rate(const RigidMotion& mean, const Points& rates, const 
     return rate;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

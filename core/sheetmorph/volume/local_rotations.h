@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! How the surface turned at some vertices.
@@ -24,10 +24,10 @@ class LocalRotationMeter
 {
 public:
     //! \throws InvalidInput naming the ids that the mesh does not have
-    LocalRotationMeter(const TriangleMesh& rest, const VertexIds& vertices);
+    LocalRotationMeter(const mesh::TriangleMesh& rest, const VertexIds& vertices);
 
     //! The same of a part that others read too; neither is kept.
-    LocalRotationMeter(const PartGeometry& rest, const VertexIds& vertices);
+    LocalRotationMeter(const mesh::PartGeometry& rest, const VertexIds& vertices);
 
     //! A vertex in no triangle, or in degenerate ones only, turns as its reference says. So does,
     //! to the bit, a ring that the reference's rotation alone explains.
@@ -86,4 +86,4 @@ RigidMotion mean_motion(const Points& rest, const Points& deformed, const LocalR
 MotionRate mean_motion_rate(const RigidMotion& mean, const Points& rates, const Points& log_rates,
                             const Eigen::VectorXd& weights = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -8,7 +8,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -40,9 +40,9 @@ MeanValueCoordinates::MeanValueCoordinates(const Points& vertices, const Triangl
         }
 }
 
-Weights MeanValueCoordinates::weights(const Points& points) const
+numerics::Weights MeanValueCoordinates::weights(const Points& points) const
 {
-    Weights weights(points.rows(), vertices_.rows());
+    numerics::Weights weights(points.rows(), vertices_.rows());
     const Eigen::Index blocks = (points.rows() + lanes - 1) / lanes;
     parallel_ranges(blocks, 1,
                     [&](Eigen::Index begin, Eigen::Index end)
@@ -55,7 +55,7 @@ Weights MeanValueCoordinates::weights(const Points& points) const
 }
 
 void MeanValueCoordinates::fill_block(const Points& points, Eigen::Index first, KernelBlock& block,
-                                      Weights& weights) const
+                                      numerics::Weights& weights) const
 {
     const Eigen::Index last = points.rows() - 1;
     for (int l = 0; l < lanes; ++l)
@@ -108,4 +108,4 @@ MeanValueCoordinates::Surface MeanValueCoordinates::add_grazed(KernelBlock& bloc
     return surface;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

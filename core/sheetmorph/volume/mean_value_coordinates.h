@@ -5,7 +5,7 @@
 #include "sheetmorph/numerics/products/dense_products.h"
 #include "sheetmorph/volume/mean_value_kernel.h"
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! Mean value coordinates (2.11) to (2.14) with respect to a closed control mesh of any shape.
@@ -23,11 +23,11 @@ public:
 
     //! \param points  (n, 3) mm, finite
     //! \returns       (n, m)
-    Weights weights(const Points& points) const;
+    numerics::Weights weights(const Points& points) const;
 
 private:
     void fill_block(const Points& points, Eigen::Index first, KernelBlock& block,
-                    Weights& weights) const;
+                    numerics::Weights& weights) const;
     struct Surface  // by lane: the triangle that the point lies on, or -1, and (2.14)
     {
         int triangle[lanes] = {-1, -1, -1, -1, -1, -1, -1, -1};
@@ -40,4 +40,4 @@ private:
     KernelMesh mesh_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

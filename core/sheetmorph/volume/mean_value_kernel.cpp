@@ -11,7 +11,7 @@
 // Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -223,4 +223,4 @@ void finish(const KernelMesh& mesh, KernelBlock& block)
         });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! Points computed side by side in one pass over the control mesh.
@@ -77,4 +77,4 @@ void add_up(const KernelMesh& mesh, KernelBlock& block);
 //! sizes away, or on the zero set that a strongly non-convex mesh may have outside.
 void finish(const KernelMesh& mesh, KernelBlock& block);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -120,4 +120,4 @@ OrientedBox oriented_box(const Points& points, const Matrix3& axes, const BoxOpt
     return box;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! A box around points, in its own frame.
@@ -36,4 +36,4 @@ Matrix3 principal_axes(const Points& points, const Eigen::VectorXd& weights,
 //! \throws InvalidInput if there are no points, or the options are negative or not finite
 OrientedBox oriented_box(const Points& points, const Matrix3& axes, const BoxOptions& options = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

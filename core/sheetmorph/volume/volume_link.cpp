@@ -11,8 +11,10 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
+
+using numerics::Weights;
 
 namespace
 {
@@ -141,14 +143,15 @@ void VolumeLink::compose(const MeanValueCoordinates& coordinates)
         return;
     }
     const Weights half_inputs = from_inputs_.transpose();
-    rows_ = PanelRows(each * count, columns);
+    rows_ = numerics::PanelRows(each * count, columns);
     for (Eigen::Index first = 0; first < count; first += chunk)
     {
         Weights rows = target_rows(coordinates, first);
         if (is_composed_)
         {
             Weights composed = Weights::Zero(rows.rows(), columns);
-            add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0, composed);
+            numerics::add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0,
+                                  composed);
             rows = std::move(composed);
         }
         rows_.set(each * first, rows);
@@ -206,7 +209,7 @@ Points VolumeLink::inputs(const SourceState& state) const
 
 Points VolumeLink::control_displacements(const Points& inputs) const
 {
-    return factor_.solve_upper(narrow_product(from_inputs_, inputs));
+    return factor_.solve_upper(numerics::narrow_product(from_inputs_, inputs));
 }
 
 Points VolumeLink::control_vertices(const SourceState& state) const
@@ -228,7 +231,7 @@ Points VolumeLink::displacements(const Points& inputs, Exactness exactness) cons
     for (Eigen::Index first = 0; first < targets_.rows(); first += chunk)
     {
         const Weights rows = target_rows(*coordinates_, first);
-        moved.middleRows(each * first, rows.rows()) = narrow_product(rows, control);
+        moved.middleRows(each * first, rows.rows()) = numerics::narrow_product(rows, control);
     }
     return moved;
 }
@@ -308,4 +311,4 @@ LinkedRates VolumeLink::transfer_rate(const SourceState& state, const SourceRate
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

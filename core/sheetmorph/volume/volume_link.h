@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! The points that drive a control mesh, at rest.
@@ -99,18 +99,19 @@ private:
     Points inputs(const SourceState& state) const;
     Points control_displacements(const Points& inputs) const;
     void compose(const MeanValueCoordinates& coordinates);
-    Weights target_rows(const MeanValueCoordinates& coordinates, Eigen::Index first) const;
+    numerics::Weights target_rows(const MeanValueCoordinates& coordinates,
+                                  Eigen::Index first) const;
     Points displacements(const Points& inputs, Exactness exactness) const;
 
     LinkOptions options_;
     Points source_, source_offsets_, targets_, control_rest_;
     Matrix3 steps_;  // columns: how far apart the targets' map is compared, mm
-    DenseCholesky factor_;
-    Weights from_inputs_;                // (m, inputs): L^-1 times what the source says
+    numerics::DenseCholesky factor_;
+    numerics::Weights from_inputs_;      // (m, inputs): L^-1 times what the source says
     std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
-    PanelRows rows_;                     // of the targets, on the inputs or on the control vertices
+    numerics::PanelRows rows_;           // of the targets, on the inputs or on the control vertices
     bool is_composed_ = false;
     std::shared_ptr<const MeanValueCoordinates> coordinates_;  // instead of rows that are not kept
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -41,7 +41,7 @@ void constrain(Peer& peer, const Mesh& mesh, const Panel& panel)
     for (const Mesh::Vertex_index vertex : mesh.vertices())
         peer.insert_roi_vertex(vertex);
     for (const auto* known : {&panel.constraints.fixed, &panel.constraints.handles})
-        for (const KnownRegion& region : *known)
+        for (const surface::KnownRegion& region : *known)
             for (const int vertex : region.vertices)
                 peer.insert_control_vertex(
                     Mesh::Vertex_index(static_cast<Mesh::size_type>(vertex)));

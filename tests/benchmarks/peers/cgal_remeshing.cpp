@@ -19,7 +19,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 
 constexpr unsigned rounds = 10;  // of splits, collapses, flips and relaxation
 
-Mesh mesh_of(const TriangleMesh& sheet)
+Mesh mesh_of(const mesh::TriangleMesh& sheet)
 {
     Mesh mesh;
     const auto index = [](int vertex)
@@ -31,7 +31,7 @@ Mesh mesh_of(const TriangleMesh& sheet)
     return mesh;
 }
 
-TriangleMesh ours(Mesh mesh)
+mesh::TriangleMesh ours(Mesh mesh)
 {
     mesh.collect_garbage();
     Points points(static_cast<Eigen::Index>(mesh.number_of_vertices()), 3);
@@ -45,7 +45,7 @@ TriangleMesh ours(Mesh mesh)
         for (const Mesh::Vertex_index vertex : mesh.vertices_around_face(mesh.halfedge(face)))
             triangles(face.idx(), corner++) = static_cast<int>(vertex.idx());
     }
-    return TriangleMesh(std::move(points), std::move(triangles));
+    return mesh::TriangleMesh(std::move(points), std::move(triangles));
 }
 
 void cgal_sheet_remeshing(benchmark::State& state)

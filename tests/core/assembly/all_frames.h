@@ -3,7 +3,7 @@
 
 #include "assembly/thin_frames.h"
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
 
 inline Frame open_chain(ContactType type)
@@ -97,11 +97,11 @@ inline std::vector<Frame> all()
                         ring(ContactType::rigid), small_contacts(ContactType::control_mesh, false),
                         small_contacts(ContactType::tied, true), single(Mode::regions)})
     {
-        frame.assembly.energy = Energy::natural;
+        frame.assembly.energy = surface::Energy::natural;
         frames.push_back(frame);
         frames.back().name += "_natural" + std::to_string(frames.size());
     }
     return frames;
 }
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace surface;
 namespace
 {
 
@@ -117,7 +119,8 @@ TEST(AssemblyChecks, EveryWrongPlaceIsNamed)
         {"handle 'tip' is on part 9", [](Assembly& a) { a.handles[0].part = 9; }},
         {"feature 'first hole1' is on part -3", [](Assembly& a) { a.features[1].part = -3; }},
         {"point 'probe' is on part 7", [](Assembly& a) { a.points[0].part = 7; }},
-        {"part 'second' has no vertices", [](Assembly& a) { a.parts[1].mesh = TriangleMesh(); }},
+        {"part 'second' has no vertices",
+         [](Assembly& a) { a.parts[1].mesh = mesh::TriangleMesh(); }},
         {"part 'second' has 2 vertex numbers",
          [](Assembly& a) {
              a.parts[1].ids = {1, 2};
@@ -194,4 +197,4 @@ TEST(AssemblyChecks, DirectionsThatAreNotReadMayBeAnything)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

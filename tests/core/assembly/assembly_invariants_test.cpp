@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -32,7 +32,7 @@ double worst_difference(const Points& a, const Points& b)
 std::vector<Points> solve(const Frame& frame)
 {
     std::vector<Points> positions;
-    for (Deformation& part : DeformationSession(frame.assembly).deform(frame.pose).parts)
+    for (surface::Deformation& part : DeformationSession(frame.assembly).deform(frame.pose).parts)
         positions.push_back(std::move(part.positions));
     return positions;
 }
@@ -43,8 +43,8 @@ Frame mapped(const Frame& frame, const Matrix3& map, const Vector3& shift)
     Frame seen = frame;
     for (Part& part : seen.assembly.parts)
         part.mesh =
-            TriangleMesh((part.mesh.points() * map.transpose()).rowwise() + shift.transpose(),
-                         part.mesh.triangles());
+            mesh::TriangleMesh((part.mesh.points() * map.transpose()).rowwise() + shift.transpose(),
+                               part.mesh.triangles());
     RigidMotion& tip = seen.pose.handles["tip"];
     tip.pivot = map * tip.pivot + shift;
     tip.translation = map * tip.translation;
@@ -76,7 +76,8 @@ TEST_P(AssemblyInvariants, WithoutMotionEveryPartIsAtRest)
     for (std::size_t k = 0; k < positions.size(); ++k)
     {
         const Points& rest = frame.assembly.parts[k].mesh.points();
-        EXPECT_LE(worst_difference(positions[k], rest), exactness(rest, size_of(frame.assembly)));
+        EXPECT_LE(worst_difference(positions[k], rest),
+                  mesh::exactness(rest, size_of(frame.assembly)));
     }
 }
 
@@ -113,7 +114,7 @@ TEST_P(AssemblyInvariants, FeaturesOfEveryPartStayRigid)
     {
         const Points& rest =
             frame.assembly.parts[static_cast<std::size_t>(feature.part)].mesh.points();
-        EXPECT_LT(feature.edge_error, exactness(rest, size)) << feature.name;
+        EXPECT_LT(feature.edge_error, mesh::exactness(rest, size)) << feature.name;
     }
 }
 
@@ -186,7 +187,7 @@ double longest_step(const Frame& frame, double from, double to, double step)
         turned.pose.handles["tip"] =
             frames::motion(Vector3::Zero(), {1.0, 0.0, 0.0}, degrees, {180.0, 30.0, 0.0});
         std::vector<Points> now;
-        for (Deformation& part : session.deform(turned.pose, Exactness::live).parts)
+        for (surface::Deformation& part : session.deform(turned.pose, Exactness::live).parts)
             now.push_back(std::move(part.positions));
         for (std::size_t k = 0; k < last.size(); ++k)
             longest = std::max(longest, worst_difference(now[k], last[k]));
@@ -209,4 +210,4 @@ INSTANTIATE_TEST_SUITE_P(Frames, AssemblyInvariants, testing::ValuesIn(frames::a
                          [](const testing::TestParamInfo<Frame>& each) { return each.param.name; });
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

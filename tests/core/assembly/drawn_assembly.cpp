@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "assembly/drawn_assembly.h"
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
+
+using namespace surface;
 
 DrawnAssembly::DrawnAssembly(unsigned seed) : draw_(seed)
 {
@@ -99,7 +101,8 @@ void DrawnAssembly::add_handle(const std::string& name, const PartRegion& where)
     if (where.vertices.empty())
         return;
     frame_.assembly.handles.push_back({name, where.part, where.vertices, draw_.happens(0.15)});
-    const TriangleMesh& mesh = frame_.assembly.parts[static_cast<std::size_t>(where.part)].mesh;
+    const mesh::TriangleMesh& mesh =
+        frame_.assembly.parts[static_cast<std::size_t>(where.part)].mesh;
     frame_.pose.handles[name] =
         drawn_motion(name, mesh.points().row(where.vertices.front()).transpose());
 }
@@ -144,7 +147,8 @@ void DrawnAssembly::bind(PartFeature& feature)
     using Type = FeatureMotion::Type;
     feature.motion.type =
         draw_.one_of<Type>({Type::fixed, Type::translation, Type::plane, Type::line, Type::axis});
-    const TriangleMesh& mesh = frame_.assembly.parts[static_cast<std::size_t>(feature.part)].mesh;
+    const mesh::TriangleMesh& mesh =
+        frame_.assembly.parts[static_cast<std::size_t>(feature.part)].mesh;
     feature.motion.point =
         mesh.points()(feature.vertices, Eigen::indexing::all).colwise().mean().transpose();
     feature.motion.direction = draw_.one_of<Vector3>(
@@ -182,7 +186,7 @@ void DrawnAssembly::add_relations()
 void DrawnAssembly::add_point()
 {
     const int part = draw_.whole(static_cast<int>(frame_.assembly.parts.size()));
-    const TriangleMesh& mesh = frame_.assembly.parts[static_cast<std::size_t>(part)].mesh;
+    const mesh::TriangleMesh& mesh = frame_.assembly.parts[static_cast<std::size_t>(part)].mesh;
     PointConstraint point{"point", draw_.whole(mesh.triangle_count()), {0.2, 0.3, 0.5}};
     point.is_turned = draw_.happens(0.2);
     point.is_rotation_free = !point.is_turned && draw_.happens(0.3);
@@ -195,4 +199,4 @@ void DrawnAssembly::add_point()
                                    point.is_turned ? draw_.within(0.2) : Vector3::Zero()};
 }
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

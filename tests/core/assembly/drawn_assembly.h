@@ -4,7 +4,7 @@
 #include "assembly/drawn_parts.h"
 #include "assembly/frames.h"
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
 
 //! A whole assembly with a pose, drawn at random: parts one after the other that branch and close
@@ -48,4 +48,4 @@ private:
     std::vector<DrawnPart> drawn_;
 };
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

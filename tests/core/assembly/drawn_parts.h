@@ -5,7 +5,7 @@
 #include "shapes.h"
 #include "shapes/growing_mesh.h"
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
 
 //! A part 180 mm long and some 60 mm wide, with what can be a feature of it.
@@ -17,7 +17,7 @@ struct DrawnPart
 };
 
 //! The vertices near places in the middle of a mesh along x.
-inline std::vector<VertexIds> patches_along(const TriangleMesh& mesh, double height)
+inline std::vector<VertexIds> patches_along(const mesh::TriangleMesh& mesh, double height)
 {
     std::vector<VertexIds> found;
     for (const double x : {50.0, 90.0, 130.0})
@@ -87,4 +87,4 @@ inline DrawnPart drawn_part(shapes::Draw& draw, const std::string& name, const V
     return drawn;
 }
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

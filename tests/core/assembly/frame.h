@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
 
 //! An assembly with one pose.
@@ -21,4 +21,4 @@ inline std::ostream& operator<<(std::ostream& out, const Frame& frame)
     return out << frame.name;
 }
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

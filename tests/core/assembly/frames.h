@@ -7,13 +7,13 @@
 
 #include <algorithm>
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
 
 template <typename Condition>
 PartRegion side(const std::string& name, const Assembly& assembly, int part, Condition condition)
 {
-    const TriangleMesh& mesh = assembly.parts[static_cast<std::size_t>(part)].mesh;
+    const mesh::TriangleMesh& mesh = assembly.parts[static_cast<std::size_t>(part)].mesh;
     return {name, part, shapes::vertices_where(mesh, condition)};
 }
 
@@ -36,7 +36,7 @@ inline void add_plate(Assembly& assembly, const std::string& name, const Vector3
         assembly.features.push_back({name + " hole" + std::to_string(k),
                                      part,
                                      plate.rims[k],
-                                     FeatureRotation::interpolated,
+                                     surface::FeatureRotation::interpolated,
                                      {},
                                      {},
                                      false});
@@ -96,4 +96,4 @@ inline Frame ring(ContactType type)
     return frame;
 }
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

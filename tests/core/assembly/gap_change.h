@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
 
 //! The worst change of the distance of a driven vertex to the place below it at rest, mm. That
@@ -21,19 +21,19 @@ inline double gap_change(const Assembly& assembly, const ContactFidelity& fideli
     const bool is_reversed = contact.a.part != fidelity.source_part;
     const PartRegion& source = is_reversed ? contact.b : contact.a;
     const PartRegion& target = is_reversed ? contact.a : contact.b;
-    const PartGeometry below(assembly.parts[at(source.part)].mesh);
+    const mesh::PartGeometry below(assembly.parts[at(source.part)].mesh);
     const Points rest = rows_of(assembly.parts[at(target.part)].mesh.points(), target.vertices);
     const Points now = rows_of(shape.parts[at(target.part)].positions, target.vertices);
     // A wall, or a row of vertices, has no triangles of its own.
     const bool is_wide =
         assembly.parts[at(source.part)].thin != Thin::no || !has_triangles(below, source.vertices);
-    const std::vector<Anchor> anchors = nearest_anchors(
+    const std::vector<mesh::Anchor> anchors = nearest_anchors(
         below, is_wide ? with_triangles_below(below, source.vertices, rest) : source.vertices,
         rest);
     double worst = 0.0;
     for (Eigen::Index k = 0; k < rest.rows(); ++k)
     {
-        const Anchor& anchor = anchors[static_cast<std::size_t>(k)];
+        const mesh::Anchor& anchor = anchors[static_cast<std::size_t>(k)];
         const double before = (rest.row(k).transpose() - anchor.on(below.mesh().points())).norm();
         const Vector3 place = anchor.on(shape.parts[at(source.part)].positions);
         worst = std::max(worst, std::abs((now.row(k).transpose() - place).norm() - before));
@@ -41,4 +41,4 @@ inline double gap_change(const Assembly& assembly, const ContactFidelity& fideli
     return worst;
 }
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

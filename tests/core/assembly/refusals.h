@@ -4,7 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "assembly/frame.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! What a session says about an assembly or a pose that it refuses; empty if it takes both.
@@ -21,4 +21,4 @@ inline std::string refusal(const frames::Frame& frame)
     return "";
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

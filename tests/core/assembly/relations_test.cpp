@@ -10,8 +10,10 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace surface;
 
 namespace
 {
@@ -51,10 +53,10 @@ std::pair<double, double> misalignment(const Frame& frame, const Deformed& shape
     {
         const PartFeature& feature = frame.assembly.features[static_cast<std::size_t>(index)];
         const Points& points = shape.parts[static_cast<std::size_t>(feature.part)].positions;
-        return fit_circle(points(feature.vertices, Eigen::indexing::all));
+        return fitting::fit_circle(points(feature.vertices, Eigen::indexing::all));
     };
-    const CircleFit one = circle(a);
-    const CircleFit other = circle(b);
+    const fitting::CircleFit one = circle(a);
+    const fitting::CircleFit other = circle(b);
     const Vector3 way = other.centre - one.centre;
     return {(way - way.dot(one.axis) * one.axis).norm(), one.axis.cross(other.axis).norm()};
 }
@@ -134,4 +136,4 @@ TEST(Relations, FeaturesOfOnePlaceHaveNoDistance)
     EXPECT_THAT(refusal(frame), HasSubstr("have the same centre"));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

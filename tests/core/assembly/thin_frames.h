@@ -3,7 +3,7 @@
 
 #include "assembly/frames.h"
 
-namespace sheetmorph::frames
+namespace sheetmorph::assembly::frames
 {
 
 //! Plates with two skins instead of one: the first stands on the lower skin, with contacts picked
@@ -27,4 +27,4 @@ inline Frame thin_solids(Frame frame)
     return frame;
 }
 
-}  // namespace sheetmorph::frames
+}  // namespace sheetmorph::assembly::frames

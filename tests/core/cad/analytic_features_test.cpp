@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
@@ -53,7 +53,7 @@ TEST(AnalyticFeatures, give_holes_of_a_step_file_to_rounding_at_any_coarseness)
                 rim.row(count++) = model.parts[0].mesh.points().row(v);
         const Points upper = rim.topRows(count);
         const double chordal = 5.0 * (1.0 - std::cos(0.5 * angle));
-        EXPECT_NEAR(fit_circle(upper).radius, 5.0, chordal);
+        EXPECT_NEAR(fitting::fit_circle(upper).radius, 5.0, chordal);
     }
 }
 
@@ -107,4 +107,4 @@ TEST(AnalyticFeatures, know_cones_and_splines)
     EXPECT_LT(pins[0].residual, 1e-4);
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

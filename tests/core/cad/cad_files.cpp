@@ -35,7 +35,7 @@
 #include <stdlib.h>
 #include <vector>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
@@ -183,4 +183,4 @@ void write_solids_brep(const std::string& path)
     BRepTools::Write(compound({cone, ring, spline}), path.c_str());
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

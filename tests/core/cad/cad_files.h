@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 //! A folder of the running test that vanishes with it.
@@ -44,4 +44,4 @@ void write_bend_brep(const std::string& path);
 //! A cone, a torus and a box that is a spline solid.
 void write_solids_brep(const std::string& path);
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

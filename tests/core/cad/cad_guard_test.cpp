@@ -6,7 +6,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -41,4 +41,4 @@ TEST(CadGuard, BlamesNobodyForMemoryThatIsReachedForInVain)
         << told;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

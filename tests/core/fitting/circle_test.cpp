@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 
 namespace
@@ -128,4 +128,4 @@ TEST(Circle, TellsWhenItDidNotSettle)
               0U);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

@@ -11,8 +11,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -66,4 +68,4 @@ TEST(CylinderFit, FlatSheetsConesAndSpheresAreNone)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::fitting
 {
 namespace
 {
@@ -87,4 +87,4 @@ TEST(RimProfile, ARoundedSquareIsNotACircle)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::fitting

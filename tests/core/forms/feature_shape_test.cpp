@@ -11,8 +11,11 @@
 #include <Eigen/Geometry>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::forms
 {
+
+using namespace fitting;
+using namespace mesh;
 
 namespace
 {
@@ -257,4 +260,4 @@ TEST(FeatureShape, OfOtherVerticesIsNone)
     EXPECT_FALSE(feature_shape(cone, of_rings(1, 2)));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::forms

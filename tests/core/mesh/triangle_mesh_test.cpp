@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 namespace
 {
@@ -57,4 +57,4 @@ TEST(TriangleMesh, ExactnessGrowsWithSizeAndDistanceFromTheOrigin)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

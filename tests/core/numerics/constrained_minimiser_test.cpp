@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -141,4 +141,4 @@ TEST(ConstrainedMinimiser, TellsWhichConstraintCannotBeMet)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -4,7 +4,7 @@
 // Cameras that look down from above the origin, x to the right and y up, on 800 x 600 px.
 #include "sheetmorph/pick/screen.h"
 
-namespace sheetmorph::cameras
+namespace sheetmorph::pick::cameras
 {
 
 //! 100 mm are seen over the height; clipping planes `depth` mm above and below the origin.
@@ -32,4 +32,4 @@ inline Screen perspective_from_above(double height)
     return Screen(to_clip, 800.0, 600.0);
 }
 
-}  // namespace sheetmorph::cameras
+}  // namespace sheetmorph::pick::cameras

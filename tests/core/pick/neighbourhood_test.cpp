@@ -7,8 +7,10 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
+
+using namespace mesh;
 
 namespace
 {
@@ -95,4 +97,4 @@ TEST(Neighbourhood, IdsOutsideTheMeshAreNamed)
     EXPECT_THROW(near.pieces({25}), InvalidInput);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

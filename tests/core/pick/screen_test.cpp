@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
 
 namespace
@@ -69,7 +69,7 @@ TEST(Screen, PlanesAroundARectangleSeparateWhatIsSeenInIt)
     for (const Screen& screen :
          {cameras::parallel_from_above(100.0), cameras::perspective_from_above(100.0)})
     {
-        const Planes planes = screen.planes_around({300, 250, -1}, {420, 500, 0.7});
+        const mesh::Planes planes = screen.planes_around({300, 250, -1}, {420, 500, 0.7});
         for (const Vector3& point : some_points())
         {
             const Vector3 seen = screen.seen(point);
@@ -126,4 +126,4 @@ TEST(ScreenOutline, OneWithoutExtentHoldsNothing)
     EXPECT_FALSE(outline_of({0, 3, 9, 3, 4, 3}).contains(5, 3));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

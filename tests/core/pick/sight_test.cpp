@@ -10,8 +10,10 @@
 
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::pick
 {
+
+using namespace mesh;
 
 namespace
 {
@@ -166,4 +168,4 @@ TEST(Sight, VerticesThatDoNotExistAreNamed)
     EXPECT_THAT(visible_vertices(tree, {3}, screens()[0], {}), ElementsAre(3));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::pick

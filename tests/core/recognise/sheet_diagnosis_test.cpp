@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -79,4 +81,4 @@ TEST(SheetDiagnosis, JudgesEveryPieceAsTheRecogniserDoes)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -11,8 +11,10 @@
 #include <numeric>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -183,4 +185,4 @@ TEST(Cures, LeaveNoTriangleTwiceWhereCutsMakeTheSame)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -140,4 +142,4 @@ TEST(SelfIntersections, AreOfATriangleFoldedOntoItsNeighbour)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -11,7 +11,7 @@ namespace sheetmorph::shapes
 //! A folded sheet with two skins, and the part of the fold that each of its vertices is in.
 struct FoldedSheet
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::vector<int> leg;       //!< (n) by vertex
     std::vector<double> along;  //!< (n) mm: the arc length in the middle of the sheet
     double thickness = 0.0;
@@ -61,7 +61,7 @@ public:
         const int across = std::max(3, static_cast<int>(std::lround(width / edge_)));
         const int stations = static_cast<int>(places_.size());
         // A grid of the same order: station by station is x, across is y.
-        const TriangleMesh flat = grid(stations - 1, across, stations - 1.0, width);
+        const mesh::TriangleMesh flat = grid(stations - 1, across, stations - 1.0, width);
         Points points(flat.vertex_count(), 3), normals(flat.vertex_count(), 3);
         std::vector<int> station;
         for (int v = 0; v < flat.vertex_count(); ++v)
@@ -72,10 +72,11 @@ public:
             points.row(v) = (places_[k] + 0.5 * thickness_ * normals_[k]).transpose();
             points(v, 1) = flat.points()(v, 1);
         }
-        FoldedSheet found{two_skinned(TriangleMesh(points, flat.triangles()), normals, thickness_),
-                          {},
-                          {},
-                          thickness_};
+        FoldedSheet found{
+            two_skinned(mesh::TriangleMesh(points, flat.triangles()), normals, thickness_),
+            {},
+            {},
+            thickness_};
         // Of a vertex of the wall: that of the nearest one above it.
         const Points& whole = found.mesh.points();
         for (int v = 0; v < found.mesh.vertex_count(); ++v)

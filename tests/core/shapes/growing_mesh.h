@@ -11,7 +11,7 @@ namespace sheetmorph::shapes
 class GrowingMesh
 {
 public:
-    explicit GrowingMesh(const TriangleMesh& mesh)
+    explicit GrowingMesh(const mesh::TriangleMesh& mesh)
     {
         for (int i = 0; i < mesh.vertex_count(); ++i)
             points_.push_back(mesh.points().row(i));
@@ -43,7 +43,7 @@ public:
     //! A component of its own over the left end, which is held or driven there.
     void add_island(Draw& draw)
     {
-        const TriangleMesh island = grid(2, 3, 12.0, 18.0);
+        const mesh::TriangleMesh island = grid(2, 3, 12.0, 18.0);
         const auto first = static_cast<int>(points_.size());
         const Eigen::RowVector3d corner(0.0, draw.number(2.0, 40.0), draw.number(4.0, 9.0));
         for (int i = 0; i < island.vertex_count(); ++i)
@@ -52,7 +52,7 @@ public:
             triangles_.push_back((island.triangles().row(t).array() + first).matrix());
     }
 
-    TriangleMesh mesh() const
+    mesh::TriangleMesh mesh() const
     {
         Points points(static_cast<Eigen::Index>(points_.size()), 3);
         for (std::size_t i = 0; i < points_.size(); ++i)
@@ -60,7 +60,7 @@ public:
         Triangles triangles(static_cast<Eigen::Index>(triangles_.size()), 3);
         for (std::size_t t = 0; t < triangles_.size(); ++t)
             triangles.row(static_cast<Eigen::Index>(t)) = triangles_[t];
-        return TriangleMesh(std::move(points), std::move(triangles));
+        return mesh::TriangleMesh(std::move(points), std::move(triangles));
     }
 
 private:

@@ -20,7 +20,7 @@ struct PlateSpec
 
 struct PlateWithHoles
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::vector<VertexIds> rims;  //!< by hole, counter-clockwise from its +x side
     VertexIds left, right;        //!< the border rows x = 0 and x = holes * cell, by rising y
 };
@@ -37,7 +37,7 @@ inline Vector3 on_square(double turn)
 }
 
 //! The cell of hole k: a polar grid, the square its outer ring and the circle its inner one.
-inline TriangleMesh plate_cell(const PlateSpec& spec, int k)
+inline mesh::TriangleMesh plate_cell(const PlateSpec& spec, int k)
 {
     const double half = 0.5 * spec.cell;
     const Vector3 centre((k + 0.5) * spec.cell, half, 0.0);
@@ -54,7 +54,7 @@ inline TriangleMesh plate_cell(const PlateSpec& spec, int k)
 
 //! The vertices that satisfy a condition on their position.
 template <typename Condition>
-VertexIds vertices_where(const TriangleMesh& mesh, Condition condition)
+VertexIds vertices_where(const mesh::TriangleMesh& mesh, Condition condition)
 {
     VertexIds ids;
     for (int i = 0; i < mesh.vertex_count(); ++i)
@@ -64,7 +64,7 @@ VertexIds vertices_where(const TriangleMesh& mesh, Condition condition)
 }
 
 //! The vertex at a position, -1 if there is none within 1e-6 mm.
-inline int vertex_at(const TriangleMesh& mesh, const Vector3& position)
+inline int vertex_at(const mesh::TriangleMesh& mesh, const Vector3& position)
 {
     int nearest = -1;
     const double distance =
@@ -76,11 +76,11 @@ inline int vertex_at(const TriangleMesh& mesh, const Vector3& position)
 inline PlateWithHoles plate_with_holes(const PlateSpec& spec = {})
 {
     PlateWithHoles plate;
-    std::vector<TriangleMesh> cells;
+    std::vector<mesh::TriangleMesh> cells;
     for (int k = 0; k < spec.holes; ++k)
         cells.push_back(plate_cell(spec, k));
     plate.mesh = welded(cells);
-    for (const TriangleMesh& cell : cells)
+    for (const mesh::TriangleMesh& cell : cells)
     {
         plate.rims.emplace_back();
         for (int i = 0; i < spec.rim; ++i)

@@ -41,7 +41,7 @@ inline Triangles cell_triangles(const Cells& cells)
 
 //! The cells mapped by position(u, v), u and v in [0, 1].
 template <typename Map>
-TriangleMesh sheet(const Cells& cells, Map position)
+mesh::TriangleMesh sheet(const Cells& cells, Map position)
 {
     const int across = cells.columns + (cells.is_closed_u ? 0 : 1);
     const int along = cells.rows + (cells.is_closed_v ? 0 : 1);
@@ -50,24 +50,24 @@ TriangleMesh sheet(const Cells& cells, Map position)
         for (int i = 0; i < across; ++i)
             points.row(j * across + i) =
                 Vector3(position(double(i) / cells.columns, double(j) / cells.rows)).transpose();
-    return TriangleMesh(std::move(points), cell_triangles(cells));
+    return mesh::TriangleMesh(std::move(points), cell_triangles(cells));
 }
 
 //! Flat, from the origin to (lx, ly, 0); (nx + 1)(ny + 1) vertices, rows along x.
-inline TriangleMesh grid(int nx, int ny, double lx, double ly)
+inline mesh::TriangleMesh grid(int nx, int ny, double lx, double ly)
 {
     return sheet({nx, ny}, [=](double u, double v) { return Vector3(lx * u, ly * v, 0.0); });
 }
 
 //! Flat, `length` by 1/4 of it, `nx` by `ny` cells that shrink towards x = 0: x = length * u^power.
-inline TriangleMesh graded_grid(int nx, int ny, double length, double power)
+inline mesh::TriangleMesh graded_grid(int nx, int ny, double length, double power)
 {
     return sheet({nx, ny}, [=](double u, double v)
                  { return Vector3(length * std::pow(u, power), 0.25 * length * v, 0.0); });
 }
 
 //! Half a tube along x, `around` by `along` cells.
-inline TriangleMesh half_pipe(int around, int along, double radius, double length)
+inline mesh::TriangleMesh half_pipe(int around, int along, double radius, double length)
 {
     return sheet(
         {along, around}, [=](double u, double v)
@@ -75,7 +75,7 @@ inline TriangleMesh half_pipe(int around, int along, double radius, double lengt
 }
 
 //! A tube about the z axis, open at both ends (z = 0 and z = height).
-inline TriangleMesh cylinder(int around, int along, double radius, double height)
+inline mesh::TriangleMesh cylinder(int around, int along, double radius, double height)
 {
     return sheet({around, along, true, false},
                  [=](double u, double v) {
@@ -85,7 +85,7 @@ inline TriangleMesh cylinder(int around, int along, double radius, double height
 }
 
 //! A flat ring about the z axis; vertices 0..around-1 are its inner rim.
-inline TriangleMesh annulus(int around, int rings, double inner, double outer)
+inline mesh::TriangleMesh annulus(int around, int rings, double inner, double outer)
 {
     return sheet({around, rings, true, false},
                  [=](double u, double v)

@@ -10,12 +10,12 @@ namespace sheetmorph::shapes
 {
 
 //! Several meshes as one, vertices nearer than about 1e-7 mm made one.
-inline TriangleMesh welded(const std::vector<TriangleMesh>& pieces)
+inline mesh::TriangleMesh welded(const std::vector<mesh::TriangleMesh>& pieces)
 {
     std::map<std::array<long long, 3>, int> found;
     std::vector<Vector3> points;
     std::vector<int> corners;
-    for (const TriangleMesh& piece : pieces)
+    for (const mesh::TriangleMesh& piece : pieces)
         for (int k = 0; k < piece.triangles().size(); ++k)
         {
             const Vector3 p = piece.points().row(piece.triangles().data()[k]);
@@ -30,13 +30,13 @@ inline TriangleMesh welded(const std::vector<TriangleMesh>& pieces)
     Points rows(points.size(), 3);
     for (std::size_t i = 0; i < points.size(); ++i)
         rows.row(i) = points[i].transpose();
-    return TriangleMesh(rows, Eigen::Map<Triangles>(corners.data(), corners.size() / 3, 3));
+    return mesh::TriangleMesh(rows, Eigen::Map<Triangles>(corners.data(), corners.size() / 3, 3));
 }
 
 //! The closed surface of a box from the origin to `sides`, n by n cells a side, normals outwards.
-inline TriangleMesh box(int n, const Vector3& sides)
+inline mesh::TriangleMesh box(int n, const Vector3& sides)
 {
-    std::vector<TriangleMesh> faces;
+    std::vector<mesh::TriangleMesh> faces;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             faces.push_back(sheet({n, n},
@@ -52,7 +52,7 @@ inline TriangleMesh box(int n, const Vector3& sides)
 }
 
 //! A sphere about the origin: an octahedron refined `levels` times; 8 * 4^levels triangles.
-inline TriangleMesh sphere(int levels, double radius)
+inline mesh::TriangleMesh sphere(int levels, double radius)
 {
     Points points(6, 3);
     points << 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1;
@@ -75,15 +75,15 @@ inline TriangleMesh sphere(int levels, double radius)
             finer.middleRows(4 * t, 4) << 0, 3, 5, 3, 1, 4, 5, 4, 2, 3, 4, 5;
             finer.middleRows(4 * t, 4).array() += 6 * t;
         }
-        const TriangleMesh merged = welded({TriangleMesh(corners, finer)});
+        const mesh::TriangleMesh merged = welded({mesh::TriangleMesh(corners, finer)});
         points = merged.points();
         triangles = merged.triangles();
     }
-    return TriangleMesh(points * radius, triangles);
+    return mesh::TriangleMesh(points * radius, triangles);
 }
 
 //! A closed ring about the z axis: `around` by `across` cells, radii of the ring and of its tube.
-inline TriangleMesh torus(int around, int across, double ring, double tube)
+inline mesh::TriangleMesh torus(int around, int across, double ring, double tube)
 {
     return sheet({around, across, true, true},
                  [=](double u, double v)

@@ -9,7 +9,7 @@ namespace sheetmorph::shapes
 
 //! A flat sheet in z = 0 (normals along +z) as a thin solid from z = -thickness to 0: the sheet,
 //! its lower side with the same numbers plus the sheet's vertex count, and a wall along every rim.
-inline TriangleMesh thickened(const TriangleMesh& mesh, double thickness)
+inline mesh::TriangleMesh thickened(const mesh::TriangleMesh& mesh, double thickness)
 {
     const int count = mesh.vertex_count();
     Points points(2 * count, 3);
@@ -20,15 +20,15 @@ inline TriangleMesh thickened(const TriangleMesh& mesh, double thickness)
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 2; k >= 0; --k)
             corners.push_back(mesh.triangles()(t, k) + count);
-    for (const BoundaryEdge& edge : boundary_edges(mesh))
+    for (const mesh::BoundaryEdge& edge : mesh::boundary_edges(mesh))
         for (const int id :
              {edge.to, edge.from, edge.from + count, edge.to, edge.from + count, edge.to + count})
             corners.push_back(id);
-    return TriangleMesh(points, Eigen::Map<Triangles>(corners.data(), corners.size() / 3, 3));
+    return mesh::TriangleMesh(points, Eigen::Map<Triangles>(corners.data(), corners.size() / 3, 3));
 }
 
 //! The same triangles, each with corners of its own, as STL has them.
-inline TriangleMesh unwelded(const TriangleMesh& mesh)
+inline mesh::TriangleMesh unwelded(const mesh::TriangleMesh& mesh)
 {
     Points points(mesh.triangles().size(), 3);
     Triangles triangles(mesh.triangle_count(), 3);
@@ -37,7 +37,7 @@ inline TriangleMesh unwelded(const TriangleMesh& mesh)
         points.row(k) = mesh.points().row(mesh.triangles().data()[k]);
         triangles.data()[k] = k;
     }
-    return TriangleMesh(points, triangles);
+    return mesh::TriangleMesh(points, triangles);
 }
 
 }  // namespace sheetmorph::shapes

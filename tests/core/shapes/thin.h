@@ -23,10 +23,11 @@ inline void add_wall(const std::vector<VertexIds>& rows, std::vector<Eigen::RowV
 //! The closed solid under an open sheet: vertex i of the sheet is vertex i, what is `thickness`
 //! behind it is vertex n + i; walls under every boundary loop have one row of vertices between.
 //! \param normals  (n, 3) of length 1
-inline TriangleMesh two_skinned(const TriangleMesh& sheet, const Points& normals, double thickness)
+inline mesh::TriangleMesh two_skinned(const mesh::TriangleMesh& sheet, const Points& normals,
+                                      double thickness)
 {
     const int count = sheet.vertex_count();
-    const std::vector<VertexIds> loops = boundary_loops(sheet);
+    const std::vector<VertexIds> loops = mesh::boundary_loops(sheet);
     std::vector<Eigen::RowVector3d> points;
     for (int skin = 0; skin < 2; ++skin)
         for (int i = 0; i < count; ++i)
@@ -56,21 +57,22 @@ inline TriangleMesh two_skinned(const TriangleMesh& sheet, const Points& normals
     Triangles all_triangles(triangles.size(), 3);
     for (std::size_t t = 0; t < triangles.size(); ++t)
         all_triangles.row(t) = triangles[t];
-    return TriangleMesh(std::move(all_points), std::move(all_triangles));
+    return mesh::TriangleMesh(std::move(all_points), std::move(all_triangles));
 }
 
 //! The same with the normals of the sheet.
-inline TriangleMesh two_skinned(const TriangleMesh& sheet, double thickness)
+inline mesh::TriangleMesh two_skinned(const mesh::TriangleMesh& sheet, double thickness)
 {
-    return two_skinned(sheet, vertex_normals(sheet.points(), sheet.triangles()), thickness);
+    return two_skinned(sheet, mesh::vertex_normals(sheet.points(), sheet.triangles()), thickness);
 }
 
 //! A plate bent along its x axis, up by an angle > 0, down by one < 0, over an arc of length `arc`
 //! that starts at x = `start`.
-inline TriangleMesh with_bend(const TriangleMesh& plate, double start, double arc, double angle)
+inline mesh::TriangleMesh with_bend(const mesh::TriangleMesh& plate, double start, double arc,
+                                    double angle)
 {
     const double radius = arc / angle;
-    return TriangleMesh(
+    return mesh::TriangleMesh(
         [&]
         {
             Points points = plate.points();

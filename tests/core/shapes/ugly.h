@@ -9,7 +9,7 @@ namespace sheetmorph::shapes
 //! The mesh with a needle at the first side of every `step`-th triangle, as T-junctions closed by
 //! slivers have it: the side gets a vertex in its middle, `height` times its length inside the
 //! triangle, which is cut there; a sliver fills what is left of it. 0 gives triangles of no area.
-inline TriangleMesh with_slivers(const TriangleMesh& mesh, int step, double height)
+inline mesh::TriangleMesh with_slivers(const mesh::TriangleMesh& mesh, int step, double height)
 {
     const Triangles& old = mesh.triangles();
     const int added = (mesh.triangle_count() + step - 1) / step;
@@ -31,11 +31,11 @@ inline TriangleMesh with_slivers(const TriangleMesh& mesh, int step, double heig
         triangles.row(old.rows() + 2 * k) << n, b, c;
         triangles.row(old.rows() + 2 * k + 1) << a, b, n;
     }
-    return TriangleMesh(points, triangles);
+    return mesh::TriangleMesh(points, triangles);
 }
 
 //! Three flat sheets of `n` by `n` cells that meet in one straight edge, like a T.
-inline TriangleMesh t_joint(int n, double side)
+inline mesh::TriangleMesh t_joint(int n, double side)
 {
     const int row = n + 1;
     Points points(row * row * 3 - 2 * row, 3);
@@ -54,7 +54,7 @@ inline TriangleMesh t_joint(int n, double side)
             triangles.row(sheet * cells.rows() + t) << id(cells(t, 0)), id(cells(t, 1)),
                 id(cells(t, 2));
     }
-    return TriangleMesh(points, triangles);
+    return mesh::TriangleMesh(points, triangles);
 }
 
 }  // namespace sheetmorph::shapes

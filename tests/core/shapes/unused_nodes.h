@@ -8,7 +8,7 @@ namespace sheetmorph::shapes
 
 //! The mesh with a node of no triangle before each of these vertices (the count: after all), as
 //! every finite element deck has some; `places` ascending.
-inline Renumbered with_unused_nodes(const TriangleMesh& mesh, const std::vector<int>& places)
+inline Renumbered with_unused_nodes(const mesh::TriangleMesh& mesh, const std::vector<int>& places)
 {
     const int count = mesh.vertex_count(), unused = static_cast<int>(places.size());
     Points points = Points::Zero(count + unused, 3);
@@ -24,11 +24,11 @@ inline Renumbered with_unused_nodes(const TriangleMesh& mesh, const std::vector<
         points.row(new_id[i]) = mesh.points().row(i);
     }
     Triangles triangles = mesh.triangles().unaryExpr([&](int id) { return new_id[id]; });
-    return {TriangleMesh(std::move(points), std::move(triangles)), new_id};
+    return {mesh::TriangleMesh(std::move(points), std::move(triangles)), new_id};
 }
 
 //! Where unused nodes may stand: first, amid, last, and everywhere.
-inline std::vector<std::vector<int>> unused_places(const TriangleMesh& mesh)
+inline std::vector<std::vector<int>> unused_places(const mesh::TriangleMesh& mesh)
 {
     const int count = mesh.vertex_count();
     return {{0}, {count / 2}, {count}, {0, 0, count / 3, count / 2, count, count}};

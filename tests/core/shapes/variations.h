@@ -14,21 +14,21 @@ namespace sheetmorph::shapes
 
 //! The same mesh with every position passed through position(p).
 template <typename Map>
-TriangleMesh mapped(const TriangleMesh& mesh, Map position)
+mesh::TriangleMesh mapped(const mesh::TriangleMesh& mesh, Map position)
 {
     Points points(mesh.vertex_count(), 3);
     for (int i = 0; i < mesh.vertex_count(); ++i)
         points.row(i) = Vector3(position(Vector3(mesh.points().row(i)))).transpose();
-    return TriangleMesh(std::move(points), mesh.triangles());
+    return mesh::TriangleMesh(std::move(points), mesh.triangles());
 }
 
-inline TriangleMesh moved(const TriangleMesh& mesh, const RigidMotion& motion)
+inline mesh::TriangleMesh moved(const mesh::TriangleMesh& mesh, const RigidMotion& motion)
 {
-    return TriangleMesh(motion.apply(mesh.points()), mesh.triangles());
+    return mesh::TriangleMesh(motion.apply(mesh.points()), mesh.triangles());
 }
 
 //! Vertices inside the bounding box in x and y moved there by up to `amplitude` mm each way.
-inline TriangleMesh jittered(const TriangleMesh& mesh, double amplitude, unsigned seed)
+inline mesh::TriangleMesh jittered(const mesh::TriangleMesh& mesh, double amplitude, unsigned seed)
 {
     std::mt19937 random(seed);
     const auto shift = [&] { return amplitude * (2.0 * (random() / 4294967296.0) - 1.0); };
@@ -45,7 +45,7 @@ inline TriangleMesh jittered(const TriangleMesh& mesh, double amplitude, unsigne
 }
 
 //! The mesh as measured: vertices off by a normal distribution of this standard deviation, mm.
-inline TriangleMesh scattered(const TriangleMesh& mesh, double deviation, unsigned seed)
+inline mesh::TriangleMesh scattered(const mesh::TriangleMesh& mesh, double deviation, unsigned seed)
 {
     std::mt19937 random(seed);
     std::normal_distribution<double> off(0.0, deviation);
@@ -58,7 +58,7 @@ inline TriangleMesh scattered(const TriangleMesh& mesh, double deviation, unsign
 }
 
 //! A flat grid as of grid(), its inner vertices moved by up to a quarter of a cell.
-inline TriangleMesh jittered_grid(int nx, int ny, double cell, unsigned seed)
+inline mesh::TriangleMesh jittered_grid(int nx, int ny, double cell, unsigned seed)
 {
     return jittered(grid(nx, ny, nx * cell, ny * cell), 0.25 * cell, seed);
 }
@@ -66,11 +66,11 @@ inline TriangleMesh jittered_grid(int nx, int ny, double cell, unsigned seed)
 //! A mesh whose vertices carry other numbers: vertex i of the old one is new_id[i].
 struct Renumbered
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     VertexIds new_id;
 };
 
-inline Renumbered renumbered(const TriangleMesh& mesh, unsigned seed)
+inline Renumbered renumbered(const mesh::TriangleMesh& mesh, unsigned seed)
 {
     std::mt19937 random(seed);
     VertexIds order(mesh.vertex_count());
@@ -81,7 +81,7 @@ inline Renumbered renumbered(const TriangleMesh& mesh, unsigned seed)
     for (int i = 0; i < mesh.vertex_count(); ++i)
         points.row(order[i]) = mesh.points().row(i);
     Triangles triangles = mesh.triangles().unaryExpr([&](int id) { return order[id]; });
-    return {TriangleMesh(std::move(points), std::move(triangles)), order};
+    return {mesh::TriangleMesh(std::move(points), std::move(triangles)), order};
 }
 
 }  // namespace sheetmorph::shapes

@@ -3,11 +3,11 @@
 
 #include "surface/cases.h"
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 //! Held at the bottom of z, moved at its top, one feature at the side.
-inline Case closed_or_tube(const std::string& name, TriangleMesh mesh)
+inline Case closed_or_tube(const std::string& name, mesh::TriangleMesh mesh)
 {
     Case one{name, std::move(mesh), {}, {}};
     const double low = one.mesh.points().col(2).minCoeff();
@@ -89,4 +89,4 @@ inline std::vector<Case> with_free_features(std::vector<Case> cases)
     return cases;
 }
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

@@ -3,7 +3,7 @@
 
 #include "surface/strip.h"
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 //! A strip of 100 x 25 mm, uniform or finer towards x = 0 by x = 100 u^1.6, its tip lifted by 10
@@ -77,4 +77,4 @@ inline double cantilever_error(Energy energy, int elements, bool is_graded)
                                 });
 }
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

@@ -7,14 +7,14 @@
 
 #include <ostream>
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 //! A part with constraints and one pose of it.
 struct Case
 {
     std::string name;
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     SurfaceConstraints constraints;
     SurfaceTargets targets;
 };
@@ -25,7 +25,7 @@ inline std::ostream& operator<<(std::ostream& out, const Case& one)
 }
 
 template <typename Condition>
-KnownRegion region(const std::string& name, const TriangleMesh& mesh, Condition condition)
+KnownRegion region(const std::string& name, const mesh::TriangleMesh& mesh, Condition condition)
 {
     return {name, shapes::vertices_where(mesh, condition),
             name == "root" ? "fixed region" : "handle"};
@@ -38,8 +38,8 @@ inline RigidMotion motion(const Vector3& shift, const Vector3& axis, double degr
 }
 
 // The vertices nearest to `centre`, as one feature.
-inline FormFeature patch(const std::string& name, const TriangleMesh& mesh, const Vector3& centre,
-                         double radius)
+inline FormFeature patch(const std::string& name, const mesh::TriangleMesh& mesh,
+                         const Vector3& centre, double radius)
 {
     return {name,
             shapes::vertices_where(mesh,
@@ -47,7 +47,8 @@ inline FormFeature patch(const std::string& name, const TriangleMesh& mesh, cons
             FeatureRotation::interpolated, "feature"};
 }
 
-inline Case plate(const std::string& name, TriangleMesh mesh, const shapes::PlateWithHoles& plate)
+inline Case plate(const std::string& name, mesh::TriangleMesh mesh,
+                  const shapes::PlateWithHoles& plate)
 {
     Case one{name, std::move(mesh), {}, {}};
     one.constraints.fixed = {{"root", plate.left, "fixed region"}};
@@ -80,4 +81,4 @@ inline Case bent_plate()
     return plate("bent_plate", shapes::mapped(made.mesh, bend), made);
 }
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

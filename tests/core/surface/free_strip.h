@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 constexpr double degree = shapes::pi / 180.0;
@@ -83,4 +83,4 @@ inline double bending(const Case& one, const Points& shape)
     return sum;
 }
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

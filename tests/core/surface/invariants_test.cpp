@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -74,7 +74,7 @@ TEST_P(Invariants, FeaturesKeepTheirShapeAndTurnByARotation)
 {
     const Case& one = GetParam();
     const Deformation shape = SurfaceDeformer(one.mesh, one.constraints).deform(one.targets);
-    const double tolerance = exactness(one.mesh.points(), one.mesh.size());
+    const double tolerance = mesh::exactness(one.mesh.points(), one.mesh.size());
     for (std::size_t k = 0; k < one.constraints.features.size(); ++k)
     {
         const Matrix3 rotation = shape.features[k].rotation();
@@ -131,7 +131,7 @@ TEST_P(Invariants, MillimetresAndMetresGiveTheSameShape)
 {
     const Case& one = GetParam();
     Case metres = one;
-    metres.mesh = TriangleMesh(one.mesh.points() / 1000.0, one.mesh.triangles());
+    metres.mesh = mesh::TriangleMesh(one.mesh.points() / 1000.0, one.mesh.triangles());
     metres.targets.handles[0].translation /= 1000.0;
     metres.targets.handles[0].pivot /= 1000.0;
     EXPECT_LT(worst_difference(1000.0 * solve(metres), solve(one)), 1e-9 * one.mesh.size());
@@ -142,7 +142,7 @@ TEST_P(Invariants, AMirroredPartGivesTheMirroredAnswer)
     const Case& one = GetParam();
     const Vector3 flip(1.0, -1.0, 1.0);
     Case mirrored = one;
-    mirrored.mesh = TriangleMesh(one.mesh.points() * flip.asDiagonal(), one.mesh.triangles());
+    mirrored.mesh = mesh::TriangleMesh(one.mesh.points() * flip.asDiagonal(), one.mesh.triangles());
     RigidMotion& handle = mirrored.targets.handles[0];
     handle.translation = flip.asDiagonal() * handle.translation;
     handle.pivot = flip.asDiagonal() * handle.pivot;
@@ -208,4 +208,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Case>& each) { return each.param.name; });
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

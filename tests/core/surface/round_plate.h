@@ -3,7 +3,7 @@
 
 #include "surface/analytic.h"
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 //! A round plate of radius 50 mm, its rim held, its middle lifted by 1 mm:
@@ -25,7 +25,7 @@ inline double round_plate_error(Energy energy, int rings, double power)
         triangles.row(k) << 0, 1 + k, 1 + (k + 1) % around;
     const Triangles outer = shapes::cell_triangles({around, rings - 1, true, false});
     triangles.bottomRows(outer.rows()) = outer.array() + 1;
-    Case one{"round_plate", TriangleMesh(points, triangles), {}, {}};
+    Case one{"round_plate", mesh::TriangleMesh(points, triangles), {}, {}};
     one.constraints.energy = energy;
     one.constraints.fixed = {
         region("root", one.mesh, [](const Vector3& p) { return p.norm() > 49.999; })};
@@ -39,4 +39,4 @@ inline double round_plate_error(Energy energy, int rings, double power)
                               });
 }
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

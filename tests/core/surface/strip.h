@@ -3,7 +3,7 @@
 
 #include "surface/cases.h"
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 // A strip of 100 x 25 mm: held at x = 0, its handle at x = 100.
@@ -23,4 +23,4 @@ inline Deformation solve(const Case& one)
     return SurfaceDeformer(one.mesh, one.constraints).deform(one.targets);
 }
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -169,7 +169,7 @@ TEST(SurfaceDeformer, VerticesOfNoTriangleStayAtRest)
     Case one = strip();
     Points points(one.mesh.vertex_count() + 1, 3);
     points << one.mesh.points(), Eigen::RowVector3d(99.0, 12.0, 4.0);
-    one.mesh = TriangleMesh(points, one.mesh.triangles());
+    one.mesh = mesh::TriangleMesh(points, one.mesh.triangles());
     one.constraints.fixed.clear();
     one.targets.handles = {cases::motion({5.0, 6.0, 7.0}, {0.0, 1.0, 1.0}, 100.0, Vector3::Zero())};
     EXPECT_EQ(solve(one).positions.bottomRows(1), points.bottomRows(1));
@@ -193,7 +193,7 @@ Case ugly_strip()
     triangles << t, t.row(30), Eigen::RowVector3i(t(50, 0), t(50, 0), t(50, 1)),
         Eigen::RowVector3i(t(41, 0), n, t(41, 1)), Eigen::RowVector3i(t(41, 0), n, n + 1),
         Eigen::RowVector3i(n, t(41, 1), n + 1);
-    one.mesh = TriangleMesh(points, triangles);
+    one.mesh = mesh::TriangleMesh(points, triangles);
     return one;
 }
 
@@ -254,4 +254,4 @@ TEST(SurfaceDeformer, ReportsProgressAndStopsWhenAsked)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

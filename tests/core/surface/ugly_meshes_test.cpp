@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST(UglyMeshes, ThreeSheetsThatMeetInAnEdgeBendTogether)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

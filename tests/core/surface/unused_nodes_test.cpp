@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -138,4 +138,4 @@ INSTANTIATE_TEST_SUITE_P(All, UnusedNodes, testing::ValuesIn(all_kinds()),
                          [](const auto& given) { return given.param.name; });
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -9,8 +9,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
+
+using namespace numerics;
 
 namespace
 {
@@ -111,4 +113,4 @@ TEST(DenseProductsTest, AgreeWithEigenForEveryRemainder)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -117,4 +117,4 @@ TEST(ControlMeshTest, TheLaplacianOfAConstantIsZero)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -8,26 +8,26 @@
 #include <Eigen/Geometry>
 #include <numeric>
 
-namespace sheetmorph::scene
+namespace sheetmorph::volume::scene
 {
 
 //! Two sheets one above the other, linked by one control mesh around both.
 struct LinkedSheets
 {
-    TriangleMesh source, target;
+    mesh::TriangleMesh source, target;
     ControlMesh control;
     LocalRotationMeter meter;
     VolumeLink link;
 };
 
-inline VertexIds all_vertices(const TriangleMesh& mesh)
+inline VertexIds all_vertices(const mesh::TriangleMesh& mesh)
 {
     VertexIds ids(mesh.vertex_count());
     std::iota(ids.begin(), ids.end(), 0);
     return ids;
 }
 
-inline Points vertex_normals(const TriangleMesh& mesh)
+inline Points vertex_normals(const mesh::TriangleMesh& mesh)
 {
     Points normals = Points::Zero(mesh.vertex_count(), 3);
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -41,7 +41,7 @@ inline Points vertex_normals(const TriangleMesh& mesh)
     return normals.rowwise().normalized();
 }
 
-inline LinkedSheets linked(const TriangleMesh& source, const TriangleMesh& target,
+inline LinkedSheets linked(const mesh::TriangleMesh& source, const mesh::TriangleMesh& target,
                            const LinkOptions& options, const Matrix3& frame = Matrix3::Identity())
 {
     Points both(source.vertex_count() + target.vertex_count(), 3);
@@ -71,4 +71,4 @@ inline double farthest(const Points& a, const Points& b)
     return (a - b).rowwise().norm().maxCoeff();
 }
 
-}  // namespace sheetmorph::scene
+}  // namespace sheetmorph::volume::scene

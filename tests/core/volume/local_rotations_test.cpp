@@ -10,8 +10,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
+
+using namespace mesh;
 
 namespace
 {
@@ -224,4 +226,4 @@ TEST(MeanMotionTest, TurnsAsTheSourceDoesWhereNoLogNearbyTellsIt)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -11,8 +11,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
+
+using namespace numerics;
 
 namespace
 {
@@ -312,4 +314,4 @@ TEST(MeanValueCoordinatesTest, AnOpenMeshIsRefusedWithTheEdge)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

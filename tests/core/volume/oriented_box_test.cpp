@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -123,4 +123,4 @@ TEST(OrientedBoxTest, NoPointsAndNegativeMarginsAreRefused)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

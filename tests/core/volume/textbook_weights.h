@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 // The scalar textbook weights in extended precision, for points well off every triangle's plane.
@@ -41,4 +41,4 @@ inline Eigen::VectorXd textbook_weights(const Points& vertices, const Triangles&
     return (weights / weights.sum()).cast<double>();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
+
+using namespace mesh;
 
 namespace
 {
@@ -355,4 +357,4 @@ TEST(VolumeLinkTest, ArraysThatDisagreeAreRefused)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -158,8 +158,8 @@ MUTATIONS = [
     ),
     Mutation(
         SYMMETRY,
-        "has_direction = feature.motion.type == FeatureMotion::Type::plane",
-        "has_direction = feature.motion.type != FeatureMotion::Type::plane",
+        "has_direction = feature.motion.type == surface::FeatureMotion::Type::plane",
+        "has_direction = feature.motion.type != surface::FeatureMotion::Type::plane",
         "SymmetryPlan.*",
     ),
     Mutation(

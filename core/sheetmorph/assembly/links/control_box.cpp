@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -104,24 +104,26 @@ ControlBoxes::ControlBoxes(const Assembly& assembly) : everything_(all_points(as
     const double size =
         (everything_.colwise().maxCoeff() - everything_.colwise().minCoeff()).norm();
     const Matrix3 landmarks = landmark_axes(assembly, centroid(everything_), size);
-    axes_ = principal_axes(everything_, {}, landmarks);
+    axes_ = volume::principal_axes(everything_, {}, landmarks);
     for (const Part& part : assembly.parts)
-        part_axes_.push_back(
-            part.mesh.vertex_count() == 0 ? axes_ : principal_axes(part.mesh.points(), {}, axes_));
+        part_axes_.push_back(part.mesh.vertex_count() == 0
+                                 ? axes_
+                                 : volume::principal_axes(part.mesh.points(), {}, axes_));
     options_.single_point_size = single_point_share * size;
 }
 
-OrientedBox ControlBoxes::around_everything() const
+volume::OrientedBox ControlBoxes::around_everything() const
 {
-    return oriented_box(everything_, axes_, options_);
+    return volume::oriented_box(everything_, axes_, options_);
 }
 
-OrientedBox ControlBoxes::around(const Points& points, int part) const
+volume::OrientedBox ControlBoxes::around(const Points& points, int part) const
 {
-    return oriented_box(points, principal_axes(points, {}, part_axes_[at(part)]), options_);
+    return volume::oriented_box(points, volume::principal_axes(points, {}, part_axes_[at(part)]),
+                                options_);
 }
 
-std::vector<char> inside(const OrientedBox& box, const Points& points)
+std::vector<char> inside(const volume::OrientedBox& box, const Points& points)
 {
     std::vector<char> is_inside(static_cast<std::size_t>(points.rows()));
     for (Eigen::Index row = 0; row < points.rows(); ++row)
@@ -133,4 +135,4 @@ std::vector<char> inside(const OrientedBox& box, const Points& points)
     return is_inside;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/assembly.h"
 #include "sheetmorph/volume/oriented_box.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Rows `ids` of points.
@@ -22,19 +22,19 @@ public:
     explicit ControlBoxes(const Assembly& assembly);
 
     //! The box around the whole assembly.
-    OrientedBox around_everything() const;
+    volume::OrientedBox around_everything() const;
 
     //! The box around points of a contact whose source is `part`.
-    OrientedBox around(const Points& points, int part) const;
+    volume::OrientedBox around(const Points& points, int part) const;
 
 private:
     Points everything_;
     Matrix3 axes_;
     std::vector<Matrix3> part_axes_;
-    BoxOptions options_;
+    volume::BoxOptions options_;
 };
 
 //! Which rows of `points` lie in the box.
-std::vector<char> inside(const OrientedBox& box, const Points& points);
+std::vector<char> inside(const volume::OrientedBox& box, const Points& points);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

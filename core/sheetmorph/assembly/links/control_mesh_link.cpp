@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -26,7 +26,7 @@ constexpr std::size_t most_samples = 2000;
 constexpr double farthest_offset = 10.0;
 
 // The box of a region that is small beside the edges around it, wide enough for offsets.
-OrientedBox around_offsets(OrientedBox box, double offset)
+volume::OrientedBox around_offsets(volume::OrientedBox box, double offset)
 {
     const Vector3 before = box.half_extents;
     box.half_extents = before.cwiseMax(offset / farthest_offset);
@@ -36,13 +36,13 @@ OrientedBox around_offsets(OrientedBox box, double offset)
 
 // The vertices of a region that triangles of some extent have: only these have an area and a normal
 // of their own. All, if there is none.
-VertexIds on_the_sheet(const Submesh& patch, const VertexIds& source)
+VertexIds on_the_sheet(const mesh::Submesh& patch, const VertexIds& source)
 {
-    const std::vector<int> label = connected_components(patch.mesh).label;
+    const std::vector<int> label = mesh::connected_components(patch.mesh).label;
     VertexIds found;
     for (const int vertex : source)
         if (const int row = patch.index_of[at(vertex)];
-            row >= 0 && label[at(row)] != Components::unused)
+            row >= 0 && label[at(row)] != mesh::Components::unused)
             found.push_back(vertex);
     return found.empty() ? source : found;
 }
@@ -57,13 +57,13 @@ VertexIds sampled(const VertexIds& source)
 }
 
 // h of the offset samples: the median length of the edges at the source.
-double median_edge(const Submesh& patch, const VertexIds& source)
+double median_edge(const mesh::Submesh& patch, const VertexIds& source)
 {
     std::vector<char> inside(patch.index_of.size(), 0);
     for (const int vertex : source)
         inside[at(vertex)] = 1;
     std::vector<double> lengths;
-    const TriangleMesh& mesh = patch.mesh;
+    const mesh::TriangleMesh& mesh = patch.mesh;
     for (int t = 0; t < mesh.triangle_count(); ++t)
         for (int k = 0; k < 3; ++k)
         {
@@ -72,20 +72,21 @@ double median_edge(const Submesh& patch, const VertexIds& source)
             if (inside[at(patch.vertices[at(a)])] || inside[at(patch.vertices[at(b)])])
                 lengths.push_back((mesh.points().row(a) - mesh.points().row(b)).norm());
         }
-    return median(std::move(lengths));
+    return mesh::median(std::move(lengths));
 }
 
-LinkSource link_source(const TriangleMesh& mesh, const Submesh& patch, const VertexIds& samples)
+volume::LinkSource link_source(const mesh::TriangleMesh& mesh, const mesh::Submesh& patch,
+                               const VertexIds& samples)
 {
-    LinkSource source;
+    volume::LinkSource source;
     source.points = rows_of(mesh.points(), samples);
     source.normals = Eigen::RowVector3d::UnitZ().replicate(source.points.rows(), 1);
     source.areas = Eigen::VectorXd::Zero(source.points.rows());
     // Triangles of a deck may face both ways; normals of neighbours must not cancel.
-    const TriangleMesh facing =
-        oriented(patch.mesh, consistent_orientation(patch.mesh, EdgeTable(patch.mesh)));
-    const Points normals = vertex_normals(facing.points(), facing.triangles());
-    const Eigen::VectorXd areas = voronoi_areas(patch.mesh);
+    const mesh::TriangleMesh facing = mesh::oriented(
+        patch.mesh, mesh::consistent_orientation(patch.mesh, mesh::EdgeTable(patch.mesh)));
+    const Points normals = mesh::vertex_normals(facing.points(), facing.triangles());
+    const Eigen::VectorXd areas = mesh::voronoi_areas(patch.mesh);
     for (Eigen::Index k = 0; k < source.areas.size(); ++k)
         if (const int row = patch.index_of[at(samples[at(k)])]; row >= 0)
         {
@@ -98,12 +99,12 @@ LinkSource link_source(const TriangleMesh& mesh, const Submesh& patch, const Ver
 //! The source of a link with the triangles around it.
 struct Source
 {
-    Source(const PartGeometry& part, const VertexIds& region)
+    Source(const mesh::PartGeometry& part, const VertexIds& region)
         : Source(part, region, part.patch(region))
     {
     }
 
-    Source(const PartGeometry& part, const VertexIds& region, const Submesh& patch)
+    Source(const mesh::PartGeometry& part, const VertexIds& region, const mesh::Submesh& patch)
         : vertices(sampled(on_the_sheet(patch, region))),
           samples(link_source(part.mesh(), patch, vertices)),
           edge(median_edge(patch, region))
@@ -111,7 +112,7 @@ struct Source
     }
 
     VertexIds vertices;
-    LinkSource samples;
+    volume::LinkSource samples;
     double edge;  // mm
 };
 
@@ -121,54 +122,57 @@ public:
     ControlMeshLink(const MotionLinkInput& input, const ControlMeshOptions& options)
         : source_(input.source_part, input.source),
           meter_(input.source_part, source_.vertices),
-          control_(ControlShape::shared(options.levels), around_offsets(options.box, source_.edge)),
+          control_(volume::ControlShape::shared(options.levels),
+                   around_offsets(options.box, source_.edge)),
           link_(control_, source_.samples, input.targets, {options.smoothness, source_.edge})
     {
     }
 
-    LinkedTargets transfer(const Deformation& source, Exactness exactness) const override
+    volume::LinkedTargets transfer(const surface::Deformation& source,
+                                   Exactness exactness) const override
     {
         return link_.transfer(state_of(source), exactness);
     }
 
-    LinkedRates transfer_rate(const Deformation& source, const DeformationRate& rate) const override
+    volume::LinkedRates transfer_rate(const surface::Deformation& source,
+                                      const surface::DeformationRate& rate) const override
     {
         const TurnedRates turned = turned_rates(meter_, source_.vertices, {source, rate});
-        SourceRate change;
+        volume::SourceRate change;
         change.positions = rows_of(rate.positions, source_.vertices);
         change.spins = turned.spins;
-        const SourceState state = state_of(source);
-        change.mean =
-            mean_motion_rate(state.mean, change.positions, turned.logs, source_.samples.areas);
+        const volume::SourceState state = state_of(source);
+        change.mean = volume::mean_motion_rate(state.mean, change.positions, turned.logs,
+                                               source_.samples.areas);
         return link_.transfer_rate(state, change);
     }
 
     VertexIds reads() const override { return meter_.reads(); }
 
-    std::optional<ShownControlMesh> control_mesh(const Deformation& source) const override
+    std::optional<ShownControlMesh> control_mesh(const surface::Deformation& source) const override
     {
         return ShownControlMesh{link_.control_vertices(state_of(source)),
                                 control_.shape.triangles()};
     }
 
 private:
-    SourceState state_of(const Deformation& source) const
+    volume::SourceState state_of(const surface::Deformation& source) const
     {
-        LocalRotations turned =
+        volume::LocalRotations turned =
             meter_.measure(source.positions, rows_of(source.rotation_logs, source_.vertices));
-        SourceState state;
+        volume::SourceState state;
         state.positions = rows_of(source.positions, source_.vertices);
-        state.mean =
-            mean_motion(source_.samples.points, state.positions, turned, source_.samples.areas);
+        state.mean = volume::mean_motion(source_.samples.points, state.positions, turned,
+                                         source_.samples.areas);
         state.rotations = std::move(turned.matrices);
         state.logs = std::move(turned.logs);
         return state;
     }
 
     Source source_;
-    LocalRotationMeter meter_;
-    ControlMesh control_;
-    VolumeLink link_;
+    volume::LocalRotationMeter meter_;
+    volume::ControlMesh control_;
+    volume::VolumeLink link_;
 };
 
 }  // namespace
@@ -179,4 +183,4 @@ std::unique_ptr<MotionLink> control_mesh_link(const MotionLinkInput& input,
     return std::make_unique<ControlMeshLink>(input, options);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -3,10 +3,10 @@
 
 #include "sheetmorph/assembly/links/control_box.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
-TurnedRates turned_rates(const LocalRotationMeter& meter, const VertexIds& vertices,
+TurnedRates turned_rates(const volume::LocalRotationMeter& meter, const VertexIds& vertices,
                          const PartInMotion& part)
 {
     const Points references = rows_of(part.shape.rotation_logs, vertices);
@@ -27,4 +27,4 @@ TurnedRates turned_rates(const LocalRotationMeter& meter, const VertexIds& verti
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! A control mesh to be shown.
@@ -28,24 +28,26 @@ public:
 
     //! \param source  the source part in one pose
     //! \returns       the targets' positions and rotations, rows in the order they were given
-    virtual LinkedTargets transfer(const Deformation& source, Exactness exactness) const = 0;
+    virtual volume::LinkedTargets transfer(const surface::Deformation& source,
+                                           Exactness exactness) const = 0;
 
     //! How that changes, where the source part does.
     //! \throws NoDerivative where sheets are turned by about a whole turn
-    virtual LinkedRates transfer_rate(const Deformation& source,
-                                      const DeformationRate& rate) const = 0;
+    virtual volume::LinkedRates transfer_rate(const surface::Deformation& source,
+                                              const surface::DeformationRate& rate) const = 0;
 
     //! The vertices of the source part whose positions and logs transfer() reads, ascending.
     virtual VertexIds reads() const = 0;
 
     //! The control mesh in that pose; nothing if the link has none.
-    virtual std::optional<ShownControlMesh> control_mesh(const Deformation& source) const = 0;
+    virtual std::optional<ShownControlMesh> control_mesh(
+        const surface::Deformation& source) const = 0;
 };
 
 //! What every link starts from; only read during construction.
 struct MotionLinkInput
 {
-    const PartGeometry& source_part;
+    const mesh::PartGeometry& source_part;
     const VertexIds& source;
     const Points& targets;  //!< (k, 3) mm at rest
 };
@@ -53,7 +55,7 @@ struct MotionLinkInput
 //! How the control mesh of a link is made.
 struct ControlMeshOptions
 {
-    OrientedBox box;
+    volume::OrientedBox box;
     int levels = 3;
     double smoothness = 0.05;
 };
@@ -67,4 +69,4 @@ std::unique_ptr<MotionLink> control_mesh_link(const MotionLinkInput& input,
 //! frame, as *TIE of FE codes: p = q + R (p_hat - q_hat), so that the gap keeps its length.
 std::unique_ptr<MotionLink> tied_link(const MotionLinkInput& input);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

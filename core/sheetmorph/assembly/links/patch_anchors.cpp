@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
 {
 
 // The triangles with all corners in the region.
-std::vector<int> triangles_inside(const PartGeometry& part, VertexIds region)
+std::vector<int> triangles_inside(const mesh::PartGeometry& part, VertexIds region)
 {
     make_set(region);
     std::vector<int> found;
@@ -29,7 +29,8 @@ std::vector<int> triangles_inside(const PartGeometry& part, VertexIds region)
     return found;
 }
 
-Anchor nearest_vertex(const TriangleMesh& mesh, const VertexIds& region, const Vector3& point)
+mesh::Anchor nearest_vertex(const mesh::TriangleMesh& mesh, const VertexIds& region,
+                            const Vector3& point)
 {
     int nearest = region.front();
     double shortest = std::numeric_limits<double>::infinity();
@@ -42,23 +43,23 @@ Anchor nearest_vertex(const TriangleMesh& mesh, const VertexIds& region, const V
             nearest = vertex;
         }
     }
-    return Anchor::at_vertex(nearest);
+    return mesh::Anchor::at_vertex(nearest);
 }
 
 }  // namespace
 
-std::vector<Anchor> nearest_anchors(const PartGeometry& part, const VertexIds& region,
-                                    const Points& targets)
+std::vector<mesh::Anchor> nearest_anchors(const mesh::PartGeometry& part, const VertexIds& region,
+                                          const Points& targets)
 {
-    std::vector<Anchor> anchors;
-    const Submesh patch = submesh(part.mesh(), triangles_inside(part, region));
-    const PickingTree tree(patch.mesh);
+    std::vector<mesh::Anchor> anchors;
+    const mesh::Submesh patch = mesh::submesh(part.mesh(), triangles_inside(part, region));
+    const mesh::PickingTree tree(patch.mesh);
     for (Eigen::Index row = 0; row < targets.rows(); ++row)
     {
         const Vector3 point = targets.row(row).transpose();
-        const std::optional<Hit> hit =
+        const std::optional<mesh::Hit> hit =
             patch.mesh.triangle_count() > 0 ? tree.nearest_point(point) : std::nullopt;
-        anchors.push_back(hit ? Anchor::at(*hit, patch.mesh.triangles())
+        anchors.push_back(hit ? mesh::Anchor::at(*hit, patch.mesh.triangles())
                               : nearest_vertex(part.mesh(), region, point));
         for (int& corner : anchors.back().corners)
             if (hit)
@@ -67,17 +68,18 @@ std::vector<Anchor> nearest_anchors(const PartGeometry& part, const VertexIds& r
     return anchors;
 }
 
-bool has_triangles(const PartGeometry& part, const VertexIds& region)
+bool has_triangles(const mesh::PartGeometry& part, const VertexIds& region)
 {
     return !triangles_inside(part, region).empty();
 }
 
-VertexIds with_triangles_below(const PartGeometry& part, const VertexIds& region,
+VertexIds with_triangles_below(const mesh::PartGeometry& part, const VertexIds& region,
                                const Points& targets)
 {
     VertexIds corners;
     for (Eigen::Index row = 0; row < targets.rows(); ++row)
-        if (const std::optional<Hit> hit = part.tree().nearest_point(targets.row(row).transpose()))
+        if (const std::optional<mesh::Hit> hit =
+                part.tree().nearest_point(targets.row(row).transpose()))
             for (int k = 0; k < 3; ++k)
                 corners.push_back(part.mesh().triangles()(hit->triangle, k));
     VertexIds wide = region;
@@ -85,4 +87,4 @@ VertexIds with_triangles_below(const PartGeometry& part, const VertexIds& region
     return wide;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -4,20 +4,20 @@
 #include "sheetmorph/mesh/search/anchor.h"
 #include "sheetmorph/mesh/search/part_geometry.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! For every target the nearest point of a region: on its triangles with all corners in the region,
 //! or its nearest vertex if it has no such triangle (a straight row, a single vertex).
-std::vector<Anchor> nearest_anchors(const PartGeometry& part, const VertexIds& region,
-                                    const Points& targets);
+std::vector<mesh::Anchor> nearest_anchors(const mesh::PartGeometry& part, const VertexIds& region,
+                                          const Points& targets);
 
 //! Whether a region has a triangle with all its corners.
-bool has_triangles(const PartGeometry& part, const VertexIds& region);
+bool has_triangles(const mesh::PartGeometry& part, const VertexIds& region);
 
 //! The region with the triangles of the mesh that are nearest to the targets. What stands on a
 //! coarse mesh, or on the wall of a sheet, touches triangles none of which the region has whole.
-VertexIds with_triangles_below(const PartGeometry& part, const VertexIds& region,
+VertexIds with_triangles_below(const mesh::PartGeometry& part, const VertexIds& region,
                                const Points& targets);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -34,14 +34,14 @@ public:
                                    .transpose();
     }
 
-    LinkedTargets transfer(const Deformation& source, Exactness) const override
+    volume::LinkedTargets transfer(const surface::Deformation& source, Exactness) const override
     {
-        const LocalRotations turned =
+        const volume::LocalRotations turned =
             meter_.measure(source.positions, rows_of(source.rotation_logs, corners_));
-        LinkedTargets result{Points(arms_.rows(), 3), Points(arms_.rows(), 3), {}};
+        volume::LinkedTargets result{Points(arms_.rows(), 3), Points(arms_.rows(), 3), {}};
         for (Eigen::Index row = 0; row < arms_.rows(); ++row)
         {
-            const Anchor& anchor = anchors_[static_cast<std::size_t>(row)];
+            const mesh::Anchor& anchor = anchors_[static_cast<std::size_t>(row)];
             const Matrix3 rotation =
                 anchor.rotation([&](int corner) -> const Matrix3&
                                 { return turned.matrices[corner_index(corner)]; });
@@ -57,14 +57,15 @@ public:
         return result;
     }
 
-    LinkedRates transfer_rate(const Deformation& source, const DeformationRate& rate) const override
+    volume::LinkedRates transfer_rate(const surface::Deformation& source,
+                                      const surface::DeformationRate& rate) const override
     {
         const TurnedRates turned = turned_rates(meter_, corners_, {source, rate});
-        LinkedRates found{Points(arms_.rows(), 3), Points(arms_.rows(), 3),
-                          Points(arms_.rows(), 3)};
+        volume::LinkedRates found{Points(arms_.rows(), 3), Points(arms_.rows(), 3),
+                                  Points(arms_.rows(), 3)};
         for (Eigen::Index row = 0; row < arms_.rows(); ++row)
         {
-            const Anchor& anchor = anchors_[static_cast<std::size_t>(row)];
+            const mesh::Anchor& anchor = anchors_[static_cast<std::size_t>(row)];
             Matrix3 map = Matrix3::Zero(), change = Matrix3::Zero();
             for (std::size_t k = 0; k < 3; ++k)
             {
@@ -93,13 +94,13 @@ public:
 
     VertexIds reads() const override { return meter_.reads(); }
 
-    std::optional<ShownControlMesh> control_mesh(const Deformation&) const override
+    std::optional<ShownControlMesh> control_mesh(const surface::Deformation&) const override
     {
         return std::nullopt;
     }
 
 private:
-    Vector3 displacement(const Anchor& anchor, const Deformation& source) const
+    Vector3 displacement(const mesh::Anchor& anchor, const surface::Deformation& source) const
     {
         return anchor.sum(
             [&](int corner) {
@@ -119,18 +120,18 @@ private:
         return static_cast<Eigen::Index>(corner_index(vertex));
     }
 
-    static VertexIds corners_of(const std::vector<Anchor>& anchors)
+    static VertexIds corners_of(const std::vector<mesh::Anchor>& anchors)
     {
         VertexIds corners;
-        for (const Anchor& anchor : anchors)
+        for (const mesh::Anchor& anchor : anchors)
             corners.insert(corners.end(), anchor.corners.begin(), anchor.corners.end());
         make_set(corners);
         return corners;
     }
 
-    std::vector<Anchor> anchors_;
+    std::vector<mesh::Anchor> anchors_;
     VertexIds corners_;
-    LocalRotationMeter meter_;
+    volume::LocalRotationMeter meter_;
     Points targets_;
     Points arms_;
     Points rest_corners_;  // rows as corners_
@@ -143,4 +144,4 @@ std::unique_ptr<MotionLink> tied_link(const MotionLinkInput& input)
     return std::make_unique<TiedLink>(input);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -9,7 +9,7 @@
 #include <map>
 #include <sstream>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -22,8 +22,8 @@ std::string in_mm(double length)
     return text.str();
 }
 
-void check_size(const Assembly& assembly, const PartFeature& feature, const FeatureShape& shape,
-                double size)
+void check_size(const Assembly& assembly, const PartFeature& feature,
+                const forms::FeatureShape& shape, double size)
 {
     if (std::isfinite(size) && size > shape.smallest)
         return;
@@ -43,9 +43,9 @@ bool is_sized(const PartFeature& feature)
     return feature.is_resizable || feature.size.has_value();
 }
 
-std::vector<std::optional<FeatureShape>> shapes_of_sized(const Assembly& assembly)
+std::vector<std::optional<forms::FeatureShape>> shapes_of_sized(const Assembly& assembly)
 {
-    std::vector<std::optional<FeatureShape>> shapes;
+    std::vector<std::optional<forms::FeatureShape>> shapes;
     std::map<int, double> scatters;  // by part
     for (const PartFeature& feature : assembly.features)
     {
@@ -54,8 +54,8 @@ std::vector<std::optional<FeatureShape>> shapes_of_sized(const Assembly& assembl
             continue;
         const Part& part = assembly.parts[static_cast<std::size_t>(feature.part)];
         if (scatters.count(feature.part) == 0)
-            scatters[feature.part] = scatter_of(part.mesh);
-        shapes.back() = feature_shape(part.mesh, feature.vertices, scatters[feature.part]);
+            scatters[feature.part] = mesh::scatter_of(part.mesh);
+        shapes.back() = forms::feature_shape(part.mesh, feature.vertices, scatters[feature.part]);
         if (!shapes.back())
             throw in_part({label_of("feature", feature)
                                + " has a size, but its vertices are no hole, slot or cylinder",
@@ -73,8 +73,8 @@ std::optional<double> size_in_pose(const PartFeature& feature, const Pose& pose)
     return found == pose.sizes.end() ? feature.size : std::optional<double>(found->second);
 }
 
-void check_sizes(const Assembly& assembly, const std::vector<std::optional<FeatureShape>>& shapes,
-                 const Pose& pose)
+void check_sizes(const Assembly& assembly,
+                 const std::vector<std::optional<forms::FeatureShape>>& shapes, const Pose& pose)
 {
     for (std::size_t k = 0; k < shapes.size(); ++k)
     {
@@ -84,4 +84,4 @@ void check_sizes(const Assembly& assembly, const std::vector<std::optional<Featu
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -31,7 +31,7 @@ struct Region
 Region region_of(const Assembly& assembly, PlannedLink& link)
 {
     const LinkTarget& target = link.targets.front();
-    const TriangleMesh& mesh = assembly.parts[static_cast<std::size_t>(target.part)].mesh;
+    const mesh::TriangleMesh& mesh = assembly.parts[static_cast<std::size_t>(target.part)].mesh;
     Region region{&link, target.part, target.vertices, {}, {}, {}};
     make_set(region.vertices);
     region.points = rows_of(mesh.points(), region.vertices);
@@ -93,4 +93,4 @@ void blend_neighbours(const Assembly& assembly, std::vector<PlannedLink>& links)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

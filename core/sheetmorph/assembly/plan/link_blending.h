@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/plan/link_plan.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Contacts of one part that lie beside each other would put neighbours where both cannot be: the
@@ -12,4 +12,4 @@ namespace sheetmorph
 //! to 0 over that distance: one contact passes into the other. Where they agree nothing changes.
 void blend_neighbours(const Assembly& assembly, std::vector<PlannedLink>& links);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

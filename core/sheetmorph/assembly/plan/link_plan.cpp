@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -33,9 +33,9 @@ bool has_features(const Assembly& assembly, int part)
 // Boundary vertices that neither a region nor a feature of the part holds.
 VertexIds unconstrained_boundary(const Assembly& assembly, int part)
 {
-    const TriangleMesh& mesh = assembly.parts[at(part)].mesh;
+    const mesh::TriangleMesh& mesh = assembly.parts[at(part)].mesh;
     std::vector<char> is_open(at(mesh.vertex_count()), 0);
-    for (const BoundaryEdge& edge : boundary_edges(mesh))
+    for (const mesh::BoundaryEdge& edge : mesh::boundary_edges(mesh))
         is_open[at(edge.from)] = is_open[at(edge.to)] = 1;
     const auto close = [&](const auto& regions)
     {
@@ -128,7 +128,8 @@ VertexIds inside_both_sides(const Assembly& assembly, const PlannedLink& link, i
                             const ControlBoxes& boxes)
 {
     const VertexIds candidates = unconstrained_boundary(assembly, part);
-    const OrientedBox box = boxes.around(both_sides(assembly, link, part), link.source_part);
+    const volume::OrientedBox box =
+        boxes.around(both_sides(assembly, link, part), link.source_part);
     const std::vector<char> is_inside =
         inside(box, rows_of(assembly.parts[at(part)].mesh.points(), candidates));
     VertexIds found;
@@ -161,7 +162,7 @@ PlannedLink local_link(const Assembly& assembly, const DirectedContact& directed
     return link;
 }
 
-double distance_to(const TriangleMesh& mesh, const VertexIds& from, const VertexIds& to)
+double distance_to(const mesh::TriangleMesh& mesh, const VertexIds& from, const VertexIds& to)
 {
     double nearest = std::numeric_limits<double>::infinity();
     for (const int a : from)
@@ -177,7 +178,7 @@ void add_followers(const Assembly& assembly, std::vector<PlannedLink>& links)
     {
         PlannedLink* nearest = nullptr;
         double shortest = std::numeric_limits<double>::infinity();
-        const TriangleMesh& mesh = assembly.parts[at(follower.part)].mesh;
+        const mesh::TriangleMesh& mesh = assembly.parts[at(follower.part)].mesh;
         for (PlannedLink& link : links)
             if (link.targets.front().part == follower.part)
             {
@@ -231,8 +232,8 @@ std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationP
     return links;
 }
 
-OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
-                        const ControlBoxes& boxes)
+volume::OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
+                                const ControlBoxes& boxes)
 {
     if (link.contact < 0)
         return boxes.around_everything();
@@ -242,4 +243,4 @@ OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
                         link.source_part);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/links/control_box.h"
 #include "sheetmorph/assembly/plan/propagation_plan.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Vertices of one part that a link decides.
@@ -51,11 +51,11 @@ std::vector<PlannedLink> plan_links(const Assembly& assembly, const PropagationP
 
 //! The box of a link's control mesh: around everything for the single one, else around both sides
 //! of the contact and what the link decides.
-OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
-                        const ControlBoxes& boxes);
+volume::OrientedBox box_of_link(const Assembly& assembly, const PlannedLink& link,
+                                const ControlBoxes& boxes);
 
 //! Rigid contacts that touch one body of a part are one stack, across all parts: a bolt through
 //! three layers, a loop of welds.
 std::vector<RigidWeld> plan_welds(const Assembly& assembly, const PropagationPlan& plan);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -20,7 +20,7 @@ namespace
 constexpr std::size_t most_samples = 200;
 
 // The triangles that no loose piece has.
-TriangleMesh held_mesh(const TriangleMesh& mesh, const std::vector<VertexIds>& loose)
+mesh::TriangleMesh held_mesh(const mesh::TriangleMesh& mesh, const std::vector<VertexIds>& loose)
 {
     std::vector<char> is_loose(at(mesh.vertex_count()), 0);
     for (const VertexIds& piece : loose)
@@ -36,27 +36,29 @@ TriangleMesh held_mesh(const TriangleMesh& mesh, const std::vector<VertexIds>& l
 }
 
 // What decides a vertex before the sheet does; -2 for nothing.
-std::vector<int> movers_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+std::vector<int> movers_of(const mesh::TriangleMesh& mesh,
+                           const surface::SurfaceConstraints& constraints)
 {
     std::vector<int> mover(at(mesh.vertex_count()), -2);
     for (std::size_t k = 0; k < constraints.handles.size(); ++k)
         for (const int vertex : constraints.handles[k].vertices)
             mover[at(vertex)] = static_cast<int>(k);
-    for (const KnownRegion& region : constraints.fixed)
+    for (const surface::KnownRegion& region : constraints.fixed)
         for (const int vertex : region.vertices)
             mover[at(vertex)] = -1;
     return mover;
 }
 
 // The corners of the triangle nearest to a piece, those alone that one and the same thing moves.
-VertexIds place_beside(const VertexIds& piece, const TriangleMesh& held, const PickingTree& tree,
-                       const std::vector<int>& movers)
+VertexIds place_beside(const VertexIds& piece, const mesh::TriangleMesh& held,
+                       const mesh::PickingTree& tree, const std::vector<int>& movers)
 {
-    std::optional<Hit> nearest;
+    std::optional<mesh::Hit> nearest;
     const std::size_t step = std::max<std::size_t>(1, piece.size() / most_samples);
     for (std::size_t k = 0; k < piece.size(); k += step)
     {
-        const std::optional<Hit> hit = tree.nearest_point(held.points().row(piece[k]).transpose());
+        const std::optional<mesh::Hit> hit =
+            tree.nearest_point(held.points().row(piece[k]).transpose());
         if (hit && (!nearest || hit->distance < nearest->distance))
             nearest = hit;
     }
@@ -75,20 +77,20 @@ VertexIds place_beside(const VertexIds& piece, const TriangleMesh& held, const P
 
 void send_along(const Part& part, PartProblem& problem)
 {
-    const TriangleMesh& mesh = part.mesh;
-    SurfaceConstraints& surface = problem.own.surface;
-    const TriangleMesh held = held_mesh(mesh, problem.loose);
-    const PickingTree tree(held);
+    const mesh::TriangleMesh& mesh = part.mesh;
+    surface::SurfaceConstraints& surface = problem.own.surface;
+    const mesh::TriangleMesh held = held_mesh(mesh, problem.loose);
+    const mesh::PickingTree tree(held);
     const std::vector<int> movers = movers_of(mesh, surface);
     for (const VertexIds& piece : problem.loose)
     {
-        FormFeature body{"around vertex " + std::to_string(piece.front()),
-                         piece,
-                         FeatureRotation::interpolated,
-                         "loose piece",
-                         {},
-                         false,
-                         subjects_of("part", part)};
+        surface::FormFeature body{"around vertex " + std::to_string(piece.front()),
+                                  piece,
+                                  surface::FeatureRotation::interpolated,
+                                  "loose piece",
+                                  {},
+                                  false,
+                                  subjects_of("part", part)};
         const VertexIds beside = place_beside(piece, held, tree, movers);
         body.vertices.insert(body.vertices.end(), beside.begin(), beside.end());
         surface.features.push_back(std::move(body));
@@ -100,12 +102,12 @@ void send_along(const Part& part, PartProblem& problem)
 void hold_loose_pieces(const Part& part, Unheld unheld, PartProblem& problem)
 {
     if (unheld == Unheld::refuse || !problem.is_driven()
-        || connected_components(part.mesh).count < 2)
+        || mesh::connected_components(part.mesh).count < 2)
         return;
-    SurfaceConstraints& surface = problem.own.surface;
+    surface::SurfaceConstraints& surface = problem.own.surface;
     try
     {
-        problem.loose = unheld_components(part.mesh, surface);
+        problem.loose = surface::unheld_components(part.mesh, surface);
     }
     catch (const InvalidInput& fault)
     {
@@ -115,10 +117,11 @@ void hold_loose_pieces(const Part& part, Unheld unheld, PartProblem& problem)
         return;
     if (unheld == Unheld::along)
         return send_along(part, problem);
-    KnownRegion rest{"loose pieces", {}, "what nothing holds:", false, subjects_of("part", part)};
+    surface::KnownRegion rest{
+        "loose pieces", {}, "what nothing holds:", false, subjects_of("part", part)};
     for (const VertexIds& piece : problem.loose)
         rest.vertices.insert(rest.vertices.end(), piece.begin(), piece.end());
     surface.fixed.push_back(std::move(rest));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

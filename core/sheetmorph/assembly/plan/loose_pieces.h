@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/plan/part_problem.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Decides pieces of a part that nothing holds while others move, as the assembly wants it, and
@@ -11,4 +11,4 @@ namespace sheetmorph
 //! \throws InvalidInput naming the part, if its constraints contradict
 void hold_loose_pieces(const Part& part, Unheld unheld, PartProblem& problem);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -73,7 +73,7 @@ void check_overlaps(const Assembly& assembly, const std::vector<Overlap>& overla
         const Part& part = assembly.parts[at(handle.part)];
         const Points rest = part.mesh.points()(overlap.vertices, Eigen::indexing::all);
         const Eigen::VectorXd way = (motion->second.apply(rest) - rest).rowwise().norm();
-        const double tolerance = exactness(part.mesh.points(), part.mesh.size());
+        const double tolerance = mesh::exactness(part.mesh.points(), part.mesh.size());
         VertexIds moved;
         for (std::size_t k = 0; k < overlap.vertices.size(); ++k)
             if (!(way(static_cast<Eigen::Index>(k)) <= tolerance))
@@ -83,4 +83,4 @@ void check_overlaps(const Assembly& assembly, const std::vector<Overlap>& overla
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/assembly.h"
 #include "sheetmorph/assembly/pose.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! The vertices that a fixed region shares with a handle.
@@ -22,4 +22,4 @@ std::vector<Overlap> overlaps_of(const Assembly& assembly);
 void check_overlaps(const Assembly& assembly, const std::vector<Overlap>& overlaps,
                     const Pose& pose);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

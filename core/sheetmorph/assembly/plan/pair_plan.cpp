@@ -12,7 +12,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -44,7 +44,8 @@ Points points_of(const Assembly& assembly, const PartFeature& feature)
 
 Text label_of(const FeaturePair& pair)
 {
-    const std::string word = pair.type == FeatureLinkType::coaxial ? "coaxial pair" : "distance";
+    const std::string word =
+        pair.type == surface::FeatureLinkType::coaxial ? "coaxial pair" : "distance";
     return Text::about(word + " '" + pair.name + "'", subjects_of("pair", pair));
 }
 
@@ -57,10 +58,11 @@ Text label(const Assembly& assembly, const PartFeature& feature)
 // Of a hole, slot or cylinder its own; of other vertices the normal of their best plane.
 FeatureAxis axis_of(const Assembly& assembly, const PartFeature& feature, const FeaturePair& pair)
 {
-    const TriangleMesh& mesh = assembly.parts[at(feature.part)].mesh;
+    const mesh::TriangleMesh& mesh = assembly.parts[at(feature.part)].mesh;
     const Points points = points_of(assembly, feature);
     FeatureAxis axis{points.colwise().mean().transpose(), Vector3::UnitZ(), 0.0};
-    if (const std::optional<FeatureShape> shape = feature_shape(mesh, feature.vertices))
+    if (const std::optional<forms::FeatureShape> shape =
+            forms::feature_shape(mesh, feature.vertices))
     {
         axis.point = shape->centre;
         axis.direction = shape->axis;
@@ -69,7 +71,7 @@ FeatureAxis axis_of(const Assembly& assembly, const PartFeature& feature, const 
     {
         try
         {
-            axis.direction = fit_circle(points).axis;
+            axis.direction = fitting::fit_circle(points).axis;
         }
         catch (const InvalidInput&)
         {
@@ -107,7 +109,7 @@ void require_distance(const Assembly& assembly, const FeaturePair& pair, const V
                       const Vector3& b)
 {
     const Points points = points_of(assembly, feature_of(assembly, pair.a));
-    if ((a - b).norm() > exactness(points, assembly.parts.front().mesh.size()))
+    if ((a - b).norm() > mesh::exactness(points, assembly.parts.front().mesh.size()))
         return;
     throw InvalidInput(label_of(pair) + ": " + label(assembly, feature_of(assembly, pair.a))
                            + " and " + label(assembly, feature_of(assembly, pair.b))
@@ -125,7 +127,7 @@ PlannedPair planned(const Assembly& assembly, const FeaturePair& pair, bool is_b
     PlannedPair found{pair.name, pair.type, is_b_first ? pair.b : pair.a,
                       is_b_first ? pair.a : pair.b};
     found.of = subjects_of("pair", pair);
-    if (pair.type == FeatureLinkType::distance)
+    if (pair.type == surface::FeatureLinkType::distance)
     {
         require_distance(assembly, pair, centre_of(assembly, pair.a), centre_of(assembly, pair.b));
         found.centre = centre_of(assembly, found.leader);
@@ -158,4 +160,4 @@ std::vector<PlannedPair> plan_pairs(const Assembly& assembly, const PropagationP
     return pairs;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/plan/propagation_plan.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! A pair of form features with the one that leads: on one part the first, on two parts the one of
@@ -11,7 +11,7 @@ namespace sheetmorph
 struct PlannedPair
 {
     std::string name;
-    FeatureLinkType type = FeatureLinkType::coaxial;
+    surface::FeatureLinkType type = surface::FeatureLinkType::coaxial;
     int leader = 0;  //!< index into Assembly::features
     int follower = 0;
     Vector3 centre = Vector3::Zero();      //!< a point of the leader's axis, or its centre, mm
@@ -24,4 +24,4 @@ struct PlannedPair
 //! that have no axis, or no distance
 std::vector<PlannedPair> plan_pairs(const Assembly& assembly, const PropagationPlan& plan);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

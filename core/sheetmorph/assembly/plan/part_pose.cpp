@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -30,12 +30,12 @@ Value value_or(const std::map<std::string, Value>& values, const std::string& na
 }
 
 // Whether a pose can move the part by this feature.
-bool moves(const FormFeature& feature)
+bool moves(const surface::FormFeature& feature)
 {
-    return feature.rotation == FeatureRotation::prescribed || feature.is_resizable;
+    return feature.rotation == surface::FeatureRotation::prescribed || feature.is_resizable;
 }
 
-FormFeature form_feature(const PartFeature& feature)
+surface::FormFeature form_feature(const PartFeature& feature)
 {
     return {feature.name,
             feature.vertices,
@@ -60,7 +60,7 @@ void add_groups(const Assembly& assembly, int part, PartConstraints& found)
 
 bool is_prescribed(const PartFeature& feature)
 {
-    return feature.rotation == FeatureRotation::prescribed;
+    return feature.rotation == surface::FeatureRotation::prescribed;
 }
 
 template <typename Condition>
@@ -87,7 +87,7 @@ void check_handles(const Assembly& assembly, const Pose& pose)
                 "one that the pose gives");
 }
 
-void add_fixed(const Assembly& assembly, int part, SurfaceConstraints& surface)
+void add_fixed(const Assembly& assembly, int part, surface::SurfaceConstraints& surface)
 {
     for (const PartRegion& region : assembly.fixed)
         if (region.part == part)
@@ -106,7 +106,7 @@ int local_feature(const PartConstraints& constraints, int feature)
 
 bool PartConstraints::is_driven() const
 {
-    const auto is_led = [](const FeatureLink& link) { return link.leader < 0; };
+    const auto is_led = [](const surface::FeatureLink& link) { return link.leader < 0; };
     return !surface.handles.empty() || !surface.points.empty() || !surface.propagated.empty()
            || std::any_of(surface.features.begin(), surface.features.end(), moves)
            || std::any_of(surface.links.begin(), surface.links.end(), is_led);
@@ -152,10 +152,10 @@ PartConstraints constraints_of_part(const Assembly& assembly, int part)
     return found;
 }
 
-SurfaceTargets targets_of_part(const Assembly& assembly, const PartConstraints& constraints,
-                               const Pose& pose)
+surface::SurfaceTargets targets_of_part(const Assembly& assembly,
+                                        const PartConstraints& constraints, const Pose& pose)
 {
-    SurfaceTargets targets;
+    surface::SurfaceTargets targets;
     for (const int handle : constraints.handles)
         targets.handles.push_back(
             value_or(pose.handles, assembly.handles[at(handle)].name, RigidMotion{}));
@@ -194,4 +194,4 @@ void check_pose_names(const Assembly& assembly, const Pose& pose)
                 + " that the assembly does not have");
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

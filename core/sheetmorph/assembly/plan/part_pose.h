@@ -3,13 +3,13 @@
 
 #include "sheetmorph/assembly/assembly.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! The constraints of one part, and which of the assembly's lists each came from.
 struct PartConstraints
 {
-    SurfaceConstraints surface;
+    surface::SurfaceConstraints surface;
     std::vector<int> handles;   //!< index into Assembly::handles, in the order of surface.handles
     std::vector<int> features;  //!< index into Assembly::features
     std::vector<int> points;    //!< index into Assembly::points
@@ -29,10 +29,10 @@ int local_feature(const PartConstraints& constraints, int feature);
 //! The pose of one part; handles left out do not move, prescribed rotations left out are none,
 //! sizes left out are the description's.
 //! \throws InvalidInput if a point has no target
-SurfaceTargets targets_of_part(const Assembly& assembly, const PartConstraints& constraints,
-                               const Pose& pose);
+surface::SurfaceTargets targets_of_part(const Assembly& assembly,
+                                        const PartConstraints& constraints, const Pose& pose);
 
 //! \throws InvalidInput naming what the pose tells but the assembly does not have or cannot be told
 void check_pose_names(const Assembly& assembly, const Pose& pose);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -15,13 +15,13 @@ namespace
 void add_carrier(PartProblem& problem, int index, const RigidWeld& weld, const VertexIds& side)
 {
     problem.own.surface.features.push_back(
-        {weld.name, side, FeatureRotation::free, "rigid contact", {}, false, weld.of});
+        {weld.name, side, surface::FeatureRotation::free, "rigid contact", {}, false, weld.of});
     problem.carriers.push_back(index);
 }
 
 void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& welds)
 {
-    std::vector<FormFeature> held;
+    std::vector<surface::FormFeature> held;
     for (std::size_t k = 0; k < welds.size(); ++k)
     {
         const RigidWeld& weld = welds[k];
@@ -30,8 +30,13 @@ void add_welds(PartProblem& problem, int part, const std::vector<RigidWeld>& wel
             const VertexIds& side = weld.target_part == part ? weld.target : weld.source;
             problem.own.surface.fixed.push_back({weld.name, side, "rigid contact", false, weld.of});
             // As a body, so that what else would move a part of it is refused.
-            held.push_back(
-                {weld.name, side, FeatureRotation::free, "rigid contact", {}, false, weld.of});
+            held.push_back({weld.name,
+                            side,
+                            surface::FeatureRotation::free,
+                            "rigid contact",
+                            {},
+                            false,
+                            weld.of});
             problem.held.push_back(static_cast<int>(k));
             continue;
         }
@@ -56,7 +61,7 @@ void add_pairs(const Assembly& assembly, int part, const std::vector<PlannedPair
         if (assembly.features[at(pair.follower)].part != part)
             continue;
         const bool is_led_here = assembly.features[at(pair.leader)].part == part;
-        FeatureLink link;
+        surface::FeatureLink link;
         link.name = pair.name;
         link.of = pair.of;
         link.type = pair.type;
@@ -135,7 +140,7 @@ void add_propagated(PartProblem& problem, const std::vector<Claim>& claims,
 }
 
 Eigen::RowVector3d mean_row(const std::vector<LinkRow>& rows, const EarlierParts& earlier,
-                            Points LinkedTargets::*values)
+                            Points volume::LinkedTargets::*values)
 {
     const auto value = [&](const LinkRow& row)
     { return (earlier.links[at(row.link)].*values).row(row.row); };
@@ -189,10 +194,10 @@ PartProblem problem_in_whole(const Assembly& assembly, int part,
     return problem;
 }
 
-SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& problem,
-                                const Pose& pose, const EarlierParts& earlier)
+surface::SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& problem,
+                                         const Pose& pose, const EarlierParts& earlier)
 {
-    SurfaceTargets targets = targets_of_part(assembly, problem.own, pose);
+    surface::SurfaceTargets targets = targets_of_part(assembly, problem.own, pose);
     for (const int weld : problem.carried)
         targets.handles.push_back(earlier.welds[at(weld)]);
     targets.feature_logs.resize(problem.own.surface.features.size(), Vector3::Zero());
@@ -202,12 +207,12 @@ SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& pro
     for (const auto& region : problem.propagated)
     {
         const auto count = static_cast<Eigen::Index>(region.size());
-        PropagatedTarget target{Points(count, 3), Points(count, 3), {}};
+        surface::PropagatedTarget target{Points(count, 3), Points(count, 3), {}};
         for (Eigen::Index k = 0; k < count; ++k)
         {
             const std::vector<LinkRow>& rows = region[static_cast<std::size_t>(k)];
-            target.positions.row(k) = mean_row(rows, earlier, &LinkedTargets::positions);
-            target.rotation_logs.row(k) = mean_row(rows, earlier, &LinkedTargets::logs);
+            target.positions.row(k) = mean_row(rows, earlier, &volume::LinkedTargets::positions);
+            target.rotation_logs.row(k) = mean_row(rows, earlier, &volume::LinkedTargets::logs);
         }
         if (!std::all_of(region.begin(), region.end(),
                          [&](const auto& rows) { return is_told_by_log(rows, earlier); }))
@@ -231,4 +236,4 @@ double spread_of_targets(const PartProblem& problem, const EarlierParts& earlier
     return worst;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -7,7 +7,7 @@
 #include "sheetmorph/surface/surface_deformer.h"
 #include "sheetmorph/volume/volume_link.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! One row of what a link makes of its targets.
@@ -55,16 +55,16 @@ PartProblem problem_in_whole(const Assembly& assembly, int part,
 //! What the earlier parts of the order have become.
 struct EarlierParts
 {
-    const std::vector<LinkedTargets>& links;   //!< by link; empty if not reached yet
-    const std::vector<RigidMotion>& welds;     //!< by weld: motion of its body
-    const std::vector<RigidMotion>& features;  //!< of the assembly: about its rest centroid
+    const std::vector<volume::LinkedTargets>& links;  //!< by link; empty if not reached yet
+    const std::vector<RigidMotion>& welds;            //!< by weld: motion of its body
+    const std::vector<RigidMotion>& features;         //!< of the assembly: about its rest centroid
 };
 
 //! The pose of one part, with what earlier parts bring.
-SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& problem,
-                                const Pose& pose, const EarlierParts& earlier);
+surface::SurfaceTargets targets_in_order(const Assembly& assembly, const PartProblem& problem,
+                                         const Pose& pose, const EarlierParts& earlier);
 
 //! How far apart, at most, several links would put one vertex of the part, mm.
 double spread_of_targets(const PartProblem& problem, const EarlierParts& earlier);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -140,4 +140,4 @@ PropagationPlan plan_propagation(const Assembly& assembly)
     return plan;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/assembly.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! One contact with the direction in which it passes the motion on.
@@ -38,4 +38,4 @@ struct PropagationPlan
 //! With a single control mesh every part is reached, and contacts are not used.
 PropagationPlan plan_propagation(const Assembly& assembly);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

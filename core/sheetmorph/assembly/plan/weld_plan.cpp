@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -153,7 +153,7 @@ private:
         for (const PartRegion& fixed : assembly_.fixed)
             add_touched(fixed.part, fixed.vertices, found);
         for (const PartFeature& feature : assembly_.features)
-            if (feature.motion.type == FeatureMotion::Type::fixed)
+            if (feature.motion.type == surface::FeatureMotion::Type::fixed)
                 add_touched(feature.part, feature.vertices, found);
         return found;
     }
@@ -205,4 +205,4 @@ std::vector<RigidWeld> plan_welds(const Assembly& assembly, const PropagationPla
     return Stacks(assembly, plan).welds();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -21,7 +21,8 @@ namespace
 // A pose of another session may have other meshes.
 void require_shapes_of(const PreparedAssembly& prepared, const Deformed& pose)
 {
-    const auto is_of = [](const std::vector<Deformation>& shapes, std::size_t k, const Part& part)
+    const auto is_of =
+        [](const std::vector<surface::Deformation>& shapes, std::size_t k, const Part& part)
     { return k < shapes.size() && shapes[k].positions.rows() == part.mesh.vertex_count(); };
     for (std::size_t k = 0; k < prepared.parts.size(); ++k)
     {
@@ -101,7 +102,7 @@ const Assembly& DeformationSession::assembly() const
     return data_->whole();
 }
 
-const ThinSolid* DeformationSession::thin_solid(int part) const
+const recognise::ThinSolid* DeformationSession::thin_solid(int part) const
 {
     if (part < 0 || at(part) >= data_->thin.size())
         throw InvalidInput("part " + std::to_string(part) + " does not exist");
@@ -109,7 +110,7 @@ const ThinSolid* DeformationSession::thin_solid(int part) const
     return thin ? &thin->solid() : nullptr;
 }
 
-const TriangleMesh& DeformationSession::sheet(int part) const
+const mesh::TriangleMesh& DeformationSession::sheet(int part) const
 {
     if (part < 0 || at(part) >= data_->assembly.parts.size())
         throw InvalidInput("part " + std::to_string(part) + " does not exist");
@@ -118,11 +119,11 @@ const TriangleMesh& DeformationSession::sheet(int part) const
 
 double DeformationSession::sheet_thickness(int part) const
 {
-    const TriangleMesh& mesh = sheet(part);
-    return sheetmorph::sheet_thickness(data_->assembly.parts[at(part)].sheet_thickness, mesh);
+    const mesh::TriangleMesh& mesh = sheet(part);
+    return surface::sheet_thickness(data_->assembly.parts[at(part)].sheet_thickness, mesh);
 }
 
-const std::vector<std::optional<FeatureShape>>& DeformationSession::shapes() const
+const std::vector<std::optional<forms::FeatureShape>>& DeformationSession::shapes() const
 {
     return data_->shapes;
 }
@@ -133,8 +134,9 @@ std::vector<JoinedBody> DeformationSession::joined_bodies() const
     const PreparedAssembly& system = data_->system();
     for (std::size_t part = 0; part < system.parts.size(); ++part)
     {
-        const SurfaceConstraints& surface = system.parts[part].problem.own.surface;
-        for (const Body& body : merge_bodies(system.assembly.parts[part].mesh, surface))
+        const surface::SurfaceConstraints& surface = system.parts[part].problem.own.surface;
+        for (const surface::Body& body :
+             surface::merge_bodies(system.assembly.parts[part].mesh, surface))
         {
             std::map<std::string, std::vector<Subject>> labels;
             for (const int feature : body.features)
@@ -199,4 +201,4 @@ const std::vector<Timing>& DeformationSession::timings() const
     return data_->timings;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

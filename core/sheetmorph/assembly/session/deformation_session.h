@@ -11,7 +11,7 @@
 
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! How one form feature moved, and how exactly it kept its form.
@@ -28,8 +28,10 @@ struct FeatureResult
 //! Every part in one pose. Edge errors, contacts and spread are measured by exact solves only.
 struct Deformed
 {
-    std::vector<Deformation> parts;       //!< by part; features hold those of the assembly first
-    std::vector<Deformation> middles;     //!< by part: what was solved of a thin solid, else empty
+    std::vector<surface::Deformation>
+        parts;  //!< by part; features hold those of the assembly first
+    std::vector<surface::Deformation>
+        middles;                          //!< by part: what was solved of a thin solid, else empty
     std::vector<FeatureResult> features;  //!< in the order of assembly().features
     std::vector<ContactFidelity> contacts;  //!< of plan().measured
     double spread = 0.0;  //!< mm: how far apart, at most, several contacts want one vertex
@@ -105,13 +107,13 @@ public:
     const Assembly& assembly() const;
 
     //! By feature of assembly(): what it is, where its size can be set.
-    const std::vector<std::optional<FeatureShape>>& shapes() const;
+    const std::vector<std::optional<forms::FeatureShape>>& shapes() const;
 
     //! The thin solid that a part is solved as; nothing if it is solved as it is.
-    const ThinSolid* thin_solid(int part) const;
+    const recognise::ThinSolid* thin_solid(int part) const;
 
     //! What is deformed of a part: its mesh, or the middle of a thin solid.
-    const TriangleMesh& sheet(int part) const;
+    const mesh::TriangleMesh& sheet(int part) const;
 
     //! How thick the sheet of a part is as `steel`, mm.
     double sheet_thickness(int part) const;
@@ -137,4 +139,4 @@ private:
     std::shared_ptr<const PreparedAssembly> data_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -35,7 +35,7 @@ std::vector<Pose> sampled_poses(const PreparedAssembly& prepared,
 {
     const std::set<std::string> others = mirrored(prepared);
     std::vector<Pose> poses;
-    DrawnMotions drawn;
+    surface::DrawnMotions drawn;
     for (int k = 0; k < passed_poses; ++k)
     {
         Pose pose = start;
@@ -101,17 +101,18 @@ bool DragSamples::is_passed_on(int part) const
 }
 
 // The part's own dragged handles and the welds that carry it, on their own.
-void DragSamples::add_own(int part, std::vector<SurfaceTargets>& samples) const
+void DragSamples::add_own(int part, std::vector<surface::SurfaceTargets>& samples) const
 {
     const PartProblem& problem = prepared_.parts[at(part)].problem;
-    const SurfaceTargets start = at_start_.targets_of(part);
+    const surface::SurfaceTargets start = at_start_.targets_of(part);
     std::vector<int> turning;
     for (std::size_t k = 0; k < start.handles.size(); ++k)
         if (k >= problem.own.handles.size()
             || dragged_.count(prepared_.assembly.handles[at(problem.own.handles[k])].name) != 0)
             turning.push_back(static_cast<int>(k));
-    const SurfaceDeformer& deformer = *prepared_.parts[at(part)].deformer;
-    for (SurfaceTargets& pose : own_poses(deformer.rest(), deformer.constraints(), start, turning))
+    const surface::SurfaceDeformer& deformer = *prepared_.parts[at(part)].deformer;
+    for (surface::SurfaceTargets& pose :
+         surface::own_poses(deformer.rest(), deformer.constraints(), start, turning))
         samples.push_back(std::move(pose));
 }
 
@@ -126,13 +127,13 @@ VertexIds DragSamples::reads_of(int part) const
     return reads;
 }
 
-std::shared_ptr<const Response> DragSamples::learn(int part, const Progress& progress)
+std::shared_ptr<const surface::Response> DragSamples::learn(int part, const Progress& progress)
 {
     const PreparedPart& ready = prepared_.parts[at(part)];
     if (!ready.deformer || !ready.deformer->can_respond())
         return nullptr;
     const bool passes = is_passed_on(part);
-    std::vector<SurfaceTargets> samples;
+    std::vector<surface::SurfaceTargets> samples;
     if (passes)
         for (const Wave& wave : waves_)
             samples.push_back(wave.targets_of(part));
@@ -140,7 +141,7 @@ std::shared_ptr<const Response> DragSamples::learn(int part, const Progress& pro
         add_own(part, samples);
     if (samples.empty())
         return nullptr;
-    std::shared_ptr<const Response> response =
+    std::shared_ptr<const surface::Response> response =
         ready.deformer->response(samples, {reads_of(part), prepared_.carries_thin}, progress);
     if (!response->is_learnt())
         return nullptr;
@@ -150,4 +151,4 @@ std::shared_ptr<const Response> DragSamples::learn(int part, const Progress& pro
     return response;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

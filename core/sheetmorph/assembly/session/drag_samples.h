@@ -6,7 +6,7 @@
 #include <list>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Poses of a drag, from which the parts learn how they answer (response.h). Handles of a part and
@@ -22,11 +22,11 @@ public:
 
     //! To be asked part by part in their order. Nothing for parts that cannot learn: what drives
     //! them must be learnt too.
-    std::shared_ptr<const Response> learn(int part, const Progress& progress);
+    std::shared_ptr<const surface::Response> learn(int part, const Progress& progress);
 
 private:
     bool is_passed_on(int part) const;
-    void add_own(int part, std::vector<SurfaceTargets>& samples) const;
+    void add_own(int part, std::vector<surface::SurfaceTargets>& samples) const;
     VertexIds reads_of(int part) const;
 
     const PreparedAssembly& prepared_;
@@ -35,8 +35,8 @@ private:
     Wave at_start_;
     std::vector<char> is_learnt_;  // by part: all waves have passed it
     std::vector<Pose> poses_;
-    std::vector<Deformation> read_;
+    std::vector<surface::Deformation> read_;
     std::list<Wave> waves_;  // those that every part so far has answered
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

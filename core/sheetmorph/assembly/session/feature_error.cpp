@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
-std::vector<FeatureEdges> edges_of_features(const TriangleMesh& rest,
+std::vector<FeatureEdges> edges_of_features(const mesh::TriangleMesh& rest,
                                             const std::vector<VertexIds>& features)
 {
     std::vector<FeatureEdges> edges(features.size());
@@ -54,4 +54,4 @@ double outline_error(const SizedForm& form, const Points& deformed, const Matrix
     return form.shape.outline_error(placed, form.size);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

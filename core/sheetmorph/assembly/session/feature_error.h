@@ -7,14 +7,14 @@
 
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Pairs of vertices whose distance vector a form feature keeps: F_k of (2.4).
 using FeatureEdges = std::vector<std::pair<int, int>>;
 
 //! The mesh edges inside every feature, and the pairs of its consecutive vertices.
-std::vector<FeatureEdges> edges_of_features(const TriangleMesh& rest,
+std::vector<FeatureEdges> edges_of_features(const mesh::TriangleMesh& rest,
                                             const std::vector<VertexIds>& features);
 
 //! How far a form feature is from (2.4): the worst |p_i - p_j - R (p_hat_i - p_hat_j)|, mm.
@@ -25,7 +25,7 @@ double edge_error(const Points& rest, const FeatureEdges& edges, const Points& p
 //! A form feature with the size that a pose gives it.
 struct SizedForm
 {
-    const FeatureShape& shape;
+    const forms::FeatureShape& shape;
     double size = 0.0;  //!< mm
     Points rest;        //!< (k, 3) mm, with that size
 };
@@ -34,4 +34,4 @@ struct SizedForm
 //! \param deformed  (k, 3) mm
 double outline_error(const SizedForm& form, const Points& deformed, const Matrix3& rotation);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
 {
 
-const TriangleMesh& mesh_of(const Assembly& assembly, int part)
+const mesh::TriangleMesh& mesh_of(const Assembly& assembly, int part)
 {
     return assembly.parts[static_cast<std::size_t>(part)].mesh;
 }
@@ -37,7 +37,8 @@ ContactGauge::ContactGauge(const Assembly& assembly, const DirectedContact& cont
     blank_.region_size = diagonal(source_rest_, target_rest_);
 }
 
-ContactFidelity ContactGauge::measure(const Deformation& source, const Points& target) const
+ContactFidelity ContactGauge::measure(const surface::Deformation& source,
+                                      const Points& target) const
 {
     ContactFidelity fidelity = blank_;
     const Vector3 mean_log = rows_of(source.rotation_logs, source_).colwise().mean().transpose();
@@ -53,4 +54,4 @@ ContactFidelity ContactGauge::measure(const Deformation& source, const Points& t
     return fidelity;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

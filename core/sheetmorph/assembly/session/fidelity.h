@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/plan/propagation_plan.h"
 #include "sheetmorph/surface/solve/deformation.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! How well one contact was kept in a pose.
@@ -26,7 +26,7 @@ public:
 
     //! \param source  the whole source part in one pose
     //! \param target  (n, 3) positions of the whole target part, mm
-    ContactFidelity measure(const Deformation& source, const Points& target) const;
+    ContactFidelity measure(const surface::Deformation& source, const Points& target) const;
 
 private:
     ContactFidelity blank_;
@@ -34,4 +34,4 @@ private:
     Points source_rest_, target_rest_;  // rows of the two sides
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -14,7 +14,7 @@
 #include <mutex>
 #include <thread>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -162,7 +162,7 @@ private:
         begun_.wait_for(lock, longest_wait, [this] { return is_begun_ || is_stopped_; });
     }
 
-    void keep(int part, std::shared_ptr<const Response> built)
+    void keep(int part, std::shared_ptr<const surface::Response> built)
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         responses_[at(part)] = std::move(built);
@@ -240,4 +240,4 @@ std::vector<char> LiveDrag::answered() const
     return answered_;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

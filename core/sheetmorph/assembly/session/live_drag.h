@@ -6,7 +6,7 @@
 #include <mutex>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 struct PreparedAssembly;
@@ -51,8 +51,8 @@ private:
     std::unique_ptr<Background> background_;
     mutable std::mutex framing_;  // guards what follows
     std::vector<std::shared_ptr<Deformed>> frames_;
-    std::vector<Deformation> read_;  // by part: what later parts read of a frame
+    std::vector<surface::Deformation> read_;  // by part: what later parts read of a frame
     std::vector<char> answered_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -17,8 +17,8 @@ constexpr int many_vertices = 10000;
 
 }  // namespace
 
-std::vector<char> Wave::run_live(const PartResponses& responses, std::vector<Deformation>& read,
-                                 Deformed& result)
+std::vector<char> Wave::run_live(const PartResponses& responses,
+                                 std::vector<surface::Deformation>& read, Deformed& result)
 {
     start(result);
     if (!prepared_.joined)
@@ -69,16 +69,16 @@ void Wave::run_stage(const std::vector<int>& parts, const PartResponses& respons
         pass_on_motions(part);
 }
 
-void Wave::begin_reading(std::vector<Deformation>& read)
+void Wave::begin_reading(std::vector<surface::Deformation>& read)
 {
     read.resize(prepared_.parts.size());
     read_ = &read;
     is_in_read_.assign(prepared_.parts.size(), 0);
 }
 
-bool Wave::read(int part, const Response& response)
+bool Wave::read(int part, const surface::Response& response)
 {
-    const std::optional<Response::Frame> frame = response.frame(targets_of(part));
+    const std::optional<surface::Response::Frame> frame = response.frame(targets_of(part));
     if (!frame)
         return false;
     is_in_read_[at(part)] = 1;
@@ -89,13 +89,14 @@ bool Wave::read(int part, const Response& response)
 
 // What later parts read at once, everything when all parts are; a thin solid hangs on the whole of
 // its middle, and later parts read sizes too.
-bool Wave::respond(int part, const std::shared_ptr<const Response>& response)
+bool Wave::respond(int part, const std::shared_ptr<const surface::Response>& response)
 {
     const auto& thin = prepared_.parts[at(part)].thin;
     if (thin && thin->has_points())
         return false;
-    const SurfaceTargets targets = targets_of(part);
-    auto frame = std::make_shared<std::optional<Response::Frame>>(response->frame(targets));
+    const surface::SurfaceTargets targets = targets_of(part);
+    auto frame =
+        std::make_shared<std::optional<surface::Response::Frame>>(response->frame(targets));
     if (!*frame)
         return false;
     if (thin || (*frame)->has_sizes())
@@ -106,7 +107,8 @@ bool Wave::respond(int part, const std::shared_ptr<const Response>& response)
     }
     is_in_read_[at(part)] = 1;
     response->place_reads(**frame, (*read_)[at(part)]);
-    answers_[at(part)] = [response, frame](Deformation& shape) { response->place(**frame, shape); };
+    answers_[at(part)] = [response, frame](surface::Deformation& shape)
+    { response->place(**frame, shape); };
     return true;
 }
 
@@ -129,4 +131,4 @@ void Wave::place_answers() const
     parallel_ranges(count, vertices < many_vertices ? count : 1, place);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -17,7 +17,7 @@
 #include <deque>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -62,8 +62,8 @@ Text link_label(const Assembly& assembly, const PlannedLink& link)
                : label;
 }
 
-std::shared_ptr<const MotionLink> built_link(const PartGeometry& source, const PreparedLink& link,
-                                             const Text& label)
+std::shared_ptr<const MotionLink> built_link(const mesh::PartGeometry& source,
+                                             const PreparedLink& link, const Text& label)
 {
     const MotionLinkInput input{source, link.source, link.targets};
     try
@@ -83,18 +83,18 @@ std::shared_ptr<const MotionLink> built_link(const PartGeometry& source, const P
 struct DeformerInput
 {
     const Part& part;
-    const SurfaceConstraints& constraints;
-    std::shared_ptr<const SurfaceDeformer> earlier;
+    const surface::SurfaceConstraints& constraints;
+    std::shared_ptr<const surface::SurfaceDeformer> earlier;
 };
 
-std::shared_ptr<const SurfaceDeformer> built_deformer(const DeformerInput& input,
-                                                      const Progress& progress)
+std::shared_ptr<const surface::SurfaceDeformer> built_deformer(const DeformerInput& input,
+                                                               const Progress& progress)
 {
     const Part& part = input.part;
     try
     {
-        return std::make_shared<const SurfaceDeformer>(part.mesh, input.constraints, progress,
-                                                       input.earlier.get());
+        return std::make_shared<const surface::SurfaceDeformer>(part.mesh, input.constraints,
+                                                                progress, input.earlier.get());
     }
     catch (const InvalidInput& fault)
     {
@@ -128,7 +128,7 @@ void reduce(PreparedAssembly& prepared, const PreparedAssembly* previous)
 }
 
 // By part, while the assembly is prepared.
-using Geometries = std::deque<PartGeometry>;
+using Geometries = std::deque<mesh::PartGeometry>;
 
 Geometries geometries_of(const Assembly& assembly)
 {
@@ -156,7 +156,7 @@ bool is_whole(const Assembly& assembly)
 // What touches a thin solid by its wall, or a row of vertices that a seam is, touches triangles
 // that the side has not whole.
 bool is_wide(const PreparedAssembly& prepared, const PartRegion& source,
-             const PartGeometry& geometry)
+             const mesh::PartGeometry& geometry)
 {
     return prepared.thin[at(source.part)] != nullptr
            || (is_whole(prepared.assembly) && !has_triangles(geometry, source.vertices));
@@ -176,7 +176,7 @@ std::vector<SeamPlaces> seam_places(const PreparedAssembly& prepared, const Geom
     const Assembly& given = prepared.assembly;
     const auto on = [&](const PartRegion& below, const PartRegion& region)
     {
-        const PartGeometry& geometry = geometries[at(below.part)];
+        const mesh::PartGeometry& geometry = geometries[at(below.part)];
         const Points points = rows_of(given.parts[at(region.part)].mesh.points(), region.vertices);
         return nearest_anchors(geometry,
                                is_wide(prepared, below, geometry)
@@ -298,7 +298,7 @@ public:
     {
         PreparedLink& link = prepared_.links[index];
         const std::size_t part = at(prepared_.planned[index].source_part);
-        const PartGeometry& source = geometries_[part];
+        const mesh::PartGeometry& source = geometries_[part];
         link.link = reusable_link(previous_, prepared_.assembly.parts[part], link);
         if (!link.link)
             add("contact " + prepared_.planned[index].name, effort(link),
@@ -419,4 +419,4 @@ std::set<std::string> with_mirrors(const PreparedAssembly& prepared,
     return names;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

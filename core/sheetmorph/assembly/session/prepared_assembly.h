@@ -12,7 +12,7 @@
 
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! A link and what it was built from, so that a later session can tell whether it still fits.
@@ -30,7 +30,7 @@ struct PreparedPart
 {
     PartProblem problem;
     std::vector<FeatureEdges> edges;
-    std::shared_ptr<const SurfaceDeformer> deformer;
+    std::shared_ptr<const surface::SurfaceDeformer> deformer;
     std::shared_ptr<const ThinSolver> thin;  //!< from its middle to the whole of a thin solid
 };
 
@@ -42,7 +42,7 @@ struct PreparedAssembly
     std::optional<Assembly> with_thin_parts;  //!< with all of thin parts, and their lumps
     ThinParts thin;
     std::optional<SymmetryPlan> symmetry;
-    std::vector<std::optional<FeatureShape>> shapes;  //!< by feature, of sized ones
+    std::vector<std::optional<forms::FeatureShape>> shapes;  //!< by feature, of sized ones
     PropagationPlan plan;
     std::vector<PlannedLink> planned;
     std::vector<RigidWeld> welds;
@@ -86,4 +86,4 @@ Pose told_pose(const PreparedAssembly& prepared, const Pose& pose);
 std::set<std::string> with_mirrors(const PreparedAssembly& prepared,
                                    const std::vector<std::string>& handles);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

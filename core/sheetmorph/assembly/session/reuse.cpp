@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/session/reuse.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -21,9 +21,10 @@ bool same_regions(const std::vector<Region>& a, const std::vector<Region>& b)
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
-bool same_features(const std::vector<FormFeature>& a, const std::vector<FormFeature>& b)
+bool same_features(const std::vector<surface::FormFeature>& a,
+                   const std::vector<surface::FormFeature>& b)
 {
-    const auto equal = [](const FormFeature& x, const FormFeature& y)
+    const auto equal = [](const surface::FormFeature& x, const surface::FormFeature& y)
     {
         return x.rotation == y.rotation && x.motion.type == y.motion.type
                && x.motion.point == y.motion.point && x.motion.direction == y.motion.direction
@@ -32,16 +33,18 @@ bool same_features(const std::vector<FormFeature>& a, const std::vector<FormFeat
     return same_regions(a, b) && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
-bool same_handles(const std::vector<KnownRegion>& a, const std::vector<KnownRegion>& b)
+bool same_handles(const std::vector<surface::KnownRegion>& a,
+                  const std::vector<surface::KnownRegion>& b)
 {
-    const auto equal = [](const KnownRegion& x, const KnownRegion& y)
+    const auto equal = [](const surface::KnownRegion& x, const surface::KnownRegion& y)
     { return x.is_rotation_free == y.is_rotation_free; };
     return same_regions(a, b) && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
-bool same_points(const std::vector<PointConstraint>& a, const std::vector<PointConstraint>& b)
+bool same_points(const std::vector<surface::PointConstraint>& a,
+                 const std::vector<surface::PointConstraint>& b)
 {
-    const auto equal = [](const PointConstraint& x, const PointConstraint& y)
+    const auto equal = [](const surface::PointConstraint& x, const surface::PointConstraint& y)
     {
         return x.name == y.name && x.triangle == y.triangle && x.barycentric == y.barycentric
                && x.is_turned == y.is_turned && x.is_rotation_free == y.is_rotation_free;
@@ -49,9 +52,10 @@ bool same_points(const std::vector<PointConstraint>& a, const std::vector<PointC
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
-bool same_links(const std::vector<FeatureLink>& a, const std::vector<FeatureLink>& b)
+bool same_links(const std::vector<surface::FeatureLink>& a,
+                const std::vector<surface::FeatureLink>& b)
 {
-    const auto equal = [](const FeatureLink& x, const FeatureLink& y)
+    const auto equal = [](const surface::FeatureLink& x, const surface::FeatureLink& y)
     {
         return x.name == y.name && x.type == y.type && x.follower == y.follower
                && x.leader == y.leader && x.centre == y.centre && x.direction == y.direction;
@@ -59,9 +63,9 @@ bool same_links(const std::vector<FeatureLink>& a, const std::vector<FeatureLink
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
-bool same_ties(const std::vector<Tie>& a, const std::vector<Tie>& b)
+bool same_ties(const std::vector<surface::Tie>& a, const std::vector<surface::Tie>& b)
 {
-    const auto equal = [](const Tie& x, const Tie& y)
+    const auto equal = [](const surface::Tie& x, const surface::Tie& y)
     {
         return x.vertex == y.vertex && x.place.corners == y.place.corners
                && x.place.weights == y.place.weights;
@@ -69,7 +73,7 @@ bool same_ties(const std::vector<Tie>& a, const std::vector<Tie>& b)
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), equal);
 }
 
-bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
+bool same_constraints(const surface::SurfaceConstraints& a, const surface::SurfaceConstraints& b)
 {
     return a.energy == b.energy && a.laplacian == b.laplacian && a.is_refined == b.is_refined
            && a.thickness == b.thickness && a.poisson == b.poisson && same_regions(a.fixed, b.fixed)
@@ -79,15 +83,15 @@ bool same_constraints(const SurfaceConstraints& a, const SurfaceConstraints& b)
            && same_regions(a.stitches, b.stitches) && same_ties(a.ties, b.ties);
 }
 
-bool same_box(const OrientedBox& a, const OrientedBox& b)
+bool same_box(const volume::OrientedBox& a, const volume::OrientedBox& b)
 {
     return a.axes == b.axes && a.centre == b.centre && a.half_extents == b.half_extents;
 }
 
 }  // namespace
 
-std::shared_ptr<const SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
-                                                        const Part& part)
+std::shared_ptr<const surface::SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
+                                                                 const Part& part)
 {
     for (std::size_t k = 0; previous != nullptr && k < previous->parts.size(); ++k)
         if (previous->assembly.parts[k].name == part.name)
@@ -95,8 +99,8 @@ std::shared_ptr<const SurfaceDeformer> earlier_deformer(const PreparedAssembly* 
     return nullptr;
 }
 
-bool is_deformer_of(const SurfaceDeformer& deformer, const TriangleMesh& mesh,
-                    const SurfaceConstraints& constraints)
+bool is_deformer_of(const surface::SurfaceDeformer& deformer, const mesh::TriangleMesh& mesh,
+                    const surface::SurfaceConstraints& constraints)
 {
     return deformer.rest() == mesh && same_constraints(deformer.constraints(), constraints);
 }
@@ -121,4 +125,4 @@ std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous
     return nullptr;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

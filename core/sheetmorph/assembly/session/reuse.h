@@ -3,19 +3,19 @@
 
 #include "sheetmorph/assembly/session/prepared_assembly.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! The deformer of the part of the same name in an earlier session, or nothing.
-std::shared_ptr<const SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
-                                                        const Part& part);
+std::shared_ptr<const surface::SurfaceDeformer> earlier_deformer(const PreparedAssembly* previous,
+                                                                 const Part& part);
 
 //! Whether a deformer is that of a mesh under some constraints.
-bool is_deformer_of(const SurfaceDeformer& deformer, const TriangleMesh& mesh,
-                    const SurfaceConstraints& constraints);
+bool is_deformer_of(const surface::SurfaceDeformer& deformer, const mesh::TriangleMesh& mesh,
+                    const surface::SurfaceConstraints& constraints);
 
 //! The link from the same source vertices of the same mesh to the same points, or nothing.
 std::shared_ptr<const MotionLink> reusable_link(const PreparedAssembly* previous,
                                                 const Part& source, const PreparedLink& wanted);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 Wave::Wave(const PreparedAssembly& prepared, const Pose& pose, Exactness exactness,
@@ -70,14 +70,14 @@ void Wave::answer_in_order()
 // Every part's own of what was solved at once.
 void Wave::take(const Deformed& joined)
 {
-    const Deformation& all = joined.parts.front();
+    const surface::Deformation& all = joined.parts.front();
     const JoinedParts& places = prepared_.places;
     for (const int part : prepared_.plan.order)
     {
         const PartProblem& problem = prepared_.parts[at(part)].problem;
         const int first = places.first[at(part)];
         const int count = prepared_.assembly.parts[at(part)].mesh.vertex_count();
-        Deformation& shape = solved(part);
+        surface::Deformation& shape = solved(part);
         shape.positions = all.positions.middleRows(first, count);
         shape.rotation_logs = all.rotation_logs.rows() == 0
                                   ? Points(0, 3)
@@ -94,14 +94,14 @@ void Wave::take(const Deformed& joined)
 }
 
 // What the deformer of a part makes: the middle of a thin solid, the whole of any other part.
-Deformation& Wave::solved(int part) const
+surface::Deformation& Wave::solved(int part) const
 {
     const bool is_thin = prepared_.parts[at(part)].thin != nullptr;
     return is_thin ? result_->middles[at(part)] : result_->parts[at(part)];
 }
 
 // The whole of a thin solid follows its middle.
-void Wave::expand(int part, const SurfaceTargets& targets) const
+void Wave::expand(int part, const surface::SurfaceTargets& targets) const
 {
     if (const auto& thin = prepared_.parts[at(part)].thin)
         thin->expand(result_->middles[at(part)], targets, exactness_, result_->parts[at(part)]);
@@ -110,23 +110,24 @@ void Wave::expand(int part, const SurfaceTargets& targets) const
 // Left alone if an earlier frame has put it there.
 void Wave::set_at_rest(int part) const
 {
-    Deformation& shape = solved(part);
-    const TriangleMesh& mesh = prepared_.assembly.parts[at(part)].mesh;
+    surface::Deformation& shape = solved(part);
+    const mesh::TriangleMesh& mesh = prepared_.assembly.parts[at(part)].mesh;
     if (shape.positions.rows() == mesh.vertex_count())
         return;
     shape = {mesh.points(), Points::Zero(mesh.vertex_count(), 3), {}};
-    for (const FormFeature& feature : prepared_.parts[at(part)].problem.own.surface.features)
+    for (const surface::FormFeature& feature :
+         prepared_.parts[at(part)].problem.own.surface.features)
     {
         RigidMotion none;
         none.pivot = rows_of(mesh.points(), feature.vertices).colwise().mean().transpose();
         shape.features.push_back(none);
     }
-    SurfaceTargets none;
+    surface::SurfaceTargets none;
     none.handles.resize(prepared_.parts[at(part)].problem.own.surface.handles.size());
     expand(part, none);
 }
 
-SurfaceTargets Wave::targets_of(int part) const
+surface::SurfaceTargets Wave::targets_of(int part) const
 {
     return targets_in_order(prepared_.assembly, prepared_.parts[at(part)].problem, pose_,
                             {links_, welds_, motions_});
@@ -134,7 +135,7 @@ SurfaceTargets Wave::targets_of(int part) const
 
 // The one place that chooses how a part is answered (resources/docs/answers.md).
 // \returns whether its response was taken
-bool Wave::answer(int index, const std::shared_ptr<const Response>& response)
+bool Wave::answer(int index, const std::shared_ptr<const surface::Response>& response)
 {
     const PreparedPart& part = prepared_.parts[at(index)];
     if (!part.deformer)
@@ -161,13 +162,13 @@ void Wave::substitute(int index)
     if (exactness_ == Exactness::exact)
         result_->spread =
             std::max(result_->spread, spread_of_targets(part.problem, {links_, welds_, motions_}));
-    const SurfaceTargets targets = targets_of(index);
+    const surface::SurfaceTargets targets = targets_of(index);
     solved(index) = part.thin ? part.thin->solve(*part.deformer, targets, exactness_, progress_)
                               : part.deformer->deform(targets, exactness_, progress_);
     expand(index, targets);
 }
 
-const Deformation& Wave::read_of(int part) const
+const surface::Deformation& Wave::read_of(int part) const
 {
     const bool is_in_read = !is_in_read_.empty() && is_in_read_[at(part)];
     return is_in_read ? (*read_)[at(part)] : solved(part);
@@ -184,13 +185,13 @@ void Wave::pass_on(int index)
 
 void Wave::pass_on_link(std::size_t link)
 {
-    const Deformation& source = read_of(prepared_.planned[link].source_part);
+    const surface::Deformation& source = read_of(prepared_.planned[link].source_part);
     links_[link] = prepared_.links[link].link->transfer(source, exactness_);
 }
 
 void Wave::pass_on_motions(int index)
 {
-    const Deformation& shape = read_of(index);
+    const surface::Deformation& shape = read_of(index);
     const PartProblem& problem = prepared_.parts[at(index)].problem;
     for (std::size_t k = 0; k < problem.carriers.size(); ++k)
         welds_[at(problem.carriers[k])] = shape.features[problem.own.features.size() + k];
@@ -214,7 +215,7 @@ Points Wave::sized_rest(int index) const
 std::optional<SizedForm> Wave::sized_form(int index) const
 {
     const PartFeature& feature = prepared_.whole().features[at(index)];
-    const std::optional<FeatureShape>& shape = prepared_.shapes[at(index)];
+    const std::optional<forms::FeatureShape>& shape = prepared_.shapes[at(index)];
     const std::optional<double> size = size_in_pose(feature, pose_);
     if (!shape || !size)
         return std::nullopt;
@@ -225,7 +226,7 @@ std::optional<SizedForm> Wave::sized_form(int index) const
 
 void Wave::report_feature(int part, std::size_t own, const Points& rest)
 {
-    const Deformation& shape = result_->parts[at(part)];
+    const surface::Deformation& shape = result_->parts[at(part)];
     const int global = prepared_.parts[at(part)].problem.own.features[own];
     const PartFeature& feature = prepared_.whole().features[at(global)];
     FeatureResult& result = result_->features[at(global)];
@@ -275,4 +276,4 @@ void Wave::report_contacts()
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

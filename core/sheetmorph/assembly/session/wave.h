@@ -6,11 +6,11 @@
 
 #include <functional>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! How parts answer in live frames, by part; nothing: by substitution.
-using PartResponses = std::vector<std::shared_ptr<const Response>>;
+using PartResponses = std::vector<std::shared_ptr<const surface::Response>>;
 
 //! One pose on its way through the propagation order.
 class Wave
@@ -27,35 +27,35 @@ public:
     //! covers the pose take it, and need not have rotation logs.
     //! \param read  by part: buffers for what later parts read of it
     //! \returns by part, whether its response was taken
-    std::vector<char> run_live(const PartResponses& responses, std::vector<Deformation>& read,
-                               Deformed& result);
+    std::vector<char> run_live(const PartResponses& responses,
+                               std::vector<surface::Deformation>& read, Deformed& result);
 
     //! For one pose of many, part by part in their order: only what later parts read is known of
     //! a part, in buffers that the poses share.
-    void begin_reading(std::vector<Deformation>& read);
-    SurfaceTargets targets_of(int part) const;
+    void begin_reading(std::vector<surface::Deformation>& read);
+    surface::SurfaceTargets targets_of(int part) const;
 
     //! What links have made of the parts so far.
-    const std::vector<LinkedTargets>& links() const { return links_; }
+    const std::vector<volume::LinkedTargets>& links() const { return links_; }
 
-    bool read(int part, const Response& response);
+    bool read(int part, const surface::Response& response);
 
 private:
     void start(Deformed& result);
-    Deformation& solved(int part) const;
+    surface::Deformation& solved(int part) const;
     void set_at_rest(int part) const;
-    void expand(int part, const SurfaceTargets& targets) const;
+    void expand(int part, const surface::SurfaceTargets& targets) const;
     void take(const Deformed& joined);
     void answer_in_order();
-    bool answer(int part, const std::shared_ptr<const Response>& response);
+    bool answer(int part, const std::shared_ptr<const surface::Response>& response);
     void substitute(int part);
-    bool respond(int part, const std::shared_ptr<const Response>& response);
+    bool respond(int part, const std::shared_ptr<const surface::Response>& response);
     void pass_on(int part);
     void pass_on_link(std::size_t link);
     void pass_on_motions(int part);
     void run_stage(const std::vector<int>& parts, const PartResponses& responses,
                    std::vector<char>& answered);
-    const Deformation& read_of(int part) const;
+    const surface::Deformation& read_of(int part) const;
     void place_answers() const;
     Points sized_rest(int part) const;
     std::optional<SizedForm> sized_form(int feature) const;
@@ -68,14 +68,14 @@ private:
     const Pose& pose_;
     Exactness exactness_;
     Progress progress_;
-    std::vector<LinkedTargets> links_;
+    std::vector<volume::LinkedTargets> links_;
     std::vector<RigidMotion> welds_;
     std::vector<RigidMotion> motions_;  // by feature of the assembly
     // By part: places its vertices, if only its rigid motions are known yet.
-    std::vector<std::function<void(Deformation&)>> answers_;
+    std::vector<std::function<void(surface::Deformation&)>> answers_;
     Deformed* result_ = nullptr;
-    std::vector<Deformation>* read_ = nullptr;
+    std::vector<surface::Deformation>* read_ = nullptr;
     std::vector<char> is_in_read_;  // by part: what later parts read is there, else in the result
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

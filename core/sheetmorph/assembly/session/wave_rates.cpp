@@ -7,7 +7,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/surface/rates/pose_rates.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -31,7 +31,7 @@ Vector3 value_or_none(const std::map<std::string, Vector3>& values, const std::s
 struct Passing
 {
     PoseRate pose;
-    std::vector<LinkedRates> links;
+    std::vector<volume::LinkedRates> links;
     std::vector<MotionRate> welds;
     std::vector<Points> parts;
 };
@@ -56,19 +56,19 @@ PoseRate with_spins(const Pose& pose, PoseRate rate)
     return rate;
 }
 
-PropagatedRate propagated_rate(const std::vector<std::vector<LinkRow>>& region,
-                               const std::vector<LinkedTargets>& at_pose,
-                               const std::vector<LinkedRates>& links)
+surface::PropagatedRate propagated_rate(const std::vector<std::vector<LinkRow>>& region,
+                                        const std::vector<volume::LinkedTargets>& at_pose,
+                                        const std::vector<volume::LinkedRates>& links)
 {
     const auto count = static_cast<Eigen::Index>(region.size());
-    PropagatedRate rate{Points::Zero(count, 3), Points::Zero(count, 3), Points(count, 3)};
+    surface::PropagatedRate rate{Points::Zero(count, 3), Points::Zero(count, 3), Points(count, 3)};
     for (Eigen::Index k = 0; k < count; ++k)
     {
         double weights = 0.0;
         Matrix3 sum = Matrix3::Zero(), change = Matrix3::Zero();
         for (const LinkRow& row : region[at(k)])
         {
-            const LinkedRates& link = links[at(row.link)];
+            const volume::LinkedRates& link = links[at(row.link)];
             const Matrix3 rotation = at_pose[at(row.link)].rotation(row.row);
             rate.positions.row(k) += row.weight * link.positions.row(row.row);
             rate.rotation_logs.row(k) += row.weight * link.logs.row(row.row);
@@ -115,11 +115,11 @@ private:
     void pass(int index)
     {
         const PreparedPart& part = prepared_.parts[at(index)];
-        const std::unique_ptr<PoseRates> rates =
+        const std::unique_ptr<surface::PoseRates> rates =
             part.deformer ? part.deformer->rates(wave_.targets_of(index)) : nullptr;
         for (Passing& passing : passing_)
         {
-            DeformationRate rate;
+            surface::DeformationRate rate;
             if (rates)
                 rate = rates->along(targets_of(part.problem, passing));
             else
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    void pass_on(int index, DeformationRate& rate, Passing& passing) const
+    void pass_on(int index, surface::DeformationRate& rate, Passing& passing) const
     {
         const PartProblem& problem = prepared_.parts[at(index)].problem;
         for (std::size_t k = 0; k < prepared_.links.size(); ++k)
@@ -145,10 +145,10 @@ private:
     }
 
     // targets_in_order(), of how they change.
-    TargetRates targets_of(const PartProblem& problem, const Passing& passing) const
+    surface::TargetRates targets_of(const PartProblem& problem, const Passing& passing) const
     {
         const Assembly& assembly = prepared_.assembly;
-        TargetRates rates;
+        surface::TargetRates rates;
         for (const int handle : problem.own.handles)
             rates.handles.push_back(
                 value_or_none(passing.pose.handles, assembly.handles[at(handle)].name));
@@ -206,4 +206,4 @@ std::vector<std::vector<Points>> wave_rates(const PreparedAssembly& prepared, co
     return WaveRates(prepared, pose, directions).run();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/session/prepared_assembly.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! DeformationSession::rates(): from part to part, as the pose itself goes.
@@ -11,4 +11,4 @@ namespace sheetmorph
 std::vector<std::vector<Points>> wave_rates(const PreparedAssembly& prepared, const Pose& pose,
                                             const std::vector<PoseRate>& directions);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/assembly/symmetry/mirror.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 Vector3 Mirror::across(const Vector3& direction) const
@@ -44,4 +44,4 @@ RigidMotion Mirror::symmetric_motion(const RigidMotion& given) const
     return {symmetric_vector(given.translation), symmetric_log(given.rotation_log), given.pivot};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

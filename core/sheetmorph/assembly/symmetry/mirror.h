@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/assembly.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Reflection in a plane of symmetry.
@@ -28,4 +28,4 @@ private:
     SymmetryPlane plane_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

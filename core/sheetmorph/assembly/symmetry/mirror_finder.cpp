@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -40,7 +40,7 @@ MirrorFinder::MirrorFinder(const Assembly& assembly)
 VertexIds MirrorFinder::vertices_at(int part, const Vector3& position)
 {
     const Points& points = assembly_.parts[at(part)].mesh.points();
-    const PointGrid& grid = grids_.try_emplace(part, points, 4.0 * tolerance_).first->second;
+    const mesh::PointGrid& grid = grids_.try_emplace(part, points, 4.0 * tolerance_).first->second;
     VertexIds found;
     grid.for_each_in(position.array() - tolerance_, position.array() + tolerance_,
                      [&](int vertex)
@@ -89,7 +89,7 @@ std::optional<PartRegion> MirrorFinder::region(int part, const VertexIds& vertic
 
 Vector3 MirrorFinder::position(const PartPoint& point) const
 {
-    const TriangleMesh& mesh = assembly_.parts[at(point.part)].mesh;
+    const mesh::TriangleMesh& mesh = assembly_.parts[at(point.part)].mesh;
     Vector3 position = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
         position += point.constraint.barycentric(k)
@@ -99,9 +99,9 @@ Vector3 MirrorFinder::position(const PartPoint& point) const
 
 std::optional<PartPoint> MirrorFinder::on_part(int part, const Vector3& position)
 {
-    const TriangleMesh& mesh = assembly_.parts[at(part)].mesh;
-    const PickingTree& tree = trees_.try_emplace(part, mesh).first->second;
-    const std::optional<Hit> hit = tree.nearest_point(position, tolerance_);
+    const mesh::TriangleMesh& mesh = assembly_.parts[at(part)].mesh;
+    const mesh::PickingTree& tree = trees_.try_emplace(part, mesh).first->second;
+    const std::optional<mesh::Hit> hit = tree.nearest_point(position, tolerance_);
     if (!hit)
         return std::nullopt;
     PartPoint found;
@@ -124,4 +124,4 @@ std::optional<PartPoint> MirrorFinder::point(const PartPoint& given)
     return std::nullopt;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

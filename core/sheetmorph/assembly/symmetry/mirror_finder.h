@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Finds by position what lies on the other side of a plane of symmetry: on the same part, else on
@@ -40,9 +40,9 @@ private:
     const Assembly& assembly_;
     Mirror mirror_;
     double tolerance_ = 0.0;
-    std::map<int, PointGrid> grids_;
-    std::map<int, PickingTree> trees_;
+    std::map<int, mesh::PointGrid> grids_;
+    std::map<int, mesh::PickingTree> trees_;
     VertexIds missing_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

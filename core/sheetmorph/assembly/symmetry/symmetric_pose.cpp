@@ -3,7 +3,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/index.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -54,7 +54,7 @@ public:
         {
             const std::string& one = assembly_.features[at(a)].name;
             const std::string& other = assembly_.features[at(b)].name;
-            if (assembly_.features[at(a)].rotation == FeatureRotation::prescribed)
+            if (assembly_.features[at(a)].rotation == surface::FeatureRotation::prescribed)
                 mirror_logs(one, other);
             mirror_sizes(one, other);
         }
@@ -109,24 +109,25 @@ private:
     }
 
     // Where a pose leaves a point out it stays; the solver asks for a target of every declared one.
-    PointTarget target_of(int point) const
+    surface::PointTarget target_of(int point) const
     {
         const auto found = pose_.points.find(assembly_.points[at(point)].name);
-        return found == pose_.points.end() ? PointTarget{plan_.places[at(point)], Vector3::Zero()}
-                                           : found->second;
+        return found == pose_.points.end()
+                   ? surface::PointTarget{plan_.places[at(point)], Vector3::Zero()}
+                   : found->second;
     }
 
-    bool stays(int point, const PointTarget& target) const
+    bool stays(int point, const surface::PointTarget& target) const
     {
         return target.rotation_log.isZero(0.0) && agree(target.position, plan_.places[at(point)]);
     }
 
     void mirror_points(int a, int b)
     {
-        const PointTarget one = target_of(a);
-        const PointTarget other = target_of(b);
-        PointTarget& told_a = pose_.points[assembly_.points[at(a)].name];
-        PointTarget& told_b = pose_.points[assembly_.points[at(b)].name];
+        const surface::PointTarget one = target_of(a);
+        const surface::PointTarget other = target_of(b);
+        surface::PointTarget& told_a = pose_.points[assembly_.points[at(a)].name];
+        surface::PointTarget& told_b = pose_.points[assembly_.points[at(b)].name];
         if (a == b)
         {
             const Vector3& place = plan_.places[at(a)];
@@ -134,7 +135,8 @@ private:
                       mirror_.symmetric_log(one.rotation_log)};
             return;
         }
-        const PointTarget mirrored{mirror_.point(one.position), mirror_.log(one.rotation_log)};
+        const surface::PointTarget mirrored{mirror_.point(one.position),
+                                            mirror_.log(one.rotation_log)};
         if (stays(a, one))
         {
             told_a = {mirror_.point(other.position), mirror_.log(other.rotation_log)};
@@ -162,4 +164,4 @@ Pose symmetric_pose(const Assembly& assembly, const SymmetryPlan& plan, Pose pos
     return Mirrored(assembly, plan, std::move(pose)).run();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

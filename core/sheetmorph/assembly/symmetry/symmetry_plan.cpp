@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -163,7 +163,7 @@ private:
             + " mirror each other, but differ in their " + what + "; declare them alike");
     }
 
-    FeatureMotion mirrored_motion(FeatureMotion motion) const
+    surface::FeatureMotion mirrored_motion(surface::FeatureMotion motion) const
     {
         motion.point = mirror_.point(motion.point);
         motion.direction = mirror_.vector(motion.direction);
@@ -176,9 +176,9 @@ private:
         if (feature.rotation != other.rotation)
             refuse_difference("feature", feature.name, other.name, "rotation");
         const Vector3 along = mirror_.vector(feature.motion.direction);
-        const bool has_direction = feature.motion.type == FeatureMotion::Type::plane
-                                   || feature.motion.type == FeatureMotion::Type::line
-                                   || feature.motion.type == FeatureMotion::Type::axis;
+        const bool has_direction = feature.motion.type == surface::FeatureMotion::Type::plane
+                                   || feature.motion.type == surface::FeatureMotion::Type::line
+                                   || feature.motion.type == surface::FeatureMotion::Type::axis;
         if (feature.motion.type != other.motion.type
             || (has_direction && along.cross(other.motion.direction).norm() > 1e-6))
             refuse_difference("feature", feature.name, other.name, "motion");
@@ -194,9 +194,9 @@ private:
         for (std::size_t k = 0; k < given_.features.size(); ++k)
         {
             const PartFeature& feature = given_.features[k];
-            const bool is_told = feature.rotation == FeatureRotation::prescribed
+            const bool is_told = feature.rotation == surface::FeatureRotation::prescribed
                                  || is_sized(feature)
-                                 || feature.motion.type != FeatureMotion::Type::free;
+                                 || feature.motion.type != surface::FeatureMotion::Type::free;
             const std::optional<PartRegion> mirrored =
                 finder_.region(feature.part, feature.vertices);
             if (!mirrored && is_told)
@@ -295,4 +295,4 @@ SymmetryPlan complete_by_symmetry(Assembly& assembly)
     return Completion(assembly).run();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

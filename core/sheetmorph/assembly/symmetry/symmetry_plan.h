@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! Which entries of an assembly mirror each other; (k, k): its own mirror.
@@ -28,4 +28,4 @@ SymmetryPlan complete_by_symmetry(Assembly& assembly);
 //! \throws InvalidInput naming two entries that the pose moves differently
 Pose symmetric_pose(const Assembly& assembly, const SymmetryPlan& plan, Pose pose);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

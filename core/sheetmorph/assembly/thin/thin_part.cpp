@@ -9,8 +9,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using mesh::Anchor;
 
 namespace
 {
@@ -23,7 +25,7 @@ constexpr Eigen::Index least_searches = 50;  // worth a thread
 // A corner with less weight than this does not count.
 constexpr double no_weight = 1e-6;
 
-std::vector<int> all_on(const ThinSolid& solid, SolidSide side)
+std::vector<int> all_on(const recognise::ThinSolid& solid, recognise::SolidSide side)
 {
     std::vector<int> found;
     for (std::size_t t = 0; t < solid.facets.size(); ++t)
@@ -32,10 +34,10 @@ std::vector<int> all_on(const ThinSolid& solid, SolidSide side)
     return found;
 }
 
-std::vector<Anchor> anchors_at(const std::vector<Hit>& places, const Triangles& triangles)
+std::vector<Anchor> anchors_at(const std::vector<mesh::Hit>& places, const Triangles& triangles)
 {
     std::vector<Anchor> found;
-    for (const Hit& place : places)
+    for (const mesh::Hit& place : places)
         found.push_back(Anchor::at(place, triangles));
     return found;
 }
@@ -65,17 +67,18 @@ void each_in_parallel(std::size_t count, const std::function<void(int)>& work)
 
 }  // namespace
 
-ThinPart::ThinPart(TriangleMesh mesh, ThinSolid solid)
+ThinPart::ThinPart(mesh::TriangleMesh mesh, recognise::ThinSolid solid)
     : mesh_(std::move(mesh)),
       solid_(std::move(solid)),
-      skin_(submesh(mesh_, all_on(solid_, SolidSide::main)))
+      skin_(mesh::submesh(mesh_, all_on(solid_, recognise::SolidSide::main)))
 {
-    const AcrossSheet across(mesh_, solid_);
+    const recognise::AcrossSheet across(mesh_, solid_);
     hang_on_skin(across);
     find_feet(across);
     find_middle();
     for (std::size_t wall = 0; wall < solid_.walls.size(); ++wall)
-        for (const SolidSide side : {SolidSide::main, SolidSide::opposite})
+        for (const recognise::SolidSide side :
+             {recognise::SolidSide::main, recognise::SolidSide::opposite})
         {
             rims_.emplace_back();
             wall_of_rim_.push_back(static_cast<int>(wall));
@@ -85,7 +88,7 @@ ThinPart::ThinPart(TriangleMesh mesh, ThinSolid solid)
         }
 }
 
-void ThinPart::hang_on_skin(const AcrossSheet& across)
+void ThinPart::hang_on_skin(const recognise::AcrossSheet& across)
 {
     anchors_.resize(at(mesh_.vertex_count()));
     const auto hang = [&](int v)
@@ -95,7 +98,8 @@ void ThinPart::hang_on_skin(const AcrossSheet& across)
             anchors_[at(v)] = {Anchor::at_vertex(own)};
             return;
         }
-        anchors_[at(v)] = anchors_at(across.places(v, SolidSide::main), mesh_.triangles());
+        anchors_[at(v)] =
+            anchors_at(across.places(v, recognise::SolidSide::main), mesh_.triangles());
         for (Anchor& anchor : anchors_[at(v)])
             for (int& corner : anchor.corners)
                 corner = skin_.index_of[at(corner)];
@@ -103,13 +107,13 @@ void ThinPart::hang_on_skin(const AcrossSheet& across)
     each_in_parallel(anchors_.size(), hang);
 }
 
-void ThinPart::find_feet(const AcrossSheet& across)
+void ThinPart::find_feet(const recognise::AcrossSheet& across)
 {
     feet_.resize(skin_.vertices.size());
     const auto find = [&](int s)
     {
         const int v = skin_.vertices[at(s)];
-        const std::vector<Hit> places = across.places(v, SolidSide::opposite);
+        const std::vector<mesh::Hit> places = across.places(v, recognise::SolidSide::opposite);
         if (!places.empty() && places.front().distance <= farthest_foot * across.thickness(v))
             feet_[at(s)] = anchors_at(places, mesh_.triangles());
     };
@@ -126,12 +130,12 @@ void ThinPart::find_feet(const AcrossSheet& across)
 // a fold that is farther than half the thickness.
 void ThinPart::find_middle()
 {
-    const TriangleMesh& skin = skin_.mesh;
+    const mesh::TriangleMesh& skin = skin_.mesh;
     std::vector<Matrix3> moments(skin_.vertices.size(), Matrix3::Zero());
     Points pushed = Points::Zero(skin.vertex_count(), 3);
     for (int t = 0; t < skin.triangle_count(); ++t)
     {
-        const Vector3 product = doubled_area(skin, t);
+        const Vector3 product = mesh::doubled_area(skin, t);
         const Vector3 normal = product.stableNormalized();
         for (int k = 0; k < 3; ++k)
         {
@@ -151,7 +155,7 @@ void ThinPart::find_middle()
         const double sign = push.dot(way) < 0.0 ? -1.0 : 1.0;
         middle.row(s) += (0.5 * sign * way.norm() * push).transpose();
     }
-    middle_ = TriangleMesh(std::move(middle), skin.triangles());
+    middle_ = mesh::TriangleMesh(std::move(middle), skin.triangles());
 }
 
 SkinRegion ThinPart::on_skin(const VertexIds& region) const
@@ -233,4 +237,4 @@ VertexIds ThinPart::with_walls(const VertexIds& feature) const
     return whole;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -5,7 +5,7 @@
 #include "sheetmorph/mesh/topology/submesh.h"
 #include "sheetmorph/recognise/thin/across_sheet.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! What a region of a thin solid is on its main skin; indices into the skin, ascending.
@@ -21,19 +21,19 @@ struct SkinRegion
 class ThinPart
 {
 public:
-    ThinPart(TriangleMesh mesh, ThinSolid solid);
+    ThinPart(mesh::TriangleMesh mesh, recognise::ThinSolid solid);
 
-    const TriangleMesh& mesh() const { return mesh_; }
-    const ThinSolid& solid() const { return solid_; }
-    const Submesh& skin() const { return skin_; }
+    const mesh::TriangleMesh& mesh() const { return mesh_; }
+    const recognise::ThinSolid& solid() const { return solid_; }
+    const mesh::Submesh& skin() const { return skin_; }
 
     //! The mesh that is solved: the main skin's triangles in the middle of the sheet.
-    const TriangleMesh& middle() const { return middle_; }
+    const mesh::TriangleMesh& middle() const { return middle_; }
 
     //! Places of a vertex of the whole part on the main skin, in the skin's own vertices: the
     //! nearest across its own sheet, and as many as are equally near. None for a vertex of no
     //! triangle, which stays where it is.
-    using Anchors = std::vector<Anchor>;
+    using Anchors = std::vector<mesh::Anchor>;
     const Anchors& anchors(int vertex) const { return anchors_[static_cast<std::size_t>(vertex)]; }
 
     //! Skin vertices are under a region if what is opposite them lies on its triangles; a vertex
@@ -45,16 +45,16 @@ public:
     VertexIds with_walls(const VertexIds& feature) const;
 
 private:
-    void hang_on_skin(const AcrossSheet& across);
-    void find_feet(const AcrossSheet& across);
+    void hang_on_skin(const recognise::AcrossSheet& across);
+    void find_feet(const recognise::AcrossSheet& across);
     void find_middle();
     void add_below(const VertexIds& region, const std::vector<char>& is_covered,
                    SkinRegion& found) const;
 
-    TriangleMesh mesh_;
-    ThinSolid solid_;
-    Submesh skin_;
-    TriangleMesh middle_;
+    mesh::TriangleMesh mesh_;
+    recognise::ThinSolid solid_;
+    mesh::Submesh skin_;
+    mesh::TriangleMesh middle_;
     std::vector<Anchors> anchors_;
     std::vector<Anchors> feet_;     // by skin vertex: the opposite places, if any
     std::vector<VertexIds> above_;  // by vertex: the skin vertices whose feet are on its triangles
@@ -62,4 +62,4 @@ private:
     std::vector<int> wall_of_rim_;  // opposite skin
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -28,7 +28,7 @@ bool is_same_wish(const Part& a, const Part& b)
 
 std::shared_ptr<const ThinPart> found_part(const Part& part)
 {
-    ThinFinding finding = find_thin_solid(part.mesh, part.thickness);
+    recognise::ThinFinding finding = recognise::find_thin_solid(part.mesh, part.thickness);
     if (finding.solid)
         return std::make_shared<const ThinPart>(part.mesh, std::move(*finding.solid));
     if (part.thin == Thin::yes)
@@ -181,21 +181,21 @@ private:
             part.ids[k] = ids[at(vertices[k])];
     }
 
-    PointConstraint on_skin(PointConstraint point) const
+    surface::PointConstraint on_skin(surface::PointConstraint point) const
     {
-        const TriangleMesh& mesh = thin_.mesh();
+        const mesh::TriangleMesh& mesh = thin_.mesh();
         Vector3 place = Vector3::Zero();
         for (int k = 0; k < 3; ++k)
             place += point.barycentric(k)
                      * mesh.points().row(mesh.triangles()(point.triangle, k)).transpose();
-        if (thin_.solid().facets[at(point.triangle)] == SolidSide::main)
+        if (thin_.solid().facets[at(point.triangle)] == recognise::SolidSide::main)
         {
             const auto& facets = thin_.solid().facets;
-            point.triangle = static_cast<int>(
-                std::count(facets.begin(), facets.begin() + point.triangle, SolidSide::main));
+            point.triangle = static_cast<int>(std::count(
+                facets.begin(), facets.begin() + point.triangle, recognise::SolidSide::main));
             return point;
         }
-        const Hit foot = *PickingTree(thin_.skin().mesh).nearest_point(place);
+        const mesh::Hit foot = *mesh::PickingTree(thin_.skin().mesh).nearest_point(place);
         point.triangle = foot.triangle;
         point.barycentric = foot.barycentric;
         return point;
@@ -280,4 +280,4 @@ Assembly reduced_to_skins(const Assembly& whole, const ThinParts& thin)
     return reduced;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

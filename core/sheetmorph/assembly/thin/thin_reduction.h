@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! By part of an assembly: its thin solid; nothing where it is solved as it is.
@@ -28,4 +28,4 @@ Assembly with_lumps(Assembly assembly, const ThinParts& thin);
 //! region whose own it is, and else with the first.
 Assembly reduced_to_skins(const Assembly& whole, const ThinParts& thin);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,13 +6,14 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
-void ThinSizes::add(const TriangleMesh& mesh, const PartFeature& feature)
+void ThinSizes::add(const mesh::TriangleMesh& mesh, const PartFeature& feature)
 {
     vertices_.push_back(feature.vertices);
-    shapes_.push_back(is_sized(feature) ? feature_shape(mesh, feature.vertices) : std::nullopt);
+    shapes_.push_back(is_sized(feature) ? forms::feature_shape(mesh, feature.vertices)
+                                        : std::nullopt);
 }
 
 Points ThinSizes::laid(Points rest, const std::vector<std::optional<double>>& sizes) const
@@ -27,4 +28,4 @@ Points ThinSizes::laid(Points rest, const std::vector<std::optional<double>>& si
     return rest;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

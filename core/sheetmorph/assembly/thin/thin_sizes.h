@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/assembly.h"
 #include "sheetmorph/surface/bodies/sizes.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! The features of a thin part whose size may be set, through both skins and the wall.
@@ -12,7 +12,7 @@ class ThinSizes
 {
 public:
     //! One after another, in the order of the part's features.
-    void add(const TriangleMesh& mesh, const PartFeature& feature);
+    void add(const mesh::TriangleMesh& mesh, const PartFeature& feature);
 
     //! The part at rest with the sizes of a pose.
     //! \param rest   (n, 3) mm
@@ -21,7 +21,7 @@ public:
 
 private:
     std::vector<VertexIds> vertices_;
-    FeatureShapes shapes_;  // nothing where no size may be set
+    surface::FeatureShapes shapes_;  // nothing where no size may be set
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

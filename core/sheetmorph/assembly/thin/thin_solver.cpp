@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using surface::Deformation;
 
 namespace
 {
@@ -27,7 +29,7 @@ constexpr double negligible = 1e-10;
 // far.
 constexpr double live = 2e-8;
 
-VertexIds all_vertices(const TriangleMesh& mesh)
+VertexIds all_vertices(const mesh::TriangleMesh& mesh)
 {
     VertexIds ids(at(mesh.vertex_count()));
     std::iota(ids.begin(), ids.end(), 0);
@@ -46,7 +48,7 @@ VertexIds side_of_weld(const Assembly& whole, const RigidWeld& weld, int part)
     return vertices;
 }
 
-Vector3 centre_of(const TriangleMesh& mesh, VertexIds vertices)
+Vector3 centre_of(const mesh::TriangleMesh& mesh, VertexIds vertices)
 {
     make_set(vertices);
     return rows_of(mesh.points(), vertices).colwise().mean().transpose();
@@ -118,7 +120,7 @@ void ThinSolver::find_movers(const ThinSolverInput& input)
     set_movers(movers_, pointers(features), Mover::Kind::feature);
     set_movers(movers_, pointers(handles), Mover::Kind::handle);
     set_movers(movers_, pointers(fixed), Mover::Kind::ground);
-    for (const KnownRegion& handle : own.surface.handles)
+    for (const surface::KnownRegion& handle : own.surface.handles)
         free_handles_.push_back(handle.is_rotation_free ? handle.vertices : VertexIds());
     middle_movers_.resize(part_->skin().vertices.size());
     set_movers(middle_movers_, vertices_of(own.surface.features), Mover::Kind::feature);
@@ -128,25 +130,26 @@ void ThinSolver::find_movers(const ThinSolverInput& input)
 
 void ThinSolver::find_points(const ThinSolverInput& input)
 {
-    const TriangleMesh& mesh = part_->mesh();
+    const mesh::TriangleMesh& mesh = part_->mesh();
     const std::vector<int>& points = input.problem.own.points;
     for (std::size_t k = 0; k < points.size(); ++k)
     {
-        const PointConstraint& point = input.whole.points[at(points[k])].constraint;
+        const surface::PointConstraint& point = input.whole.points[at(points[k])].constraint;
         const auto corners = mesh.triangles().row(point.triangle);
         points_.push_back({k, {{corners(0), corners(1), corners(2)}, point.barycentric}});
     }
 }
 
-Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTargets& targets,
-                              Exactness level, const Progress& progress) const
+Deformation ThinSolver::solve(const surface::SurfaceDeformer& deformer,
+                              const surface::SurfaceTargets& targets, Exactness level,
+                              const Progress& progress) const
 {
     Deformation middle = deformer.deform(targets, level, progress);
     Deformation whole;
-    SurfaceTargets asked = targets;
+    surface::SurfaceTargets asked = targets;
     const double size = part_->mesh().size();
     const double allowed =
-        level == Exactness::exact ? exactness(part_->mesh().points(), size) : live * size;
+        level == Exactness::exact ? mesh::exactness(part_->mesh().points(), size) : live * size;
     Convergence found{"the points of the thin solid", !has_points(), 0, 0.0};
     for (; found.rounds < most_rounds && !found.is_converged; ++found.rounds)
     {
@@ -168,8 +171,8 @@ Deformation ThinSolver::solve(const SurfaceDeformer& deformer, const SurfaceTarg
 }
 
 // Moves what is asked for by what the points miss; the farthest miss, mm.
-double ThinSolver::ask_for_missing(const Deformation& whole, const SurfaceTargets& targets,
-                                   SurfaceTargets& asked) const
+double ThinSolver::ask_for_missing(const Deformation& whole, const surface::SurfaceTargets& targets,
+                                   surface::SurfaceTargets& asked) const
 {
     double worst = 0.0;
     for (const PlacedPoint& point : points_)
@@ -182,10 +185,11 @@ double ThinSolver::ask_for_missing(const Deformation& whole, const SurfaceTarget
     return worst;
 }
 
-LocalRotations ThinSolver::rotations(const Deformation& middle,
-                                     const std::vector<RigidMotion>& handles, Exactness level) const
+volume::LocalRotations ThinSolver::rotations(const Deformation& middle,
+                                             const std::vector<RigidMotion>& handles,
+                                             Exactness level) const
 {
-    LocalRotations turned;
+    volume::LocalRotations turned;
     if (level == Exactness::exact)
         turned = meter_.measure(middle.positions, middle.rotation_logs);
     else
@@ -222,15 +226,15 @@ std::vector<Matrix3> ThinSolver::means(int begin, int end, const Sheet& sheet) c
     const std::vector<Matrix3>& turned = sheet.turned.matrices;
     std::vector<Matrix3> found;
     for (int vertex = begin; vertex < end; ++vertex)
-        for (const Anchor& anchor : part_->anchors(vertex))
+        for (const mesh::Anchor& anchor : part_->anchors(vertex))
             if (movers_[at(vertex)].kind == Mover::Kind::sheet)
                 found.push_back(
                     anchor.mean([&](int corner) -> const Matrix3& { return turned[at(corner)]; }));
-    make_rotations(found);
+    volume::make_rotations(found);
     return found;
 }
 
-ThinSolver::Hung ThinSolver::hung(int vertex, const Anchor& anchor, const Matrix3& mean,
+ThinSolver::Hung ThinSolver::hung(int vertex, const mesh::Anchor& anchor, const Matrix3& mean,
                                   const Sheet& sheet) const
 {
     const Points& rest = part_->middle().points();
@@ -314,15 +318,15 @@ std::vector<RigidMotion> ThinSolver::known_handles(const Deformation& middle,
     return handles;
 }
 
-void ThinSolver::expand(const Deformation& middle, const SurfaceTargets& targets, Exactness level,
-                        Deformation& whole) const
+void ThinSolver::expand(const Deformation& middle, const surface::SurfaceTargets& targets,
+                        Exactness level, Deformation& whole) const
 {
-    const TriangleMesh& mesh = part_->mesh();
+    const mesh::TriangleMesh& mesh = part_->mesh();
     const std::vector<RigidMotion> handles = known_handles(middle, targets.handles);
     const bool is_sized = std::any_of(targets.sizes.begin(), targets.sizes.end(),
                                       [](const auto& size) { return size.has_value(); });
     const Points sized = is_sized ? sizes_.laid(mesh.points(), targets.sizes) : Points();
-    const LocalRotations turned = rotations(middle, handles, level);
+    const volume::LocalRotations turned = rotations(middle, handles, level);
     whole.positions.resize(mesh.vertex_count(), 3);
     whole.rotation_logs = Points::Zero(level == Exactness::exact ? mesh.vertex_count() : 0, 3);
     whole.features.clear();
@@ -344,4 +348,4 @@ VertexIds ThinSolver::read_logs() const
     return vertices;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

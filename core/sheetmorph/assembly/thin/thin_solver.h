@@ -6,7 +6,7 @@
 #include "sheetmorph/assembly/thin/thin_sizes.h"
 #include "sheetmorph/volume/local_rotations.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! A thin part and what the whole assembly says about it.
@@ -33,8 +33,9 @@ public:
     explicit ThinSolver(const ThinSolverInput& input);
 
     //! The middle in one pose. Points lie off it; they are met by a few repeated solves.
-    Deformation solve(const SurfaceDeformer& deformer, const SurfaceTargets& targets,
-                      Exactness exactness, const Progress& progress = {}) const;
+    surface::Deformation solve(const surface::SurfaceDeformer& deformer,
+                               const surface::SurfaceTargets& targets, Exactness exactness,
+                               const Progress& progress = {}) const;
 
     //! Whether points hold or move the part, so that one solve is not enough.
     bool has_points() const { return !points_.empty(); }
@@ -42,8 +43,8 @@ public:
     //! All vertices for a middle, with rotation logs if exact.
     //! \param targets  handles and sizes
     //! \param whole    filled; its memory is used again
-    void expand(const Deformation& middle, const SurfaceTargets& targets, Exactness level,
-                Deformation& whole) const;
+    void expand(const surface::Deformation& middle, const surface::SurfaceTargets& targets,
+                Exactness level, surface::Deformation& whole) const;
 
     //! The vertices of the middle whose rotation logs expand() reads in live frames.
     VertexIds read_logs() const;
@@ -65,7 +66,7 @@ private:
     struct PlacedPoint
     {
         std::size_t index;
-        Anchor place;  // of the whole mesh
+        mesh::Anchor place;  // of the whole mesh
     };
     using Movers = std::vector<Mover>;
     using Regions = std::vector<const VertexIds*>;
@@ -73,14 +74,15 @@ private:
     void find_movers(const ThinSolverInput& input);
     void find_points(const ThinSolverInput& input);
     static void set_movers(Movers& movers, const Regions& regions, Mover::Kind kind);
-    std::vector<RigidMotion> known_handles(const Deformation& middle,
+    std::vector<RigidMotion> known_handles(const surface::Deformation& middle,
                                            std::vector<RigidMotion> handles) const;
-    LocalRotations rotations(const Deformation& middle, const std::vector<RigidMotion>& handles,
-                             Exactness level) const;
+    volume::LocalRotations rotations(const surface::Deformation& middle,
+                                     const std::vector<RigidMotion>& handles,
+                                     Exactness level) const;
     struct Sheet
     {
-        const Deformation& middle;
-        const LocalRotations& turned;  // without logs unless exact
+        const surface::Deformation& middle;
+        const volume::LocalRotations& turned;  // without logs unless exact
         const std::vector<RigidMotion>& handles;
         const Points& rest;  // of the whole part, sized features with their sizes
     };
@@ -90,12 +92,16 @@ private:
         Vector3 log;
     };
     std::vector<Matrix3> means(int begin, int end, const Sheet& sheet) const;
-    Hung hung(int vertex, const Anchor& anchor, const Matrix3& mean, const Sheet& sheet) const;
-    void hang(int vertex, const Matrix3* means, const Sheet& sheet, Deformation& whole) const;
-    void place(int begin, int end, const Sheet& sheet, Deformation& whole) const;
-    void carry(int vertex, const RigidMotion& motion, const Sheet& sheet, Deformation& whole) const;
-    double ask_for_missing(const Deformation& whole, const SurfaceTargets& targets,
-                           SurfaceTargets& asked) const;
+    Hung hung(int vertex, const mesh::Anchor& anchor, const Matrix3& mean,
+              const Sheet& sheet) const;
+    void hang(int vertex, const Matrix3* means, const Sheet& sheet,
+              surface::Deformation& whole) const;
+    void place(int begin, int end, const Sheet& sheet, surface::Deformation& whole) const;
+    void carry(int vertex, const RigidMotion& motion, const Sheet& sheet,
+               surface::Deformation& whole) const;
+    double ask_for_missing(const surface::Deformation& whole,
+                           const surface::SurfaceTargets& targets,
+                           surface::SurfaceTargets& asked) const;
 
     std::shared_ptr<const ThinPart> part_;
     Movers movers_, middle_movers_;        // by vertex of the whole part, of the middle
@@ -105,7 +111,7 @@ private:
     std::vector<Vector3> centres_;
     ThinSizes sizes_;
     std::vector<PlacedPoint> points_;
-    LocalRotationMeter meter_;  // of every vertex of the middle
+    volume::LocalRotationMeter meter_;  // of every vertex of the middle
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -74,9 +74,9 @@ private:
         return vertices;
     }
 
-    std::vector<Anchor> moved(int part, std::vector<Anchor> places) const
+    std::vector<mesh::Anchor> moved(int part, std::vector<mesh::Anchor> places) const
     {
-        for (Anchor& place : places)
+        for (mesh::Anchor& place : places)
             for (int& corner : place.corners)
                 corner += joined_.first[at(part)];
         return places;
@@ -207,4 +207,4 @@ JoinedParts joined_parts(const Assembly& assembly, const PropagationPlan& plan,
     return Joining(assembly, plan).joined(plan, welds, places);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

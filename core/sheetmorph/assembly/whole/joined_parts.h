@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/plan/link_plan.h"
 #include "sheetmorph/assembly/whole/seam_ties.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! All parts that are reached as one part of several sheets, so that one solve answers all of them:
@@ -26,4 +26,4 @@ JoinedParts joined_parts(const Assembly& assembly, const PropagationPlan& plan,
                          const std::vector<RigidWeld>& welds,
                          const std::vector<SeamPlaces>& places);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

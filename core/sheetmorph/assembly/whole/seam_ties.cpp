@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -21,7 +21,7 @@ constexpr double as_near = 1e-9;
 constexpr double as_fine = 1e-6;
 
 // The mean length of its edges in steps of a ratio.
-double coarseness(const TriangleMesh& mesh)
+double coarseness(const mesh::TriangleMesh& mesh)
 {
     double sum = 0.0;
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -68,7 +68,7 @@ public:
     void tie_targets(const std::vector<TiedSeam>& seams)
     {
         using Key = std::tuple<double, int, int>;  // distance, rank of the source, vertex
-        std::vector<std::pair<Key, const Anchor*>> wishes;
+        std::vector<std::pair<Key, const mesh::Anchor*>> wishes;
         for (const TiedSeam& seam : seams)
             for (std::size_t k = 0; k < seam.target.size(); ++k)
                 if (const int vertex = seam.target[k]; !is_rigid_[at(vertex)])
@@ -78,7 +78,7 @@ public:
         std::stable_sort(wishes.begin(), wishes.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [key, place] : wishes)
-            if (const Anchor*& known = place_of_[at(std::get<2>(key))]; known == nullptr)
+            if (const mesh::Anchor*& known = place_of_[at(std::get<2>(key))]; known == nullptr)
                 known = place;
     }
 
@@ -88,7 +88,7 @@ public:
         for (std::size_t k = 0; k < seam.source.size(); ++k)
         {
             const int vertex = seam.source[k];
-            const Anchor& place = seam.places.of_source[k];
+            const mesh::Anchor& place = seam.places.of_source[k];
             const auto is_elsewhere = [&](int corner) {
                 return place_of_[at(corner)] != nullptr
                        && !leads_to(*place_of_[at(corner)], part_of(vertex));
@@ -99,9 +99,9 @@ public:
         }
     }
 
-    std::vector<Tie> in_order() const
+    std::vector<surface::Tie> in_order() const
     {
-        std::vector<Tie> ties;
+        std::vector<surface::Tie> ties;
         std::vector<char> is_done(place_of_.size(), 0);
         for (int vertex = 0; vertex < part_.mesh.vertex_count(); ++vertex)
             add_after_corners(vertex, is_done, ties);
@@ -109,7 +109,7 @@ public:
     }
 
 private:
-    double steps_to(int vertex, const Anchor& place) const
+    double steps_to(int vertex, const mesh::Anchor& place) const
     {
         const Vector3 own = part_.mesh.points().row(vertex).transpose();
         return std::round((own - place.on(part_.mesh.points())).norm() / step_);
@@ -122,7 +122,7 @@ private:
     }
 
     //! Whether a place is, or in the end stands, on a part.
-    bool leads_to(const Anchor& place, int part) const
+    bool leads_to(const mesh::Anchor& place, int part) const
     {
         std::set<int> seen;
         std::vector<int> open(place.corners.begin(), place.corners.end());
@@ -132,16 +132,17 @@ private:
             open.pop_back();
             if (part_of(vertex) == part)
                 return true;
-            const Anchor* below = place_of_[at(vertex)];
+            const mesh::Anchor* below = place_of_[at(vertex)];
             if (below != nullptr && seen.insert(vertex).second)
                 open.insert(open.end(), below->corners.begin(), below->corners.end());
         }
         return false;
     }
 
-    void add_after_corners(int vertex, std::vector<char>& is_done, std::vector<Tie>& ties) const
+    void add_after_corners(int vertex, std::vector<char>& is_done,
+                           std::vector<surface::Tie>& ties) const
     {
-        const Anchor* place = place_of_[at(vertex)];
+        const mesh::Anchor* place = place_of_[at(vertex)];
         if (place == nullptr || is_done[at(vertex)])
             return;
         is_done[at(vertex)] = 1;
@@ -153,7 +154,7 @@ private:
     const Part& part_;
     double step_;
     std::vector<char> is_rigid_;
-    std::vector<const Anchor*> place_of_;  // by vertex that is tied
+    std::vector<const mesh::Anchor*> place_of_;  // by vertex that is tied
 };
 
 }  // namespace
@@ -187,7 +188,7 @@ void lead_by_coarser(const Assembly& assembly, PropagationPlan& plan)
     }
 }
 
-std::vector<Tie> tied(const Assembly& joined, const std::vector<TiedSeam>& seams)
+std::vector<surface::Tie> tied(const Assembly& joined, const std::vector<TiedSeam>& seams)
 {
     Tying tying(joined);
     tying.tie_targets(seams);
@@ -203,4 +204,4 @@ std::vector<Tie> tied(const Assembly& joined, const std::vector<TiedSeam>& seams
     return tying.in_order();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -4,7 +4,7 @@
 #include "sheetmorph/assembly/plan/propagation_plan.h"
 #include "sheetmorph/mesh/search/anchor.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! By part: its place among all, the coarsest first; as fine ones by name. In contacts finer parts
@@ -18,7 +18,7 @@ void lead_by_coarser(const Assembly& assembly, PropagationPlan& plan);
 //! Where the two sides of a contact lie on each other: by vertex, nearest_anchors().
 struct SeamPlaces
 {
-    std::vector<Anchor> of_target, of_source;
+    std::vector<mesh::Anchor> of_target, of_source;
 };
 
 //! A contact that is not rigid, in vertices of the joined part; the source is the coarser side.
@@ -34,6 +34,6 @@ struct TiedSeam
 //! source stands on the target.
 //! \param joined  of one part, with its stitches
 //! \returns       such that the ties of its corners come before a tie
-std::vector<Tie> tied(const Assembly& joined, const std::vector<TiedSeam>& seams);
+std::vector<surface::Tie> tied(const Assembly& joined, const std::vector<TiedSeam>& seams);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -13,7 +13,7 @@
 #include <set>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -56,7 +56,7 @@ double steps_between(const Points& points, int a, int b, double step)
     return std::round((points.row(a) - points.row(b)).norm() / step);
 }
 
-int nearest(const Points& points, const PointGrid& grid, int vertex, double step)
+int nearest(const Points& points, const mesh::PointGrid& grid, int vertex, double step)
 {
     const Vector3 place = points.row(vertex).transpose();
     int found = none;
@@ -80,12 +80,12 @@ int nearest(const Points& points, const PointGrid& grid, int vertex, double step
 }
 
 // From every vertex to the nearest one of the other side.
-std::vector<Pair> pairs_from(const TriangleMesh& mesh, const VertexIds& from, const VertexIds& to,
-                             int seam)
+std::vector<Pair> pairs_from(const mesh::TriangleMesh& mesh, const VertexIds& from,
+                             const VertexIds& to, int seam)
 {
     const Points& points = mesh.points();
     const double step = std::max(as_near * mesh.size(), std::numeric_limits<double>::min());
-    const PointGrid grid(points, to, cell_of(points, to));
+    const mesh::PointGrid grid(points, to, cell_of(points, to));
     std::vector<Pair> pairs;
     for (const int vertex : from)
         if (const int other = nearest(points, grid, vertex, step); other != vertex)
@@ -201,7 +201,7 @@ private:
 
 std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>& seams)
 {
-    const TriangleMesh& mesh = joined.parts.front().mesh;
+    const mesh::TriangleMesh& mesh = joined.parts.front().mesh;
     std::vector<Pair> pairs;
     for (std::size_t k = 0; k < seams.size(); ++k)
     {
@@ -238,4 +238,4 @@ std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>
     return result;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/assembly/assembly.h"
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 //! The two sides of a contact that is not rigid, in vertices of the joined part.
@@ -20,4 +20,4 @@ struct Seam
 //! \returns       disjoint sets of vertices, named by the first contact that joins them
 std::vector<PartRegion> stitched(const Assembly& joined, const std::vector<Seam>& seams);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

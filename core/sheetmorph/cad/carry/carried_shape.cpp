@@ -6,7 +6,7 @@
 #include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -68,4 +68,4 @@ CarriedShape carried_shape(const std::shared_ptr<const ShapeMesh>& mesh, const P
     return carried;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -8,7 +8,7 @@
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! How near a carried shape comes to its deformed mesh, mm.
@@ -44,4 +44,4 @@ struct CarriedShape
 CarriedShape carried_shape(const std::shared_ptr<const ShapeMesh>& mesh, const Points& result,
                            const CarryTolerances& tolerances, const Progress& progress);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

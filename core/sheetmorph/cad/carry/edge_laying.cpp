@@ -6,7 +6,7 @@
 #include <BRep_Tool.hxx>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 // Recomputes the parameter curves of an edge on fitted faces, and makes its largest gap visible to
@@ -50,4 +50,4 @@ void ShapeCarrier::lay_on_faces(CarriedEdge& edge)
                              .with_wave(spline, std::max(least, more * largest));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 Points rows_of(const VertexIds& vertices, const Points& points)
@@ -128,4 +128,4 @@ FaceMotions face_motions(const ShapeMesh& mesh, const Points& result, double tol
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -6,7 +6,7 @@
 
 #include <TopoDS_Face.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! One a face of a shape; none where it does not keep its surface.
@@ -27,4 +27,4 @@ Points rows_of(const VertexIds& vertices, const Points& points);
 //! Of the size of a mesh at rest: what moves rigidly to within it is rigid, mm.
 double rigid_tolerance(const ShapeMesh& mesh);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -176,4 +176,4 @@ SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
     return patch;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -6,7 +6,7 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! An edge of a face, in the parameters of the face.
@@ -22,4 +22,4 @@ struct FaceBorder
 SurfacePatch surface_patch(const Handle(Geom_Surface) & surface,
                            const std::vector<FaceBorder>& borders);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

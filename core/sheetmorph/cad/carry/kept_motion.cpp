@@ -14,7 +14,7 @@
 #include <gp_Lin.hxx>
 #include <gp_Quaternion.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -142,4 +142,4 @@ std::optional<KeptMotion> resized_fit(const Points& from, const Points& to, doub
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

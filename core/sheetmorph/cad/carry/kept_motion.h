@@ -9,7 +9,7 @@
 #include <gp_Trsf.hxx>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! What became of a face or edge that keeps its surface or curve: a rigid motion, and before it, of
@@ -38,4 +38,4 @@ std::optional<KeptMotion> rigid_fit(const Points& from, const Points& to, double
 std::optional<KeptMotion> resized_fit(const Points& from, const Points& to, double tolerance,
                                       const Handle(Geom_Surface) & surface);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -8,7 +8,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 TopoDS_Shape ShapeBuilder::built(const TopoDS_Shape& part)
@@ -134,4 +134,4 @@ void ShapeBuilder::add_parts(TopoDS_Shape& whole, const TopoDS_Shape& before)
         builder_.Add(whole, built(it.Value()));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

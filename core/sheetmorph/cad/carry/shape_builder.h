@@ -5,7 +5,7 @@
 
 #include <BRep_Builder.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Builds a shape once more on what a ShapeCarrier made of its surfaces, curves and points. What
@@ -36,4 +36,4 @@ private:
     TopTools_DataMapOfShapeShape images_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

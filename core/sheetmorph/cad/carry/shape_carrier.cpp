@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -597,4 +597,4 @@ void ShapeCarrier::measure_end(const CarriedEdge& edge, bool is_low)
     vertex.tolerance = std::max(vertex.tolerance, worst);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -14,7 +14,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A face on its way from rest to where its mesh is.
@@ -117,4 +117,4 @@ private:
     WorstAt gap_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

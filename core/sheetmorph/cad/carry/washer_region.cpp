@@ -4,7 +4,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -183,4 +183,4 @@ bool FaceTriangles::take(const std::set<int>& triangles)
     return true;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

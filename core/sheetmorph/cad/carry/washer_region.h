@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Triangles of a face that go around some of its wires, and lie within the face else.
@@ -49,4 +49,4 @@ private:
     std::set<int> border_;                       // vertices
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

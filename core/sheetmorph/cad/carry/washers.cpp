@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -297,4 +297,4 @@ WasheredMesh divide_along_washers(const ShapeMesh& mesh, const Points& result,
     return is_any ? divider.result() : WasheredMesh{};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

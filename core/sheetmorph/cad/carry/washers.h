@@ -6,7 +6,7 @@
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A shape whose faces were divided where a part of them moves with a hole.
@@ -30,4 +30,4 @@ struct WasherTolerances
 WasheredMesh divide_along_washers(const ShapeMesh& mesh, const Points& result,
                                   const FaceMotions& motions, const WasherTolerances& tolerances);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

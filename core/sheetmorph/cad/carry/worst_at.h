@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A number that is worst somewhere.
@@ -14,4 +14,4 @@ struct WorstAt
     Vector3 place = Vector3::Zero();  //!< mm
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -13,7 +13,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -135,4 +135,4 @@ void Healing::note(std::vector<NamedShape>& bodies) const
         }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -5,7 +5,7 @@
 
 #include <TopTools_DataMapOfShapeShape.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Heals the products of a document whose bodies OpenCASCADE's BRepCheck does not accept, where
@@ -34,4 +34,4 @@ private:
     TopTools_DataMapOfShapeShape before_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

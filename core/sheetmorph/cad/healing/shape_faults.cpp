@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -118,4 +118,4 @@ std::vector<std::string> shape_faults(const TopoDS_Shape& shape)
     return faults;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! How finely CAD parts are meshed. The edges of a curved face follow its curvature, flat faces
@@ -14,4 +14,4 @@ struct CadMeshing
     double angle = 0.35;      //!< how far the surface may turn along an edge, radians, below pi / 2
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

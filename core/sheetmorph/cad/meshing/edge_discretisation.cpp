@@ -22,7 +22,7 @@
 #include <cmath>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -274,4 +274,4 @@ void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing, const Sto
     stop_if(stop);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

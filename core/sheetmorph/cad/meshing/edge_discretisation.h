@@ -6,7 +6,7 @@
 
 #include <TopoDS_Shape.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Triangulates every face of a shape with OpenCASCADE's BRepMesh, its edges cut so that no piece
@@ -16,4 +16,4 @@ namespace sheetmorph
 void triangulate(const TopoDS_Shape& shape, const CadMeshing& meshing,
                  const StopFlag* stop = nullptr);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
 {
 
-TriangleMesh mesh_of(const std::vector<FaceVertex>& vertices,
-                     const std::vector<std::array<int, 3>>& triangles)
+mesh::TriangleMesh mesh_of(const std::vector<FaceVertex>& vertices,
+                           const std::vector<std::array<int, 3>>& triangles)
 {
     Points points(static_cast<Eigen::Index>(vertices.size()), 3);
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -20,7 +20,7 @@ TriangleMesh mesh_of(const std::vector<FaceVertex>& vertices,
     for (std::size_t t = 0; t < triangles.size(); ++t)
         corners.row(static_cast<Eigen::Index>(t)) << triangles[t][0], triangles[t][1],
             triangles[t][2];
-    return TriangleMesh(std::move(points), std::move(corners));
+    return mesh::TriangleMesh(std::move(points), std::move(corners));
 }
 
 std::vector<std::pair<int, int>> sorted(std::vector<std::pair<int, int>> sides)
@@ -37,7 +37,7 @@ std::vector<std::pair<int, int>> sorted(std::vector<std::pair<int, int>> sides)
 FaceMesh::FaceMesh(std::vector<FaceVertex> vertices,
                    const std::vector<std::array<int, 3>>& triangles,
                    std::vector<std::pair<int, int>> locked)
-    : EditableTriangles(mesh_of(vertices, triangles), sorted(std::move(locked))),
+    : mesh::EditableTriangles(mesh_of(vertices, triangles), sorted(std::move(locked))),
       vertices_(std::move(vertices))
 {
     if (has_clash())
@@ -50,4 +50,4 @@ int FaceMesh::split(int t, int k, const FaceVertex& middle)
     return EditableTriangles::split(t, k);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

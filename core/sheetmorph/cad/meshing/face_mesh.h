@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/editable_triangles.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 using Vector2 = Eigen::Vector2d;
@@ -20,7 +20,7 @@ struct FaceVertex
 
 //! The triangles of one CAD face, counter-clockwise in its parameter plane.
 //! The sides along the face's edges never change, so that neighbouring faces stay watertight.
-class FaceMesh : public EditableTriangles
+class FaceMesh : public mesh::EditableTriangles
 {
 public:
     //! \param locked  sides (smaller vertex, larger vertex) that must stay though they lie inside
@@ -39,4 +39,4 @@ private:
     std::vector<FaceVertex> vertices_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

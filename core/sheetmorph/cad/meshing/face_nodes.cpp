@@ -11,7 +11,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -143,4 +143,4 @@ FaceNodes face_nodes(const TopoDS_Face& face, const SharedVertices& shared)
     return nodes;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

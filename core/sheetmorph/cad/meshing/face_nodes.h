@@ -10,7 +10,7 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The vertices and edges of a shape, and the numbers of the mesh vertices on them.
@@ -58,4 +58,4 @@ struct FaceNodes
 //! \returns no triangles if the face has none
 FaceNodes face_nodes(const TopoDS_Face& face, const SharedVertices& shared);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

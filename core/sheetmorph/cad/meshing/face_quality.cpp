@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -73,4 +73,4 @@ double deviation(const FaceMesh& mesh, const FaceSurface& surface)
     return largest;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

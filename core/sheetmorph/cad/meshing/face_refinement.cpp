@@ -7,7 +7,7 @@
 #include <numeric>
 #include <queue>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -260,4 +260,4 @@ Convergence refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSi
     return FaceRefiner(mesh, surface, sizes).run();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -5,7 +5,7 @@
 #include "sheetmorph/cad/meshing/face_mesh.h"
 #include "sheetmorph/cad/meshing/stoppable.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The surface under a face.
@@ -49,4 +49,4 @@ Convergence refine_face(FaceMesh& mesh, const FaceSurface& surface, const FaceSi
 //! The largest distance between side middles, triangle centres and the surface, mm.
 double deviation(const FaceMesh& mesh, const FaceSurface& surface);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

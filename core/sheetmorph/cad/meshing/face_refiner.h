@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Squared sine of a triangle's smallest corner in space; -1 if it has no area or the wrong turn
@@ -78,4 +78,4 @@ private:
     double shortest_ = 0.0;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

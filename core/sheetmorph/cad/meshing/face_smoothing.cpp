@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 double FaceRefiner::worth_around(int v, const FaceVertex& moved, int without) const
@@ -106,4 +106,4 @@ void FaceRefiner::smooth(int v)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

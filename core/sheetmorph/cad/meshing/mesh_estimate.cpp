@@ -22,7 +22,7 @@
 #include <cstdio>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -165,4 +165,4 @@ void MeshEstimate::check(const CadMeshing& meshing) const
                        + (is_edge ? "a longer edge, " : "a larger one, ") + tens + " mm or so");
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A number with three digits, for messages.
@@ -46,4 +46,4 @@ private:
     std::vector<Patch> patches_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -16,7 +16,7 @@
 #include <gp_Sphere.hxx>
 #include <gp_Torus.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -162,4 +162,4 @@ CadSurface describe_surface(const TopoDS_Face& face, double tolerance)
     return recognised;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

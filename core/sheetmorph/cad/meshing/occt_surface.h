@@ -6,7 +6,7 @@
 
 #include <BRepAdaptor_Surface.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A face's surface of OpenCASCADE, placed as the face is.
@@ -33,4 +33,4 @@ inline Vector3 to_vector(const gp_XYZ& xyz)
     return {xyz.X(), xyz.Y(), xyz.Z()};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -17,7 +17,7 @@
 #include <gp_Circ.hxx>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -113,7 +113,7 @@ public:
     //! The vertex of a number in SharedVertices; -1 if no triangle has it.
     int place(int number) { return place_[static_cast<std::size_t>(sets_.root(number))]; }
 
-    TriangleMesh mesh() const
+    mesh::TriangleMesh mesh() const
     {
         Points points(static_cast<Eigen::Index>(points_.size()), 3);
         for (std::size_t i = 0; i < points_.size(); ++i)
@@ -242,7 +242,7 @@ bool has_no_border(const Triangles& triangles)
                        [](const auto& side) { return side.second == 0; });
 }
 
-double signed_volume(const TriangleMesh& mesh)
+double signed_volume(const mesh::TriangleMesh& mesh)
 {
     double volume = 0.0;
     const Vector3 centre = mesh.points().colwise().mean();
@@ -255,7 +255,7 @@ double signed_volume(const TriangleMesh& mesh)
     return volume;
 }
 
-TriangleMesh turned_over(const TriangleMesh& mesh)
+mesh::TriangleMesh turned_over(const mesh::TriangleMesh& mesh)
 {
     Triangles triangles = mesh.triangles();
     triangles.col(1).swap(triangles.col(2));
@@ -327,4 +327,4 @@ CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing, const St
     return part;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

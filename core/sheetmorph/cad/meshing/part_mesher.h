@@ -7,7 +7,7 @@
 
 #include <TopoDS_Shape.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The mesh of a shape that triangulate() has been through, without a name: faces refined, and
@@ -18,4 +18,4 @@ namespace sheetmorph
 CadPart mesh_part(const TopoDS_Shape& shape, const CadMeshing& meshing,
                   const StopFlag* stop = nullptr);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -6,7 +6,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Vertices of a mesh on one face of a shape, and their parameters there; on a seam one comes
@@ -38,4 +38,4 @@ struct ShapeMesh
     std::vector<int> face_of_triangle;    //!< (m)
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -11,7 +11,7 @@
 #include <future>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Set by the thread that reports, read by those that work.
@@ -50,4 +50,4 @@ auto stoppable(const Progress& progress, double fraction, const std::string& tas
     return found.get();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -93,7 +93,7 @@ CadPart placed(CadPart part, const gp_Trsf& motion)
     Triangles triangles = part.mesh.triangles();
     if (there.turn.determinant() < 0)
         triangles.col(1).swap(triangles.col(2));
-    part.mesh = TriangleMesh(std::move(points), std::move(triangles));
+    part.mesh = mesh::TriangleMesh(std::move(points), std::move(triangles));
     part.deviation *= there.scale;
     for (CadSurface& surface : part.surfaces)
     {
@@ -208,4 +208,4 @@ CadModel read_brep(const std::string& text, const std::string& name, const CadMe
                    [&] { return meshed(source_of_brep_text(text, name), meshing, progress); });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

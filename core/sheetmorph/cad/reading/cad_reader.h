@@ -5,7 +5,7 @@
 #include "sheetmorph/cad/cad_model.h"
 #include "sheetmorph/cad/meshing/cad_meshing.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The parts of a STEP, IGES or BREP file, one a solid or free shell, named and placed as in the
@@ -19,4 +19,4 @@ CadModel read_cad(const std::string& path, const CadMeshing& meshing, const Prog
 CadModel read_brep(const std::string& text, const std::string& name, const CadMeshing& meshing,
                    const Progress& progress = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -33,7 +33,7 @@
 #include <optional>
 #include <sstream>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -336,4 +336,4 @@ std::shared_ptr<CadSource> source_of_file(const std::string& path)
     throw InvalidInput("it is no CAD file", "use .step, .stp, .iges, .igs, .brep or .brp");
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! \throws InvalidInput if the file cannot be read
@@ -20,4 +20,4 @@ std::shared_ptr<CadSource> source_of_brep_text(const std::string& text, const st
 //! The same by the ending of a path in UTF-8: .step .stp .iges .igs .brep .brp
 std::shared_ptr<CadSource> source_of_file(const std::string& path);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -21,7 +21,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -143,4 +143,4 @@ void tag_faces(std::vector<NamedShape>& bodies, const FaceNames& names,
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

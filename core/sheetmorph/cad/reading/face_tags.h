@@ -8,7 +8,7 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XSControl_TransferReader.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The names that a STEP file gives to faces, by the face without its placement.
@@ -28,4 +28,4 @@ std::vector<std::string> solids_with_lost_faces(const Handle(XSControl_TransferR
 void tag_faces(std::vector<NamedShape>& bodies, const FaceNames& names,
                const Handle(XCAFDoc_ColorTool) & colours);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -76,4 +76,4 @@ std::optional<std::string> standard_step_text(const std::string& text)
     return made;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

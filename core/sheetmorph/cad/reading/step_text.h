@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The text of a STEP file as ISO 10303-21 has it, where writers differ and OpenCASCADE loses what
@@ -13,4 +13,4 @@ namespace sheetmorph
 //! \returns nothing if the text is so already
 std::optional<std::string> standard_step_text(const std::string& text);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

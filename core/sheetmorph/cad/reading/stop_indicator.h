@@ -5,7 +5,7 @@
 
 #include <Message_ProgressIndicator.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Cancels an OpenCASCADE call that takes a progress range. Its result is then incomplete: call
@@ -28,4 +28,4 @@ protected:
     void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

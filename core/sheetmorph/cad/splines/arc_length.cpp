@@ -7,7 +7,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -63,4 +63,4 @@ double ArcLength::between(double low, double high) const
     return half * sum;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

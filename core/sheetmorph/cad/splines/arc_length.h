@@ -4,7 +4,7 @@
 #include <Geom_Curve.hxx>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! How long a curve is from where it begins, mm, by its own parameter.
@@ -23,4 +23,4 @@ private:
     std::vector<double> ends_, lengths_;  // of pieces: parameters, and how far that is
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

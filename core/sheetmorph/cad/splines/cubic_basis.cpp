@@ -4,7 +4,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -152,4 +152,4 @@ CubicBasis CubicBasis::halved(const std::vector<bool>& spans) const
     return {low(), high(), inner};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

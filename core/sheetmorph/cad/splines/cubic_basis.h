@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The cubic B-splines of a clamped knot vector.
@@ -60,4 +60,4 @@ private:
     std::vector<double> knots_, ends_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

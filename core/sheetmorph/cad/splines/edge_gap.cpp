@@ -10,7 +10,7 @@
 #include <cmath>
 #include <gp_Vec.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -206,4 +206,4 @@ Handle(Geom2d_BSplineCurve) EdgeGap::with_wave(const Handle(Geom2d_BSplineCurve)
     return beneath;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

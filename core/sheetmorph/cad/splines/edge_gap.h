@@ -7,7 +7,7 @@
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The gap between an edge and a surface below it, by the parameter of the edge.
@@ -46,4 +46,4 @@ private:
     double low_, high_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -380,4 +380,4 @@ Handle(Geom_BSplineSurface) FaceSpline::surface() const
     return new Geom_BSplineSurface(points, knots(u_), knots(v_), times(u_), times(v_), 3, 3);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

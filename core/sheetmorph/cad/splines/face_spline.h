@@ -9,7 +9,7 @@
 #include <Geom_Surface.hxx>
 #include <functional>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 class PlateSystem;
@@ -113,4 +113,4 @@ private:
     Eigen::MatrixXd base_, poles_;  // (u count * v count, 3), v fastest: of the surface, of both
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 Eigen::MatrixXd GridMatrix::times(const Eigen::MatrixXd& values) const
@@ -219,4 +219,4 @@ Eigen::MatrixXd GridCholesky::solve(const Eigen::MatrixXd& right) const
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

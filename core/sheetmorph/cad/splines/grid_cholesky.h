@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A symmetric matrix over the places of a grid, each with those up to 3 beside it each way.
@@ -75,4 +75,4 @@ private:
     std::vector<int> local_;     // of a place in the block at hand; -1 if it is not there
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

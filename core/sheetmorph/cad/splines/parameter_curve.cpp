@@ -12,7 +12,7 @@
 #include <cmath>
 #include <gp_Vec.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -183,4 +183,4 @@ Handle(Geom2d_BSplineCurve) flat_spline(const CubicBasis& basis, const Eigen::Ma
     return new Geom2d_BSplineCurve(points, at, times, 3);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

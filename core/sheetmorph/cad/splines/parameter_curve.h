@@ -10,7 +10,7 @@
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A curve in the parameters of a face between two of its own, as a spline with the same ones: a
@@ -36,4 +36,4 @@ Handle(Geom_BSplineCurve)
 //! \param poles  (count, 2)
 Handle(Geom2d_BSplineCurve) flat_spline(const CubicBasis& basis, const Eigen::MatrixXd& poles);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

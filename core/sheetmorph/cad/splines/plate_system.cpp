@@ -2,7 +2,7 @@
 #include "sheetmorph/cad/splines/plate_system.h"
 #include "sheetmorph/base/errors.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -90,4 +90,4 @@ Eigen::MatrixXd PlateSystem::solution() const
     throw SolverError("a surface cannot be fitted", "mesh the part finer");
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

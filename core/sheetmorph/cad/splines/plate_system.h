@@ -4,7 +4,7 @@
 #include "sheetmorph/cad/splines/cubic_basis.h"
 #include "sheetmorph/cad/splines/grid_cholesky.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The normal equations of a least squares fit by tensor products of two cubic bases.
@@ -35,4 +35,4 @@ private:
     Eigen::MatrixXd right_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

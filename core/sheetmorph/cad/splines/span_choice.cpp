@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -126,4 +126,4 @@ void SpanChoice::choose_by_surface(double tolerance)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

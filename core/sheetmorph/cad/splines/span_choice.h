@@ -3,7 +3,7 @@
 
 #include "sheetmorph/cad/splines/face_spline.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Which spans of a FaceSpline are too long for what it shall go through.
@@ -31,4 +31,4 @@ private:
     bool is_any_ = false, is_met_ = true;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -6,7 +6,7 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -133,4 +133,4 @@ SplineCurve curve_near(const PointAt& curve, const CubicBasis& start, double tol
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -6,7 +6,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <functional>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A point for every parameter, mm.
@@ -33,4 +33,4 @@ SplineCurve curve_through(const std::vector<double>& parameters, const Points& p
 //! it has the ends of the curve.
 SplineCurve curve_near(const PointAt& curve, const CubicBasis& start, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -9,7 +9,7 @@
 #include <array>
 #include <functional>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -106,4 +106,4 @@ std::vector<CubicBasis::Break> curve_breaks(const Handle(Geom_Curve) & curve, do
     return real_breaks(as_vector(ends), slopes, low, high);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

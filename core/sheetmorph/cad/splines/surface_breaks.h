@@ -5,7 +5,7 @@
 
 #include <Geom_Curve.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Where a surface has no second derivative in u (direction 0) or v (1), inside a patch.
@@ -15,4 +15,4 @@ std::vector<CubicBasis::Break> surface_breaks(const SurfacePatch& patch, int dir
 std::vector<CubicBasis::Break> curve_breaks(const Handle(Geom_Curve) & curve, double low,
                                             double high);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -15,7 +15,7 @@
 #include <map>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -262,4 +262,4 @@ void BodyMeasurer::check_shape(CadMeasures& found) const
     found.vertex_tolerance = largest_tolerance(body_, TopAbs_VERTEX);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

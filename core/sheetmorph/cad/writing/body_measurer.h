@@ -7,7 +7,7 @@
 
 #include <Geom_Surface.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Compares a body that was read of a written file with what it shall be.
@@ -38,4 +38,4 @@ private:
     TopTools_IndexedMapOfShape made_, read_;  // faces
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

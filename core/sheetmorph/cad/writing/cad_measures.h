@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A cylinder of a part that is one in the written file, too.
@@ -47,4 +47,4 @@ struct CadMeasures
     std::vector<int> far_faces;  //!< beyond the tolerance of the surface
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -14,7 +14,7 @@
 #include <deque>
 #include <sstream>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -238,4 +238,4 @@ std::string brep_of(const CadModel& model, int part)
     return text.str();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -5,7 +5,7 @@
 #include "sheetmorph/cad/cad_model.h"
 #include "sheetmorph/cad/writing/cad_measures.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 enum class CadFormat
@@ -39,4 +39,4 @@ std::vector<CadMeasures> write_cad(const CadModel& model, const std::vector<Poin
 //! \throws InvalidInput if the model was not read of a file
 std::string brep_of(const CadModel& model, int part);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

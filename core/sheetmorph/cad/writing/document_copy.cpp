@@ -9,7 +9,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -232,4 +232,4 @@ std::string DocumentCopy::name_for(const TDF_Label& product, const std::string& 
     return use == 1 || name.empty() ? name : name + " " + std::to_string(use);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -7,7 +7,7 @@
 
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! A body of a document in its new form.
@@ -50,4 +50,4 @@ private:
     std::map<std::string, int> uses_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

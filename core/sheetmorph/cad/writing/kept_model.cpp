@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -159,7 +159,7 @@ CadModel kept_model(const std::string& brep, const std::string& mesh, const std:
             points.row(i) =
                 to_vector(gp_Pnt(points(i, 0), points(i, 1), points(i, 2)).Transformed(place).XYZ())
                     .transpose();
-        part.mesh = TriangleMesh(std::move(points), known->triangles);
+        part.mesh = mesh::TriangleMesh(std::move(points), known->triangles);
         part.face_of_triangle = known->face_of_triangle;
         part.known = known;
         CadModel model;
@@ -170,4 +170,4 @@ CadModel kept_model(const std::string& brep, const std::string& mesh, const std:
     return guarded("the kept shape cannot be read", "add the shape again", work);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

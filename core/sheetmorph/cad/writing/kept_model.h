@@ -3,7 +3,7 @@
 
 #include "sheetmorph/cad/cad_model.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! The mesh of a part and what is known of it, for kept_model: bytes of this machine's numbers.
@@ -14,4 +14,4 @@ std::string kept_mesh(const CadPart& part);
 //! \throws InvalidInput if both do not belong together
 CadModel kept_model(const std::string& brep, const std::string& mesh, const std::string& name);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

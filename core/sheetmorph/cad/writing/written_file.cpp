@@ -18,7 +18,7 @@
 #include <XSControl_WorkSession.hxx>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -137,4 +137,4 @@ std::shared_ptr<CadSource> read_document(const std::string& path, CadFormat form
                                        : source_of_brep(path, "part");
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

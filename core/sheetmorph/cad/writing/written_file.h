@@ -4,7 +4,7 @@
 #include "sheetmorph/cad/cad_source.h"
 #include "sheetmorph/cad/writing/cad_writer.h"
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 //! Writes a document; a STEP file says that it is exact to the edge tolerance.
@@ -19,4 +19,4 @@ void write_document(const CadDocument& document, const CadSource& source,
 //! Reads it again.
 std::shared_ptr<CadSource> read_document(const std::string& path, CadFormat format);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

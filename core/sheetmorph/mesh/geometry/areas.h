@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Twice the area of a triangle along its normal, mm^2.
@@ -16,4 +16,4 @@ inline Vector3 doubled_area(const TriangleMesh& mesh, int triangle)
     return (corner(1) - corner(0)).cross(corner(2) - corner(0));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 VertexIds Components::vertices(int component) const
@@ -60,4 +60,4 @@ Components connected_components(const TriangleMesh& mesh, const std::vector<Vert
     return components;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

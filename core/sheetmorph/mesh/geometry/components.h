@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Which connected component each vertex belongs to.
@@ -24,4 +24,4 @@ struct Components
 Components connected_components(const TriangleMesh& mesh,
                                 const std::vector<VertexIds>& joined = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -172,4 +172,4 @@ Convergence flip_to_delaunay(LaidFaces& faces, int most_a_side)
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

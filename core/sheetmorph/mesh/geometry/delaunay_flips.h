@@ -4,7 +4,7 @@
 #include "sheetmorph/base/convergence.h"
 #include "sheetmorph/mesh/geometry/laid_faces.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! The sum of the cotangents opposite to the worst glued side: not below 0 in an intrinsic
@@ -19,4 +19,4 @@ double worst_cotangent_sum(const LaidFaces& faces);
 //! \returns its rounds are the flips
 Convergence flip_to_delaunay(LaidFaces& faces, int most_a_side = 100);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

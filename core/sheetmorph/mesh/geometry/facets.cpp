@@ -5,13 +5,14 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
-FacetSample facets_of(const TriangleMesh& mesh)
+fitting::FacetSample facets_of(const TriangleMesh& mesh)
 {
     const int count = mesh.triangle_count();
-    FacetSample facets{mesh.points(), Points(count, 3), Points(count, 3), Eigen::VectorXd(count)};
+    fitting::FacetSample facets{mesh.points(), Points(count, 3), Points(count, 3),
+                                Eigen::VectorXd(count)};
     for (int t = 0; t < count; ++t)
     {
         const Vector3 doubled = doubled_area(mesh, t);
@@ -23,4 +24,4 @@ FacetSample facets_of(const TriangleMesh& mesh)
     return facets;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

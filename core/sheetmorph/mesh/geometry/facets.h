@@ -4,10 +4,10 @@
 #include "sheetmorph/fitting/surface.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! All facets of a mesh, with every vertex once.
-FacetSample facets_of(const TriangleMesh& mesh);
+fitting::FacetSample facets_of(const TriangleMesh& mesh);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

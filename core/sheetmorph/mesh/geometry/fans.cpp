@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -74,4 +74,4 @@ std::vector<std::vector<int>> seams_of(const LaidFaces& faces)
     return seams;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/geometry/laid_faces.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! The faces around every vertex, in fans: groups that hang together by the sides they share there.
@@ -21,4 +21,4 @@ Fans fans_of(const LaidFaces& faces, int vertex_count);
 //! Open sides that lie on the same edge, two or more each: where several sheets meet.
 std::vector<std::vector<int>> seams_of(const LaidFaces& faces);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

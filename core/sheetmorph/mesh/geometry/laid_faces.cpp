@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -219,4 +219,4 @@ double face_area(const LaidFaces::Corners& corners)
     return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! The triangles of a mesh, each laid flat in a frame of its own and glued to its neighbours along
@@ -47,4 +47,4 @@ double corner_cotangent(const LaidFaces::Corners& corners, int corner);
 //! Area of a face, mm^2.
 double face_area(const LaidFaces::Corners& corners);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -63,4 +63,4 @@ Points vertex_normals(const Points& points, const Triangles& triangles)
     return normals;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Normals of the vertices for display, (n, 3), each of length 1: the mean of the triangles around,
@@ -13,4 +13,4 @@ namespace sheetmorph
 //! \param triangles  (m, 3) rows of `points`, checked by the caller
 Points vertex_normals(const Points& points, const Triangles& triangles);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

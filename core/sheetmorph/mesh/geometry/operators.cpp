@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -214,4 +214,4 @@ Points apply_stiffness(const TriangleMesh& mesh, const Points& half_cotangents,
     return result;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

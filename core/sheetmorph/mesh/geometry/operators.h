@@ -6,7 +6,7 @@
 #include <Eigen/SparseCore>
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Half the cotangents of each triangle's corners, (m, 3): the weight of the edge opposite.
@@ -37,4 +37,4 @@ Vector3 mixed_voronoi_shares(const std::array<Vector3, 3>& corners);
 Points apply_stiffness(const TriangleMesh& mesh, const Points& half_cotangents,
                        const Points& points);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 bool is_thin(const Points& points, const Triangles& triangles, int triangle)
@@ -16,4 +16,4 @@ bool is_thin(const Points& points, const Triangles& triangles, int triangle)
     return a.cross(b).norm() <= thinnest_triangle * longest;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Height over longest edge below which a triangle counts as degenerate: it has no plane.
@@ -12,4 +12,4 @@ constexpr double thinnest_triangle = 1e-5;
 //! Whether a triangle repeats a vertex, or is lower than `thinnest_triangle` of its longest edge.
 bool is_thin(const Points& points, const Triangles& triangles, int triangle);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -119,7 +119,8 @@ void find_rims(const TriangleMesh& mesh, const EdgeTable& table, Diagnosis& foun
     RimDiagnosis& rims = found.rims;
     for (const VertexIds& loop : crease_loops(mesh, table, rim_angle))
     {
-        const auto circle = round_rim(mesh.points()(loop, Eigen::indexing::all), rim_roundness);
+        const auto circle =
+            fitting::round_rim(mesh.points()(loop, Eigen::indexing::all), rim_roundness);
         if (!circle)
             continue;
         const int vertices = static_cast<int>(loop.size());
@@ -179,4 +180,4 @@ Diagnosis diagnose(const TriangleMesh& mesh, double tolerance)
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Longest edge over height from which on a triangle counts as a sliver.
@@ -76,4 +76,4 @@ TriangleMesh without_cuts(const TriangleMesh& mesh, double tolerance);
 //! \throws InvalidInput for a tolerance that is negative or not finite
 Diagnosis diagnose(const TriangleMesh& mesh, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

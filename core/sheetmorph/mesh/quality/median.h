@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! The middle of some values, of an even number the upper one; 0 of none.
@@ -17,4 +17,4 @@ inline double median(std::vector<double> values)
     return *middle;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

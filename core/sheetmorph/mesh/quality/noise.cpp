@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -212,4 +212,4 @@ Points calmed_normals(const EdgeTable& edges, const Points& normals,
     return calm;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

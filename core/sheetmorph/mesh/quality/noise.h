@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/edges.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! How far the vertices of a measured mesh are scattered about its surface, as a standard deviation
@@ -27,4 +27,4 @@ std::vector<double> unsure_normals(const TriangleMesh& mesh, const std::vector<d
 Points calmed_normals(const EdgeTable& edges, const Points& normals,
                       const std::vector<double>& areas, const std::vector<double>& unsure);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -87,4 +87,4 @@ std::vector<PieceDiagnosis> diagnose_pieces(const TriangleMesh& mesh, const Edge
     return pieces;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

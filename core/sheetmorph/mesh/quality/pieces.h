@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/quality/diagnosis.h"
 #include "sheetmorph/mesh/topology/orientation.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! The triangles of every piece connected over vertices, by their first triangle. Triangles that
@@ -15,4 +15,4 @@ std::vector<std::vector<int>> triangles_of_pieces(const TriangleMesh& mesh, cons
 //! triangles_of_pieces().
 std::vector<PieceDiagnosis> diagnose_pieces(const TriangleMesh& mesh, const EdgeTable& table);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

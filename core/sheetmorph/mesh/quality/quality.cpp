@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -145,4 +145,4 @@ QualityChange compare_quality(const TriangleMesh& rest, const Points& points)
     return change;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

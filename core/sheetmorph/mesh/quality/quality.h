@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! How well shaped the triangles of a mesh are; degenerate ones are counted and left out of the
@@ -44,4 +44,4 @@ struct QualityChange
 //! \throws InvalidInput if the number of points differs, or one is not finite
 QualityChange compare_quality(const TriangleMesh& rest, const Points& points);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -84,4 +84,4 @@ std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

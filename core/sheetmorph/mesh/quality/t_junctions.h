@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/boundary.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! An open edge that runs through a vertex: what meets there does not fit together.
@@ -21,4 +21,4 @@ std::vector<TJunction> t_junctions(const TriangleMesh& mesh, double tolerance);
 std::vector<TJunction> junctions_on(const TriangleMesh& mesh,
                                     const std::vector<BoundaryEdge>& edges, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -69,4 +69,4 @@ std::vector<VertexIds> crease_loops(const TriangleMesh& mesh, const EdgeTable& t
     return loops;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

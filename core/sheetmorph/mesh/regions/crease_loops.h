@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/edges.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Whether the sheet ends or breaks at an edge of the table: one triangle uses it, three or more
@@ -14,4 +14,4 @@ bool is_crease(const TriangleMesh& mesh, const EdgeTable& table, int edge, doubl
 //! vertex once, in order, the smallest first; where creases meet or end no loop passes.
 std::vector<VertexIds> crease_loops(const TriangleMesh& mesh, const EdgeTable& table, double angle);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

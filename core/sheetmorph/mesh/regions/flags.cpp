@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/errors.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 Flags flags_of(const std::vector<int>& ids, int count, const std::string& what)
@@ -30,4 +30,4 @@ std::vector<int> ids_of(const Flags& flags, char value)
     return ids;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

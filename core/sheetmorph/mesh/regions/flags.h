@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! One flag a member of 0 .. count - 1.
@@ -17,4 +17,4 @@ Flags flags_of(const std::vector<int>& ids, int count, const std::string& what);
 //! The members whose flag has a value, ascending.
 std::vector<int> ids_of(const Flags& flags, char value = 1);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -177,4 +177,4 @@ VertexIds vertices_of_triangles(const TriangleMesh& mesh, const std::vector<int>
     return ids_of(corners);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

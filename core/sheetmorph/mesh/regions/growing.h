@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/edges.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Every function here takes ids in any order, repeated or not, and returns them ascending, once.
@@ -32,4 +32,4 @@ std::vector<int> triangles_with_all_vertices(const TriangleMesh& mesh, const Ver
 //! The corners of the triangles.
 VertexIds vertices_of_triangles(const TriangleMesh& mesh, const std::vector<int>& triangles);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -4,7 +4,7 @@
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/mesh/topology/boundary.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 std::vector<RoundHole> round_holes(const TriangleMesh& mesh, double tolerance)
@@ -13,9 +13,10 @@ std::vector<RoundHole> round_holes(const TriangleMesh& mesh, double tolerance)
         throw InvalidInput("the tolerance of round holes must be greater than 0");
     std::vector<RoundHole> holes;
     for (const VertexIds& loop : boundary_loops(mesh))
-        if (const auto circle = round_rim(mesh.points()(loop, Eigen::indexing::all), tolerance))
+        if (const auto circle =
+                fitting::round_rim(mesh.points()(loop, Eigen::indexing::all), tolerance))
             holes.push_back({loop, *circle});
     return holes;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -4,14 +4,14 @@
 #include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! A boundary loop that is a circle.
 struct RoundHole
 {
     VertexIds rim;  //!< in order, as boundary_loops gives it
-    CircleFit circle;
+    fitting::CircleFit circle;
 };
 
 //! The boundary loops of at least 6 vertices whose residual is below tolerance * radius, in the
@@ -19,4 +19,4 @@ struct RoundHole
 //! \param tolerance  no unit, > 0
 std::vector<RoundHole> round_holes(const TriangleMesh& mesh, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

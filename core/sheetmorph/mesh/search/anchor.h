@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! What hangs on a sheet hangs on a point of one triangle: beta_0 p_0 + beta_1 p_1 + beta_2 p_2
@@ -69,4 +69,4 @@ struct Anchor
     }
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -12,7 +12,7 @@
 #include <string>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -101,4 +101,4 @@ Weld weld(const TriangleMesh& mesh, double tolerance)
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! The pairs (i, j), i < j, of points no farther than `tolerance` apart, ascending.
@@ -26,4 +26,4 @@ struct Weld
 //! \throws InvalidInput if the tolerance (mm) is negative or not finite
 Weld weld(const TriangleMesh& mesh, double tolerance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

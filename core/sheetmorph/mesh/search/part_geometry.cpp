@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/search/part_geometry.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 const VertexTriangles& PartGeometry::triangles() const
@@ -21,4 +21,4 @@ Submesh PartGeometry::patch(const VertexIds& vertices) const
     return submesh(mesh_, triangles().around(vertices));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! What all who read one mesh share: each worked out once, when it is first asked for, by any
@@ -35,4 +35,4 @@ private:
     mutable std::optional<PickingTree> tree_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

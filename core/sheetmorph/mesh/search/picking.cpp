@@ -16,7 +16,7 @@
 #include <tuple>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -370,4 +370,4 @@ std::optional<Hit> PickingTree::nearest_point(const Vector3& point, double reach
     return is_found ? std::optional<Hit>(query.best) : std::nullopt;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! (k, 4) planes (a, b, c, d), one row each: inside is where a x + b y + c z + d >= 0.
@@ -96,4 +96,4 @@ private:
     int leaf_count_ = 0;  // a power of two
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

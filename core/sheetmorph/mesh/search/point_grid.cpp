@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -71,4 +71,4 @@ std::size_t PointGrid::slot_of(const Cell& cell) const
     return (key ^ key >> 32U) & (starts_.size() - 2);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Points in cells of space, hashed: answers what lies in a box, fast if it is not much larger than
@@ -71,4 +71,4 @@ private:
     std::vector<std::size_t> starts_;  // of every slot; a power of two and the end
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

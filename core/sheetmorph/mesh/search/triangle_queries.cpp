@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -191,4 +191,4 @@ Hit nearest_on_triangle(const Vector3& point, const TriangleCorners& corners)
     return hit_at(point, corners, {of_a / sum, of_b / sum, of_c / sum});
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

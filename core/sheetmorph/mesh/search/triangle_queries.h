@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 using TriangleCorners = std::array<Vector3, 3>;
@@ -70,4 +70,4 @@ std::optional<Hit> first_hit(const Eigen::Ref<const Points>& points,
 //! triangles are the line or the point they are.
 Hit nearest_on_triangle(const Vector3& point, const TriangleCorners& corners);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -247,4 +247,4 @@ VertexIds boundary_loop_at(const TriangleMesh& mesh, int vertex)
     return smallest;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! An edge that exactly one triangle uses, in that triangle's direction.
@@ -28,4 +28,4 @@ std::vector<VertexIds> boundary_loops(const TriangleMesh& mesh);
 //! border). \throws InvalidInput if the vertex does not exist or is on no closed boundary loop
 VertexIds boundary_loop_at(const TriangleMesh& mesh, int vertex);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

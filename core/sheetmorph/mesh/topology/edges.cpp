@@ -8,7 +8,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -118,4 +118,4 @@ double bend_angle(const Points& points, const EdgeUse& one, const EdgeUse& other
     return std::atan2(across_one.cross(across_other).norm(), across_one.dot(across_other));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! A triangle at an edge: the edge runs from its corner `from` to its corner `to`.
@@ -54,4 +54,4 @@ private:
 //! extent across the edge.
 double bend_angle(const Points& points, const EdgeUse& one, const EdgeUse& other);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

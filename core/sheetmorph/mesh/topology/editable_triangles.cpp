@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 EditableTriangles::EditableTriangles(const TriangleMesh& mesh,
@@ -225,4 +225,4 @@ std::string EditableTriangles::fault() const
     return {};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

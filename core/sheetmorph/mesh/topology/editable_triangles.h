@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Triangles whose sides can be split and exchanged and whose vertices can be removed, as remeshing
@@ -110,4 +110,4 @@ private:
     bool has_clash_ = false;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -186,4 +186,4 @@ double signed_volume(const TriangleMesh& mesh, const std::vector<int>& triangles
     return volume;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/edges.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! How the triangles of a mesh would all face one way.
@@ -30,4 +30,4 @@ TriangleMesh oriented(const TriangleMesh& mesh, const Orientation& orientation);
 double signed_volume(const TriangleMesh& mesh, const std::vector<int>& triangles,
                      const std::vector<int>& sign);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

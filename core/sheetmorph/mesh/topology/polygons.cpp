@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -169,4 +169,4 @@ Triangles split_polygon(const Points& points, const VertexIds& corners)
     return triangles;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! (q, 4) vertex indices, one row a quad, in order around it.
@@ -26,4 +26,4 @@ Triangles split_quads(const Points& points, const Quads& quads);
 //! \throws InvalidInput for fewer than three corners or an index out of range
 Triangles split_polygon(const Points& points, const VertexIds& corners);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 Submesh submesh(const TriangleMesh& mesh, const std::vector<int>& triangles)
@@ -27,4 +27,4 @@ Submesh submesh(const TriangleMesh& mesh, const std::vector<int>& triangles)
     return part;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

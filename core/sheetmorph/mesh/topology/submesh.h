@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! Some triangles of a mesh with the vertices they use.
@@ -17,4 +17,4 @@ struct Submesh
 //! \param triangles  rows of the mesh's triangles, each in range
 Submesh submesh(const TriangleMesh& mesh, const std::vector<int>& triangles);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/vertex_sets.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 VertexTriangles::VertexTriangles(const TriangleMesh& mesh)
@@ -29,4 +29,4 @@ std::vector<int> VertexTriangles::around(const VertexIds& vertices) const
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 //! The triangles around every vertex of a mesh.
@@ -37,4 +37,4 @@ private:
     std::vector<int> triangles_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -156,4 +156,4 @@ Weights DenseCholesky::half_solve_rows(Weights rows) const
     return rows;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

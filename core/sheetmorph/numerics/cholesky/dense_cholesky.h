@@ -3,7 +3,7 @@
 
 #include "sheetmorph/numerics/products/dense_products.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! The first k columns of a symmetric positive definite matrix of r rows become those of its
@@ -47,4 +47,4 @@ private:
     Weights inverse_blocks_;  // of the diagonal blocks, one below the other
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Some columns of a sparse Cholesky factor that share their rows, the first of which are their
@@ -46,4 +46,4 @@ struct FrontList
     }
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -154,4 +154,4 @@ Update FrontBuilder::zero_update(const Front& front)
     return update;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/numerics/cholesky/front.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! What a subtree takes off the rows above it: (below, below) contiguous; above the diagonal
@@ -53,4 +53,4 @@ private:
     std::vector<Update> spare_;  // memory of updates that were taken in
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -11,7 +11,7 @@
 // Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -284,4 +284,4 @@ void run_backward(const FrontRun& run)
     run_widest([&](auto width) SHEETMORPH_INLINED { with_sides<width>(run.sides, backward); });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/numerics/cholesky/front.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! How many right sides are computed side by side: few, as for one shape, or as many as the widest
@@ -35,4 +35,4 @@ void run_forward(const Front& front, int sides, double* w);
 //! Solves for the own rows of the transposed, from the last front to the first.
 void run_backward(const FrontRun& run);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -106,4 +106,4 @@ void FrontPattern::plan()
     std::sort(subtrees_.begin(), subtrees_.end(), has_more);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -5,7 +5,7 @@
 #include "sheetmorph/base/threads/stopping.h"
 #include "sheetmorph/numerics/ordering/elimination.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Slots of the rows of one front, in the order of elimination; fronts of several factors share
@@ -68,4 +68,4 @@ private:
     std::vector<FrontRows> rows_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

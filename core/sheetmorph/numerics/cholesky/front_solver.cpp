@@ -9,7 +9,7 @@
 #include <array>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -137,4 +137,4 @@ void FrontSolver::solve(Groups& x) const
     parallel_items(count, [&](Eigen::Index k) { backward(share(k), x); });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Triangular solves that read the factor once each way for all right sides, at the speed of the
@@ -44,4 +44,4 @@ private:
     int widest_ = 0;             // most columns of a front
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

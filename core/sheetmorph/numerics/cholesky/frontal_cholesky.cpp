@@ -4,7 +4,7 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/numerics/cholesky/front_builder.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 FrontList new_fronts(const FrontPattern& pattern, const FrontList* earlier)
@@ -37,4 +37,4 @@ void factorise_fronts(const FrontPattern& pattern, const SparseMatrix& values, F
                         [](FrontBuilder& builder, int node) { builder.build(node); });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

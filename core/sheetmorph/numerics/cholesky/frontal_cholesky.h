@@ -3,7 +3,7 @@
 
 #include "sheetmorph/numerics/cholesky/front.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Fronts of a pattern without values.
@@ -17,4 +17,4 @@ FrontList new_fronts(const FrontPattern& pattern, const FrontList* earlier = nul
 //! \throws SolverError if the matrix is not positive definite; the values are then undefined
 void factorise_fronts(const FrontPattern& pattern, const SparseMatrix& values, FrontList& factor);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -7,7 +7,7 @@
 #include "sheetmorph/numerics/cholesky/dense_cholesky.h"
 #include "sheetmorph/numerics/cholesky/front_kernel.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -207,4 +207,4 @@ Weights half_solved_product(const FrontList& factor, const SparseRows& right)
     return HalfSolve(factor, right).product();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

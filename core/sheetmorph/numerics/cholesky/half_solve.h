@@ -5,7 +5,7 @@
 
 #include <Eigen/SparseCore>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Z^T Z (k, k) of Z = L^-1 right, its lower triangle; above it the result is undefined. Every
@@ -14,4 +14,4 @@ namespace sheetmorph
 Weights half_solved_product(const FrontList& factor,
                             const Eigen::SparseMatrix<double, Eigen::RowMajor>& right);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

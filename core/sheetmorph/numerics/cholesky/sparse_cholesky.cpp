@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 SparseCholesky::SparseCholesky(MergedMatrix matrix, std::shared_ptr<const SeparatorTree> tree,
@@ -128,4 +128,4 @@ std::string linear_algebra_version()
            + std::to_string(EIGEN_MAJOR_VERSION) + "." + std::to_string(EIGEN_MINOR_VERSION);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

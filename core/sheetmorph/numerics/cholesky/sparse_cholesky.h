@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Factor of a sparse symmetric positive definite matrix along a tree of separators.
@@ -64,4 +64,4 @@ SparseMatrix own_product(const SparseMatrix& rows, const Eigen::VectorXd& weight
 //! Version of the linear algebra library in use, for reports.
 std::string linear_algebra_version();
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

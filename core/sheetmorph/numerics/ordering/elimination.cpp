@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -160,4 +160,4 @@ std::vector<char> Elimination::unchanged_nodes(const Elimination& earlier) const
     return is_unchanged;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
@@ -78,4 +78,4 @@ private:
     std::vector<int> rank_of_slot_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

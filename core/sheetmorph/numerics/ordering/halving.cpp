@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -67,4 +67,4 @@ void group_by_place(VertexIds& rows, const Points& places, Eigen::Index rows_a_g
     group(rows.begin(), rows.end(), places, rows_a_group);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

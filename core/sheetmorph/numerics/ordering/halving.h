@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Reorders a range of rows of `places`, so that those before `middle` lie on one side of a plane
@@ -18,4 +18,4 @@ void halve(VertexIds::iterator begin, VertexIds::iterator middle, VertexIds::ite
 //! group.
 void group_by_place(VertexIds& rows, const Points& places, Eigen::Index rows_a_group);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

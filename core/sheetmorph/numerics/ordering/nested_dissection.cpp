@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -200,4 +200,4 @@ SeparatorTree nested_dissection(const Eigen::SparseMatrix<double>& matrix, const
     return Dissection(matrix, places).run();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -6,7 +6,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Rows of a matrix in an order of elimination, cut into nodes of a tree: rows of two nodes are
@@ -37,4 +37,4 @@ struct SeparatorTree
 //! \param places  (n, 3) where the rows lie
 SeparatorTree nested_dissection(const Eigen::SparseMatrix<double>& matrix, const Points& places);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -112,4 +112,4 @@ VertexCover smallest_vertex_cover(const BipartiteGraph& graph)
     return Matching(graph).cover();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Edges between left vertices 0 .. l - 1 and right vertices 0 .. right_count - 1.
@@ -25,4 +25,4 @@ struct VertexCover
 //! Finds the fewest vertices that touch all edges, from a largest matching (Koenig's theorem).
 VertexCover smallest_vertex_cover(const BipartiteGraph& graph);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

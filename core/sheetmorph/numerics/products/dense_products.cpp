@@ -12,7 +12,7 @@
 // Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -188,4 +188,4 @@ Points narrow_product(const Weights& left, const Points& right)
     return result;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

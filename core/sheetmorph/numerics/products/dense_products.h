@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! A dense matrix whose rows are contiguous, such as an (n, m) array of weights.
@@ -29,4 +29,4 @@ void add_lower_product(const WeightsView& left, const WeightsView& right, double
 //! \param right  (k, 3)
 Points narrow_product(const Weights& left, const Points& right);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

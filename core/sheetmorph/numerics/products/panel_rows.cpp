@@ -12,7 +12,7 @@
 // Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -139,4 +139,4 @@ Points PanelRows::times(const Points& right, Exactness exactness) const
     return result;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! A dense matrix (r, k) that is multiplied by three columns again and again: eight rows stand side
@@ -35,4 +35,4 @@ private:
     std::vector<Entries> first_, rest_;  // of every eight rows, column by column
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -130,4 +130,4 @@ Eigen::MatrixXd expanded(const SparseMatrix& basis, const Eigen::MatrixXd& y,
     return u;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

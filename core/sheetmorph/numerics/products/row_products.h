@@ -3,7 +3,7 @@
 
 #include "sheetmorph/numerics/ordering/elimination.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Products of a sparse matrix with few columns, four of them side by side in memory: one pass over
@@ -41,4 +41,4 @@ private:
 Eigen::MatrixXd expanded(const SparseMatrix& basis, const Eigen::MatrixXd& y,
                          const Eigen::MatrixXd& offset);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

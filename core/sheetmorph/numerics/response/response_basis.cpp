@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -160,4 +160,4 @@ double ResponseBasis::bytes() const
                                + shares_.size() * sizeof(float) + felt_.size() * sizeof(int));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

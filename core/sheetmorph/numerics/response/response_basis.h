@@ -4,7 +4,7 @@
 #include "sheetmorph/numerics/response/response_fields.h"
 #include "sheetmorph/numerics/response/response_kernel.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Displacements that are linear in a few numbers: u = Phi c with Phi (n, k) tall and c (k, 3),
@@ -52,4 +52,4 @@ private:
     std::vector<Run> runs_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

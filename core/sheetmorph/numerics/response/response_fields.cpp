@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -169,4 +169,4 @@ double ResponseFields::bytes() const
     return static_cast<double>(bytes);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Tall columns Phi (n, k), k growing, in little memory: rows near each other of smooth columns are
@@ -58,4 +58,4 @@ private:
     std::vector<Patch> patches_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -10,7 +10,7 @@
 // Everything that returns Lanes is inlined: nothing depends on the calling convention of vectors.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -169,4 +169,4 @@ void run_response_kernel(const ResponseProduct& work)
     run_widest([&](auto width) SHEETMORPH_INLINED { Kernel<2 * width>::run(work); });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

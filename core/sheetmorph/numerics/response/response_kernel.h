@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! Rows of a field that lie together, in float32.
@@ -40,4 +40,4 @@ struct ResponseProduct
 //! Uses the widest instructions the processor has.
 void run_response_kernel(const ResponseProduct& work);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -145,4 +145,4 @@ std::vector<Patch> patches_of(const PartShape& a, const PartShape& b,
     return Clusterer(a, b, touches, reach).patches();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Touching vertices of two parts that hang together.
@@ -24,4 +24,4 @@ struct Patch
 std::vector<Patch> patches_of(const PartShape& a, const PartShape& b,
                               const std::array<std::vector<Touch>, 2>& touches, double reach);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -13,7 +13,7 @@
 #include <string>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -172,4 +172,4 @@ std::vector<FoundContact> find_contacts(const std::vector<ContactPart>& parts,
     return collector.found();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -6,13 +6,13 @@
 #include "sheetmorph/recognise/feature.h"
 #include "sheetmorph/recognise/tolerances.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! A part among others.
 struct ContactPart
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     double thickness = 0.0;         //!< of a sheet whose mesh has none, mm; 0 if not known
     std::vector<Feature> features;  //!< of this mesh; holes make bolts, flanges tied contacts
 };
@@ -75,4 +75,4 @@ std::vector<FoundContact> find_contacts(const std::vector<ContactPart>& parts,
 double proposed_gap(const std::vector<ContactPart>& parts,
                     const ContactTolerances& tolerances = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

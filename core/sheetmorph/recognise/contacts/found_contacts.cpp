@@ -14,7 +14,7 @@
 #include <string>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -319,4 +319,4 @@ std::vector<FoundContact> ContactCollector::found()
     return all;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

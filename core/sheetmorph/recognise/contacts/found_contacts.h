@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Puts together what bolts, elements and near surfaces say about the pairs of
@@ -50,4 +50,4 @@ private:
     std::map<Pair, std::vector<FoundContact>> found_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -130,4 +130,4 @@ std::vector<Bolt> find_bolts(const std::vector<ContactPart>& parts, double reach
     return bolts;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

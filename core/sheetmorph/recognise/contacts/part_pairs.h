@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! The pairs of parts, smaller index first, whose boxes are no farther apart
@@ -28,4 +28,4 @@ struct Bolt
 std::vector<Bolt> find_bolts(const std::vector<ContactPart>& parts, double reach,
                              const ContactTolerances& tolerances);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -34,7 +34,7 @@ PartShape::PartShape(const ContactPart& part, double weld)
     for (int edge = 0; edge < graph_.edges().count(); ++edge)
         if (graph_.edges().uses(edge).count() == 1)
         {
-            const EdgeUse& use = *graph_.edges().uses(edge).begin();
+            const mesh::EdgeUse& use = *graph_.edges().uses(edge).begin();
             is_free_[use.from] = is_free_[use.to] = 1;
         }
     bool is_first = true;
@@ -62,7 +62,7 @@ bool PartShape::faces(int vertex, const PartShape& other, int triangle, double c
     return false;
 }
 
-bool PartShape::is_sideways(int vertex, const PartShape& other, const Hit& hit) const
+bool PartShape::is_sideways(int vertex, const PartShape& other, const mesh::Hit& hit) const
 {
     const Vector3 way = hit.point - graph_.point(vertex);
     return std::abs(way.dot(other.graph_.normal(hit.triangle))) < sideways * way.norm();
@@ -81,7 +81,7 @@ std::vector<Touch> PartShape::touches(const PartShape& other, double reach,
         if (triangles_.at(v).is_empty() || (point.array() < low.array()).any()
             || (point.array() > high.array()).any())
             continue;
-        const std::optional<Hit> hit = other.tree_.nearest_point(point, reach);
+        const std::optional<mesh::Hit> hit = other.tree_.nearest_point(point, reach);
         if (!hit || (hit->distance > touching * reach && is_sideways(v, other, *hit)))
             continue;
         const bool is_facing = faces(v, other, hit->triangle, cosine);
@@ -91,4 +91,4 @@ std::vector<Touch> PartShape::touches(const PartShape& other, double reach,
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

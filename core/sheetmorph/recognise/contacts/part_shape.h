@@ -6,7 +6,7 @@
 #include "sheetmorph/recognise/contacts/contacts.h"
 #include "sheetmorph/recognise/facets/facet_graph.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! A vertex of one part near the surface of another.
@@ -25,14 +25,14 @@ public:
     PartShape(const ContactPart& part, double weld);
 
     const FacetGraph& graph() const { return graph_; }
-    const PickingTree& tree() const { return tree_; }
+    const mesh::PickingTree& tree() const { return tree_; }
     const Vector3& low() const { return low_; }
     const Vector3& high() const { return high_; }
     double thickness() const { return thickness_; }
     bool is_free(int vertex) const { return is_free_[vertex] != 0; }
 
     //! The triangles around a vertex, ascending.
-    VertexTriangles::Range triangles_at(int vertex) const { return triangles_.at(vertex); }
+    mesh::VertexTriangles::Range triangles_at(int vertex) const { return triangles_.at(vertex); }
 
     //! Share of the part's surface that belongs to a vertex, mm^2.
     double area_at(int vertex) const { return area_at_[vertex]; }
@@ -43,16 +43,16 @@ public:
 
 private:
     bool faces(int vertex, const PartShape& other, int triangle, double cosine) const;
-    bool is_sideways(int vertex, const PartShape& other, const Hit& hit) const;
+    bool is_sideways(int vertex, const PartShape& other, const mesh::Hit& hit) const;
 
     FacetGraph graph_;
-    PickingTree tree_;
+    mesh::PickingTree tree_;
     Vector3 low_ = Vector3::Zero();
     Vector3 high_ = Vector3::Zero();
     double thickness_;
-    VertexTriangles triangles_;
+    mesh::VertexTriangles triangles_;
     std::vector<char> is_free_;
     std::vector<double> area_at_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -96,7 +96,7 @@ public:
     }
 
     // Each pass leaves fewer vertices, and the last finds none to take out.
-    const EditableTriangles& thinned()
+    const mesh::EditableTriangles& thinned()
     {
         for (bool has_changed = true; has_changed;)
         {
@@ -116,7 +116,7 @@ private:
 
     const FacetGraph& graph_;
     const std::vector<int>& facet_;
-    EditableTriangles triangles_;
+    mesh::EditableTriangles triangles_;
     std::vector<int> uses_;       // of every vertex: triangles at it
     std::vector<double> wanted_;  // of every facet, mm; 0: it stays
 };
@@ -245,8 +245,8 @@ bool FacetThinner::may_move(int v, int to, const std::vector<int>& fan, double w
     return static_cast<int>(common.size()) == going;
 }
 
-TriangleMesh rest_of(const TriangleMesh& mesh, const EditableTriangles& thinned,
-                     const std::vector<int>& facet, std::vector<int>& facet_of_rest)
+mesh::TriangleMesh rest_of(const mesh::TriangleMesh& mesh, const mesh::EditableTriangles& thinned,
+                           const std::vector<int>& facet, std::vector<int>& facet_of_rest)
 {
     std::vector<int> number(static_cast<std::size_t>(mesh.vertex_count()), none);
     std::vector<int> kept;
@@ -283,11 +283,11 @@ std::optional<CoarseFacets> CoarseFacets::of(const FacetGraph& fine)
     if (!thinner.is_worth_while())
         return std::nullopt;
     std::vector<int> facet_of_rest;
-    const TriangleMesh rest = rest_of(fine.mesh(), thinner.thinned(), facet, facet_of_rest);
+    const mesh::TriangleMesh rest = rest_of(fine.mesh(), thinner.thinned(), facet, facet_of_rest);
     return CoarseFacets(rest, std::move(facet_of_rest), std::move(facet));
 }
 
-CoarseFacets::CoarseFacets(const TriangleMesh& mesh, std::vector<int> facet_of_coarse,
+CoarseFacets::CoarseFacets(const mesh::TriangleMesh& mesh, std::vector<int> facet_of_coarse,
                            std::vector<int> facet_of_fine)
     : graph_(mesh, 0.0, 0.0), facet_of_coarse_(std::move(facet_of_coarse))
 {
@@ -325,4 +325,4 @@ std::vector<int> CoarseFacets::fine_triangles(const std::vector<int>& coarse) co
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

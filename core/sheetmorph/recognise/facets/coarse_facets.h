@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! A drawn part whose facets were cut into many small triangles, with few large ones in their
@@ -28,7 +28,7 @@ public:
     std::vector<int> fine_triangles(const std::vector<int>& coarse) const;
 
 private:
-    CoarseFacets(const TriangleMesh& mesh, std::vector<int> facet_of_coarse,
+    CoarseFacets(const mesh::TriangleMesh& mesh, std::vector<int> facet_of_coarse,
                  std::vector<int> facet_of_fine);
 
     FacetGraph graph_;
@@ -38,4 +38,4 @@ private:
     std::vector<int> fine_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -28,23 +28,23 @@ constexpr int none = -1;
 constexpr int most_sheets = 12;
 constexpr double straight_on = 0.17;
 
-bool is_balanced(const EdgeUses& uses)
+bool is_balanced(const mesh::EdgeUses& uses)
 {
     int sum = 0;
-    for (const EdgeUse& use : uses)
+    for (const mesh::EdgeUse& use : uses)
         sum += use.from < use.to ? 1 : -1;
     return sum == 0;
 }
 
 struct Welded
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::vector<int> representative;
     std::vector<int> starts;
     std::vector<int> members;
 };
 
-Welded weld_vertices(const TriangleMesh& mesh, double weld)
+Welded weld_vertices(const mesh::TriangleMesh& mesh, double weld)
 {
     const std::vector<int> first = coincident(mesh.points(), weld * mesh.size());
     Welded welded;
@@ -68,7 +68,7 @@ Welded weld_vertices(const TriangleMesh& mesh, double weld)
     for (std::size_t i = 0; i < welded.representative.size(); ++i)
         points.row(static_cast<Eigen::Index>(i)) = mesh.points().row(welded.representative[i]);
     Triangles triangles = mesh.triangles().unaryExpr([&](int v) { return number[first[v]]; });
-    welded.mesh = TriangleMesh(std::move(points), std::move(triangles));
+    welded.mesh = mesh::TriangleMesh(std::move(points), std::move(triangles));
     return welded;
 }
 
@@ -138,22 +138,22 @@ private:
 
 }  // namespace
 
-FacetGraph::FacetGraph(const TriangleMesh& mesh, double weld, double scatter)
-    : edges_(TriangleMesh()), scatter_(scatter)
+FacetGraph::FacetGraph(const mesh::TriangleMesh& mesh, double weld, double scatter)
+    : edges_(mesh::TriangleMesh()), scatter_(scatter)
 {
     Welded welded = weld_vertices(mesh, weld);
     welded_ = std::move(welded.mesh);
     representative_ = std::move(welded.representative);
     member_starts_ = std::move(welded.starts);
     members_ = std::move(welded.members);
-    edges_ = EdgeTable(welded_);
+    edges_ = mesh::EdgeTable(welded_);
     measure_triangles();
     measure_bends(false);
     look_whether_solid();
     find_components();
 }
 
-FacetGraph::FacetGraph(const TriangleMesh& mesh, double scatter, bool is_oriented)
+FacetGraph::FacetGraph(const mesh::TriangleMesh& mesh, double scatter, bool is_oriented)
     : welded_(mesh),
       representative_(static_cast<std::size_t>(mesh.vertex_count())),
       edges_(mesh),
@@ -169,14 +169,14 @@ FacetGraph::FacetGraph(const TriangleMesh& mesh, double scatter, bool is_oriente
     find_components();
 }
 
-FacetGraph FacetGraph::of_solids(const TriangleMesh& mesh)
+FacetGraph FacetGraph::of_solids(const mesh::TriangleMesh& mesh)
 {
     FacetGraph graph(mesh, 0.0, true);
     graph.turn_outwards();
     return graph;
 }
 
-int FacetGraph::side_of(const EdgeUse& use) const
+int FacetGraph::side_of(const mesh::EdgeUse& use) const
 {
     for (int k = 0; k < 2; ++k)
         if (welded_.triangles()(use.triangle, k) == use.from)
@@ -190,7 +190,7 @@ void FacetGraph::measure_triangles()
     areas_.assign(static_cast<std::size_t>(triangle_count()), 0.0);
     for (int t = 0; t < triangle_count(); ++t)
     {
-        if (sheetmorph::is_thin(welded_.points(), welded_.triangles(), t))
+        if (mesh::is_thin(welded_.points(), welded_.triangles(), t))
             continue;
         const Eigen::RowVector3i corners = welded_.triangles().row(t);
         const Vector3 doubled =
@@ -200,17 +200,17 @@ void FacetGraph::measure_triangles()
         total_area_ += areas_[t];
     }
     if (scatter_ < 0.0)
-        scatter_ = scatter_of(welded_, edges_, normals_);
+        scatter_ = mesh::scatter_of(welded_, edges_, normals_);
     if (scatter_ <= 0.0)
         return;
-    unsure_ = unsure_normals(welded_, areas_, scatter_);
-    normals_ = calmed_normals(edges_, normals_, areas_, unsure_);
+    unsure_ = mesh::unsure_normals(welded_, areas_, scatter_);
+    normals_ = mesh::calmed_normals(edges_, normals_, areas_, unsure_);
 }
 
-double FacetGraph::bend_between(const EdgeUse& one, const EdgeUse& other) const
+double FacetGraph::bend_between(const mesh::EdgeUse& one, const mesh::EdgeUse& other) const
 {
     if (scatter_ <= 0.0 || is_thin(one.triangle) || is_thin(other.triangle))
-        return bend_angle(welded_.points(), one, other);
+        return mesh::bend_angle(welded_.points(), one, other);
     const double cosine = normal(one.triangle).dot(normal(other.triangle));
     return std::acos(std::clamp(one.from != other.from ? cosine : -cosine, -1.0, 1.0));
 }
@@ -221,7 +221,7 @@ void FacetGraph::measure_bends(bool is_oriented)
     bends_.assign(across_.size(), pi);
     for (int edge = 0; edge < edges_.count(); ++edge)
     {
-        const EdgeUses uses = edges_.uses(edge);
+        const mesh::EdgeUses uses = edges_.uses(edge);
         if (is_oriented && !is_balanced(uses))
             continue;
         if (uses.count() == 2)
@@ -231,7 +231,7 @@ void FacetGraph::measure_bends(bool is_oriented)
     }
 }
 
-void FacetGraph::join(const EdgeUse& one, const EdgeUse& other)
+void FacetGraph::join(const mesh::EdgeUse& one, const mesh::EdgeUse& other)
 {
     const double bend = bend_between(one, other);
     for (const auto& [here, there] : {std::pair(&one, &other), std::pair(&other, &one)})
@@ -247,7 +247,7 @@ void FacetGraph::join(const EdgeUse& one, const EdgeUse& other)
 // touch along a line end there.
 void FacetGraph::join_straightest(int edge)
 {
-    const EdgeUses uses = edges_.uses(edge);
+    const mesh::EdgeUses uses = edges_.uses(edge);
     std::vector<std::tuple<double, int, int>> pairs;
     for (int a = 0; a < uses.count(); ++a)
         for (int b = a + 1; b < uses.count(); ++b)
@@ -267,10 +267,10 @@ std::vector<FacetJoint> FacetGraph::joints() const
     std::vector<FacetJoint> found;
     for (int edge = 0; edge < edges_.count(); ++edge)
     {
-        const EdgeUses uses = edges_.uses(edge);
+        const mesh::EdgeUses uses = edges_.uses(edge);
         if (uses.count() != 2)
             continue;
-        const EdgeUse &one = uses.begin()[0], &other = uses.begin()[1];
+        const mesh::EdgeUse &one = uses.begin()[0], &other = uses.begin()[1];
         if (const int side = side_of(one); across(one.triangle, side) == other.triangle)
             found.push_back({one.triangle, other.triangle, bend(one.triangle, side),
                              (point(one.from) - point(one.to)).norm()});
@@ -293,8 +293,8 @@ void FacetGraph::find_components()
             is_closed_.push_back(1);
     }
     for (int edge = 0; edge < edges_.count(); ++edge)
-        if (const EdgeUses uses = edges_.uses(edge); !is_balanced(uses))
-            for (const EdgeUse& use : uses)
+        if (const mesh::EdgeUses uses = edges_.uses(edge); !is_balanced(uses))
+            for (const mesh::EdgeUse& use : uses)
                 is_closed_[component_[use.triangle]] = 0;
 }
 
@@ -327,7 +327,7 @@ void FacetGraph::look_whether_solid()
     double volume = 0.0;
     for (int edge = 0; edge < edges_.count(); ++edge)
     {
-        const EdgeUses uses = edges_.uses(edge);
+        const mesh::EdgeUses uses = edges_.uses(edge);
         if (uses.count() != 2 || uses.begin()[0].from == uses.begin()[1].from)
             open += (point(uses.begin()->from) - point(uses.begin()->to)).norm();
     }
@@ -368,4 +368,4 @@ std::vector<int> smooth_regions(const FacetGraph& graph, double max_angle)
     return SmoothFlood(graph, max_angle).labels();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/edges.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Two facets that are joined at an edge.
@@ -22,15 +22,15 @@ public:
     //! Merges coincident vertices, so that seams of an import are not borders.
     //! \param weld     merging distance, relative to the size of the part
     //! \param scatter  standard deviation of measured vertices, mm; < 0: estimated from the mesh
-    FacetGraph(const TriangleMesh& mesh, double weld, double scatter = -1.0);
+    FacetGraph(const mesh::TriangleMesh& mesh, double weld, double scatter = -1.0);
 
     //! The facets of solids. Merges no vertices, and joins facets only where exactly two of them,
     //! consistently oriented, share an edge. Normals of a component that encloses a volume point
     //! outwards. Thin facets have a normal, too.
-    static FacetGraph of_solids(const TriangleMesh& mesh);
+    static FacetGraph of_solids(const mesh::TriangleMesh& mesh);
 
-    const TriangleMesh& mesh() const { return welded_; }
-    const EdgeTable& edges() const { return edges_; }
+    const mesh::TriangleMesh& mesh() const { return welded_; }
+    const mesh::EdgeTable& edges() const { return edges_; }
     int triangle_count() const { return welded_.triangle_count(); }
 
     //! Standard deviation of the vertices about the surface they were measured on, in one
@@ -78,22 +78,22 @@ public:
     VertexIds representatives(const VertexIds& vertices) const;
 
 private:
-    FacetGraph(const TriangleMesh& mesh, double scatter, bool is_oriented);
+    FacetGraph(const mesh::TriangleMesh& mesh, double scatter, bool is_oriented);
     void measure_triangles();
     void measure_bends(bool is_oriented);
     void find_components();
     void turn_outwards();
-    int side_of(const EdgeUse& use) const;
-    double bend_between(const EdgeUse& one, const EdgeUse& other) const;
-    void join(const EdgeUse& one, const EdgeUse& other);
+    int side_of(const mesh::EdgeUse& use) const;
+    double bend_between(const mesh::EdgeUse& one, const mesh::EdgeUse& other) const;
+    void join(const mesh::EdgeUse& one, const mesh::EdgeUse& other);
     void join_straightest(int edge);
     void look_whether_solid();
 
-    TriangleMesh welded_;
+    mesh::TriangleMesh welded_;
     std::vector<int> representative_;  // of each welded vertex, in the mesh
     std::vector<int> member_starts_;   // of each welded vertex in members_, and the end
     std::vector<int> members_;
-    EdgeTable edges_;
+    mesh::EdgeTable edges_;
     Points normals_;
     std::vector<double> areas_;
     std::vector<int> across_;
@@ -112,4 +112,4 @@ private:
 //! they were reached from.
 std::vector<int> smooth_regions(const FacetGraph& graph, double max_angle);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 // Points along x: those that may coincide are next to each other.
@@ -31,4 +31,4 @@ std::vector<int> coincident(const Points& points, double distance)
     return first;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! For every point the smallest index of a point that is, over others perhaps,
@@ -11,4 +11,4 @@ namespace sheetmorph
 //! points  (n, 3) mm
 std::vector<int> coincident(const Points& points, double distance);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    const Surface& surface_;
+    const fitting::Surface& surface_;
     Vector3 middle_, across_;
 };
 
@@ -88,7 +88,7 @@ public:
     {
         for (std::size_t r = 0; r < surfaces.size(); ++r)
         {
-            is_curved_[r] = surfaces[r].surface.kind != Surface::Kind::plane;
+            is_curved_[r] = surfaces[r].surface.kind != fitting::Surface::Kind::plane;
             for (const int t : surfaces[r].triangles)
                 region_[t] = static_cast<int>(r);
         }
@@ -96,7 +96,7 @@ public:
 
     std::optional<Strip> strip(const SurfaceRegion& found) const
     {
-        if (found.surface.kind != Surface::Kind::cylinder)
+        if (found.surface.kind != fitting::Surface::Kind::cylinder)
             return std::nullopt;
         const SurfaceRegion region = whole(found);
         Strip strip{region, feature_of(graph_, region), Vector3::Zero()};
@@ -151,7 +151,7 @@ private:
         return other != none && !is_in[other] && !graph_.is_thin(other);
     }
 
-    bool is_on(const Surface& surface, int triangle) const
+    bool is_on(const fitting::Surface& surface, int triangle) const
     {
         const double reach = on_cylinder * surface.radius + graph_.scatter();
         for (int k = 0; k < 3; ++k)
@@ -185,7 +185,7 @@ private:
     }
 
     // The length of a side along the axis, if a flat goes on straight behind it; else 0.
-    double flat_beyond(const Surface& surface, int triangle, int k) const
+    double flat_beyond(const fitting::Surface& surface, int triangle, int k) const
     {
         const int other = graph_.across(triangle, k);
         if (is_curved(other))
@@ -209,8 +209,8 @@ private:
 // The thickness, if one is the inner and the other the outer skin of a bend; else nothing.
 std::optional<double> thickness_between(const Strip& inner, const Strip& outer)
 {
-    const Surface& in = inner.region.surface;
-    const Surface& out = outer.region.surface;
+    const fitting::Surface& in = inner.region.surface;
+    const fitting::Surface& out = outer.region.surface;
     const double thickness = out.radius - in.radius;
     if (!inner.feature.is_hollow || outer.feature.is_hollow || thickness <= 0.0
         || thickness > inner.feature.length || std::abs(in.axis.dot(out.axis)) < parallel
@@ -279,4 +279,4 @@ std::vector<Feature> find_bends(const FacetGraph& graph, const std::vector<Surfa
     return bends;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

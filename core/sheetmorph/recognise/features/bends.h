@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/surfaces/surfaces.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! The bends of sheet metal: cylindrical strips, less than a full turn, that go on straight on into
@@ -14,4 +14,4 @@ namespace sheetmorph
 std::vector<Feature> find_bends(const FacetGraph& graph, const std::vector<SurfaceRegion>& surfaces,
                                 const FeatureTolerances& tolerances);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -13,7 +13,7 @@
 #include <iterator>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -78,7 +78,8 @@ void add_surfaces(const FacetGraph& graph, const FeatureTolerances& tolerances,
 
 }  // namespace
 
-std::vector<Feature> find_features(const TriangleMesh& mesh, const FeatureTolerances& tolerances)
+std::vector<Feature> find_features(const mesh::TriangleMesh& mesh,
+                                   const FeatureTolerances& tolerances)
 {
     tolerances.check();
     const FacetGraph graph(mesh, tolerances.weld, tolerances.scatter);
@@ -100,4 +101,4 @@ std::vector<Feature> find_features(const TriangleMesh& mesh, const FeatureTolera
     return features;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

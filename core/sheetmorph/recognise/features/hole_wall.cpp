@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -134,4 +134,4 @@ void WallTracer::measure(const RegionLoop& loop, HoleWall& wall) const
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! What lies behind a loop, inside its outline.
@@ -41,4 +41,4 @@ private:
     std::set<std::pair<int, int>> doors_;  // triangle of a region, its edge on a rim
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

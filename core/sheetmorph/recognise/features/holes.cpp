@@ -12,7 +12,7 @@
 #include <map>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -99,9 +99,11 @@ std::optional<Feature> RimFinder::outlined(const RegionLoop& loop) const
     if (loop.vertices.size() < 4)
         return std::nullopt;
     const Points rim = graph_.mesh().points()(loop.vertices, Eigen::indexing::all);
-    const Outline outline = fit_outline(rim, tolerances_.roundness, graph_.scatter());
+    const fitting::Outline outline =
+        fitting::fit_outline(rim, tolerances_.roundness, graph_.scatter());
     const int count = static_cast<int>(loop.vertices.size());
-    if (outline.kind != OutlineKind::rectangular && count < tolerances_.fewest_rim_vertices)
+    if (outline.kind != fitting::OutlineKind::rectangular
+        && count < tolerances_.fewest_rim_vertices)
         return std::nullopt;
     if (outline.bulge > most_bulge * std::sqrt(loop.area))
         return std::nullopt;
@@ -272,4 +274,4 @@ std::vector<Feature> find_rims(const FacetGraph& graph, const FeatureTolerances&
     return RimFinder(graph, tolerances).found();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -5,7 +5,7 @@
 #include "sheetmorph/recognise/feature.h"
 #include "sheetmorph/recognise/tolerances.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! The holes, round edges and sharp-edged beads and embosses of a part: what
@@ -18,4 +18,4 @@ namespace sheetmorph
 //! solid, a bead or an emboss in a sheet.
 std::vector<Feature> find_rims(const FacetGraph& graph, const FeatureTolerances& tolerances);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

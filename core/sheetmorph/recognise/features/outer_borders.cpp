@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -92,4 +92,4 @@ bool OuterBorders::has(const RegionLoop& loop) const
     return is_largest || inside >= least_floor * loop.area;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

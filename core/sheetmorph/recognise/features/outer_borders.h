@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/features/region_loops.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! The borders at which a whole piece of sheet ends. A flange that is folded inwards makes such a
@@ -26,4 +26,4 @@ private:
     std::vector<double> largest_;  // by piece: extent of its largest rim, mm
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -24,7 +24,7 @@ constexpr double slimmest = 4e-4;
 // vertices of its own.
 struct CutMesh
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     VertexIds welded;         // of each of its vertices
     std::vector<int> region;  // of each of its vertices
 };
@@ -52,7 +52,7 @@ CutMesh cut_apart(const FacetGraph& graph, const std::vector<int>& labels)
     for (Eigen::Index k = 0; k < ids.size(); ++k)
         ids.data()[k] = static_cast<int>(
             std::lower_bound(distinct.begin(), distinct.end(), corners[k]) - distinct.begin());
-    cut.mesh = TriangleMesh(std::move(points), std::move(ids));
+    cut.mesh = mesh::TriangleMesh(std::move(points), std::move(ids));
     return cut;
 }
 
@@ -72,7 +72,7 @@ class LoopMeasure
 {
 public:
     LoopMeasure(const FacetGraph& graph, const CutMesh& cut)
-        : graph_(graph), cut_(cut), edges_(boundary_edges(cut.mesh))
+        : graph_(graph), cut_(cut), edges_(mesh::boundary_edges(cut.mesh))
     {
     }
 
@@ -83,7 +83,7 @@ public:
         for (const int vertex : cut_loop)
             loop.vertices.push_back(cut_.welded[vertex]);
         const Points points = graph_.mesh().points()(loop.vertices, Eigen::indexing::all);
-        const Vector3 doubled = doubled_area(points);
+        const Vector3 doubled = fitting::doubled_area(points);
         loop.area = 0.5 * doubled.norm();
         loop.normal = doubled.normalized();
         loop.center = points.colwise().mean().transpose();
@@ -95,7 +95,7 @@ private:
     int triangle_at(int a, int b) const
     {
         const auto key = std::minmax(a, b);
-        const auto is_before = [](const BoundaryEdge& edge, const std::pair<int, int>& wanted)
+        const auto is_before = [](const mesh::BoundaryEdge& edge, const std::pair<int, int>& wanted)
         { return std::pair(std::min(edge.from, edge.to), std::max(edge.from, edge.to)) < wanted; };
         return std::lower_bound(edges_.begin(), edges_.end(), std::pair(key.first, key.second),
                                 is_before)
@@ -130,7 +130,7 @@ private:
 
     const FacetGraph& graph_;
     const CutMesh& cut_;
-    std::vector<BoundaryEdge> edges_;
+    std::vector<mesh::BoundaryEdge> edges_;
 };
 
 }  // namespace
@@ -140,7 +140,7 @@ std::vector<RegionLoop> region_loops(const FacetGraph& graph, const std::vector<
     const CutMesh cut = cut_apart(graph, labels);
     const LoopMeasure measure(graph, cut);
     std::vector<RegionLoop> loops;
-    for (const VertexIds& cut_loop : boundary_loops(cut.mesh))
+    for (const VertexIds& cut_loop : mesh::boundary_loops(cut.mesh))
     {
         if (cut_loop.size() < 3)
             continue;
@@ -153,4 +153,4 @@ std::vector<RegionLoop> region_loops(const FacetGraph& graph, const std::vector<
     return loops;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/facets/facet_graph.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! A closed line around a region of triangles: a rim of the mesh or an edge of
@@ -28,4 +28,4 @@ struct RegionLoop
 //! are left out. \param labels  (m) the region of every triangle
 std::vector<RegionLoop> region_loops(const FacetGraph& graph, const std::vector<int>& labels);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

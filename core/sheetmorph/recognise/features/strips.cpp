@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -51,7 +51,7 @@ public:
     {
         // Bends are cylinders; a strip does not go on over them.
         for (const SurfaceRegion& region : surfaces)
-            if (region.surface.kind == Surface::Kind::cylinder)
+            if (region.surface.kind == fitting::Surface::Kind::cylinder)
                 for (const int t : region.triangles)
                     label_[t] = bend_label;
     }
@@ -121,7 +121,8 @@ VertexIds corners_of(const FacetGraph& graph, const std::vector<int>& triangles)
 Feature flange_of(const FacetGraph& graph, const Strip& strip)
 {
     SurfaceRegion region;
-    region.surface = *fit_surface(sample_of(graph, strip.triangles), Surface::Kind::plane);
+    region.surface =
+        *fitting::fit_surface(sample_of(graph, strip.triangles), fitting::Surface::Kind::plane);
     region.triangles = strip.triangles;
     region.area = strip.area;
     Feature feature = feature_of(graph, region);
@@ -136,8 +137,8 @@ std::optional<Feature> raised_inside(const FacetGraph& graph, const RegionLoop& 
 {
     if (wall.triangles.empty() || wall.leads_out || wall.covered < least_cover)
         return std::nullopt;
-    const Outline outline =
-        fit_outline(graph.mesh().points()(loop.vertices, Eigen::indexing::all), 0.1);
+    const fitting::Outline outline =
+        fitting::fit_outline(graph.mesh().points()(loop.vertices, Eigen::indexing::all), 0.1);
     Feature feature;
     feature.kind = raised_kind(outline.length, outline.width);
     feature.center = outline.center;
@@ -176,7 +177,7 @@ std::vector<Feature> find_embosses(const FacetGraph& graph,
     std::vector<Feature> found;
     for (const SurfaceRegion& base : surfaces)
     {
-        if (base.surface.kind != Surface::Kind::plane
+        if (base.surface.kind != fitting::Surface::Kind::plane
             || base.area < least_base * graph.total_area())
             continue;
         std::vector<int> labels(static_cast<std::size_t>(graph.triangle_count()), 1);
@@ -192,4 +193,4 @@ std::vector<Feature> find_embosses(const FacetGraph& graph,
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

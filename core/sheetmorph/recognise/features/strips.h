@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/surfaces/surfaces.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! The flanges of a sheet: strips with a fold (a crease or a bend) on one side
@@ -20,4 +20,4 @@ std::vector<Feature> find_embosses(const FacetGraph& graph,
                                    const std::vector<SurfaceRegion>& surfaces,
                                    const FeatureTolerances& tolerances);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

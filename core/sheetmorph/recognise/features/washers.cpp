@@ -3,7 +3,7 @@
 
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 std::vector<VertexIds> WasherGrower::rings(const VertexIds& vertices, int count) const
@@ -28,4 +28,4 @@ std::vector<VertexIds> WasherGrower::rings(const VertexIds& vertices, int count)
     return rings;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

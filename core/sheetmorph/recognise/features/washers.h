@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/topology/vertex_triangles.h"
 #include "sheetmorph/recognise/facets/facet_graph.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Grows rings of triangles around few vertices of a large mesh.
@@ -19,7 +19,7 @@ public:
 
 private:
     const FacetGraph& graph_;
-    VertexTriangles triangles_;
+    mesh::VertexTriangles triangles_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

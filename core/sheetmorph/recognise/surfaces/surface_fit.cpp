@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -22,11 +22,11 @@ Points corners_of(const FacetGraph& graph, const std::vector<int>& triangles, st
 
 }  // namespace
 
-FacetSample sample_of(const FacetGraph& graph, const std::vector<int>& triangles)
+fitting::FacetSample sample_of(const FacetGraph& graph, const std::vector<int>& triangles)
 {
     const auto count = static_cast<Eigen::Index>(triangles.size());
-    FacetSample sample{corners_of(graph, triangles, 1), Points(count, 3), Points(count, 3),
-                       Eigen::VectorXd(count)};
+    fitting::FacetSample sample{corners_of(graph, triangles, 1), Points(count, 3), Points(count, 3),
+                                Eigen::VectorXd(count)};
     for (Eigen::Index i = 0; i < count; ++i)
     {
         const int triangle = triangles[static_cast<std::size_t>(i)];
@@ -43,9 +43,10 @@ Points some_corners(const FacetGraph& graph, const std::vector<int>& triangles)
     return corners_of(graph, triangles, 1 + triangles.size() / most);
 }
 
-double misfit_of(const FacetGraph& graph, const std::vector<int>& triangles, const Surface& surface)
+double misfit_of(const FacetGraph& graph, const std::vector<int>& triangles,
+                 const fitting::Surface& surface)
 {
-    return misfit_of(corners_of(graph, triangles, 1), surface);
+    return fitting::misfit_of(corners_of(graph, triangles, 1), surface);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

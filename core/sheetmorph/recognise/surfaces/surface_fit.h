@@ -4,17 +4,17 @@
 #include "sheetmorph/fitting/surface.h"
 #include "sheetmorph/recognise/facets/facet_graph.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Triangles of a part as facets that a surface is fitted to.
-FacetSample sample_of(const FacetGraph& graph, const std::vector<int>& triangles);
+fitting::FacetSample sample_of(const FacetGraph& graph, const std::vector<int>& triangles);
 
 //! (k, 3) corners of the triangles, of many triangles some: enough to refine a surface.
 Points some_corners(const FacetGraph& graph, const std::vector<int>& triangles);
 
 //! The largest distance of a corner of the triangles over the radius there.
 double misfit_of(const FacetGraph& graph, const std::vector<int>& triangles,
-                 const Surface& surface);
+                 const fitting::Surface& surface);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

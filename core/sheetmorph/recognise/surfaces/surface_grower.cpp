@@ -7,8 +7,10 @@
 #include <iterator>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
+
+using fitting::Surface;
 
 namespace
 {
@@ -113,10 +115,11 @@ std::vector<SurfaceGrower::Seed> SurfaceGrower::seeds()
         if (patch.size() >= fewest_triangles && turns(patch))
         {
             seed.misfit = 1.0;
-            const FacetSample facets = sample_of(graph_, patch);
+            const fitting::FacetSample facets = sample_of(graph_, patch);
             for (const Surface::Kind kind : curved)
-                if (const auto surface = fit_surface(facets, kind))
-                    seed.misfit = std::min(seed.misfit, misfit_of(facets.corners, *surface));
+                if (const auto surface = fitting::fit_surface(facets, kind))
+                    seed.misfit =
+                        std::min(seed.misfit, fitting::misfit_of(facets.corners, *surface));
         }
         seeds.push_back(seed);
     }
@@ -249,22 +252,22 @@ void SurfaceGrower::keep(SurfaceRegion region)
 std::optional<SurfaceRegion> SurfaceGrower::curved_at(int seed, const std::vector<int>& patch,
                                                       Surface::Kind kind)
 {
-    std::optional<Surface> surface = fit_surface(sample_of(graph_, patch), kind);
+    std::optional<Surface> surface = fitting::fit_surface(sample_of(graph_, patch), kind);
     SurfaceRegion region{{}, patch, 0.0, growth};
     for (Convergence& of = region.convergence;
          surface && !of.is_converged && of.rounds < most_rounds; ++of.rounds)
     {
-        *surface = refined(some_corners(graph_, region.triangles), *surface);
+        *surface = fitting::refined(some_corners(graph_, region.triangles), *surface);
         if (surface->radius > 2.0 * size_ || !is_near(*surface, seed))
             return std::nullopt;
         take(region, grown(seed, *surface));
         if (region.triangles.size() < fewest_triangles || !is_curved(*surface, region.triangles))
             return std::nullopt;
-        surface = fit_surface(sample_of(graph_, region.triangles), kind);
+        surface = fitting::fit_surface(sample_of(graph_, region.triangles), kind);
     }
     if (!surface)
         return std::nullopt;
-    region.surface = refined(some_corners(graph_, region.triangles), *surface);
+    region.surface = fitting::refined(some_corners(graph_, region.triangles), *surface);
     if (!is_near(region.surface, seed) || !is_curved(region.surface, region.triangles))
         return std::nullopt;
     region.area = area_of(region.triangles);
@@ -315,7 +318,8 @@ SurfaceRegion SurfaceGrower::plane_at(int seed)
     for (Convergence& of = region.convergence; !of.is_converged && of.rounds < most_rounds;
          ++of.rounds)
     {
-        const auto fitted = fit_surface(sample_of(graph_, region.triangles), Surface::Kind::plane);
+        const auto fitted =
+            fitting::fit_surface(sample_of(graph_, region.triangles), Surface::Kind::plane);
         of.is_converged = !fitted || !is_near(*fitted, seed);
         if (of.is_converged)
             break;
@@ -326,4 +330,4 @@ SurfaceRegion SurfaceGrower::plane_at(int seed)
     return region;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

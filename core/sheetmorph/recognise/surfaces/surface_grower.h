@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Region growing over the triangles of a part: from a seed a patch is fitted, grown over all that
@@ -32,13 +32,13 @@ private:
     bool turns(const std::vector<int>& patch) const;
     std::optional<SurfaceRegion> curved_at(int seed);
     std::optional<SurfaceRegion> curved_at(int seed, const std::vector<int>& patch,
-                                           Surface::Kind kind);
+                                           fitting::Surface::Kind kind);
     SurfaceRegion plane_at(int seed);
     void better(std::optional<SurfaceRegion> region, std::optional<SurfaceRegion>& best) const;
     double bulge(const SurfaceRegion& region) const;
-    std::vector<int> grown(int seed, const Surface& surface);
-    bool is_near(const Surface& surface, int triangle) const;
-    bool is_curved(const Surface& surface, const std::vector<int>& triangles) const;
+    std::vector<int> grown(int seed, const fitting::Surface& surface);
+    bool is_near(const fitting::Surface& surface, int triangle) const;
+    bool is_curved(const fitting::Surface& surface, const std::vector<int>& triangles) const;
     void keep(SurfaceRegion region);
     void give_up(const std::vector<int>& triangles);
     double area_of(const std::vector<int>& triangles) const;
@@ -54,4 +54,4 @@ private:
     std::vector<SurfaceRegion> regions_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -10,30 +10,30 @@
 #include <optional>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
 {
 
 // How far the vertices reach along the axis and across it, and the middle of that.
-FeatureKind kind_of(const Surface& surface)
+FeatureKind kind_of(const fitting::Surface& surface)
 {
     switch (surface.kind)
     {
-        case Surface::Kind::cylinder:
+        case fitting::Surface::Kind::cylinder:
             return FeatureKind::cylinder;
-        case Surface::Kind::cone:
+        case fitting::Surface::Kind::cone:
             return FeatureKind::cone;
-        case Surface::Kind::sphere:
+        case fitting::Surface::Kind::sphere:
             return FeatureKind::sphere;
-        case Surface::Kind::plane:
+        case fitting::Surface::Kind::plane:
             break;
     }
     return FeatureKind::plane;
 }
 
-void measure_extent(const FacetGraph& graph, const Surface& surface, Feature& feature)
+void measure_extent(const FacetGraph& graph, const fitting::Surface& surface, Feature& feature)
 {
     Matrix3 frame;
     const Vector3 across = surface.axis.unitOrthogonal();
@@ -49,15 +49,15 @@ void measure_extent(const FacetGraph& graph, const Surface& surface, Feature& fe
     }
     const Vector3 extent = high - low;
     const Vector3 middle = 0.5 * (low + high);
-    const bool is_plane = surface.kind == Surface::Kind::plane;
+    const bool is_plane = surface.kind == fitting::Surface::Kind::plane;
     feature.length = is_plane ? std::max(extent.y(), extent.z()) : extent.x();
     feature.width = is_plane ? std::min(extent.y(), extent.z()) : 0.0;
     feature.center = surface.point;
     if (is_plane)
         feature.center += frame * middle.cwiseProduct(Vector3(0, 1, 1));
-    else if (surface.kind != Surface::Kind::sphere)
+    else if (surface.kind != fitting::Surface::Kind::sphere)
         feature.center += middle.x() * surface.axis;
-    if (surface.kind == Surface::Kind::cone)
+    if (surface.kind == fitting::Surface::Kind::cone)
         feature.radius = middle.x() * std::tan(surface.angle);
 }
 
@@ -108,4 +108,4 @@ Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region)
     return feature;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -5,13 +5,13 @@
 #include "sheetmorph/recognise/surfaces/surface_fit.h"
 #include "sheetmorph/recognise/tolerances.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! A surface and the triangles that lie in it, ascending.
 struct SurfaceRegion
 {
-    Surface surface;
+    fitting::Surface surface;
     std::vector<int> triangles;
     double area = 0.0;             //!< mm^2
     Convergence convergence = {};  //!< of growing and fitting in turn
@@ -25,4 +25,4 @@ std::vector<SurfaceRegion> find_surfaces(const FacetGraph& graph,
 //! What a region is as a feature; vertices of the welded mesh.
 Feature feature_of(const FacetGraph& graph, const SurfaceRegion& region);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

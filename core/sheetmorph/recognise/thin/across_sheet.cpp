@@ -11,8 +11,10 @@
 #include <queue>
 #include <unordered_set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
+
+using mesh::Hit;
 
 namespace
 {
@@ -39,7 +41,7 @@ constexpr double from_behind = -0.01;
 // A walk ends this many times farther away than the nearest place that faces the start.
 constexpr double far_enough = 3.0;
 
-TriangleCorners corners_of(const Points& points, const Triangles& triangles, int facet)
+mesh::TriangleCorners corners_of(const Points& points, const Triangles& triangles, int facet)
 {
     const auto corner = [&](int k) { return Vector3(points.row(triangles(facet, k))); };
     return {corner(0), corner(1), corner(2)};
@@ -47,7 +49,7 @@ TriangleCorners corners_of(const Points& points, const Triangles& triangles, int
 
 Hit nearest_on(const Points& points, const Triangles& triangles, int facet, const Vector3& point)
 {
-    Hit hit = nearest_on_triangle(point, corners_of(points, triangles, facet));
+    Hit hit = mesh::nearest_on_triangle(point, corners_of(points, triangles, facet));
     hit.triangle = facet;
     return hit;
 }
@@ -159,7 +161,7 @@ private:
     std::unordered_set<int> seen_;
 };
 
-AcrossSheet::AcrossSheet(const TriangleMesh& mesh, const ThinSolid& solid)
+AcrossSheet::AcrossSheet(const mesh::TriangleMesh& mesh, const ThinSolid& solid)
     : mesh_(mesh),
       solid_(solid),
       size_(mesh.size()),
@@ -172,7 +174,7 @@ AcrossSheet::AcrossSheet(const TriangleMesh& mesh, const ThinSolid& solid)
             facets[graph_.component(t)].push_back(t);
     for (auto& [component, own] : facets)
     {
-        PickingTree tree(submesh(mesh, own).mesh);
+        mesh::PickingTree tree(mesh::submesh(mesh, own).mesh);
         thin_.emplace(component, Component{std::move(own), std::move(tree)});
     }
 }
@@ -274,4 +276,4 @@ Hit AcrossSheet::nearest_around(int facet, const Vector3& point, const Points& p
     return nearest;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

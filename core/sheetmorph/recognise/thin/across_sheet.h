@@ -8,7 +8,7 @@
 
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Finds the places across the sheet: what a walk from a vertex, over the facets and straight
@@ -17,26 +17,26 @@ namespace sheetmorph
 class AcrossSheet
 {
 public:
-    AcrossSheet(const TriangleMesh& mesh, const ThinSolid& solid);
+    AcrossSheet(const mesh::TriangleMesh& mesh, const ThinSolid& solid);
 
     //! Places on a skin across the sheet from a vertex: the nearest, and all that are equally near.
     //! None where the component has no such skin.
     //! \param skin  main or opposite
-    std::vector<Hit> places(int vertex, SolidSide skin) const;
+    std::vector<mesh::Hit> places(int vertex, SolidSide skin) const;
 
     //! The typical thickness of the sheet that a vertex is on, mm; 0 if it is on none.
     double thickness(int vertex) const;
 
     //! The place nearest to a point on the deformed skin around one of its facets.
     //! \param positions  (n, 3) mm, of the whole mesh
-    Hit nearest_around(int facet, const Vector3& point, const Points& positions) const;
+    mesh::Hit nearest_around(int facet, const Vector3& point, const Points& positions) const;
 
 private:
     class Walk;
     struct Component
     {
         std::vector<int> facets;  // of the whole mesh
-        PickingTree tree;
+        mesh::PickingTree tree;
     };
 
     double thickness_at(int facet) const
@@ -48,12 +48,12 @@ private:
     bool crosses(int facet, SolidSide skin, Walk& walk, std::vector<Vector3>& crossed) const;
     int facet_behind(int facet, const Vector3& point, SolidSide skin) const;
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const ThinSolid& solid_;
     double size_;
     FacetGraph graph_;
-    VertexTriangles around_;
+    mesh::VertexTriangles around_;
     std::map<int, Component> thin_;  // by component, those with two skins
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -40,8 +40,11 @@ Vector3 spread(int k)
 class ComponentProbe
 {
 public:
-    ComponentProbe(const TriangleMesh& mesh, const FacetGraph& graph, std::vector<int> facets)
-        : mesh_(mesh), graph_(graph), facets_(std::move(facets)), tree_(submesh(mesh, facets_).mesh)
+    ComponentProbe(const mesh::TriangleMesh& mesh, const FacetGraph& graph, std::vector<int> facets)
+        : mesh_(mesh),
+          graph_(graph),
+          facets_(std::move(facets)),
+          tree_(mesh::submesh(mesh, facets_).mesh)
     {
         for (const int facet : facets_)
             area_ += graph.area(facet);
@@ -87,7 +90,7 @@ private:
         for (int k = 0; k < 3; ++k)
             start += place(k) * mesh_.points().row(mesh_.triangles()(facet, k)).transpose();
         const double step = first_step * std::sqrt(area_);
-        const std::optional<Hit> hit = tree_.nearest_hit(start - step * normal, -normal);
+        const std::optional<mesh::Hit> hit = tree_.nearest_hit(start - step * normal, -normal);
         InwardProbe found{facet, -1, 0.0, graph_.area(facet) / looks, false};
         if (!hit)
             return found;
@@ -97,16 +100,16 @@ private:
         return found;
     }
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const FacetGraph& graph_;
     std::vector<int> facets_;
-    PickingTree tree_;
+    mesh::PickingTree tree_;
     double area_ = 0.0;
 };
 
 }  // namespace
 
-std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const FacetGraph& graph)
+std::vector<InwardProbe> inward_probes(const mesh::TriangleMesh& mesh, const FacetGraph& graph)
 {
     std::vector<std::vector<int>> facets(at(graph.component_count()));
     for (int t = 0; t < graph.triangle_count(); ++t)
@@ -118,4 +121,4 @@ std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const FacetGrap
     return probes;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

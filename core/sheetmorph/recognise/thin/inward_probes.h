@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/facets/facet_graph.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! One look from a facet straight into the material.
@@ -18,6 +18,6 @@ struct InwardProbe
 
 //! Looks from points spread over every facet with a plane of every closed component: one a facet,
 //! up to 64 where a facet is large, since CAD tessellations have a few huge facets on every flat.
-std::vector<InwardProbe> inward_probes(const TriangleMesh& mesh, const FacetGraph& graph);
+std::vector<InwardProbe> inward_probes(const mesh::TriangleMesh& mesh, const FacetGraph& graph);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Union-find over 0..n-1 that also keeps which of two sides every member is on.
@@ -53,4 +53,4 @@ private:
     std::vector<char> flip_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -169,4 +169,4 @@ SkinCells skin_cells(const FacetGraph& graph, const std::vector<InwardProbe>& pr
     return cells;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/thin/inward_probes.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Bends sharper than this separate a skin from a wall, radians (30 degrees).
@@ -38,4 +38,4 @@ struct SkinCells
 SkinCells skin_cells(const FacetGraph& graph, const std::vector<InwardProbe>& probes,
                      double thickness);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

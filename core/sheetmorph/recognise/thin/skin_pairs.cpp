@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -201,7 +201,7 @@ private:
 };
 
 // Diagonals of the components' boxes, mm.
-std::vector<double> sizes(const TriangleMesh& mesh, const FacetGraph& graph)
+std::vector<double> sizes(const mesh::TriangleMesh& mesh, const FacetGraph& graph)
 {
     std::vector<Eigen::RowVector3d> low(at(graph.component_count()),
                                         Eigen::RowVector3d::Constant(1e300));
@@ -223,8 +223,8 @@ std::vector<double> sizes(const TriangleMesh& mesh, const FacetGraph& graph)
 
 }  // namespace
 
-SkinPairs skin_pairs(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
-                     bool are_several)
+SkinPairs skin_pairs(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
+                     const SkinCells& cells, bool are_several)
 {
     const Sheets sheets(graph, cells, are_several);
     SkinPairs pairs;
@@ -250,4 +250,4 @@ SkinPairs skin_pairs(const TriangleMesh& mesh, const FacetGraph& graph, const Sk
     return pairs;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/thin/skin_cells.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Of a thin component's surface.
@@ -25,7 +25,7 @@ struct SkinPairs
 //! \param are_several  whether a component may have several sheets, which something that is not
 //! thin
 //!                     joins, as welded brackets do
-SkinPairs skin_pairs(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
-                     bool are_several = false);
+SkinPairs skin_pairs(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
+                     const SkinCells& cells, bool are_several = false);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

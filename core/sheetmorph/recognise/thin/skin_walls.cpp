@@ -12,7 +12,7 @@
 #include <map>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -32,7 +32,7 @@ constexpr Eigen::Index least_facets = 50;  // worth a thread
 class Walls
 {
 public:
-    Walls(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
+    Walls(const mesh::TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
           const SkinPairs& pairs)
         : mesh_(mesh), graph_(graph), cells_(cells), pairs_(pairs)
     {
@@ -41,7 +41,7 @@ public:
             if (pairs.side[at(t)] != 0)
                 skins[{graph.component(t), pairs.side[at(t)]}].push_back(t);
         for (const auto& [skin, facets] : skins)
-            trees_.emplace(skin, PickingTree(submesh(mesh, facets).mesh));
+            trees_.emplace(skin, mesh::PickingTree(mesh::submesh(mesh, facets).mesh));
         result_.side = pairs.side;
         result_.is_lump.assign(pairs.side.size(), 0);
         result_.is_step.assign(pairs.side.size(), 0);
@@ -110,7 +110,7 @@ private:
     Vector3 corner(int vertex) const { return mesh_.points().row(vertex).transpose(); }
 
     // On a skin of the component of a facet: what touches it from outside plays no role.
-    Hit nearest(int facet, int sign, const Vector3& point) const
+    mesh::Hit nearest(int facet, int sign, const Vector3& point) const
     {
         return *trees_.at({graph_.component(facet), sign}).nearest_point(point);
     }
@@ -141,7 +141,7 @@ private:
         return longest;
     }
 
-    bool runs_along(int facet, const Hit& other) const
+    bool runs_along(int facet, const mesh::Hit& other) const
     {
         const Vector3 way = other.point - graph_.centroid(facet);
         return -way.dot(graph_.normal(facet)) < across * way.norm();
@@ -153,7 +153,7 @@ private:
         const double reach = reach_of_walls * thickness(facet);
         if (side != on_both)
         {
-            const Hit other = nearest(facet, -side, graph_.centroid(facet));
+            const mesh::Hit other = nearest(facet, -side, graph_.centroid(facet));
             is_wall_[at(facet)] = other.distance <= reach && runs_along(facet, other);
             if (!is_wall_[at(facet)])
                 add_to_skin(facet, side);
@@ -168,7 +168,7 @@ private:
     void add_to_skin(int facet, int sign)
     {
         result_.side[at(facet)] = sign;
-        const Hit other = nearest(facet, -sign, graph_.centroid(facet));
+        const mesh::Hit other = nearest(facet, -sign, graph_.centroid(facet));
         result_.is_lump[at(facet)] = other.distance > thickest_of_skin * thickness(facet);
     }
 
@@ -235,11 +235,11 @@ private:
                 }
     }
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const FacetGraph& graph_;
     const SkinCells& cells_;
     const SkinPairs& pairs_;
-    std::map<std::pair<int, int>, PickingTree> trees_;  // by component and side
+    std::map<std::pair<int, int>, mesh::PickingTree> trees_;  // by component and side
     std::map<int, int> side_of_patch_;
     std::vector<int> facet_at_;  // by vertex: one whose component it was measured in, none
     std::vector<std::array<double, 2>> distances_;  // from the skins -1 and 1
@@ -249,8 +249,8 @@ private:
 
 }  // namespace
 
-FacetSides skin_walls(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
-                      const SkinPairs& pairs)
+FacetSides skin_walls(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
+                      const SkinCells& cells, const SkinPairs& pairs)
 {
     if (std::find(pairs.is_thin.begin(), pairs.is_thin.end(), 1) == pairs.is_thin.end())
         return {pairs.side, std::vector<char>(pairs.side.size(), 0),
@@ -258,4 +258,4 @@ FacetSides skin_walls(const TriangleMesh& mesh, const FacetGraph& graph, const S
     return Walls(mesh, graph, cells, pairs).run();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/thin/skin_pairs.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! What every facet of the thin components is, once nothing is left open.
@@ -22,7 +22,7 @@ struct FacetSides
 //!   its sides (the rim of an embossed letter, a ledge up to the border) belongs to that skin.
 //! - Everything else is a lump, and so are facets of a skin that are farther than 1.8 thicknesses
 //!   from the other.
-FacetSides skin_walls(const TriangleMesh& mesh, const FacetGraph& graph, const SkinCells& cells,
-                      const SkinPairs& pairs);
+FacetSides skin_walls(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
+                      const SkinCells& cells, const SkinPairs& pairs);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

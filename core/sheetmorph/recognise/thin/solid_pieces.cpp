@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -30,7 +30,7 @@ std::vector<std::vector<int>> grouped(DisjointSets& sets, const std::vector<char
     return found;
 }
 
-VertexIds corners_of(const TriangleMesh& mesh, const std::vector<int>& facets)
+VertexIds corners_of(const mesh::TriangleMesh& mesh, const std::vector<int>& facets)
 {
     VertexIds corners;
     for (const int t : facets)
@@ -89,7 +89,7 @@ void sort_pieces(std::vector<VertexIds>& pieces)
 
 }  // namespace
 
-std::vector<VertexIds> wall_pieces(const TriangleMesh& mesh, const FacetGraph& graph,
+std::vector<VertexIds> wall_pieces(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
                                    const std::vector<SolidSide>& facets)
 {
     std::vector<VertexIds> pieces;
@@ -99,7 +99,7 @@ std::vector<VertexIds> wall_pieces(const TriangleMesh& mesh, const FacetGraph& g
     return pieces;
 }
 
-std::vector<ThroughHole> through_holes(const TriangleMesh& mesh, const FacetGraph& graph,
+std::vector<ThroughHole> through_holes(const mesh::TriangleMesh& mesh, const FacetGraph& graph,
                                        const ThinSolid& solid)
 {
     std::vector<ThroughHole> holes;
@@ -121,7 +121,8 @@ std::vector<ThroughHole> through_holes(const TriangleMesh& mesh, const FacetGrap
     return holes;
 }
 
-std::vector<VertexIds> lump_pieces(const TriangleMesh& mesh, const std::vector<InwardProbe>& probes,
+std::vector<VertexIds> lump_pieces(const mesh::TriangleMesh& mesh,
+                                   const std::vector<InwardProbe>& probes,
                                    const std::vector<char>& is_lump)
 {
     const int count = mesh.triangle_count();
@@ -144,4 +145,4 @@ std::vector<VertexIds> lump_pieces(const TriangleMesh& mesh, const std::vector<I
     return pieces;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -21,7 +21,7 @@ namespace
 constexpr double nearest = 0.3;
 constexpr double farthest = 1.8;
 
-std::vector<char> flags(const TriangleMesh& mesh, const std::vector<VertexIds>& pieces)
+std::vector<char> flags(const mesh::TriangleMesh& mesh, const std::vector<VertexIds>& pieces)
 {
     std::vector<char> found(at(mesh.vertex_count()), 0);
     for (const VertexIds& piece : pieces)
@@ -33,7 +33,7 @@ std::vector<char> flags(const TriangleMesh& mesh, const std::vector<VertexIds>& 
 class Gauge
 {
 public:
-    Gauge(const TriangleMesh& mesh, const ThinSolid& solid, const Points& positions)
+    Gauge(const mesh::TriangleMesh& mesh, const ThinSolid& solid, const Points& positions)
         : mesh_(mesh),
           solid_(solid),
           positions_(positions),
@@ -80,13 +80,13 @@ private:
 
     Distances distances(int vertex, SolidSide other) const
     {
-        const std::vector<Hit> places = across_.places(vertex, other);
+        const std::vector<mesh::Hit> places = across_.places(vertex, other);
         const double thickness = across_.thickness(vertex);
         if (places.empty() || places.front().distance > farthest * thickness
             || places.front().distance < nearest * thickness)
             return {};
         const Vector3 point = positions_.row(vertex).transpose();
-        const Hit now = across_.nearest_around(places.front().triangle, point, positions_);
+        const mesh::Hit now = across_.nearest_around(places.front().triangle, point, positions_);
         return {places.front().distance, now.distance};
     }
 
@@ -103,7 +103,7 @@ private:
         worst = std::max(worst, change);
     }
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const ThinSolid& solid_;
     const Points& positions_;
     AcrossSheet across_;
@@ -113,7 +113,7 @@ private:
 
 }  // namespace
 
-ThicknessChange thickness_change(const TriangleMesh& mesh, const ThinSolid& solid,
+ThicknessChange thickness_change(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
                                  const Points& positions)
 {
     if (solid.facets.size() != at(mesh.triangle_count())
@@ -126,4 +126,4 @@ ThicknessChange thickness_change(const TriangleMesh& mesh, const ThinSolid& soli
     return Gauge(mesh, solid, positions).measure();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/recognise/thin/thin_solid.h"
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Where the thickness changes most.
@@ -26,7 +26,7 @@ struct ThicknessChange
 
 //! \param mesh       at rest
 //! \param positions  (n, 3) mm, of the whole part in one pose
-ThicknessChange thickness_change(const TriangleMesh& mesh, const ThinSolid& solid,
+ThicknessChange thickness_change(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
                                  const Points& positions);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

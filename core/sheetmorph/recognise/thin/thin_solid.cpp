@@ -13,7 +13,7 @@
 #include <limits>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
@@ -76,7 +76,8 @@ std::vector<SolidSide> facet_sides(const FacetGraph& graph, const SkinPairs& pai
     return found;
 }
 
-std::vector<SolidSide> vertex_sides(const TriangleMesh& mesh, const std::vector<SolidSide>& facets)
+std::vector<SolidSide> vertex_sides(const mesh::TriangleMesh& mesh,
+                                    const std::vector<SolidSide>& facets)
 {
     std::vector<SolidSide> found(at(mesh.vertex_count()), SolidSide::lump);
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -90,7 +91,7 @@ std::vector<SolidSide> vertex_sides(const TriangleMesh& mesh, const std::vector<
 
 // The mean of what the looks from the facets around a vertex, on its own skin, have found; looks
 // through lumps do not count.
-Eigen::VectorXd thickness_map(const TriangleMesh& mesh, const ThinSolid& solid,
+Eigen::VectorXd thickness_map(const mesh::TriangleMesh& mesh, const ThinSolid& solid,
                               const std::vector<InwardProbe>& probes,
                               const std::vector<double>& typical)
 {
@@ -164,7 +165,7 @@ std::string why_not(const FacetGraph& graph, const SkinPairs& pairs)
 // What the facets of a mesh were found to be, before the solid is put together.
 struct Findings
 {
-    const TriangleMesh& mesh;
+    const mesh::TriangleMesh& mesh;
     const FacetGraph& graph;
     const std::vector<InwardProbe>& probes;
     const SkinCells& cells;
@@ -189,7 +190,7 @@ ThinSolid solid_of(const Findings& found, const SkinPairs& pairs)
 }
 
 // By component: whether its main skin is in several pieces that no lump holds together.
-std::vector<char> broken_components(const TriangleMesh& mesh, const ThinSolid& solid)
+std::vector<char> broken_components(const mesh::TriangleMesh& mesh, const ThinSolid& solid)
 {
     DisjointSets sets(mesh.vertex_count());
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -220,7 +221,7 @@ std::vector<char> broken_components(const TriangleMesh& mesh, const ThinSolid& s
 
 }  // namespace
 
-ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
+ThinFinding find_thin_solid(const mesh::TriangleMesh& mesh, double thickness)
 {
     if (!(thickness >= 0.0) || std::isinf(thickness))
         throw InvalidInput("the thickness of a thin solid must be a number of mm, 0 or more");
@@ -253,4 +254,4 @@ ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness)
     return {solid_of(found, pairs), ""};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

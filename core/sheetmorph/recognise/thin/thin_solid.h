@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 //! Where a facet or a vertex of a thin solid lies.
@@ -52,6 +52,6 @@ struct ThinFinding
 //! The main skin is the one with fewer embossed or engraved shapes, then the larger one (that
 //! without bosses), then the one with the mesh's first facet.
 //! \param thickness  mm: where it is known; 0 to find it out
-ThinFinding find_thin_solid(const TriangleMesh& mesh, double thickness = 0.0);
+ThinFinding find_thin_solid(const mesh::TriangleMesh& mesh, double thickness = 0.0);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
 {
 
-TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<int>& triangles)
+mesh::TriangleMesh part_of(const mesh::TriangleMesh& mesh, const std::vector<int>& triangles)
 {
     VertexIds vertices;
     for (const int t : triangles)
@@ -24,12 +24,12 @@ TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<int>& triangles
             corners(t, k) = static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(),
                                                               mesh.triangles()(triangles[t], k))
                                              - vertices.begin());
-    return TriangleMesh(mesh.points()(vertices, Eigen::indexing::all), std::move(corners));
+    return mesh::TriangleMesh(mesh.points()(vertices, Eigen::indexing::all), std::move(corners));
 }
 
 }  // namespace
 
-PatchTrees::PatchTrees(const TriangleMesh& mesh, const std::vector<int>& patch)
+PatchTrees::PatchTrees(const mesh::TriangleMesh& mesh, const std::vector<int>& patch)
     : triangles_(patch.empty() ? 0 : 1 + *std::max_element(patch.begin(), patch.end()))
 {
     for (std::size_t t = 0; t < patch.size(); ++t)
@@ -38,11 +38,11 @@ PatchTrees::PatchTrees(const TriangleMesh& mesh, const std::vector<int>& patch)
         trees_.emplace_back(part_of(mesh, triangles));
 }
 
-Hit PatchTrees::nearest(int patch, const Vector3& point) const
+mesh::Hit PatchTrees::nearest(int patch, const Vector3& point) const
 {
-    Hit hit = *trees_[patch].nearest_point(point);
+    mesh::Hit hit = *trees_[patch].nearest_point(point);
     hit.triangle = triangles_[patch][hit.triangle];
     return hit;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

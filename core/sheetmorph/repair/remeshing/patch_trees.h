@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/search/picking.h"
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! Answers what is nearest on one patch of a mesh, however near the others are.
@@ -11,14 +11,14 @@ class PatchTrees
 {
 public:
     //! \param patch  (m) of every triangle
-    PatchTrees(const TriangleMesh& mesh, const std::vector<int>& patch);
+    PatchTrees(const mesh::TriangleMesh& mesh, const std::vector<int>& patch);
 
     //! The place on a patch nearest to a point; its triangle is one of the whole mesh.
-    Hit nearest(int patch, const Vector3& point) const;
+    mesh::Hit nearest(int patch, const Vector3& point) const;
 
 private:
     std::vector<std::vector<int>> triangles_;
-    std::vector<PickingTree> trees_;
+    std::vector<mesh::PickingTree> trees_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

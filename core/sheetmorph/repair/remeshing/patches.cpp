@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -22,7 +22,7 @@ constexpr double same_direction = 0.999;  // cosine between the normals inside a
 class PlaneFlood
 {
 public:
-    PlaneFlood(const TriangleMesh& mesh, const EdgeTable& table)
+    PlaneFlood(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table)
         : mesh_(mesh),
           table_(table),
           tolerance_(flatness * mesh.size()),
@@ -34,7 +34,7 @@ public:
     {
         std::vector<double> area(plane_.size());
         for (int t = 0; t < mesh_.triangle_count(); ++t)
-            area[t] = doubled_area(mesh_, t).norm();
+            area[t] = mesh::doubled_area(mesh_, t).norm();
         std::vector<int> order(plane_.size());
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(),
@@ -48,7 +48,7 @@ public:
 private:
     void grow(int seed, int group)
     {
-        const Vector3 normal = doubled_area(mesh_, seed).normalized();
+        const Vector3 normal = mesh::doubled_area(mesh_, seed).normalized();
         const Vector3 origin = mesh_.points().row(mesh_.triangles()(seed, 0));
         std::vector<int> front{seed};
         plane_[seed] = group;
@@ -58,7 +58,7 @@ private:
                 const int edge = table_.edge_of(front[next], k);
                 if (edge < 0 || table_.uses(edge).count() != 2)
                     continue;
-                for (const EdgeUse& use : table_.uses(edge))
+                for (const mesh::EdgeUse& use : table_.uses(edge))
                     if (plane_[use.triangle] < 0 && is_on_plane(use.triangle, normal, origin))
                     {
                         plane_[use.triangle] = group;
@@ -75,33 +75,33 @@ private:
             if (std::abs((corner - origin).dot(normal)) > tolerance_)
                 return false;
         }
-        return is_thin(mesh_.points(), mesh_.triangles(), triangle)
-               || doubled_area(mesh_, triangle).normalized().dot(normal) > same_direction;
+        return mesh::is_thin(mesh_.points(), mesh_.triangles(), triangle)
+               || mesh::doubled_area(mesh_, triangle).normalized().dot(normal) > same_direction;
     }
 
-    const TriangleMesh& mesh_;
-    const EdgeTable& table_;
+    const mesh::TriangleMesh& mesh_;
+    const mesh::EdgeTable& table_;
     double tolerance_;
     std::vector<int> plane_;
     int count_ = 0;
 };
 
 // Whether each group is wide: twice its area over the length of its border.
-std::vector<char> wide_groups(const TriangleMesh& mesh, const EdgeTable& table,
+std::vector<char> wide_groups(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                               const std::vector<int>& plane, double least_width)
 {
     const int count = plane.empty() ? 0 : *std::max_element(plane.begin(), plane.end()) + 1;
     std::vector<double> area(count, 0.0), border(count, 0.0);
     for (int t = 0; t < mesh.triangle_count(); ++t)
-        area[plane[t]] += 0.5 * doubled_area(mesh, t).norm();
+        area[plane[t]] += 0.5 * mesh::doubled_area(mesh, t).norm();
     for (int edge = 0; edge < table.count(); ++edge)
     {
-        const EdgeUses uses = table.uses(edge);
-        const EdgeUse& first = *uses.begin();
+        const mesh::EdgeUses uses = table.uses(edge);
+        const mesh::EdgeUse& first = *uses.begin();
         const double length = (mesh.points().row(first.to) - mesh.points().row(first.from)).norm();
         const bool is_inner =
             uses.count() == 2 && plane[first.triangle] == plane[(uses.begin() + 1)->triangle];
-        for (const EdgeUse& use : uses)
+        for (const mesh::EdgeUse& use : uses)
             border[plane[use.triangle]] += is_inner ? 0.0 : length;
     }
     std::vector<char> is_wide(count);
@@ -111,7 +111,7 @@ std::vector<char> wide_groups(const TriangleMesh& mesh, const EdgeTable& table,
 }
 
 // Patches are what ridges separate; numbered by their first triangle.
-void number_patches(const TriangleMesh& mesh, const EdgeTable& table,
+void number_patches(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                     const std::vector<char>& is_wide, Patches& found)
 {
     DisjointSets sets(mesh.triangle_count());
@@ -133,7 +133,8 @@ void number_patches(const TriangleMesh& mesh, const EdgeTable& table,
 
 }  // namespace
 
-Patches find_patches(const TriangleMesh& mesh, const EdgeTable& table, const PatchOptions& options)
+Patches find_patches(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
+                     const PatchOptions& options)
 {
     Patches found;
     found.plane = PlaneFlood(mesh, table).groups();
@@ -141,18 +142,19 @@ Patches find_patches(const TriangleMesh& mesh, const EdgeTable& table, const Pat
     found.is_ridge.assign(static_cast<std::size_t>(table.count()), 1);
     for (int edge = 0; edge < table.count(); ++edge)
     {
-        const EdgeUses uses = table.uses(edge);
+        const mesh::EdgeUses uses = table.uses(edge);
         if (uses.count() != 2)
             continue;
-        const EdgeUse& one = *uses.begin();
-        const EdgeUse& two = *(uses.begin() + 1);
+        const mesh::EdgeUse& one = *uses.begin();
+        const mesh::EdgeUse& two = *(uses.begin() + 1);
         const int a = found.plane[one.triangle], b = found.plane[two.triangle];
-        found.is_ridge[edge] = a != b
-                               && (is_wide[a] || is_wide[b]
-                                   || bend_angle(mesh.points(), one, two) > options.crease_angle);
+        found.is_ridge[edge] =
+            a != b
+            && (is_wide[a] || is_wide[b]
+                || mesh::bend_angle(mesh.points(), one, two) > options.crease_angle);
     }
     number_patches(mesh, table, is_wide, found);
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

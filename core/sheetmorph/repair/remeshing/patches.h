@@ -3,7 +3,7 @@
 
 #include "sheetmorph/mesh/topology/edges.h"
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! Where a mesh is flat, where it is curved, and where it breaks.
@@ -23,6 +23,7 @@ struct PatchOptions
 };
 
 //! The patches of a mesh. Facets are coplanar within 2e-7 of the size of the mesh.
-Patches find_patches(const TriangleMesh& mesh, const EdgeTable& table, const PatchOptions& options);
+Patches find_patches(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
+                     const PatchOptions& options);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

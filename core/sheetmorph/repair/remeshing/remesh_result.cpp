@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -117,7 +117,7 @@ private:
             of_twin_.emplace(std::pair(v, pair.twin), static_cast<int>(vertices_.size()));
         if (is_new)
         {
-            const Hit hit = source_.trees.nearest(pair.twin, work_.point[v] + pair.way);
+            const mesh::Hit hit = source_.trees.nearest(pair.twin, work_.point[v] + pair.way);
             vertices_.push_back({hit.point, -1, pair.twin});
         }
         return found->second;
@@ -157,7 +157,7 @@ private:
         for (std::size_t t = 0; t < triangles.size(); ++t)
             rows.row(static_cast<Eigen::Index>(t)) << triangles[t][0], triangles[t][1],
                 triangles[t][2];
-        found_.mesh = TriangleMesh(std::move(points), std::move(rows));
+        found_.mesh = mesh::TriangleMesh(std::move(points), std::move(rows));
     }
 
     // A triangle given at every vertex given, and at every edge.
@@ -171,7 +171,7 @@ private:
         for (int edge = 0; edge < source_.table.count(); ++edge)
             if (source_.patches.is_ridge[edge])
             {
-                const EdgeUse& use = *source_.table.uses(edge).begin();
+                const mesh::EdgeUse& use = *source_.table.uses(edge).begin();
                 triangle_along[std::minmax(use.from, use.to)] = use.triangle;
             }
         found_.barycentric = Points::Zero(vertices_.size(), 3);
@@ -205,7 +205,7 @@ private:
 
     void put_inside(int row, const Placed& vertex)
     {
-        const Hit hit = source_.trees.nearest(vertex.patch, vertex.point);
+        const mesh::Hit hit = source_.trees.nearest(vertex.patch, vertex.point);
         found_.triangle.push_back(hit.triangle);
         found_.barycentric.row(row) = hit.barycentric.transpose();
     }
@@ -257,7 +257,8 @@ private:
         {
             if (patches[i] < 0)
                 return 0.0;
-            const Hit hit = trees.nearest(patches[i], source_.mesh.points().row(i).transpose());
+            const mesh::Hit hit =
+                trees.nearest(patches[i], source_.mesh.points().row(i).transpose());
             int nearest = 0;
             hit.barycentric.maxCoeff(&nearest);
             found_.vertex_of[i] = found_.mesh.triangles()(hit.triangle, nearest);
@@ -299,4 +300,4 @@ RemeshedMesh result_of(const WorkingMesh& work, const RemeshSource& source)
     return ResultBuilder(work, source).build();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -7,14 +7,14 @@
 #include "sheetmorph/repair/remeshing/twin_flats.h"
 #include "sheetmorph/repair/remeshing/working_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! What a remeshed mesh is compared with.
 struct RemeshSource
 {
-    const TriangleMesh& mesh;  //!< as it was given
-    const EdgeTable& table;
+    const mesh::TriangleMesh& mesh;  //!< as it was given
+    const mesh::EdgeTable& table;
     const Patches& patches;
     const CutMesh& cut;
     const PatchTrees& trees;
@@ -26,4 +26,4 @@ struct RemeshSource
 //! new ones.
 RemeshedMesh result_of(const WorkingMesh& work, const RemeshSource& source);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

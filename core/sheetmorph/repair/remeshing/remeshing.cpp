@@ -15,8 +15,10 @@
 #include <cmath>
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
+
+using mesh::TriangleMesh;
 
 namespace
 {
@@ -45,7 +47,7 @@ double total_area(const TriangleMesh& mesh)
 {
     double area = 0.0;
     for (int t = 0; t < mesh.triangle_count(); ++t)
-        area += 0.5 * doubled_area(mesh, t).norm();
+        area += 0.5 * mesh::doubled_area(mesh, t).norm();
     return area;
 }
 
@@ -82,13 +84,13 @@ std::size_t allowed_triangles(const TriangleMesh& mesh, double edge)
 
 // The edges of a table for which a condition holds, as sorted pairs of vertices.
 template <typename Condition>
-Pairs pairs_where(const EdgeTable& table, Condition condition)
+Pairs pairs_where(const mesh::EdgeTable& table, Condition condition)
 {
     Pairs pairs;
     for (int edge = 0; edge < table.count(); ++edge)
         if (condition(edge))
         {
-            const EdgeUse& use = *table.uses(edge).begin();
+            const mesh::EdgeUse& use = *table.uses(edge).begin();
             pairs.emplace_back(std::min(use.from, use.to), std::max(use.from, use.to));
         }
     return pairs;
@@ -96,14 +98,14 @@ Pairs pairs_where(const EdgeTable& table, Condition condition)
 
 // The same flats with better triangles between the same vertices: what is cut along ridges
 // afterwards then has short ways across.
-TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const EdgeTable& table,
+TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const mesh::EdgeTable& table,
                                const Patches& patches)
 {
     const Pairs folds =
         pairs_where(table,
                     [&](int edge)
                     {
-                        const EdgeUses uses = table.uses(edge);
+                        const mesh::EdgeUses uses = table.uses(edge);
                         return uses.count() != 2
                                || patches.plane[uses.begin()->triangle]
                                       != patches.plane[(uses.begin() + 1)->triangle];
@@ -119,14 +121,15 @@ TriangleMesh flipped_on_planes(const TriangleMesh& mesh, const EdgeTable& table,
 }
 
 // The ridges of a mesh in the table of another with the same ridges.
-Patches on_table(const Patches& patches, const EdgeTable& before, const EdgeTable& after)
+Patches on_table(const Patches& patches, const mesh::EdgeTable& before,
+                 const mesh::EdgeTable& after)
 {
     const Pairs ridges = pairs_where(before, [&](int edge) { return patches.is_ridge[edge] != 0; });
     Patches found = patches;
     found.is_ridge.assign(static_cast<std::size_t>(after.count()), 0);
     for (int edge = 0; edge < after.count(); ++edge)
     {
-        const EdgeUse& use = *after.uses(edge).begin();
+        const mesh::EdgeUse& use = *after.uses(edge).begin();
         found.is_ridge[edge] =
             std::binary_search(ridges.begin(), ridges.end(),
                                std::pair(std::min(use.from, use.to), std::max(use.from, use.to)));
@@ -206,10 +209,10 @@ RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
 {
     check(mesh, options);
     progress.report(0.0, "finding flats and creases");
-    const EdgeTable table(mesh);
+    const mesh::EdgeTable table(mesh);
     const Patches patches = find_patches(mesh, table, {options.crease_angle, 0.5 * options.edge});
     const TriangleMesh flipped = flipped_on_planes(mesh, table, patches);
-    const EdgeTable flipped_table(flipped);
+    const mesh::EdgeTable flipped_table(flipped);
     const Patches on_flipped = on_table(patches, table, flipped_table);
     RoundRims rims;
     if (options.are_rims_on_circles)
@@ -240,4 +243,4 @@ RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
     return made;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

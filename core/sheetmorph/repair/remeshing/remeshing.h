@@ -5,7 +5,7 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! How a mesh is made anew.
@@ -19,7 +19,7 @@ struct RemeshOptions
 //! A mesh made anew on the facets of another, and where each of its vertices lies on them.
 struct RemeshedMesh
 {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::vector<int> triangle;   //!< (n) the facet given that each vertex lies on
     Points barycentric;          //!< (n, 3) where on it; exact zeros on its edges and corners
     std::vector<int> vertex_of;  //!< (k) of every vertex given: the vertex in or nearest its place,
@@ -41,7 +41,7 @@ struct RemeshedMesh
 //! have no cuts they are not meant to have: see cured().
 //! \throws InvalidInput for an edge length that is not positive, or so short that more than three
 //!         million triangles would be needed, and for triangles that repeat a vertex; Cancelled
-RemeshedMesh remeshed(const TriangleMesh& mesh, const RemeshOptions& options,
+RemeshedMesh remeshed(const mesh::TriangleMesh& mesh, const RemeshOptions& options,
                       const Progress& progress = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

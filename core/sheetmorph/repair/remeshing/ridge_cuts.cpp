@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -49,7 +49,7 @@ std::vector<double> even_cuts(const EdgeSizes& sizes)
 class RidgeCutter
 {
 public:
-    RidgeCutter(const TriangleMesh& mesh, const EdgeTable& table)
+    RidgeCutter(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table)
         : mesh_(mesh), table_(table), first_(table.count()), count_(table.count(), 0)
     {
     }
@@ -84,7 +84,7 @@ public:
         Triangles triangles(pieces_.size(), 3);
         for (std::size_t t = 0; t < pieces_.size(); ++t)
             triangles.row(t) << pieces_[t][0], pieces_[t][1], pieces_[t][2];
-        found_.mesh = TriangleMesh(std::move(points), std::move(triangles));
+        found_.mesh = mesh::TriangleMesh(std::move(points), std::move(triangles));
         std::sort(found_.ridges.begin(), found_.ridges.end());
         return std::move(found_);
     }
@@ -93,7 +93,7 @@ private:
     // The vertices of an edge from its smaller to its larger end.
     VertexIds chain(int edge) const
     {
-        const EdgeUse& use = *table_.uses(edge).begin();
+        const mesh::EdgeUse& use = *table_.uses(edge).begin();
         VertexIds ids{std::min(use.from, use.to)};
         for (int k = 0; k < count_[edge]; ++k)
             ids.push_back(first_[edge] + k);
@@ -103,7 +103,7 @@ private:
 
     void cut_edge(int edge, double largest)
     {
-        const EdgeUse& use = *table_.uses(edge).begin();
+        const mesh::EdgeUse& use = *table_.uses(edge).begin();
         const int from = std::min(use.from, use.to), to = std::max(use.from, use.to);
         const double length = (mesh_.points().row(to) - mesh_.points().row(from)).norm();
         const auto put = [&](double share, double size)
@@ -177,8 +177,8 @@ private:
         }
     }
 
-    const TriangleMesh& mesh_;
-    const EdgeTable& table_;
+    const mesh::TriangleMesh& mesh_;
+    const mesh::EdgeTable& table_;
     std::vector<int> first_;  // of every edge: its first new vertex
     std::vector<int> count_;
     std::vector<Corners> pieces_;
@@ -189,12 +189,12 @@ private:
 
 }  // namespace
 
-CutMesh cut_ridges(const TriangleMesh& mesh, const EdgeTable& table, const Patches& patches,
-                   const CutWish& wanted)
+CutMesh cut_ridges(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
+                   const Patches& patches, const CutWish& wanted)
 {
     RidgeCutter cutter(mesh, table);
     cutter.cut(patches, wanted);
     return cutter.result();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! A vertex put into an edge of the mesh: at from + share * (to - from).
@@ -18,7 +18,7 @@ struct EdgePlace
 //! A mesh whose ridges are cut into short segments.
 struct CutMesh
 {
-    TriangleMesh mesh;                        //!< the vertices given, then those of `places`
+    mesh::TriangleMesh mesh;                  //!< the vertices given, then those of `places`
     std::vector<EdgePlace> places;            //!< where the new vertices stand, in order
     std::vector<double> sizes;                //!< (n) the edge length wanted at every vertex, mm
     std::vector<int> triangle_of;             //!< (m) the triangle given that each is part of
@@ -41,7 +41,7 @@ struct CutWish
 
 //! Cuts every ridge into segments as long as wanted, the same way for all the triangles at it.
 //! \param wanted  the sizes at every vertex, see wanted_sizes(), and anywhere; places to stop at
-CutMesh cut_ridges(const TriangleMesh& mesh, const EdgeTable& table, const Patches& patches,
-                   const CutWish& wanted);
+CutMesh cut_ridges(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
+                   const Patches& patches, const CutWish& wanted);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -17,7 +17,7 @@ constexpr double rim_angle = 0.7;
 constexpr double roundness = 0.02;
 constexpr double fewest_segments = 36.0;
 
-Vector3 on_circle(const CircleFit& circle, const Vector3& place)
+Vector3 on_circle(const fitting::CircleFit& circle, const Vector3& place)
 {
     Vector3 arm = place - circle.centre;
     arm -= circle.axis * circle.axis.dot(arm);
@@ -26,11 +26,12 @@ Vector3 on_circle(const CircleFit& circle, const Vector3& place)
 
 }  // namespace
 
-RoundRims::RoundRims(const TriangleMesh& mesh, const EdgeTable& table)
+RoundRims::RoundRims(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table)
 {
-    for (const VertexIds& loop : crease_loops(mesh, table, rim_angle))
+    for (const VertexIds& loop : mesh::crease_loops(mesh, table, rim_angle))
     {
-        const auto circle = round_rim(mesh.points()(loop, Eigen::indexing::all), roundness);
+        const auto circle =
+            fitting::round_rim(mesh.points()(loop, Eigen::indexing::all), roundness);
         if (!circle)
             continue;
         for (std::size_t k = 0; k < loop.size(); ++k)
@@ -52,7 +53,7 @@ std::vector<double> RoundRims::sizes(int count) const
     return found;
 }
 
-TriangleMesh RoundRims::rounded(int old_count, const CutMesh& cut) const
+mesh::TriangleMesh RoundRims::rounded(int old_count, const CutMesh& cut) const
 {
     Points points = cut.mesh.points();
     const auto move = [&](int vertex, int circle)
@@ -66,7 +67,7 @@ TriangleMesh RoundRims::rounded(int old_count, const CutMesh& cut) const
     }
     for (const auto& [vertex, circle] : circle_of_)
         move(vertex, circle);
-    return TriangleMesh(std::move(points), cut.mesh.triangles());
+    return mesh::TriangleMesh(std::move(points), cut.mesh.triangles());
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! The round rims of a mesh and their circles; none if default-constructed.
@@ -14,7 +14,7 @@ class RoundRims
 {
 public:
     RoundRims() = default;
-    RoundRims(const TriangleMesh& mesh, const EdgeTable& table);
+    RoundRims(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table);
 
     int count() const { return static_cast<int>(circles_.size()); }
 
@@ -24,12 +24,12 @@ public:
 
     //! The mesh with the vertices of the rims, those put into their edges included, on the circles.
     //! \param old_count  vertices before edges were cut
-    TriangleMesh rounded(int old_count, const CutMesh& cut) const;
+    mesh::TriangleMesh rounded(int old_count, const CutMesh& cut) const;
 
 private:
-    std::vector<CircleFit> circles_;
+    std::vector<fitting::CircleFit> circles_;
     std::map<int, int> circle_of_;                       // of a rim's vertex
     std::map<std::pair<int, int>, int> circle_of_edge_;  // of a rim's edge, smaller vertex first
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

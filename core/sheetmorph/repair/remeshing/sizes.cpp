@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -18,13 +18,13 @@ constexpr double per_segment = 1.3;    // edges beside a ridge, over its shortes
 constexpr double per_radius = 0.35;    // edges on a bend, over its radius
 constexpr double least_bend = 0.003;   // radians; less counts as flat
 
-double length(const TriangleMesh& mesh, const EdgeUse& use)
+double length(const mesh::TriangleMesh& mesh, const mesh::EdgeUse& use)
 {
     return (mesh.points().row(use.to) - mesh.points().row(use.from)).norm();
 }
 
 // Of a triangle over the edge it is used at.
-double height(const TriangleMesh& mesh, const EdgeUse& use)
+double height(const mesh::TriangleMesh& mesh, const mesh::EdgeUse& use)
 {
     const Vector3 way = mesh.points().row(use.to) - mesh.points().row(use.from);
     const Vector3 across = mesh.points().row(use.opposite) - mesh.points().row(use.from);
@@ -32,18 +32,19 @@ double height(const TriangleMesh& mesh, const EdgeUse& use)
 }
 
 // The radius of the bend that an edge between two facets is a line of.
-double radius(const TriangleMesh& mesh, const EdgeUses& uses, double bend)
+double radius(const mesh::TriangleMesh& mesh, const mesh::EdgeUses& uses, double bend)
 {
     return 0.5 * (height(mesh, *uses.begin()) + height(mesh, *(uses.begin() + 1))) / bend;
 }
 
 // Vertices reach each other along edges; the smallest is settled first.
-void grow_slowly(const TriangleMesh& mesh, const EdgeTable& table, std::vector<double>& size)
+void grow_slowly(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
+                 std::vector<double>& size)
 {
     std::vector<std::vector<std::pair<int, double>>> neighbours(size.size());
     for (int edge = 0; edge < table.count(); ++edge)
     {
-        const EdgeUse& use = *table.uses(edge).begin();
+        const mesh::EdgeUse& use = *table.uses(edge).begin();
         neighbours[use.from].emplace_back(use.to, length(mesh, use));
         neighbours[use.to].emplace_back(use.from, length(mesh, use));
     }
@@ -68,12 +69,12 @@ void grow_slowly(const TriangleMesh& mesh, const EdgeTable& table, std::vector<d
 
 }  // namespace
 
-std::vector<double> wanted_sizes(const TriangleMesh& mesh, const EdgeTable& table,
+std::vector<double> wanted_sizes(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                                  const Patches& patches, const SizeLimits& limits)
 {
     const double edge_length = limits.edge;
     std::vector<double> size(static_cast<std::size_t>(mesh.vertex_count()), edge_length);
-    const auto limit = [&](const EdgeUse& use, double wanted)
+    const auto limit = [&](const mesh::EdgeUse& use, double wanted)
     {
         const double most = std::max(wanted, finest * edge_length);
         size[use.from] = std::min(size[use.from], most);
@@ -81,12 +82,12 @@ std::vector<double> wanted_sizes(const TriangleMesh& mesh, const EdgeTable& tabl
     };
     for (int edge = 0; edge < table.count(); ++edge)
     {
-        const EdgeUses uses = table.uses(edge);
-        const EdgeUse& use = *uses.begin();
+        const mesh::EdgeUses uses = table.uses(edge);
+        const mesh::EdgeUse& use = *uses.begin();
         if (patches.is_ridge[edge])
             limit(use, per_segment * length(mesh, use));
         const double bend =
-            uses.count() == 2 ? bend_angle(mesh.points(), use, *(uses.begin() + 1)) : 0.0;
+            uses.count() == 2 ? mesh::bend_angle(mesh.points(), use, *(uses.begin() + 1)) : 0.0;
         const bool is_curved =
             uses.count() == 2
             && (!patches.is_flat[patches.patch[use.triangle]]
@@ -100,4 +101,4 @@ std::vector<double> wanted_sizes(const TriangleMesh& mesh, const EdgeTable& tabl
     return size;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

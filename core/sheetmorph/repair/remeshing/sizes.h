@@ -3,7 +3,7 @@
 
 #include "sheetmorph/repair/remeshing/patches.h"
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! How fast edges may grow with the distance from something small.
@@ -18,7 +18,7 @@ struct SizeLimits
 
 //! The edge length wanted at every vertex (n), mm: the longest on flats, shorter where ridges have
 //! short segments (rims of holes) and where the sheet is curved, growing slowly from there.
-std::vector<double> wanted_sizes(const TriangleMesh& mesh, const EdgeTable& table,
+std::vector<double> wanted_sizes(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                                  const Patches& patches, const SizeLimits& limits);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

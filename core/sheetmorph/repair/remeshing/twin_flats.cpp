@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -38,7 +38,7 @@ std::map<int, Outline> outlines(const PatchedMesh& given, const std::vector<int>
         if (own == found.end())
             continue;
         Outline& outline = own->second;
-        outline.area += 0.5 * doubled_area(given.mesh, t);
+        outline.area += 0.5 * mesh::doubled_area(given.mesh, t);
         for (int k = 0; k < 3; ++k)
         {
             const int from = triangles(t, k), to = triangles(t, (k + 1) % 3);
@@ -288,4 +288,4 @@ std::vector<double> evened(std::vector<double> sizes, const std::vector<TwinFlat
     return sizes;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

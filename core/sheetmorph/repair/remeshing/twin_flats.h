@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! Two flats with the same outline that face away from each other, as the skins of a plate do. They
@@ -20,7 +20,7 @@ struct TwinFlats
 //! A mesh and its patches.
 struct PatchedMesh
 {
-    const TriangleMesh& mesh;
+    const mesh::TriangleMesh& mesh;
     const std::vector<int>& patch;                   //!< (m)
     const std::vector<std::pair<int, int>>& ridges;  //!< (smaller, larger) vertex, sorted
 };
@@ -45,4 +45,4 @@ std::vector<TwinFlats> twins_after_cuts(const std::vector<TwinFlats>& twins,
 //! Sizes (n) that are the same on both outlines of every pair: the smaller ones.
 std::vector<double> evened(std::vector<double> sizes, const std::vector<TwinFlats>& twins);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

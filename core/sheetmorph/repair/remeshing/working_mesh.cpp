@@ -7,12 +7,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 WorkingMesh::WorkingMesh(const WorkingInput& input)
-    : EditableTriangles(
-        oriented(input.mesh, consistent_orientation(input.mesh, EdgeTable(input.mesh))),
+    : mesh::EditableTriangles(
+        mesh::oriented(input.mesh,
+                       mesh::consistent_orientation(input.mesh, mesh::EdgeTable(input.mesh))),
         input.ridges),
       most_triangles(input.most_triangles),
       is_frozen(static_cast<std::size_t>(vertex_count()), 0),
@@ -79,4 +80,4 @@ void WorkingMesh::split(int t, int k)
     EditableTriangles::split(t, k);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

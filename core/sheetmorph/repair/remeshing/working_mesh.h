@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 //! The triangles of a mesh before they are worked on.
 struct WorkingInput
 {
-    const TriangleMesh& mesh;                        //!< no doubled or repeating triangle
+    const mesh::TriangleMesh& mesh;                  //!< no doubled or repeating triangle
     const std::vector<std::pair<int, int>>& ridges;  //!< (smaller, larger) vertex, sorted
     const std::vector<int>& patch;                   //!< (m)
     const std::vector<double>& sizes;                //!< (n) edge length wanted, mm
@@ -24,7 +24,7 @@ struct WorkingInput
 //! A copy of a mesh, turned so that neighbours face the same way, that can be flipped, split and
 //! collapsed. Ridges and the vertices on them stay as they are; so do vertices at which triangles
 //! meet that do not go round them.
-class WorkingMesh : public EditableTriangles
+class WorkingMesh : public mesh::EditableTriangles
 {
 public:
     explicit WorkingMesh(const WorkingInput& input);
@@ -87,4 +87,4 @@ Convergence collapse_short_edges(WorkingMesh& work, int most_rounds = 10);
 //! Moves every vertex off the ridges to the middle of the triangles around it, inside its surface.
 void smooth(WorkingMesh& work);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

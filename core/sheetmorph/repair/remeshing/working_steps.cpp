@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
 
 namespace
@@ -292,4 +292,4 @@ void smooth(WorkingMesh& work)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

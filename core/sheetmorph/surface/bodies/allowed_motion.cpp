@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -96,4 +96,4 @@ BodyState nearest_following(const PlacementInput& part, const Body& body, const 
             leader.centre + spin * (start.centre - leader.centre) + slide * axis};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

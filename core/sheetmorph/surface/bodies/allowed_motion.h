@@ -3,7 +3,7 @@
 
 #include "sheetmorph/surface/bodies/body_motions.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! The part of a rotation that is about an axis of unit length (swing-twist); the identity where
@@ -24,4 +24,4 @@ BodyState carried_along(const Body& body, const BodyState& leader);
 //! Where a point of a body at rest is now.
 Vector3 moved_point(const Body& body, const BodyState& state, const Vector3& point);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <map>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -26,7 +26,7 @@ struct Seed
 };
 
 // Stitches that bodies or known vertices touch.
-void add_carried_stitches(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+void add_carried_stitches(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                           std::vector<Seed>& seeds)
 {
     std::vector<char> carries(constraints.stitches.empty() ? 0 : at(mesh.vertex_count()), 0);
@@ -48,7 +48,7 @@ void add_carried_stitches(const TriangleMesh& mesh, const SurfaceConstraints& co
     }
 }
 
-std::vector<Seed> seeds_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+std::vector<Seed> seeds_of(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     std::vector<Seed> seeds;
     for (std::size_t k = 0; k < constraints.features.size(); ++k)
@@ -60,7 +60,7 @@ std::vector<Seed> seeds_of(const TriangleMesh& mesh, const SurfaceConstraints& c
     return seeds;
 }
 
-DisjointSets joined_seeds(const std::vector<Seed>& seeds, const TriangleMesh& mesh,
+DisjointSets joined_seeds(const std::vector<Seed>& seeds, const mesh::TriangleMesh& mesh,
                           const SurfaceConstraints& constraints)
 {
     DisjointSets sets(static_cast<int>(seeds.size()));
@@ -79,7 +79,7 @@ DisjointSets joined_seeds(const std::vector<Seed>& seeds, const TriangleMesh& me
     return sets;
 }
 
-void settle(Body& body, const TriangleMesh& mesh)
+void settle(Body& body, const mesh::TriangleMesh& mesh)
 {
     make_set(body.vertices);
     body.centre = centre_of(mesh, body.vertices);
@@ -204,7 +204,7 @@ void decide_restriction(Body& body, const Wishes& wishes, const SurfaceConstrain
 
 }  // namespace
 
-Vector3 centre_of(const TriangleMesh& mesh, const VertexIds& vertices)
+Vector3 centre_of(const mesh::TriangleMesh& mesh, const VertexIds& vertices)
 {
     Vector3 centre = Vector3::Zero();
     for (const int vertex : vertices)
@@ -230,7 +230,8 @@ Text names_of(const Body& body, const SurfaceConstraints& constraints)
     return text;
 }
 
-std::vector<Body> merge_bodies(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+std::vector<Body> merge_bodies(const mesh::TriangleMesh& mesh,
+                               const SurfaceConstraints& constraints)
 {
     const std::vector<Seed> seeds = seeds_of(mesh, constraints);
     DisjointSets sets = joined_seeds(seeds, mesh, constraints);
@@ -282,4 +283,4 @@ void decide_motion(Body& body, const Drivers& drivers, const SurfaceConstraints&
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

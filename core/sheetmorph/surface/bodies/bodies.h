@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! A link as one of its two bodies keeps it.
@@ -67,7 +67,8 @@ struct Drivers
 
 //! Features joined to bodies where they share vertices or a group, handles with a free rotation,
 //! and stitches that are carried along; what moves them is still open.
-std::vector<Body> merge_bodies(const TriangleMesh& mesh, const SurfaceConstraints& constraints);
+std::vector<Body> merge_bodies(const mesh::TriangleMesh& mesh,
+                               const SurfaceConstraints& constraints);
 
 //! Decides what moves a body: what drives it, and what its features ask for.
 //! \throws InvalidInput naming features and what would tear them apart
@@ -76,16 +77,16 @@ void decide_motion(Body& body, const Drivers& drivers, const SurfaceConstraints&
 //! Settles who follows in every link. Bodies that are driven lead, as do those that keep a motion.
 //! \throws InvalidInput naming links and features: nothing left to give, or a link that closes a
 //! loop
-void decide_links(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+void decide_links(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                   std::vector<Body>& bodies);
 
 //! Body indices in an order in which leaders come before their followers.
 std::vector<int> leaders_first(const std::vector<Body>& bodies);
 
 //! Mean of a feature's vertices at rest.
-Vector3 centre_of(const TriangleMesh& mesh, const VertexIds& vertices);
+Vector3 centre_of(const mesh::TriangleMesh& mesh, const VertexIds& vertices);
 
 //! "feature 'hole1', feature 'hole2' (one body, since they share vertices)".
 Text names_of(const Body& body, const SurfaceConstraints& constraints);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -55,7 +55,7 @@ Text named(const SurfaceConstraints& constraints, const FeatureLink& link)
 class Linking
 {
 public:
-    Linking(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+    Linking(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
             std::vector<Body>& bodies)
         : mesh_(mesh),
           constraints_(constraints),
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const SurfaceConstraints& constraints_;
     std::vector<Body>& bodies_;
     DisjointSets trees_;
@@ -159,7 +159,7 @@ std::vector<int> leaders_first(const std::vector<Body>& bodies)
     return order;
 }
 
-void decide_links(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+void decide_links(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                   std::vector<Body>& bodies)
 {
     Linking linking(mesh, constraints, bodies);
@@ -167,4 +167,4 @@ void decide_links(const TriangleMesh& mesh, const SurfaceConstraints& constraint
         linking.decide(static_cast<int>(k));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -10,7 +10,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -248,4 +248,4 @@ void turn_open_bodies(const PlacementInput& part, const Points& logs, const Poin
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What is known of the bodies in one pose, before the energy is minimised.
@@ -40,7 +40,7 @@ struct GivenRotations
 //! A part and what decides its vertices.
 struct PlacementInput
 {
-    const TriangleMesh& rest;
+    const mesh::TriangleMesh& rest;
     const SurfaceConstraints& constraints;
     const VertexRoles& roles;
 };
@@ -81,4 +81,4 @@ GivenRotations given_rotations(const PlacementInput& part, const SurfaceTargets&
 void turn_open_bodies(const PlacementInput& part, const Points& logs, const Points& tilts,
                       BodyMotions& bodies);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

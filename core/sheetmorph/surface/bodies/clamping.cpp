@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -17,7 +17,7 @@ namespace
 constexpr double as_near = 1.0 + 1e-6;
 
 // The carriers of each region that are nearest to the vertex, all with the same say.
-Clamp clamp_of(const TriangleMesh& mesh, const VertexRoles& roles, int vertex,
+Clamp clamp_of(const mesh::TriangleMesh& mesh, const VertexRoles& roles, int vertex,
                const VertexIds& candidates)
 {
     const auto distance = [&](int carrier)
@@ -58,8 +58,8 @@ std::vector<char> holding_vertices(const SurfaceConstraints& constraints, const 
     return holds;
 }
 
-void clamp_neighbours(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                      const SparseMatrix& neighbours, VertexRoles& roles)
+void clamp_neighbours(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                      const numerics::SparseMatrix& neighbours, VertexRoles& roles)
 {
     const std::vector<char> clamps = holding_vertices(constraints, roles);
     for (int i = 0; i < mesh.vertex_count(); ++i)
@@ -67,7 +67,7 @@ void clamp_neighbours(const TriangleMesh& mesh, const SurfaceConstraints& constr
         if (roles.role[at(i)] != Role::free)
             continue;
         VertexIds candidates;
-        for (SparseMatrix::InnerIterator entry(neighbours, i); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(neighbours, i); entry; ++entry)
             if (entry.row() != i && clamps[at(static_cast<int>(entry.row()))])
                 candidates.push_back(static_cast<int>(entry.row()));
         if (!candidates.empty())
@@ -110,4 +110,4 @@ void place_clamped(const PlacementInput& part, const GivenRotations& given,
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

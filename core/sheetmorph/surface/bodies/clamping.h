@@ -5,7 +5,7 @@
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 #include "sheetmorph/surface/bodies/body_motions.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! (n) vertices of fixed, handle and propagated regions, also where a feature that they carry has
@@ -17,8 +17,8 @@ std::vector<char> holding_vertices(const SurfaceConstraints& constraints, const 
 //! for, so that no order of regions counts. Vertices of features keep their feature, tied ones
 //! their sheet; points of triangles never clamp.
 //! \param neighbours  (n, n): an entry wherever two vertices share an edge of the sheet
-void clamp_neighbours(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                      const SparseMatrix& neighbours, VertexRoles& roles);
+void clamp_neighbours(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
+                      const numerics::SparseMatrix& neighbours, VertexRoles& roles);
 
 //! Fills the rows of clamped vertices: the rotations of their carriers.
 void turn_clamped(const VertexRoles& roles, KnownRotations& rotations);
@@ -27,4 +27,4 @@ void turn_clamped(const VertexRoles& roles, KnownRotations& rotations);
 void place_clamped(const PlacementInput& part, const GivenRotations& given,
                    Eigen::MatrixXd& displacements);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -233,4 +233,4 @@ void Joints::step(const Eigen::VectorXd& q)
     renew_levels();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

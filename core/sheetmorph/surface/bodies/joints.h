@@ -4,7 +4,7 @@
 #include "sheetmorph/surface/bodies/body_motions.h"
 #include "sheetmorph/surface/bodies/turners.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! One factor of how a body may move: turns about a point, or shifts, by the numbers `first`,
@@ -59,4 +59,4 @@ private:
     int freedoms_ = 0;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -22,7 +22,8 @@ std::string shortest(double value)
 
 }  // namespace
 
-FeatureShapes resizable_shapes(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+FeatureShapes resizable_shapes(const mesh::TriangleMesh& mesh,
+                               const SurfaceConstraints& constraints)
 {
     FeatureShapes shapes(constraints.features.size());
     std::vector<int> owner(static_cast<std::size_t>(mesh.vertex_count()), -1);
@@ -33,8 +34,8 @@ FeatureShapes resizable_shapes(const TriangleMesh& mesh, const SurfaceConstraint
         if (!feature.is_resizable)
             continue;
         if (!scatter)
-            scatter = scatter_of(mesh);
-        shapes[k] = feature_shape(mesh, feature.vertices, *scatter);
+            scatter = mesh::scatter_of(mesh);
+        shapes[k] = forms::feature_shape(mesh, feature.vertices, *scatter);
         if (!shapes[k])
             throw InvalidInput(feature.label()
                                + " is neither a hole, a slot nor a cylinder, so its size cannot be "
@@ -75,4 +76,4 @@ SizeChanges size_changes(const SurfaceConstraints& constraints, const FeatureSha
     return changes;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

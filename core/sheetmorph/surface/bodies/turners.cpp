@@ -3,14 +3,14 @@
 
 #include "sheetmorph/base/index.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
 {
 
 // A point turns the corners of its triangle that nothing else decides.
-Turner turner_of_point(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
+Turner turner_of_point(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints,
                        const VertexRoles& roles, int point)
 {
     Turner turner;
@@ -26,8 +26,8 @@ Turner turner_of_point(const TriangleMesh& mesh, const SurfaceConstraints& const
 
 }  // namespace
 
-std::vector<Turner> turners_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                               const VertexRoles& roles)
+std::vector<Turner> turners_of(const mesh::TriangleMesh& mesh,
+                               const SurfaceConstraints& constraints, const VertexRoles& roles)
 {
     std::vector<Turner> turners;
     for (const int index : leaders_first(roles.bodies))
@@ -62,4 +62,4 @@ BodyMotions unmoved_turners(const std::vector<Turner>& turners, BodyMotions bodi
     return bodies;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/bodies/body_motions.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Something whose rotation or place the energy decides together with the sheet: a body that turns
@@ -24,10 +24,10 @@ struct Turner
 };
 
 //! Bodies first, leaders of links before their followers; then points.
-std::vector<Turner> turners_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                               const VertexRoles& roles);
+std::vector<Turner> turners_of(const mesh::TriangleMesh& mesh,
+                               const SurfaceConstraints& constraints, const VertexRoles& roles);
 
 //! Bodies with every turner where it was at rest.
 BodyMotions unmoved_turners(const std::vector<Turner>& turners, BodyMotions bodies);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -63,7 +63,7 @@ void mark_handle(VertexRoles& roles, const SurfaceConstraints& constraints, int 
 }
 
 // Points of a body's own triangles that turn it: one that is turned, or several that pin it.
-bool is_turned_by_points(const Body& body, const TriangleMesh& mesh,
+bool is_turned_by_points(const Body& body, const mesh::TriangleMesh& mesh,
                          const SurfaceConstraints& constraints)
 {
     const auto is_own = [&](int vertex)
@@ -94,7 +94,7 @@ Drivers drivers_of(const Body& body, const VertexRoles& roles)
     return drivers;
 }
 
-void mark_bodies(VertexRoles& roles, const TriangleMesh& mesh,
+void mark_bodies(VertexRoles& roles, const mesh::TriangleMesh& mesh,
                  const SurfaceConstraints& constraints)
 {
     for (std::size_t k = 0; k < roles.bodies.size(); ++k)
@@ -138,7 +138,7 @@ void require_bodies_on_the_sheet(const VertexRoles& roles, const SurfaceConstrai
     for (const Body& body : roles.bodies)
     {
         const auto on_sheet = [&](int vertex)
-        { return roles.components.label[at(vertex)] != Components::unused; };
+        { return roles.components.label[at(vertex)] != mesh::Components::unused; };
         if (!body.is_known() && std::none_of(body.vertices.begin(), body.vertices.end(), on_sheet))
             throw InvalidInput(names_of(body, constraints) + " has only vertices of no triangle: "
                                    + Text::listed("", body.vertices),
@@ -160,14 +160,14 @@ std::vector<char> held_components(const VertexRoles& roles)
         const Role role = roles.role[i];
         const bool known = role == Role::fixed || role == Role::handle || role == Role::propagated
                            || (role == Role::body && is_held(roles.bodies[at(roles.owner[i])]));
-        if (known && roles.components.label[i] != Components::unused)
+        if (known && roles.components.label[i] != mesh::Components::unused)
             held[at(roles.components.label[i])] = 1;
     }
     return held;
 }
 
 // Marks components that points alone hold. \returns those that nothing holds
-std::vector<int> find_held_components(VertexRoles& roles, const TriangleMesh& mesh,
+std::vector<int> find_held_components(VertexRoles& roles, const mesh::TriangleMesh& mesh,
                                       const SurfaceConstraints& constraints)
 {
     const std::vector<char> held = held_components(roles);
@@ -175,7 +175,7 @@ std::vector<int> find_held_components(VertexRoles& roles, const TriangleMesh& me
     for (const PointConstraint& point : constraints.points)
     {
         const int component = roles.components.label[at(mesh.triangles()(point.triangle, 0))];
-        if (component != Components::unused)
+        if (component != mesh::Components::unused)
             pointed[at(component)] = 1;
     }
     std::vector<int> unheld;
@@ -186,7 +186,7 @@ std::vector<int> find_held_components(VertexRoles& roles, const TriangleMesh& me
 }
 
 // (n) whether any triangle has a vertex. The sheet does not carry the others: they stay at rest.
-std::vector<char> corners_of(const TriangleMesh& mesh)
+std::vector<char> corners_of(const mesh::TriangleMesh& mesh)
 {
     std::vector<char> is_corner(at(mesh.vertex_count()), 0);
     for (const int corner : mesh.triangles().reshaped())
@@ -194,7 +194,7 @@ std::vector<char> corners_of(const TriangleMesh& mesh)
     return is_corner;
 }
 
-VertexRoles roles_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+VertexRoles roles_of(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     check_constraints(mesh, constraints);
     VertexRoles roles;
@@ -210,14 +210,14 @@ VertexRoles roles_of(const TriangleMesh& mesh, const SurfaceConstraints& constra
     std::vector<VertexIds> joined = mark_ties(roles, constraints);
     for (const Body& body : roles.bodies)
         joined.push_back(body.vertices);
-    roles.components = connected_components(mesh, joined);
+    roles.components = mesh::connected_components(mesh, joined);
     require_bodies_on_the_sheet(roles, constraints);
     return roles;
 }
 
 }  // namespace
 
-std::vector<VertexIds> unheld_components(const TriangleMesh& mesh,
+std::vector<VertexIds> unheld_components(const mesh::TriangleMesh& mesh,
                                          const SurfaceConstraints& constraints)
 {
     VertexRoles roles = roles_of(mesh, constraints);
@@ -228,12 +228,12 @@ std::vector<VertexIds> unheld_components(const TriangleMesh& mesh,
     std::vector<VertexIds> found(unheld.size());
     for (int i = 0; i < mesh.vertex_count() && !found.empty(); ++i)
         if (const int label = roles.components.label[at(i)];
-            label != Components::unused && place[at(label)] >= 0)
+            label != mesh::Components::unused && place[at(label)] >= 0)
             found[at(place[at(label)])].push_back(i);
     return found;
 }
 
-VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+VertexRoles assign_roles(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     VertexRoles roles = roles_of(mesh, constraints);
     const std::vector<int> unheld = find_held_components(roles, mesh, constraints);
@@ -244,9 +244,9 @@ VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& con
             "mark a fixed region or a handle on it, or remove it", FaultCode::unheld);
     const std::vector<char> is_corner = corners_of(mesh);
     for (std::size_t i = 0; i < roles.role.size(); ++i)
-        if (roles.role[i] == Role::free && roles.components.label[i] == Components::unused)
+        if (roles.role[i] == Role::free && roles.components.label[i] == mesh::Components::unused)
             roles.role[i] = is_corner[i] ? Role::follower : Role::fixed;
     return roles;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/geometry/components.h"
 #include "sheetmorph/surface/bodies/bodies.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 enum class Role : char
@@ -40,7 +40,7 @@ struct VertexRoles
     std::vector<Tie> ties;   //!< of tied vertices
     std::vector<Body> bodies;
     std::vector<Clamp> clamps;  //!< see clamp_neighbours()
-    Components components;
+    mesh::Components components;
 
     //! Components that no known vertex holds, only points.
     std::vector<int> held_by_points;
@@ -48,11 +48,11 @@ struct VertexRoles
 
 //! \throws InvalidInput naming regions and vertices: ids out of range, empty regions, handles that
 //! overlap, a feature between regions that can move differently, a component that nothing holds
-VertexRoles assign_roles(const TriangleMesh& mesh, const SurfaceConstraints& constraints);
+VertexRoles assign_roles(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints);
 
 //! The components that assign_roles() would refuse since nothing holds them; ascending vertices.
 //! \throws InvalidInput for anything else that it refuses
-std::vector<VertexIds> unheld_components(const TriangleMesh& mesh,
+std::vector<VertexIds> unheld_components(const mesh::TriangleMesh& mesh,
                                          const SurfaceConstraints& constraints);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

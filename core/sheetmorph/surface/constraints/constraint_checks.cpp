@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -75,7 +75,7 @@ void check_propagated(const SurfaceConstraints& constraints, const SurfaceTarget
 
 }  // namespace
 
-void check_constraints(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
+void check_constraints(const mesh::TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     if (mesh.triangle_count() == 0)
         throw InvalidInput("the mesh has no triangles", "there is no sheet to bend");
@@ -115,4 +115,4 @@ void check_targets(const SurfaceConstraints& constraints, const SurfaceTargets& 
     check_propagated(constraints, targets);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

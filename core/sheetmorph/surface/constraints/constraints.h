@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Which thin-plate energy bends the sheet.
@@ -90,7 +90,7 @@ struct FeatureLink
 struct Tie
 {
     int vertex = 0;
-    Anchor place;
+    mesh::Anchor place;
 };
 
 //! Everything known about one part before a pose is known.
@@ -120,4 +120,4 @@ struct SurfaceConstraints
     bool has_previews() const { return is_refined || energy == Energy::steel; }
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

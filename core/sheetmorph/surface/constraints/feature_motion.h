@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What decides how a form feature turns (mathematics.md, section 4).
@@ -42,4 +42,4 @@ enum class FeatureLinkType
     distance  //!< the distance of their centres
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

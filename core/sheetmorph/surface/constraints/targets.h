@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Where a pose puts one point, and how it turns it if the point is turned.
@@ -39,4 +39,4 @@ struct SurfaceTargets
     std::vector<PropagatedTarget> propagated = {};
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

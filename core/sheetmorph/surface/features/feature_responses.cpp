@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -31,7 +31,7 @@ constexpr double least_pivot = 1e-5;  // of the stiffest: the energy feels every
 }  // namespace
 
 FeatureResponses::FeatureResponses(const RotationFieldInput& input,
-                                   const ConstrainedMinimiser& minimiser,
+                                   const numerics::ConstrainedMinimiser& minimiser,
                                    std::vector<Turner> turners)
     : mesh_(input.mesh),
       constraints_(input.constraints),
@@ -46,7 +46,7 @@ FeatureResponses::FeatureResponses(const RotationFieldInput& input,
     turned_rows_ = turned_rows();
     find_stiffness();
     factor_at_rest();
-    responses_ = ResponseFields(mesh_.points(), count_);
+    responses_ = numerics::ResponseFields(mesh_.points(), count_);
     if (static_cast<double>(count_) * mesh_.vertex_count() <= few_numbers)
         fields();
 }
@@ -64,7 +64,7 @@ void FeatureResponses::number_columns()
     }
 }
 
-SparseMatrix FeatureResponses::direct_moves() const
+numerics::SparseMatrix FeatureResponses::direct_moves() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t k = 0; k < turners_.size(); ++k)
@@ -81,7 +81,7 @@ SparseMatrix FeatureResponses::direct_moves() const
                 entries.emplace_back(vertex, columns_[k].shift, 1.0);
         }
     }
-    SparseMatrix moves(mesh_.vertex_count(), count_);
+    numerics::SparseMatrix moves(mesh_.vertex_count(), count_);
     // A vertex listed twice in a feature moves once.
     moves.setFromTriplets(entries.begin(), entries.end(),
                           [](double, double latest) { return latest; });
@@ -89,7 +89,7 @@ SparseMatrix FeatureResponses::direct_moves() const
 }
 
 // How the columns turn the rest rows around the turners.
-SparseMatrix FeatureResponses::turned_rows() const
+numerics::SparseMatrix FeatureResponses::turned_rows() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t row = 0; row < operators_.row_vertices.size(); ++row)
@@ -97,16 +97,16 @@ SparseMatrix FeatureResponses::turned_rows() const
             for (int b = 0; b < 3 && columns_[at(entry.col())].turn != none; ++b)
                 entries.emplace_back(row, columns_[at(entry.col())].turn + b,
                                      entry.value() * operators_.rest_rows(row, b));
-    SparseMatrix turned(operators_.rest_rows.rows(), count_);
+    numerics::SparseMatrix turned(operators_.rest_rows.rows(), count_);
     turned.setFromTriplets(entries.begin(), entries.end());
     return turned;
 }
 
 // What columns first, first + 1, ... ask of the sheet.
-ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
-                                                         Eigen::Index count) const
+numerics::ConstrainedMinimiser::Targets FeatureResponses::asked_of(Eigen::Index first,
+                                                                   Eigen::Index count) const
 {
-    ConstrainedMinimiser::Targets asked;
+    numerics::ConstrainedMinimiser::Targets asked;
     asked.rows = Eigen::MatrixXd(turned_rows_.middleCols(first, count));
     asked.offset = Eigen::MatrixXd(offsets_.middleCols(first, count));
     asked.constraints =
@@ -119,13 +119,13 @@ void FeatureResponses::find_stiffness()
 {
     stiffness_ = minimiser_.energies(turned_rows_, offsets_);
     stiffness_ = 0.5 * (stiffness_ + stiffness_.transpose()).eval();
-    const SparseMatrix asked = operators_.rows * offsets_ - turned_rows_;
+    const numerics::SparseMatrix asked = operators_.rows * offsets_ - turned_rows_;
     const double stiffest = Eigen::VectorXd(operators_.stiffness->diagonal()).maxCoeff();
     const double by_rounding = stiffest * std::pow(no_shift * mesh_.size(), 2);
     for (Eigen::Index k = 0; k < count_; ++k)
     {
         double unyielding = 0.0;
-        for (SparseMatrix::InnerIterator entry(asked, k); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(asked, k); entry; ++entry)
             unyielding += operators_.weights(entry.row()) * entry.value() * entry.value();
         if (stiffness_(k, k) > std::max(unfelt * unyielding, by_rounding))
             continue;
@@ -135,7 +135,7 @@ void FeatureResponses::find_stiffness()
     }
 }
 
-const ResponseFields* FeatureResponses::fields(const Progress& progress) const
+const numerics::ResponseFields* FeatureResponses::fields(const Progress& progress) const
 {
     const std::lock_guard<std::mutex> lock(responding_);
     while (responses_.columns() < count_ && responses_.bytes() <= most_bytes)
@@ -167,7 +167,7 @@ void FeatureResponses::respond(Eigen::Index first) const
 // Of two turners 2 (tr G_kl - G_kl^T) (TurnExpansion).
 void FeatureResponses::factor_at_rest()
 {
-    Weights matrix(count_, count_);
+    numerics::Weights matrix(count_, count_);
     for (const TurnerColumns& one : columns_)
         for (const TurnerColumns& other : columns_)
         {
@@ -192,9 +192,10 @@ void FeatureResponses::factor_at_rest()
 
 // Psi^T W residual without Psi: phi^T B^T W residual is offset^T forces, since forces vanish on
 // all that the sheet can move and phi moves no constrained point.
-Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& left) const
+Eigen::MatrixXd FeatureResponses::slopes(const numerics::ConstrainedMinimiser::Balance& left) const
 {
-    const Weights weighted = operators_.weights.asDiagonal() * left.residual;  // rows contiguous
+    const numerics::Weights weighted =
+        operators_.weights.asDiagonal() * left.residual;  // rows contiguous
     Eigen::MatrixXd found(count_, left.forces.cols());
     const auto find = [&](Eigen::Index begin, Eigen::Index end)
     {
@@ -209,14 +210,14 @@ Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Balance& le
     return found;
 }
 
-ReducedEnergy FeatureResponses::energy(const ConstrainedMinimiser::Targets& asked,
-                                       const ConstrainedMinimiser::Solution& base) const
+ReducedEnergy FeatureResponses::energy(const numerics::ConstrainedMinimiser::Targets& asked,
+                                       const numerics::ConstrainedMinimiser::Solution& base) const
 {
     return {stiffness_, slopes(asked, base)};
 }
 
-Eigen::MatrixXd FeatureResponses::slopes(const ConstrainedMinimiser::Targets& asked,
-                                         const ConstrainedMinimiser::Solution& base) const
+Eigen::MatrixXd FeatureResponses::slopes(const numerics::ConstrainedMinimiser::Targets& asked,
+                                         const numerics::ConstrainedMinimiser::Solution& base) const
 {
     return slopes(minimiser_.balance(asked, base));
 }
@@ -228,4 +229,4 @@ std::optional<Eigen::MatrixXd> FeatureResponses::displacements(const Eigen::Matr
     return Eigen::MatrixXd(responses_.times(rho));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -12,15 +12,15 @@
 #include <atomic>
 #include <mutex>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! The energy of one pose in the entries of the turners' motions, everything else minimised:
 //! sum_x rho_x^T G rho_x + 2 g_x^T rho_x + constant, with rho_x (c) for coordinate x.
 struct ReducedEnergy
 {
-    Weights stiffness;      //!< G (c, c), symmetric
-    Eigen::MatrixXd slope;  //!< g (c, 3)
+    numerics::Weights stiffness;  //!< G (c, c), symmetric
+    Eigen::MatrixXd slope;        //!< g (c, 3)
 };
 
 //! Where a turner's entries are among the c: rotation minus identity at `turn` + 0, 1, 2 (entry
@@ -37,8 +37,8 @@ struct TurnerColumns
 class FeatureResponses
 {
 public:
-    FeatureResponses(const RotationFieldInput& input, const ConstrainedMinimiser& minimiser,
-                     std::vector<Turner> turners);
+    FeatureResponses(const RotationFieldInput& input,
+                     const numerics::ConstrainedMinimiser& minimiser, std::vector<Turner> turners);
 
     const std::vector<Turner>& turners() const { return turners_; }
     const std::vector<TurnerColumns>& columns() const { return columns_; }
@@ -47,54 +47,54 @@ public:
     const SmoothWeights& weights() const { return weights_; }
 
     //! \param base  the minimum of the pose with every turner unmoved, and what it was asked for
-    ReducedEnergy energy(const ConstrainedMinimiser::Targets& asked,
-                         const ConstrainedMinimiser::Solution& base) const;
+    ReducedEnergy energy(const numerics::ConstrainedMinimiser::Targets& asked,
+                         const numerics::ConstrainedMinimiser::Solution& base) const;
 
     //! The two parts of it: the stiffness is that of every pose, a slope (c, k) is linear in base.
-    const Weights& stiffness() const { return stiffness_; }
-    Eigen::MatrixXd slopes(const ConstrainedMinimiser::Targets& asked,
-                           const ConstrainedMinimiser::Solution& base) const;
+    const numerics::Weights& stiffness() const { return stiffness_; }
+    Eigen::MatrixXd slopes(const numerics::ConstrainedMinimiser::Targets& asked,
+                           const numerics::ConstrainedMinimiser::Solution& base) const;
 
     //! Of the second derivative of the energy at rest, (c, c), where every turner turns and does
     //! nothing else; else, or where it is as good as singular, nothing.
-    const DenseCholesky* at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
+    const numerics::DenseCholesky* at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
 
     //! (n, c) to live accuracy; nothing where the responses would take more memory than they are
     //! worth: solve again instead. Works them out at the first call; a second thread waits.
     //! \throws Cancelled if the progress callback asks for it; what is done is kept for the next
     //! call
-    const ResponseFields* fields(const Progress& progress = Progress()) const;
+    const numerics::ResponseFields* fields(const Progress& progress = Progress()) const;
 
     //! (n, 3) change of the sheet for entries rho (c, 3), where fields() were asked for.
     std::optional<Eigen::MatrixXd> displacements(const Eigen::MatrixXd& rho) const;
 
 private:
     void number_columns();
-    SparseMatrix direct_moves() const;
-    SparseMatrix turned_rows() const;
-    ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
+    numerics::SparseMatrix direct_moves() const;
+    numerics::SparseMatrix turned_rows() const;
+    numerics::ConstrainedMinimiser::Targets asked_of(Eigen::Index first, Eigen::Index count) const;
     void find_stiffness();
     void factor_at_rest();
     void respond(Eigen::Index first) const;
-    Eigen::MatrixXd slopes(const ConstrainedMinimiser::Balance& left) const;
+    Eigen::MatrixXd slopes(const numerics::ConstrainedMinimiser::Balance& left) const;
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const SurfaceConstraints& constraints_;
     const VertexRoles& roles_;
     const SurfaceOperators& operators_;
-    const ConstrainedMinimiser& minimiser_;
+    const numerics::ConstrainedMinimiser& minimiser_;
     std::vector<Turner> turners_;
     std::vector<TurnerColumns> columns_;
     int count_ = 0;  // c
     SmoothWeights weights_;
-    SparseMatrix offsets_;      // (n, c) what the columns move directly
-    SparseMatrix turned_rows_;  // (r, c)
-    Weights stiffness_;         // (c, c)
-    std::vector<int> unfelt_;   // columns that the energy does not feel
-    std::optional<DenseCholesky> at_rest_;
+    numerics::SparseMatrix offsets_;      // (n, c) what the columns move directly
+    numerics::SparseMatrix turned_rows_;  // (r, c)
+    numerics::Weights stiffness_;         // (c, c)
+    std::vector<int> unfelt_;             // columns that the energy does not feel
+    std::optional<numerics::DenseCholesky> at_rest_;
     mutable std::mutex responding_;
-    mutable ResponseFields responses_;  // (n, c) Phi, as far as it is worked out
+    mutable numerics::ResponseFields responses_;  // (n, c) Phi, as far as it is worked out
     mutable std::atomic<bool> is_responded_{false};
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

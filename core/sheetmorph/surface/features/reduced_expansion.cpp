@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -171,7 +171,8 @@ void expand_turns(const Joints& joints, const Measure& measure, const Forces& fo
 Forces forces_at(const Joints& joints, const Measure& measure)
 {
     Forces found{entries_of(joints, measure.part, measure.responses), {}, 0.0};
-    found.pull = narrow_product(measure.energy.stiffness, found.entries) + measure.energy.slope;
+    found.pull =
+        numerics::narrow_product(measure.energy.stiffness, found.entries) + measure.energy.slope;
     found.value = found.entries.cwiseProduct(found.pull + measure.energy.slope).sum();
     return found;
 }
@@ -232,7 +233,7 @@ Eigen::VectorXd TurnExpansion::times(const Eigen::VectorXd& q) const
         const auto row = 3 * static_cast<Eigen::Index>(k);
         turned.middleRows<3>(row) = (cross_matrix(q.segment<3>(row)) * rotations_[k]).transpose();
     }
-    const Points pull = narrow_product(stiffness_, turned);
+    const Points pull = numerics::narrow_product(stiffness_, turned);
     Eigen::VectorXd product(q.size());
     for (std::size_t k = 0; k < rotations_.size(); ++k)
     {
@@ -284,4 +285,4 @@ Eigen::VectorXd gradient_of(const Joints& joints, const FeatureResponses& respon
     return gradient;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/surface/features/reduced_minimum.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! The reduced energy where the joints are.
@@ -46,8 +46,8 @@ public:
 private:
     std::vector<Matrix3> rotations_, curvatures_;
     Eigen::VectorXd gradient_;
-    const Weights& stiffness_;
-    const DenseCholesky& at_rest_;
+    const numerics::Weights& stiffness_;
+    const numerics::DenseCholesky& at_rest_;
 };
 
 //! How one turner changes where the joints do.
@@ -64,4 +64,4 @@ std::vector<StateRate> state_rates(const Joints& joints, const Eigen::VectorXd& 
 Eigen::VectorXd gradient_of(const Joints& joints, const FeatureResponses& responses,
                             const Eigen::MatrixXd& forces);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

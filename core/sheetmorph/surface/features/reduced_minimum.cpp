@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -42,13 +42,13 @@ Eigen::VectorXd scales(const Expansion& at)
 }
 
 // Factor of a symmetric matrix + shift; nothing where a pivot is not positive, or as good as none.
-std::optional<DenseCholesky> factored(const Eigen::MatrixXd& matrix, double shift)
+std::optional<numerics::DenseCholesky> factored(const Eigen::MatrixXd& matrix, double shift)
 {
-    Weights shifted = matrix.transpose();  // as it lies in memory
+    numerics::Weights shifted = matrix.transpose();  // as it lies in memory
     shifted.diagonal().array() += shift;
     try
     {
-        const DenseCholesky factor(std::move(shifted));
+        const numerics::DenseCholesky factor(std::move(shifted));
         if (factor.smallest_pivot() > std::sqrt(unfelt))
             return factor;
     }
@@ -126,7 +126,7 @@ ConvexStep convex_step(const Expansion& at)
     const Eigen::VectorXd scale = scales(at);
     const Eigen::MatrixXd scaled = scale.asDiagonal() * at.hessian * scale.asDiagonal();
     const Eigen::VectorXd right = -(scale.asDiagonal() * at.gradient);
-    std::optional<DenseCholesky> factor = factored(scaled, 0.0);
+    std::optional<numerics::DenseCholesky> factor = factored(scaled, 0.0);
     const bool is_convex = factor || factored(scaled, barely_convex);
     if (!is_convex)
         for (double shift = first_shift; !factor && shift < 100.0; shift *= 4.0)
@@ -137,7 +137,7 @@ ConvexStep convex_step(const Expansion& at)
 }
 
 //! The energy of joints for newton_minimum(). Lengths are the largest number of a step, radians.
-class JointProblem : public NewtonProblem
+class JointProblem : public numerics::NewtonProblem
 {
 public:
     JointProblem(Joints& joints, const Measure& measure, double precision)
@@ -151,7 +151,7 @@ public:
 
     double value() override { return here_.value; }
 
-    std::optional<NewtonStep> step(int) override
+    std::optional<numerics::NewtonStep> step(int) override
     {
         if (TurnExpansion::is_possible(joints_, measure_.responses))
         {
@@ -169,7 +169,7 @@ public:
         joints_.restore(before_.first);
         here_ = before_.second;
     }
-    void move(const NewtonStep& step, double share) override
+    void move(const numerics::NewtonStep& step, double share) override
     {
         joints_.restore(before_.first);
         joints_.step(share * step.change);
@@ -177,10 +177,10 @@ public:
     }
 
 private:
-    NewtonStep bounded(const ConvexStep& step, const Eigen::VectorXd& gradient) const
+    numerics::NewtonStep bounded(const ConvexStep& step, const Eigen::VectorXd& gradient) const
     {
         const double bound = bound_of(step.amount, joints_);
-        NewtonStep found{bound * step.amount};
+        numerics::NewtonStep found{bound * step.amount};
         found.length = step.amount.size() > 0 ? step.amount.cwiseAbs().maxCoeff() : 0.0;
         found.slope = gradient.dot(found.change);
         found.is_bounded = bound < 1.0;
@@ -228,7 +228,7 @@ Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
 
 Convergence minimise(Joints& joints, const Measure& measure, double precision)
 {
-    NewtonLimits limits{"the turns of form features", "radians"};
+    numerics::NewtonLimits limits{"the turns of form features", "radians"};
     if (joints.freedoms() == 0)
         return {limits.what, true, 0, 0.0, limits.unit};
     limits.most_rounds = most_steps;
@@ -238,7 +238,7 @@ Convergence minimise(Joints& joints, const Measure& measure, double precision)
     limits.left = std::max(left_by_a_step * precision * precision, smallest_step);
     limits.unseen_gain = unseen_gain;
     JointProblem problem(joints, measure, precision);
-    return newton_minimum(problem, limits);
+    return numerics::newton_minimum(problem, limits);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

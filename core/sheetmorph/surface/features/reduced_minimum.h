@@ -4,7 +4,7 @@
 #include "sheetmorph/surface/bodies/joints.h"
 #include "sheetmorph/surface/features/feature_responses.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What a configuration is measured with.
@@ -31,4 +31,4 @@ Eigen::VectorXd newton_step(const Expansion& at);
 //! \param precision  radians: the first step this small is the last. Steps square what is left.
 [[nodiscard]] Convergence minimise(Joints& joints, const Measure& measure, double precision = 0.0);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -104,4 +104,4 @@ void blend_logs(const FeatureResponses& responses, const std::vector<BodyState>&
     parallel_ranges(weights.vertices(), least_blended, blend);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

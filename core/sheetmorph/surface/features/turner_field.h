@@ -3,7 +3,7 @@
 
 #include "sheetmorph/surface/features/feature_responses.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! How far the field turns, at most, between each turner and where the sheet still turns with it.
@@ -25,4 +25,4 @@ bool hold_far_turned(const FeatureResponses& responses, const std::vector<double
 void blend_logs(const FeatureResponses& responses, const std::vector<BodyState>& states,
                 Points& logs);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -69,10 +69,11 @@ SmoothWeights turner_weights(const RotationFieldInput& input, const std::vector<
             owned[at(owner[i])].push_back(static_cast<int>(i));
     const SurfaceOperators& operators = input.operators;
     const Unknowns unknowns = open_vertices(input, owner);
-    const SparseCholesky factor(unknowns.merged(operators.harmonic), operators.harmonic_tree);
+    const numerics::SparseCholesky factor(unknowns.merged(operators.harmonic),
+                                          operators.harmonic_tree);
     SmoothWeights weights({*operators.harmonic, unknowns, factor}, owned, {faded, 0.0, true});
     weights.fill_tied(input.roles.ties);
     return weights;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,7 +5,7 @@
 #include "sheetmorph/surface/rotation/rotation_field.h"
 #include "sheetmorph/surface/rotation/smooth_weights.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! How far the sheet at a vertex turns with each turner (mathematics.md, section 4): harmonic
@@ -15,4 +15,4 @@ namespace sheetmorph
 //! \returns of (n, turners); turners that do not turn have none
 SmoothWeights turner_weights(const RotationFieldInput& input, const std::vector<Turner>& turners);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -81,7 +81,8 @@ Local local_of(const FlatTriangle& triangle, const FlatPoints& positions, bool i
 }
 
 // (k, 2) of points that lie in a plane, and how far they are off it.
-std::pair<FlatPoints, double> in_their_plane(const TriangleMesh& mesh, const VertexIds& vertices)
+std::pair<FlatPoints, double> in_their_plane(const mesh::TriangleMesh& mesh,
+                                             const VertexIds& vertices)
 {
     const Points points = mesh.points()(vertices, Eigen::indexing::all);
     const Eigen::RowVector3d centre = points.colwise().mean();
@@ -206,7 +207,7 @@ double FlatSystem::energy() const
     return sum;
 }
 
-std::optional<NewtonStep> FlatSystem::step(int model)
+std::optional<numerics::NewtonStep> FlatSystem::step(int model)
 {
     const bool is_tension_only = model > 0;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count_);
@@ -230,12 +231,12 @@ std::optional<NewtonStep> FlatSystem::step(int model)
     }
     for (int k = 0; k < count_; ++k)
         entries.emplace_back(k, k, rigid_modes * largest);
-    auto whole = std::make_shared<SparseMatrix>(count_, count_);
+    auto whole = std::make_shared<numerics::SparseMatrix>(count_, count_);
     whole->setFromTriplets(entries.begin(), entries.end());
     const std::optional<Eigen::VectorXd> change = solved(whole, -gradient);
     if (!change)
         return std::nullopt;
-    NewtonStep found{*change};
+    numerics::NewtonStep found{*change};
     found.length = length_of(*change);
     found.slope = gradient.dot(*change);
     found.is_exact = !is_tension_only;
@@ -264,16 +265,17 @@ double FlatSystem::length_of(const Eigen::VectorXd& change) const
 }
 
 std::optional<Eigen::VectorXd> FlatSystem::solved(
-    const std::shared_ptr<const SparseMatrix>& tangent, const Eigen::VectorXd& right)
+    const std::shared_ptr<const numerics::SparseMatrix>& tangent, const Eigen::VectorXd& right)
 {
     if (!factor_)
     {
         Points places(count_, 3);
         for (int k = 0; k < count_; ++k)
             places.row(k) = places_[at(k)].transpose();
-        auto tree = std::make_shared<const SeparatorTree>(nested_dissection(*tangent, places));
-        factor_.emplace(
-            std::make_shared<const FrontPattern>(Elimination(unmerged(tangent), std::move(tree))));
+        auto tree = std::make_shared<const numerics::SeparatorTree>(
+            numerics::nested_dissection(*tangent, places));
+        factor_.emplace(std::make_shared<const numerics::FrontPattern>(
+            numerics::Elimination(numerics::unmerged(tangent), std::move(tree))));
     }
     try
     {
@@ -286,7 +288,7 @@ std::optional<Eigen::VectorXd> FlatSystem::solved(
     }
 }
 
-void FlatSystem::move(const NewtonStep& step, double share)
+void FlatSystem::move(const numerics::NewtonStep& step, double share)
 {
     positions_ = before_;
     for (std::size_t i = 0; i < rim_of_.size(); ++i)
@@ -305,4 +307,4 @@ void FlatSystem::move(const NewtonStep& step, double share)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

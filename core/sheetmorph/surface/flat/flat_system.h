@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! A triangle of a membrane in the plane.
@@ -21,7 +21,7 @@ struct FlatTriangle
 };
 
 //! The membrane of a sheet in the plane: vertices move freely or with a rim.
-class FlatSystem : public NewtonProblem
+class FlatSystem : public numerics::NewtonProblem
 {
 public:
     //! \param start  where the vertices are; rims are put where they fit best
@@ -36,11 +36,11 @@ public:
     double value() override { return energy(); }
 
     //! Of the tangent itself, or (model 1) of that of tension alone. Lengths are mm.
-    std::optional<NewtonStep> step(int model) override;
+    std::optional<numerics::NewtonStep> step(int model) override;
 
     void remember() override { before_ = positions_; }
     void restore() override { positions_ = before_; }
-    void move(const NewtonStep& step, double share) override;
+    void move(const numerics::NewtonStep& step, double share) override;
 
 private:
     using Rows = Eigen::Matrix<double, 2, Eigen::Dynamic>;
@@ -51,13 +51,13 @@ private:
     };
     void place_rims(const FlatInput& input);
     void number();
-    std::optional<Eigen::VectorXd> solved(const std::shared_ptr<const SparseMatrix>& tangent,
-                                          const Eigen::VectorXd& right);
+    std::optional<Eigen::VectorXd> solved(
+        const std::shared_ptr<const numerics::SparseMatrix>& tangent, const Eigen::VectorXd& right);
     Columns columns_of(const FlatTriangle& triangle) const;
     double length_of(const Eigen::VectorXd& change) const;
     Eigen::Vector2d centre_of(int rim) const;
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     std::vector<FlatTriangle> triangles_;
     FlatPoints positions_, before_;
     std::vector<VertexIds> rims_;
@@ -65,8 +65,8 @@ private:
     std::vector<int> rim_of_;  // by vertex, or -1
     std::vector<int> first_;   // by vertex, then by rim: unknowns
     int count_ = 0;
-    std::vector<Vector3> places_;           // of the unknowns at rest
-    std::optional<SparseCholesky> factor_;  // of the last tangent; all have one pattern
+    std::vector<Vector3> places_;                     // of the unknowns at rest
+    std::optional<numerics::SparseCholesky> factor_;  // of the last tangent; all have one pattern
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -11,7 +11,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -20,9 +20,9 @@ namespace
 constexpr int most_rounds = 60;
 constexpr double settled = 1e-8;  // of the size: a round that moves less is the last
 
-void require_sheet(const TriangleMesh& mesh, const EdgeTable& table)
+void require_sheet(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table)
 {
-    if (connected_components(mesh).count != 1)
+    if (mesh::connected_components(mesh).count != 1)
         throw InvalidInput("the sheet is in pieces", "lay them flat one by one");
     for (int edge = 0; edge < table.count(); ++edge)
         if (table.uses(edge).count() > 2)
@@ -30,7 +30,7 @@ void require_sheet(const TriangleMesh& mesh, const EdgeTable& table)
                 "three triangles meet in one edge (a T-joint), which no flat sheet has",
                 "cut it "
                 "into parts there");
-    if (boundary_edges(mesh).empty())
+    if (mesh::boundary_edges(mesh).empty())
         throw InvalidInput("the sheet is closed, so that it cannot be laid flat", "cut it open");
 }
 
@@ -67,12 +67,12 @@ void require_neutral(const FlatInput& input)
 }
 
 // Each as it wants to lie in the plane: as at rest, longer where the neutral fibre says so.
-std::vector<FlatTriangle> triangles_of(const TriangleMesh& mesh, const FlatInput& input)
+std::vector<FlatTriangle> triangles_of(const mesh::TriangleMesh& mesh, const FlatInput& input)
 {
     std::vector<FlatTriangle> found;
     for (int t = 0; t < mesh.triangle_count(); ++t)
     {
-        if (is_thin(mesh.points(), mesh.triangles(), t))
+        if (mesh::is_thin(mesh.points(), mesh.triangles(), t))
             continue;
         const auto ids = mesh.triangles().row(t);
         const Vector3 first = mesh.points().row(ids(0)).transpose();
@@ -98,7 +98,8 @@ std::vector<FlatTriangle> triangles_of(const TriangleMesh& mesh, const FlatInput
 }
 
 // The vertices farthest apart, nearly: pinned, they tell where the flat sheet is and how large.
-std::array<int, 2> farthest_pair(const TriangleMesh& mesh, const std::vector<FlatTriangle>& all)
+std::array<int, 2> farthest_pair(const mesh::TriangleMesh& mesh,
+                                 const std::vector<FlatTriangle>& all)
 {
     const auto farthest_from = [&](const Vector3& place)
     {
@@ -121,12 +122,13 @@ std::array<int, 2> farthest_pair(const TriangleMesh& mesh, const std::vector<Fla
 //! Unknowns u, v of every vertex but two pinned ones.
 struct ConformalProblem
 {
-    SparseMatrix rows;          // (2 m, 2 n)
-    std::vector<int> unknowns;  // (2 n), -1: pinned or in no triangle
+    numerics::SparseMatrix rows;  // (2 m, 2 n)
+    std::vector<int> unknowns;    // (2 n), -1: pinned or in no triangle
     int count = 0;
 };
 
-ConformalProblem conformal_problem(const TriangleMesh& mesh, const std::vector<FlatTriangle>& all,
+ConformalProblem conformal_problem(const mesh::TriangleMesh& mesh,
+                                   const std::vector<FlatTriangle>& all,
                                    const std::array<int, 2>& pinned)
 {
     ConformalProblem problem;
@@ -168,14 +170,14 @@ double area_of(const FlatTriangle& triangle, const FlatPoints& positions)
 }
 
 // Least squares conformal map, as large as the sheet.
-FlatPoints conformal_map(const TriangleMesh& mesh, const std::vector<FlatTriangle>& all)
+FlatPoints conformal_map(const mesh::TriangleMesh& mesh, const std::vector<FlatTriangle>& all)
 {
     const std::array<int, 2> pinned = farthest_pair(mesh, all);
     const ConformalProblem problem = conformal_problem(mesh, all, pinned);
     Eigen::VectorXd told = Eigen::VectorXd::Zero(2 * mesh.vertex_count());
     told(2 * pinned[1]) = (mesh.points().row(pinned[1]) - mesh.points().row(pinned[0])).norm();
-    auto whole = std::make_shared<SparseMatrix>(
-        own_product(problem.rows, Eigen::VectorXd::Ones(problem.rows.rows())));
+    auto whole = std::make_shared<numerics::SparseMatrix>(
+        numerics::own_product(problem.rows, Eigen::VectorXd::Ones(problem.rows.rows())));
     const Eigen::VectorXd right = -(*whole * told);
     Eigen::VectorXd sums(problem.count);
     Points places(told.size(), 3);
@@ -185,9 +187,10 @@ FlatPoints conformal_map(const TriangleMesh& mesh, const std::vector<FlatTriangl
         if (problem.unknowns[at(k)] >= 0)
             sums(problem.unknowns[at(k)]) = right(k);
     }
-    const auto tree = std::make_shared<const SeparatorTree>(nested_dissection(*whole, places));
+    const auto tree = std::make_shared<const numerics::SeparatorTree>(
+        numerics::nested_dissection(*whole, places));
     const Eigen::VectorXd found =
-        SparseCholesky({whole, problem.unknowns, problem.count}, tree).solve(sums);
+        numerics::SparseCholesky({whole, problem.unknowns, problem.count}, tree).solve(sums);
     FlatPoints positions(mesh.vertex_count(), 2);
     for (Eigen::Index k = 0; k < told.size(); ++k)
         positions(k / 2, k % 2) =
@@ -205,27 +208,27 @@ FlatPoints conformal_map(const TriangleMesh& mesh, const std::vector<FlatTriangl
 
 Flattening flatten(const FlatInput& input, const Progress& progress)
 {
-    const EdgeTable table(input.mesh);
+    const mesh::EdgeTable table(input.mesh);
     require_sheet(input.mesh, table);
     require_rims(input);
     require_neutral(input);
-    const Orientation orientation = consistent_orientation(input.mesh, table);
+    const mesh::Orientation orientation = mesh::consistent_orientation(input.mesh, table);
     if (!orientation.is_possible)
         throw InvalidInput("the sheet has one side only (a Moebius strip)", "cut it open");
-    const TriangleMesh mesh = oriented(input.mesh, orientation);
+    const mesh::TriangleMesh mesh = mesh::oriented(input.mesh, orientation);
     const std::vector<FlatTriangle> triangles = triangles_of(mesh, input);
     if (triangles.empty())
         throw InvalidInput("the sheet has no triangle with an area");
     progress.report(0.0, "laying flat");
     FlatSystem system(input, triangles, conformal_map(mesh, triangles));
     Flattening found;
-    NewtonLimits limits{"the flat shape"};
+    numerics::NewtonLimits limits{"the flat shape"};
     limits.most_rounds = most_rounds;
     limits.settled = settled * mesh.size();
     limits.finest = limits.settled;
     limits.models = 2;
     limits.task = "laying flat";
-    found.convergence = newton_minimum(system, limits, progress);
+    found.convergence = numerics::newton_minimum(system, limits, progress);
     found.positions = system.positions();
     found.is_rigid = system.rigid_rims();
     found.turned = orientation.flipped;
@@ -236,4 +239,4 @@ Flattening flatten(const FlatInput& input, const Progress& progress)
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

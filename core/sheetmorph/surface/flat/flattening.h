@@ -5,7 +5,7 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/mesh/triangle_mesh.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! (n, 2) places in a plane, mm.
@@ -14,8 +14,8 @@ using FlatPoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 //! A sheet to be laid flat.
 struct FlatInput
 {
-    const TriangleMesh& mesh;     //!< of one piece
-    std::vector<VertexIds> rims;  //!< keep their form where they are plane; they share no vertex
+    const mesh::TriangleMesh& mesh;  //!< of one piece
+    std::vector<VertexIds> rims;     //!< keep their form where they are plane; they share no vertex
 
     //! (m, 3) of length 1, and (m) how much longer the sheet is along them once it is flat (the
     //! neutral fibre of bends); both may be empty.
@@ -43,4 +43,4 @@ struct Flattening
 //! \throws Cancelled if the progress callback asks for it
 Flattening flatten(const FlatInput& input, const Progress& progress = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

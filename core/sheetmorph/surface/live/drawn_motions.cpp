@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -46,7 +46,7 @@ Vector3 DrawnMotions::within(double radius)
     return radius * point;
 }
 
-RigidMotion DrawnMotions::next(const TriangleMesh& mesh, const VertexIds& handle,
+RigidMotion DrawnMotions::next(const mesh::TriangleMesh& mesh, const VertexIds& handle,
                                const RigidMotion& start, double farthest)
 {
     RigidMotion motion;
@@ -57,7 +57,7 @@ RigidMotion DrawnMotions::next(const TriangleMesh& mesh, const VertexIds& handle
     return motion;
 }
 
-std::vector<SurfaceTargets> own_poses(const TriangleMesh& mesh,
+std::vector<SurfaceTargets> own_poses(const mesh::TriangleMesh& mesh,
                                       const SurfaceConstraints& constraints,
                                       const SurfaceTargets& start, const std::vector<int>& turning)
 {
@@ -78,4 +78,4 @@ std::vector<SurfaceTargets> own_poses(const TriangleMesh& mesh,
     return poses;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

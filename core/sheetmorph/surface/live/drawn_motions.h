@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Motions of a handle drawn all over where it may be dragged, the same ones every time.
@@ -17,8 +17,8 @@ public:
     //! \param handle    its vertices: the motion is about their middle
     //! \param start     where it stands
     //! \param farthest  radians that it turns from there, moved by up to a third of the part
-    RigidMotion next(const TriangleMesh& mesh, const VertexIds& handle, const RigidMotion& start,
-                     double farthest);
+    RigidMotion next(const mesh::TriangleMesh& mesh, const VertexIds& handle,
+                     const RigidMotion& start, double farthest);
 
 private:
     Vector3 within(double radius);
@@ -29,8 +29,8 @@ private:
 
 //! Poses of a part in which some handles turn and move on their own, from which a response learns:
 //! one by up to 165 degrees, two by up to 100, more by up to 75. The first is `start`.
-std::vector<SurfaceTargets> own_poses(const TriangleMesh& mesh,
+std::vector<SurfaceTargets> own_poses(const mesh::TriangleMesh& mesh,
                                       const SurfaceConstraints& constraints,
                                       const SurfaceTargets& start, const std::vector<int>& turning);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -53,10 +53,10 @@ std::vector<LearntFields::Asked> LearntFields::in_order(
 LearntFields::Field LearntFields::field(const KnownPose& pose) const
 {
     const PoseNumbers::Turns known = numbers_.turns(pose);
-    const Points logs = narrow_product(numbers_.field(), known.logs);
+    const Points logs = numerics::narrow_product(numbers_.field(), known.logs);
     if (known.tilts.rows() == 0)
         return {logs, Points::Zero(logs.rows(), 3)};
-    return {logs, narrow_product(numbers_.field(), known.tilts)};
+    return {logs, numerics::narrow_product(numbers_.field(), known.tilts)};
 }
 
 // What is left to the field of how the sheet turns at every vertex, less the identity.
@@ -89,7 +89,7 @@ Eigen::MatrixXd LearntFields::offset(const KnownPose& pose, const Field& field) 
 
 // Fills the columns of the next few, from `first` on.
 void LearntFields::ask(const std::vector<Asked>& asked, std::size_t first,
-                       ConstrainedMinimiser::Targets& targets) const
+                       numerics::ConstrainedMinimiser::Targets& targets) const
 {
     const SurfaceOperators& operators = part_.operators;
     std::vector<Matrix3> turned;
@@ -129,12 +129,12 @@ Eigen::MatrixXd LearntFields::solve(const std::vector<Eigen::Index>& columns,
     {
         progress.report(static_cast<double>(first) / static_cast<double>(count), "response fields");
         const Eigen::Index width = std::min(together, count - first);
-        ConstrainedMinimiser::Targets targets;
+        numerics::ConstrainedMinimiser::Targets targets;
         targets.rows.resize(rows, width);
         targets.offset.resize(n, width);
         targets.constraints.resize(points, width);
         ask(asked, at(first), targets);
-        const ConstrainedMinimiser::Solution answer =
+        const numerics::ConstrainedMinimiser::Solution answer =
             part_.minimiser.minimum(targets, is_turned ? 1 : 0);
         const Eigen::MatrixXd slope =
             is_turned ? part_.responses->slopes(targets, answer) : Eigen::MatrixXd(0, width);
@@ -147,4 +147,4 @@ Eigen::MatrixXd LearntFields::solve(const std::vector<Eigen::Index>& columns,
     return answers;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

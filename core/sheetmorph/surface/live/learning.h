@@ -4,7 +4,7 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/surface/live/pose_numbers.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! (e, 3 p): the numbers of every pose, a column a coordinate.
@@ -44,11 +44,11 @@ private:
     std::vector<Matrix3> turns(const Field& field) const;
     Eigen::MatrixXd offset(const KnownPose& pose, const Field& field) const;
     void ask(const std::vector<Asked>& asked, std::size_t first,
-             ConstrainedMinimiser::Targets& targets) const;
+             numerics::ConstrainedMinimiser::Targets& targets) const;
 
     const PreparedSurface& part_;
     const PoseNumbers& numbers_;
     const std::vector<KnownPose>& poses_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -100,7 +100,7 @@ Points given_tilts(const KnownPose& pose, Eigen::Index rows)
 }
 
 // As many rows as count, far from each other: each the farthest from those before.
-VertexIds far_rows(const Weights& points, const VertexIds& candidates, std::size_t count)
+VertexIds far_rows(const numerics::Weights& points, const VertexIds& candidates, std::size_t count)
 {
     VertexIds found;
     Eigen::VectorXd distance =
@@ -173,7 +173,7 @@ void PoseNumbers::span_turns(const std::vector<KnownPose>& samples)
 PoseNumbers::Turns PoseNumbers::turns(const KnownPose& pose) const
 {
     const Points given = given_logs(pose);
-    Turns turns{narrow_product(directions_, given), Points(0, 3), 0.0};
+    Turns turns{numerics::narrow_product(directions_, given), Points(0, 3), 0.0};
     const auto missed = [&](const Points& wanted, const Points& blended)
     {
         const Points left = wanted - directions_.transpose() * blended;
@@ -183,7 +183,7 @@ PoseNumbers::Turns PoseNumbers::turns(const KnownPose& pose) const
     const Points tilts = given_tilts(pose, given.rows());
     if (!tilts.isZero(0.0))
     {
-        turns.tilts = narrow_product(directions_, tilts);
+        turns.tilts = numerics::narrow_product(directions_, tilts);
         turns.miss = std::max(turns.miss, missed(tilts, turns.tilts));
     }
     return turns;
@@ -292,7 +292,7 @@ void PoseNumbers::keep(const std::vector<int>& items, VertexIds vertices)
             vertices.push_back(item.index);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    field_ = Weights(field_(vertices, Eigen::indexing::all));
+    field_ = numerics::Weights(field_(vertices, Eigen::indexing::all));
     kept_ = std::move(vertices);
 }
 
@@ -326,4 +326,4 @@ Points PoseNumbers::of(const KnownPose& pose, const Turns& turns) const
     return numbers;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,7 +5,7 @@
 #include "sheetmorph/surface/solve/placement.h"
 #include "sheetmorph/surface/solve/prepared_surface.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! A pose and what it tells of the bodies; the targets outlive it.
@@ -37,7 +37,7 @@ public:
 
     //! (r, m): how vertices turn with each of them, by the rotation field: every one, or those
     //! kept.
-    const Weights& field() const { return field_; }
+    const numerics::Weights& field() const { return field_; }
 
     //! The row of a vertex in field().
     Eigen::Index row_of(int vertex) const;
@@ -81,11 +81,11 @@ private:
     Eigen::RowVector3d displacement(const Item& item, const KnownPose& pose) const;
 
     const PreparedSurface& part_;
-    double reach_;        // mm: the size of what moves as it is told
-    Weights directions_;  // (m, g) of the given rotations
-    Weights field_;
+    double reach_;                  // mm: the size of what moves as it is told
+    numerics::Weights directions_;  // (m, g) of the given rotations
+    numerics::Weights field_;
     VertexIds kept_;  // the vertices of its rows, ascending; empty: all
     std::vector<Item> items_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -12,7 +12,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -67,7 +67,7 @@ Response::Response(const PreparedSurface& part, const std::vector<SurfaceTargets
 
 bool Response::wants_all_logs() const
 {
-    const auto is_shape = [](const std::optional<FeatureShape>& shape)
+    const auto is_shape = [](const std::optional<forms::FeatureShape>& shape)
     { return shape.has_value(); };
     return readers_.all_logs || std::any_of(part_.shapes.begin(), part_.shapes.end(), is_shape);
 }
@@ -114,7 +114,7 @@ void Response::find_spread()
     if (part_.responses == nullptr)
         return;
     const SmoothWeights& weights = part_.responses->weights();
-    const Weights& field = numbers_->field();
+    const numerics::Weights& field = numbers_->field();
     spread_ = Eigen::MatrixXd::Zero(weights.groups(), field.cols());
     for (Eigen::Index i = 0; i < weights.vertices(); ++i)
         for (auto entry = weights.at_vertex(i); entry; ++entry)
@@ -189,9 +189,9 @@ void Response::tell_from_few(const Span& span)
 void Response::keep(const Eigen::MatrixXd& fields, const Eigen::VectorXd& reach,
                     const Progress& progress)
 {
-    ResponseFields all = part_.responses != nullptr
-                             ? *part_.responses->fields()
-                             : ResponseFields(part_.rest.points(), fields.cols());
+    numerics::ResponseFields all =
+        part_.responses != nullptr ? *part_.responses->fields()
+                                   : numerics::ResponseFields(part_.rest.points(), fields.cols());
     const Eigen::Index own = all.columns();
     reads_rows_.resize(static_cast<Eigen::Index>(open_.size() + readers_.vertices.size()),
                        own + fields.cols());
@@ -210,7 +210,7 @@ void Response::keep(const Eigen::MatrixXd& fields, const Eigen::VectorXd& reach,
         const Eigen::Index count = std::min(fields_at_once, fields.cols() - first);
         all.append(fields.middleCols(first, count), tolerances.segment(first, count));
     }
-    basis_ = ResponseBasis(all);
+    basis_ = numerics::ResponseBasis(all);
 }
 
 // Bodies start with the rotation that the field has on them.
@@ -238,7 +238,8 @@ std::vector<double> Response::farthest(const PoseNumbers::Turns& turns) const
     const Eigen::VectorXd bounds = spread_ * turns.logs.rowwise().norm();
     if (bounds.size() == 0 || bounds.maxCoeff() < surely_not_held)
         return {bounds.data(), bounds.data() + bounds.size()};
-    return farthest_turns(*part_.responses, narrow_product(numbers_->field(), turns.logs));
+    return farthest_turns(*part_.responses,
+                          numerics::narrow_product(numbers_->field(), turns.logs));
 }
 
 // \returns numbers of the turned bodies' own fields; nothing if Newton's steps do not settle
@@ -249,7 +250,7 @@ std::optional<Points> Response::minimise_turned(const SurfaceTargets& targets, c
         return Points(0, 3);
     const FeatureResponses& responses = *part_.responses;
     const PlacementInput placement = part_.placement();
-    ReducedEnergy energy{responses.stiffness(), narrow_product(slopes_, blend)};
+    ReducedEnergy energy{responses.stiffness(), numerics::narrow_product(slopes_, blend)};
     Joints joints(placement, targets, responses.turners(), frame.bodies);
     hold_far_turned(responses, farthest(frame.turns), joints, energy);
     if (!minimise(joints, {placement, responses, energy}, live_precision).is_converged)
@@ -267,7 +268,7 @@ std::optional<Points> Response::minimise_turned(const SurfaceTargets& targets, c
 // Where the sheet takes them.
 void Response::shift_bodies(Frame& frame) const
 {
-    const Points moved = narrow_product(
+    const Points moved = numerics::narrow_product(
         reads_rows_.topRows(static_cast<Eigen::Index>(open_.size())), frame.coefficients);
     for (std::size_t k = 0; k < open_.size(); ++k)
     {
@@ -311,8 +312,8 @@ std::optional<Response::Frame> Response::frame(const SurfaceTargets& targets) co
     Frame frame;
     frame.turns = numbers_->turns(pose);
     const Points numbers = numbers_->of(pose, frame.turns);
-    const Points blend = narrow_product(blend_, numbers);
-    const Points missed = narrow_product(told_, blend) - numbers;
+    const Points blend = numerics::narrow_product(blend_, numbers);
+    const Points missed = numerics::narrow_product(told_, blend) - numbers;
     if (!(frame.turns.miss <= largest_miss && largest(missed) <= largest_miss))
         return std::nullopt;
     frame.sizes = size_changes(part_.constraints, part_.shapes, targets);
@@ -338,8 +339,8 @@ void Response::place_reads(const Frame& frame, Deformation& result) const
     result.positions.resize(rest.rows(), 3);
     result.rotation_logs.resize(rest.rows(), 3);
     const auto open = static_cast<Eigen::Index>(open_.size());
-    const Points moved =
-        narrow_product(reads_rows_.bottomRows(reads_rows_.rows() - open), frame.coefficients);
+    const Points moved = numerics::narrow_product(reads_rows_.bottomRows(reads_rows_.rows() - open),
+                                                  frame.coefficients);
     for (Eigen::Index k = 0; k < moved.rows(); ++k)
     {
         const int vertex = readers_.vertices[at(k)];
@@ -356,9 +357,9 @@ void Response::fill_logs(const Frame& frame, Deformation& result) const
     result.rotation_logs.resize(is_read ? part_.rest.vertex_count() : 0, 3);
     if (wants_all_logs())
     {
-        result.rotation_logs = narrow_product(numbers_->field(), frame.turns.logs);
+        result.rotation_logs = numerics::narrow_product(numbers_->field(), frame.turns.logs);
         if (part_.responses != nullptr)
-            sheetmorph::blend_logs(*part_.responses, frame.turned, result.rotation_logs);
+            surface::blend_logs(*part_.responses, frame.turned, result.rotation_logs);
     }
     else if (is_read)
         for (std::size_t k = 0; k < readers_.vertices.size(); ++k)
@@ -386,4 +387,4 @@ void Response::place(const Frame& frame, Deformation& result) const
     part_.followers.place(part_.rest, result.positions, result.rotation_logs);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

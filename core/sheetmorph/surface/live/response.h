@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Who reads a part in a live frame.
@@ -41,7 +41,7 @@ public:
     //! A pose in the numbers of the basis. What is rigid is known before any vertex is placed.
     struct Frame
     {
-        ResponseBasis::Coefficients coefficients;
+        numerics::ResponseBasis::Coefficients coefficients;
         PoseNumbers::Turns turns;
         Points logs;                        // of what later parts read
         BodyMotions bodies;                 // all of them
@@ -112,15 +112,15 @@ private:
     std::vector<Known> known_;
     std::vector<int> open_;  // bodies whose translation the sheet decides
     std::optional<PoseNumbers> numbers_;
-    Weights blend_;           // (k, s) numbers of the fields from those of a pose
-    Weights told_;            // (s, k) and back
-    Eigen::VectorXd left_;    // (n) what of the sheet's turn is left to the field
-    Eigen::MatrixXd spread_;  // (turners, m) how far the field differs around each, at most
+    numerics::Weights blend_;  // (k, s) numbers of the fields from those of a pose
+    numerics::Weights told_;   // (s, k) and back
+    Eigen::VectorXd left_;     // (n) what of the sheet's turn is left to the field
+    Eigen::MatrixXd spread_;   // (turners, m) how far the field differs around each, at most
     std::vector<Blend> blends_;
-    Weights slopes_;      // (c, k) of the energy of the turned bodies
-    Weights reads_rows_;  // (open and reads, c + k) of the fields, in double
-    ResponseBasis basis_;
+    numerics::Weights slopes_;      // (c, k) of the energy of the turned bodies
+    numerics::Weights reads_rows_;  // (open and reads, c + k) of the fields, in double
+    numerics::ResponseBasis basis_;
     bool is_learnt_ = false;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,7 +6,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -93,4 +93,4 @@ std::vector<Eigen::Index> telling_rows(const Eigen::MatrixXd& directions)
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What many columns have in common: a few of them, and directions that blend to all of them.
@@ -28,4 +28,4 @@ Span spanned(Eigen::MatrixXd columns);
 //! rows found leave).
 std::vector<Eigen::Index> telling_rows(const Eigen::MatrixXd& directions);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

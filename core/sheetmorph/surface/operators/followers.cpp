@@ -9,14 +9,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
 {
 
 // The triangles that a vertex may follow: none with a corner that follows itself.
-std::vector<int> leading_triangles(const TriangleMesh& rest, const VertexRoles& roles)
+std::vector<int> leading_triangles(const mesh::TriangleMesh& rest, const VertexRoles& roles)
 {
     std::vector<int> leading;
     for (int t = 0; t < rest.triangle_count(); ++t)
@@ -33,17 +33,17 @@ std::vector<int> leading_triangles(const TriangleMesh& rest, const VertexRoles& 
 
 }  // namespace
 
-Followers::Followers(const TriangleMesh& rest, const VertexRoles& roles) : ties_(roles.ties)
+Followers::Followers(const mesh::TriangleMesh& rest, const VertexRoles& roles) : ties_(roles.ties)
 {
     if (std::find(roles.role.begin(), roles.role.end(), Role::follower) == roles.role.end())
         return;
     const std::vector<int> leading = leading_triangles(rest, roles);
     const Triangles triangles = rest.triangles()(leading, Eigen::indexing::all);
-    const PickingTree tree(TriangleMesh(rest.points(), triangles));
+    const mesh::PickingTree tree(mesh::TriangleMesh(rest.points(), triangles));
     for (int i = 0; i < rest.vertex_count(); ++i)
         if (roles.role[static_cast<std::size_t>(i)] == Role::follower)
             if (const auto nearest = tree.nearest_point(rest.points().row(i).transpose()))
-                followers_.push_back({i, Anchor::at(*nearest, triangles)});
+                followers_.push_back({i, mesh::Anchor::at(*nearest, triangles)});
 }
 
 VertexIds Followers::corners() const
@@ -58,7 +58,8 @@ VertexIds Followers::corners() const
     return corners;
 }
 
-void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const
+void Followers::place(const mesh::TriangleMesh& rest, Points& positions,
+                      Points& rotation_logs) const
 {
     for (const auto& [vertex, place] : ties_)
     {
@@ -85,7 +86,7 @@ void Followers::place(const TriangleMesh& rest, Points& positions, Points& rotat
     }
 }
 
-void Followers::place_rates(const TriangleMesh& rest, const Points& rotation_logs,
+void Followers::place_rates(const mesh::TriangleMesh& rest, const Points& rotation_logs,
                             Points& velocities, Points& log_rates) const
 {
     for (const auto& [vertex, place] : ties_)
@@ -113,4 +114,4 @@ void Followers::place_rates(const TriangleMesh& rest, const Points& rotation_log
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

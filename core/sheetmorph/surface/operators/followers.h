@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/search/anchor.h"
 #include "sheetmorph/surface/bodies/vertex_roles.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Vertices of triangles without area keep their place relative to the nearest triangle that has no
@@ -14,14 +14,14 @@ namespace sheetmorph
 class Followers
 {
 public:
-    Followers(const TriangleMesh& rest, const VertexRoles& roles);
+    Followers(const mesh::TriangleMesh& rest, const VertexRoles& roles);
 
     //! Fills the followers' rows of `positions` and `rotation_logs`, both (n, 3).
-    void place(const TriangleMesh& rest, Points& positions, Points& rotation_logs) const;
+    void place(const mesh::TriangleMesh& rest, Points& positions, Points& rotation_logs) const;
 
     //! The same of how they change, of a shape with these logs.
-    void place_rates(const TriangleMesh& rest, const Points& rotation_logs, Points& velocities,
-                     Points& log_rates) const;
+    void place_rates(const mesh::TriangleMesh& rest, const Points& rotation_logs,
+                     Points& velocities, Points& log_rates) const;
 
     bool is_empty() const { return ties_.empty() && followers_.empty(); }
 
@@ -32,10 +32,10 @@ private:
     struct Follower
     {
         int vertex;
-        Anchor anchor;
+        mesh::Anchor anchor;
     };
     std::vector<Tie> ties_;
     std::vector<Follower> followers_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

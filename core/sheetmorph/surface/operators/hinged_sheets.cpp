@@ -8,8 +8,10 @@
 #include <map>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
+
+using mesh::Anchor;
 
 namespace
 {
@@ -38,7 +40,7 @@ class Sheets
 public:
     explicit Sheets(const HingedInput& input)
         : input_(input),
-          sheets_(connected_components(input.mesh)),
+          sheets_(mesh::connected_components(input.mesh)),
           is_firm_(at(sheets_.count), 0),
           faces_(at(sheets_.count)),
           vertices_(at(sheets_.count)),
@@ -48,7 +50,7 @@ public:
         for (const Tie& tie : input_.roles.ties)
         {
             tie_of_[tie.vertex] = &tie;
-            if (const int below = sheet_of(tie.place); below != Components::unused)
+            if (const int below = sheet_of(tie.place); below != mesh::Components::unused)
                 carried_[at(below)].push_back(&tie);
         }
     }
@@ -66,10 +68,11 @@ private:
     {
         const Triangles& triangles = input_.mesh.triangles();
         for (int t = 0; t < input_.mesh.triangle_count(); ++t)
-            if (const int sheet = sheets_.label[at(triangles(t, 0))]; sheet != Components::unused)
+            if (const int sheet = sheets_.label[at(triangles(t, 0))];
+                sheet != mesh::Components::unused)
                 faces_[at(sheet)].push_back(t);
         for (int i = 0; i < input_.mesh.vertex_count(); ++i)
-            if (const int sheet = sheets_.label[at(i)]; sheet != Components::unused)
+            if (const int sheet = sheets_.label[at(i)]; sheet != mesh::Components::unused)
             {
                 vertices_[at(sheet)].push_back(i);
                 is_firm_[at(sheet)] |= input_.clamps[at(i)];
@@ -83,10 +86,13 @@ private:
         const bool is_one =
             std::all_of(place.corners.begin(), place.corners.end(),
                         [&](int corner) { return sheets_.label[at(corner)] == sheet; });
-        return is_one ? sheet : Components::unused;
+        return is_one ? sheet : mesh::Components::unused;
     }
 
-    bool is_firm(int sheet) const { return sheet != Components::unused && is_firm_[at(sheet)]; }
+    bool is_firm(int sheet) const
+    {
+        return sheet != mesh::Components::unused && is_firm_[at(sheet)];
+    }
 
     bool is_firm(const Body& body) const
     {
@@ -256,7 +262,7 @@ private:
     }
 
     const HingedInput& input_;
-    Components sheets_;
+    mesh::Components sheets_;
     std::vector<char> is_firm_;  // by sheet: it cannot tilt
     std::vector<std::vector<int>> faces_;
     std::vector<VertexIds> vertices_;
@@ -278,4 +284,4 @@ VertexIds hinged_vertices(const HingedInput& input)
     return holds_nothing ? VertexIds() : Sheets(input).hinged();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/surface/bodies/vertex_roles.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Whether points are that much longer than wide that they hold no sheet from tilting.
@@ -12,7 +12,7 @@ bool are_in_line(const Points& points);
 //! What is asked whether it could tilt.
 struct HingedInput
 {
-    const TriangleMesh& mesh;  //!< glued where sheets end at each other
+    const mesh::TriangleMesh& mesh;  //!< glued where sheets end at each other
     const VertexRoles& roles;
     const std::vector<char>& clamps;  //!< (n) vertices that hold the slope, too
     const std::vector<char>& is_interior;
@@ -23,4 +23,4 @@ struct HingedInput
 //! places that are not in line, nor by a seam. What hangs on such a sheet counts once that is held.
 VertexIds hinged_vertices(const HingedInput& input);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

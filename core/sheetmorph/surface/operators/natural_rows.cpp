@@ -10,7 +10,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -25,7 +25,7 @@ struct FaceGradients
     double area;
     Matrix3 of_hat;  // column k: of the hat function of corner k
 
-    explicit FaceGradients(const LaidFaces::Corners& corners)
+    explicit FaceGradients(const mesh::LaidFaces::Corners& corners)
     {
         const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         area = 0.5 * normal.norm();
@@ -38,13 +38,13 @@ struct FaceGradients
 class NaturalRows
 {
 public:
-    NaturalRows(const LaidFaces& faces, const std::vector<char>& is_held)
+    NaturalRows(const mesh::LaidFaces& faces, const std::vector<char>& is_held)
         : faces_(faces),
           is_held_(is_held),
           vertex_count_(static_cast<int>(is_held.size())),
-          fans_(fans_of(faces, vertex_count_))
+          fans_(mesh::fans_of(faces, vertex_count_))
     {
-        for (const LaidFaces::Corners& corners : faces.corners)
+        for (const mesh::LaidFaces::Corners& corners : faces.corners)
             gradients_.emplace_back(corners);
         add_hessians();
         add_hinges();
@@ -77,7 +77,7 @@ private:
         std::vector<std::vector<int>> corners_at(at(vertex_count_));
         for (int f = 0; f < faces_.count(); ++f)
         {
-            const Vector3 shares = mixed_voronoi_shares(faces_.corners[at(f)]);
+            const Vector3 shares = mesh::mixed_voronoi_shares(faces_.corners[at(f)]);
             for (int k = 0; k < 3; ++k)
             {
                 masses(faces_.triangles(f, k)) += shares(k);
@@ -145,7 +145,7 @@ private:
 
     void add_seams()
     {
-        for (const std::vector<int>& seam : seams_of(faces_))
+        for (const std::vector<int>& seam : mesh::seams_of(faces_))
             for (std::size_t i = 0; i < seam.size(); ++i)
                 for (std::size_t j = 0; j < i; ++j)
                     add_hinge(seam[i], seam[j], 2.0 / static_cast<double>(seam.size()));
@@ -153,13 +153,13 @@ private:
 
     void add_hinge(int side, int other, double share)
     {
-        const LaidFaces::Corners& one = faces_.corners[at(side / 3)];
-        const LaidFaces::Corners& two = faces_.corners[at(other / 3)];
+        const mesh::LaidFaces::Corners& one = faces_.corners[at(side / 3)];
+        const mesh::LaidFaces::Corners& two = faces_.corners[at(other / 3)];
         const bool opposed = faces_.from(side) == faces_.to(other);
-        const double c01 = corner_cotangent(one, side % 3);
-        const double c03 = corner_cotangent(one, (side + 1) % 3);
-        const double c02 = corner_cotangent(two, (other + (opposed ? 1 : 0)) % 3);
-        const double c04 = corner_cotangent(two, (other + (opposed ? 0 : 1)) % 3);
+        const double c01 = mesh::corner_cotangent(one, side % 3);
+        const double c03 = mesh::corner_cotangent(one, (side + 1) % 3);
+        const double c02 = mesh::corner_cotangent(two, (other + (opposed ? 1 : 0)) % 3);
+        const double c04 = mesh::corner_cotangent(two, (other + (opposed ? 0 : 1)) % 3);
         const double weight =
             share * 0.25 * 3.0 / (gradients_[at(side / 3)].area + gradients_[at(other / 3)].area);
         for (const int end : {faces_.from(side), faces_.to(side)})
@@ -211,10 +211,10 @@ private:
                                       factor * gradients.area * gradients.of_hat(a, corner));
     }
 
-    const LaidFaces& faces_;
+    const mesh::LaidFaces& faces_;
     const std::vector<char>& is_held_;
     int vertex_count_;
-    Fans fans_;
+    mesh::Fans fans_;
     std::vector<FaceGradients> gradients_;
     std::vector<Eigen::Triplet<double>> entries_;
     std::vector<double> weights_;
@@ -223,9 +223,9 @@ private:
 
 }  // namespace
 
-BendingRows natural_rows(const LaidFaces& faces, const std::vector<char>& is_held)
+BendingRows natural_rows(const mesh::LaidFaces& faces, const std::vector<char>& is_held)
 {
     return NaturalRows(faces, is_held).finished();
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,15 +4,15 @@
 #include "sheetmorph/mesh/geometry/laid_faces.h"
 #include "sheetmorph/numerics/cholesky/sparse_cholesky.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Rows of a bending energy sum_r w_r |(D p)_r - R_at(r) (D p_hat)_r|^2.
 struct BendingRows
 {
-    SparseMatrix rows;        //!< D (r, n)
-    Eigen::VectorXd weights;  //!< w (r)
-    VertexIds row_vertices;   //!< (r) the vertex whose rotation turns the rest row
+    numerics::SparseMatrix rows;  //!< D (r, n)
+    Eigen::VectorXd weights;      //!< w (r)
+    VertexIds row_vertices;       //!< (r) the vertex whose rotation turns the rest row
 };
 
 //! The rows of `natural`, whose only null functions on a flat free sheet are the affine ones:
@@ -28,6 +28,6 @@ struct BendingRows
 //!   from the mean of all, so that the vertex is no ball joint.
 //! \param is_held  (n) vertices of known regions: where they are the boundary, it is not free.
 //!                 Vertices of no face have empty columns
-BendingRows natural_rows(const LaidFaces& faces, const std::vector<char>& is_held);
+BendingRows natural_rows(const mesh::LaidFaces& faces, const std::vector<char>& is_held);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/point_rows.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
-SparseMatrix point_rows(const TriangleMesh& mesh, const std::vector<PointConstraint>& points,
-                        const std::vector<int>& chosen)
+numerics::SparseMatrix point_rows(const mesh::TriangleMesh& mesh,
+                                  const std::vector<PointConstraint>& points,
+                                  const std::vector<int>& chosen)
 {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t row = 0; row < chosen.size(); ++row)
@@ -15,12 +16,12 @@ SparseMatrix point_rows(const TriangleMesh& mesh, const std::vector<PointConstra
             entries.emplace_back(static_cast<int>(row), mesh.triangles()(point.triangle, k),
                                  point.barycentric(k));
     }
-    SparseMatrix rows(static_cast<Eigen::Index>(chosen.size()), mesh.vertex_count());
+    numerics::SparseMatrix rows(static_cast<Eigen::Index>(chosen.size()), mesh.vertex_count());
     rows.setFromTriplets(entries.begin(), entries.end());
     return rows;
 }
 
-Eigen::MatrixXd point_displacements(const TriangleMesh& mesh,
+Eigen::MatrixXd point_displacements(const mesh::TriangleMesh& mesh,
                                     const std::vector<PointConstraint>& points,
                                     const std::vector<PointTarget>& targets)
 {
@@ -36,4 +37,4 @@ Eigen::MatrixXd point_displacements(const TriangleMesh& mesh,
     return wanted;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,16 +6,17 @@
 #include "sheetmorph/surface/constraints/constraints.h"
 #include "sheetmorph/surface/constraints/targets.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Rows s_l p_i + t_l p_j + u_l p_k of (2.3), (k, n), for the `chosen` points in that order.
-SparseMatrix point_rows(const TriangleMesh& mesh, const std::vector<PointConstraint>& points,
-                        const std::vector<int>& chosen);
+numerics::SparseMatrix point_rows(const mesh::TriangleMesh& mesh,
+                                  const std::vector<PointConstraint>& points,
+                                  const std::vector<int>& chosen);
 
 //! (k, 3) from where each point is at rest to its target.
-Eigen::MatrixXd point_displacements(const TriangleMesh& mesh,
+Eigen::MatrixXd point_displacements(const mesh::TriangleMesh& mesh,
                                     const std::vector<PointConstraint>& points,
                                     const std::vector<PointTarget>& targets);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

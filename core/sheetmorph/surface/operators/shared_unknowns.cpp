@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/index.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 SharedUnknowns::SharedUnknowns(const VertexRoles& roles)
@@ -27,4 +27,4 @@ void SharedUnknowns::add(bool is_open)
     unknowns_.of_vertex.push_back(unknown);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

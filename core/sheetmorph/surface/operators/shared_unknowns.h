@@ -4,7 +4,7 @@
 #include "sheetmorph/surface/bodies/vertex_roles.h"
 #include "sheetmorph/surface/operators/unknowns.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Numbers unknowns one after the other: vertices of one body share theirs.
@@ -24,4 +24,4 @@ private:
     Unknowns unknowns_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

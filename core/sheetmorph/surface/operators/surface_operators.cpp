@@ -16,8 +16,11 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
+
+using mesh::TriangleMesh;
+using numerics::SparseMatrix;
 
 namespace
 {
@@ -32,17 +35,17 @@ constexpr Eigen::Index least_turned = 1000;
 //! The triangles that are measured.
 struct MeasuredFaces
 {
-    LaidFaces faces;
+    mesh::LaidFaces faces;
     Convergence convergence;
 };
 
 MeasuredFaces faces_of(const TriangleMesh& mesh, const SurfaceConstraints& constraints)
 {
     const bool is_natural = constraints.energy == Energy::natural;
-    MeasuredFaces found{is_natural ? laid_faces(mesh) : covered_faces(mesh), {}};
+    MeasuredFaces found{is_natural ? mesh::laid_faces(mesh) : mesh::covered_faces(mesh), {}};
     if (constraints.laplacian == Laplacian::intrinsic
-        || worst_cotangent_sum(found.faces) < failing_cotangents)
-        found.convergence = flip_to_delaunay(found.faces);
+        || mesh::worst_cotangent_sum(found.faces) < failing_cotangents)
+        found.convergence = mesh::flip_to_delaunay(found.faces);
     return found;
 }
 
@@ -50,23 +53,24 @@ MeasuredFaces faces_of(const TriangleMesh& mesh, const SurfaceConstraints& const
 SurfaceOperators measured(const TriangleMesh& mesh)
 {
     SurfaceOperators operators;
-    operators.half_cotangents = half_cotangents(mesh);
-    operators.vertex_areas = voronoi_areas(mesh);
+    operators.half_cotangents = mesh::half_cotangents(mesh);
+    operators.vertex_areas = mesh::voronoi_areas(mesh);
     return operators;
 }
 
-SurfaceOperators measured(const LaidFaces& faces, int vertex_count)
+SurfaceOperators measured(const mesh::LaidFaces& faces, int vertex_count)
 {
     SurfaceOperators operators;
     operators.half_cotangents.resize(faces.count(), 3);
     operators.vertex_areas = Eigen::VectorXd::Zero(vertex_count);
     for (int f = 0; f < faces.count(); ++f)
     {
-        const LaidFaces::Corners& corners = faces.corners[static_cast<std::size_t>(f)];
-        const Vector3 shares = faces.share * mixed_voronoi_shares(corners);
+        const mesh::LaidFaces::Corners& corners = faces.corners[static_cast<std::size_t>(f)];
+        const Vector3 shares = faces.share * mesh::mixed_voronoi_shares(corners);
         for (int k = 0; k < 3; ++k)
         {
-            operators.half_cotangents(f, k) = 0.5 * faces.share * corner_cotangent(corners, k);
+            operators.half_cotangents(f, k) =
+                0.5 * faces.share * mesh::corner_cotangent(corners, k);
             operators.vertex_areas(faces.triangles(f, k)) += shares(k);
         }
     }
@@ -94,7 +98,7 @@ struct OfVertices
         fill_tied(ties, laid);
         harmonic = across * SparseMatrix(harmonic * basis);
         sums = across * SparseMatrix(sums * basis);
-        rest = across * apply_stiffness(faces, half_cotangents, laid);
+        rest = across * mesh::apply_stiffness(faces, half_cotangents, laid);
         areas = across * areas;
     }
 };
@@ -104,15 +108,16 @@ void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energ
                    const VertexRoles& roles)
 {
     const Points& cotangents = operators.half_cotangents;
-    OfVertices found{non_negative_stiffness(faces, cotangents),
-                     cotangent_stiffness(faces, cotangents),
-                     apply_stiffness(faces, cotangents, faces.points()), operators.vertex_areas};
+    OfVertices found{mesh::non_negative_stiffness(faces, cotangents),
+                     mesh::cotangent_stiffness(faces, cotangents),
+                     mesh::apply_stiffness(faces, cotangents, faces.points()),
+                     operators.vertex_areas};
     found.stand(faces, cotangents, roles.ties);
     auto& [harmonic, sums, rest, areas] = found;
     operators.harmonic = std::make_shared<const SparseMatrix>(std::move(harmonic));
     const Eigen::VectorXd per_area =
         areas.unaryExpr([](double area) { return area > 0.0 ? 0.5 / area : 0.0; });
-    operators.rows = rows_scaled(std::move(sums), per_area);
+    operators.rows = numerics::rows_scaled(std::move(sums), per_area);
     operators.rest_rows = per_area.asDiagonal() * rest;
     operators.row_vertices.resize(static_cast<std::size_t>(faces.vertex_count()));
     std::iota(operators.row_vertices.begin(), operators.row_vertices.end(), 0);
@@ -123,7 +128,7 @@ void add_laplacian(SurfaceOperators& operators, const TriangleMesh& faces, Energ
 
 // Whether the points on one component hold it without help: three or more, not in line.
 bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                       const Components& components, int component)
+                       const mesh::Components& components, int component)
 {
     Points held(0, 3);
     for (const PointConstraint& point : constraints.points)
@@ -140,7 +145,7 @@ bool is_held_by_points(const TriangleMesh& mesh, const SurfaceConstraints& const
 }
 
 // Where sheets that both end there stand on each other, but for glued ones, which no face has.
-VertexIds seam_vertices(const VertexRoles& roles, const LaidFaces& faces,
+VertexIds seam_vertices(const VertexRoles& roles, const mesh::LaidFaces& faces,
                         const std::vector<char>& is_interior)
 {
     std::vector<char> has_face(is_interior.size(), 0);
@@ -164,10 +169,10 @@ VertexIds seam_vertices(const VertexRoles& roles, const LaidFaces& faces,
 // Vertices whose rows of L `natural` needs besides: at free edges where they keep a component or a
 // sheet from tilting, on seams of sheets that end there, which would be hinges.
 VertexIds straightened_vertices(const TriangleMesh& mesh, const SurfaceConstraints& constraints,
-                                const VertexRoles& roles, const LaidFaces& faces)
+                                const VertexRoles& roles, const mesh::LaidFaces& faces)
 {
     const std::vector<char> clamps = holding_vertices(constraints, roles);
-    const std::vector<char> is_interior = fans_of(faces, mesh.vertex_count()).is_interior;
+    const std::vector<char> is_interior = mesh::fans_of(faces, mesh.vertex_count()).is_interior;
     VertexIds vertices = hinged_vertices({mesh, roles, clamps, is_interior});
     for (const int component : roles.held_by_points)
         if (!is_held_by_points(mesh, constraints, roles.components, component))
@@ -259,10 +264,13 @@ void append_rows(BendingRows& bending, const SurfaceOperators& laplacian, const 
 void add_stiffness(SurfaceOperators& operators, const Points& points)
 {
     look_for_stop();
-    operators.stiffness =
-        std::make_shared<const SparseMatrix>(own_product(operators.rows, operators.weights));
+    operators.stiffness = std::make_shared<const SparseMatrix>(
+        numerics::own_product(operators.rows, operators.weights));
     const auto tree_of = [&](const SparseMatrix& matrix)
-    { return std::make_shared<const SeparatorTree>(nested_dissection(matrix, points)); };
+    {
+        return std::make_shared<const numerics::SeparatorTree>(
+            numerics::nested_dissection(matrix, points));
+    };
     operators.tree = tree_of(*operators.stiffness);
     operators.harmonic_tree = tree_of(*operators.harmonic);
 }
@@ -285,7 +293,7 @@ SurfaceOperators bending_operators(const TriangleMesh& mesh, const SurfaceConstr
         return operators;
     const std::vector<Tie> as_one = glued_ties(mesh, roles.ties);
     const TriangleMesh one = as_one.empty() ? mesh : glued(mesh, as_one);
-    const LaidFaces laid = as_one.empty() ? faces : faces_of(one, constraints).faces;
+    const mesh::LaidFaces laid = as_one.empty() ? faces : faces_of(one, constraints).faces;
     BendingRows bending = natural_rows(laid, holding_vertices(constraints, roles));
     stand(bending, roles);
     look_for_stop();
@@ -324,4 +332,4 @@ SurfaceOperators surface_operators(const TriangleMesh& mesh, const SurfaceConstr
     return operators;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -28,17 +28,17 @@ void fill(const std::vector<Tie>& ties, Rows& rows)
     }
 }
 
-std::vector<char> border_vertices(const TriangleMesh& mesh)
+std::vector<char> border_vertices(const mesh::TriangleMesh& mesh)
 {
     std::vector<char> is_border(at(mesh.vertex_count()), 0);
-    for (const BoundaryEdge& edge : boundary_edges(mesh))
+    for (const mesh::BoundaryEdge& edge : mesh::boundary_edges(mesh))
         is_border[at(edge.from)] = is_border[at(edge.to)] = 1;
     return is_border;
 }
 
 }  // namespace
 
-SparseMatrix tie_basis(Eigen::Index vertex_count, const std::vector<Tie>& ties)
+numerics::SparseMatrix tie_basis(Eigen::Index vertex_count, const std::vector<Tie>& ties)
 {
     using Entries = std::vector<std::pair<int, double>>;
     std::unordered_map<int, Entries> of_tied;
@@ -66,7 +66,7 @@ SparseMatrix tie_basis(Eigen::Index vertex_count, const std::vector<Tie>& ties)
         else
             for (const auto& [corner, weight] : tied->second)
                 entries.emplace_back(i, corner, weight);
-    SparseMatrix basis(vertex_count, vertex_count);
+    numerics::SparseMatrix basis(vertex_count, vertex_count);
     basis.setFromTriplets(entries.begin(), entries.end());
     return basis;
 }
@@ -81,7 +81,7 @@ void fill_tied(const std::vector<Tie>& ties, Points& rows)
     fill(ties, rows);
 }
 
-std::vector<Tie> glued_ties(const TriangleMesh& mesh, const std::vector<Tie>& ties)
+std::vector<Tie> glued_ties(const mesh::TriangleMesh& mesh, const std::vector<Tie>& ties)
 {
     std::vector<Tie> found;
     if (ties.empty())
@@ -99,7 +99,7 @@ std::vector<Tie> glued_ties(const TriangleMesh& mesh, const std::vector<Tie>& ti
     return found;
 }
 
-TriangleMesh glued(const TriangleMesh& mesh, const std::vector<Tie>& ties)
+mesh::TriangleMesh glued(const mesh::TriangleMesh& mesh, const std::vector<Tie>& ties)
 {
     std::vector<int> now(at(mesh.vertex_count()));
     std::iota(now.begin(), now.end(), 0);
@@ -112,4 +112,4 @@ TriangleMesh glued(const TriangleMesh& mesh, const std::vector<Tie>& ties)
     return {mesh.points(), std::move(triangles)};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/operators/unknowns.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
-SparseMatrix Unknowns::basis() const
+numerics::SparseMatrix Unknowns::basis() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t i = 0; i < of_vertex.size(); ++i)
         if (of_vertex[i] != known)
             entries.emplace_back(static_cast<int>(i), of_vertex[i], 1.0);
-    SparseMatrix matrix(static_cast<Eigen::Index>(of_vertex.size()), count);
+    numerics::SparseMatrix matrix(static_cast<Eigen::Index>(of_vertex.size()), count);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
 }
@@ -25,4 +25,4 @@ Eigen::MatrixXd Unknowns::sums(const Eigen::MatrixXd& rows) const
     return sums;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Which unknown each vertex takes its value from: one a free vertex, one a rigid body.
@@ -17,7 +17,7 @@ struct Unknowns
     int count = 0;
 
     //! S (n, count) of u = S y + offset.
-    SparseMatrix basis() const;
+    numerics::SparseMatrix basis() const;
 
     //! S^T rows: those of one unknown added up.
     //! \param rows  (n, k)
@@ -26,10 +26,10 @@ struct Unknowns
 
     //! S^T M S.
     //! \param whole  M (n, n), both triangles
-    MergedMatrix merged(std::shared_ptr<const SparseMatrix> whole) const
+    numerics::MergedMatrix merged(std::shared_ptr<const numerics::SparseMatrix> whole) const
     {
         return {std::move(whole), of_vertex, count};
     }
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -190,4 +190,4 @@ void move_clamped(const PlacementInput& part, const KnownRotations& given,
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 #include "sheetmorph/surface/bodies/body_motions.h"
 #include "sheetmorph/surface/rates/target_rates.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Targets with how they change.
@@ -33,4 +33,4 @@ Eigen::MatrixXd known_velocities(const PlacementInput& part, const TargetsInMoti
 void move_clamped(const PlacementInput& part, const KnownRotations& given,
                   const KnownRotations& rates, Eigen::MatrixXd& velocities);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

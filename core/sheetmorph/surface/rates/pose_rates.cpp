@@ -13,7 +13,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -78,7 +78,7 @@ void PoseRates::solve_turners()
     for (const Turner& turner : responses.turners())
         if (!turner.turns)
             throw NoDerivative("a feature's motion is bound while its rotation is given");
-    ConstrainedMinimiser::Targets asked;
+    numerics::ConstrainedMinimiser::Targets asked;
     asked.constraints = point_displacements(part_.rest, part_.constraints.points, targets_.points);
     turned_.emplace(turned_features(part_, {targets_, start_, field_}, asked));
     if (turned_->is_held)
@@ -152,9 +152,9 @@ std::vector<Matrix3> PoseRates::turn_rates(const Direction& direction,
 }
 
 // Of ask().
-ConstrainedMinimiser::Targets PoseRates::asked(const Direction& direction,
-                                               const std::vector<Vector3>& spins,
-                                               const std::vector<MotionRate>& bodies) const
+numerics::ConstrainedMinimiser::Targets PoseRates::asked(
+    const Direction& direction, const std::vector<Vector3>& spins,
+    const std::vector<MotionRate>& bodies) const
 {
     const std::vector<Matrix3> change = turn_rates(direction, spins);
     Eigen::MatrixXd velocities = known_velocities(placement_, direction.pose, bodies_, bodies);
@@ -187,8 +187,9 @@ void PoseRates::turn_features(Direction& direction) const
     for (const Turner& turner : responses.turners())
         if (turner.body >= 0)
             unmoved[at(turner.body)] = {};
-    const ConstrainedMinimiser::Targets wanted = asked(direction, {}, unmoved);
-    const ConstrainedMinimiser::Solution base = part_.minimiser.minimum(wanted, most_refinements);
+    const numerics::ConstrainedMinimiser::Targets wanted = asked(direction, {}, unmoved);
+    const numerics::ConstrainedMinimiser::Solution base =
+        part_.minimiser.minimum(wanted, most_refinements);
     std::vector<StateRate> states = driven(direction.rates);
     Eigen::MatrixXd entries = Eigen::MatrixXd::Zero(turned_->energy.slope.rows(), 3);
     for (std::size_t k = 0; k < states.size(); ++k)
@@ -314,4 +315,4 @@ void PoseRates::grow(const TargetRates& rates, DeformationRate& rate) const
     part_.followers.place_rates(part_.rest, logs_, rate.positions, rate.rotation_logs);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

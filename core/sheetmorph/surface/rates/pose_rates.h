@@ -5,7 +5,7 @@
 #include "sheetmorph/surface/rates/target_rates.h"
 #include "sheetmorph/surface/solve/pose_steps.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! How one part answers to small changes of a pose: its exact answer is differentiated, with the
@@ -31,9 +31,9 @@ private:
     void turn_features(Direction& direction) const;
     std::vector<Matrix3> turn_rates(const Direction& direction,
                                     const std::vector<Vector3>& spins) const;
-    ConstrainedMinimiser::Targets asked(const Direction& direction,
-                                        const std::vector<Vector3>& spins,
-                                        const std::vector<MotionRate>& bodies) const;
+    numerics::ConstrainedMinimiser::Targets asked(const Direction& direction,
+                                                  const std::vector<Vector3>& spins,
+                                                  const std::vector<MotionRate>& bodies) const;
     std::vector<StateRate> driven(const TargetRates& rates) const;
     void blend(Direction& direction) const;
     void complete(Direction& direction, const Eigen::MatrixXd& velocities) const;
@@ -56,4 +56,4 @@ private:
     Points logs_;                 // (n, 3) of the sheet
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 #include "sheetmorph/base/rates.h"
 #include "sheetmorph/surface/constraints/targets.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! How the target of a propagated region changes.
@@ -33,4 +33,4 @@ struct DeformationRate
     std::vector<MotionRate> features;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

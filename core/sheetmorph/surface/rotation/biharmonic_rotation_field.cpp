@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -32,7 +32,7 @@ public:
         is_known_.resize(static_cast<std::size_t>(count));
         for (int i = 0; i < count; ++i)
             is_known_[static_cast<std::size_t>(i)] = is_rotation_known(input.roles, i);
-        QuadraticProblem problem;
+        numerics::QuadraticProblem problem;
         problem.rows = input.operators.rows;
         problem.weights = Eigen::VectorXd::Ones(problem.rows.rows());
         problem.basis = unknowns.basis();
@@ -47,7 +47,7 @@ public:
 
     SpreadRotations spread(const KnownRotations& known) const override
     {
-        ConstrainedMinimiser::Targets targets;
+        numerics::ConstrainedMinimiser::Targets targets;
         targets.offset = known.vertices;
         for (std::size_t i = 0; i < is_known_.size(); ++i)
             if (!is_known_[i])
@@ -57,7 +57,8 @@ public:
         for (std::size_t row = 0; row < turned_.size(); ++row)
             targets.constraints.row(static_cast<Eigen::Index>(row)) =
                 known.points.row(turned_[row]);
-        ConstrainedMinimiser::Solution found = minimiser_->minimum(targets, most_refinements);
+        numerics::ConstrainedMinimiser::Solution found =
+            minimiser_->minimum(targets, most_refinements);
         fill_tied(ties_, found.u);
         found.convergence.what = "the rotations of the sheet";
         found.convergence.unit = "radians";
@@ -75,7 +76,7 @@ private:
         const auto reach = [&](int vertex)
         {
             const int component = label[static_cast<std::size_t>(vertex)];
-            if (component != Components::unused)
+            if (component != mesh::Components::unused)
                 reached[static_cast<std::size_t>(component)] = 1;
         };
         for (int i = 0; i < input.mesh.vertex_count(); ++i)
@@ -93,7 +94,7 @@ private:
         for (int i = 0; i < input.mesh.vertex_count(); ++i)
         {
             const int component = input.roles.components.label[static_cast<std::size_t>(i)];
-            unknowns.add(component != Components::unused
+            unknowns.add(component != mesh::Components::unused
                          && reached[static_cast<std::size_t>(component)]
                          && input.roles.role[static_cast<std::size_t>(i)] != Role::tied
                          && !is_rotation_known(input.roles, i));
@@ -104,7 +105,7 @@ private:
     std::vector<Tie> ties_;
     std::vector<int> turned_;
     std::vector<char> is_known_;
-    std::optional<ConstrainedMinimiser> minimiser_;
+    std::optional<numerics::ConstrainedMinimiser> minimiser_;
 };
 
 }  // namespace
@@ -139,4 +140,4 @@ std::unique_ptr<RotationField> biharmonic_rotation_field(const RotationFieldInpu
         input, dynamic_cast<const BiharmonicRotationField*>(earlier));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -256,7 +256,8 @@ private:
         std::vector<VertexIds> each;
         for (const int vertex : told_alone_)
             each.push_back({vertex});
-        answers_ = PanelRows(Weights(-factor_.solve(pull_of(sheet(), each.data(), told))));
+        answers_ = numerics::PanelRows(
+            numerics::Weights(-factor_.solve(pull_of(sheet(), each.data(), told))));
     }
 
     // Harmonic values of the unknowns for given ones (n, 3) of the vertices told alone.
@@ -274,7 +275,7 @@ private:
     {
         Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(unknowns_.count, 3);
         for (const int vertex : vertices)
-            for (SparseMatrix::InnerIterator entry(*harmonic_, vertex); entry; ++entry)
+            for (numerics::SparseMatrix::InnerIterator entry(*harmonic_, vertex); entry; ++entry)
                 if (const int unknown = unknowns_.of_vertex[at(entry.row())];
                     unknown != Unknowns::known)
                     pull.row(unknown) += entry.value() * given.row(vertex);
@@ -296,14 +297,14 @@ private:
 
     Sources sources_;
     Unknowns unknowns_;
-    std::shared_ptr<const SparseMatrix> harmonic_;  // K (n, n)
-    SparseCholesky factor_;
+    std::shared_ptr<const numerics::SparseMatrix> harmonic_;  // K (n, n)
+    numerics::SparseCholesky factor_;
     std::vector<int> used_;  // sources that have a vertex
     SmoothWeights weights_;  // (n, used sources)
     std::vector<Tie> ties_;
     VertexIds told_alone_;  // in propagated regions, each by its own
     bool is_kept_ = false;
-    PanelRows answers_;  // (unknowns, told alone), if kept
+    numerics::PanelRows answers_;  // (unknowns, told alone), if kept
 };
 
 }  // namespace
@@ -315,4 +316,4 @@ std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& 
         input, dynamic_cast<const BlendedRotationField*>(earlier));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -11,7 +11,7 @@
 #include <set>
 #include <tuple>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -38,12 +38,12 @@ bool is_small(double longest)
 
 // Every connected part of the matrix has one vertex that stays: the shape is wanted but for a
 // shift.
-Unknowns all_but_one(const SparseMatrix& harmonic)
+Unknowns all_but_one(const numerics::SparseMatrix& harmonic)
 {
     const auto count = static_cast<int>(harmonic.rows());
     DisjointSets sets(count);
     for (int column = 0; column < count; ++column)
-        for (SparseMatrix::InnerIterator entry(harmonic, column); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(harmonic, column); entry; ++entry)
             if (entry.value() != 0.0)
                 sets.join(column, static_cast<int>(entry.row()));
     Unknowns unknowns;
@@ -97,7 +97,7 @@ void FarTurns::find_sources()
     std::set<Source> found;
     const auto add = [&](int vertex, Source::Kind kind, int index)
     {
-        if (roles.components.label[at(vertex)] != Components::unused)
+        if (roles.components.label[at(vertex)] != mesh::Components::unused)
             found.insert({roles.components.label[at(vertex)], kind, index});
     };
     for (int i = 0; i < input_.mesh.vertex_count(); ++i)
@@ -169,7 +169,7 @@ bool FarTurns::are_there(const SurfaceTargets& targets, const BodyMotions& bodie
 Points FarTurns::laid(const Points& logs, const Points& tilts) const
 {
     std::call_once(is_factorised_, [this] { factor_.emplace(input_.operators); });
-    const SparseMatrix& harmonic = *input_.operators.harmonic;
+    const numerics::SparseMatrix& harmonic = *input_.operators.harmonic;
     Points rest = input_.mesh.points();
     fill_tied(input_.roles.ties, rest);
     const auto count = static_cast<Eigen::Index>(factor_->unknowns.of_vertex.size());
@@ -179,7 +179,7 @@ Points FarTurns::laid(const Points& logs, const Points& tilts) const
         for (Eigen::Index i = begin; i < end; ++i)
         {
             const int unknown = factor_->unknowns.of_vertex[at(i)];
-            for (SparseMatrix::InnerIterator entry(harmonic, i);
+            for (numerics::SparseMatrix::InnerIterator entry(harmonic, i);
                  entry && unknown != Unknowns::known; ++entry)
             {
                 if (entry.row() == i)
@@ -204,7 +204,7 @@ Points FarTurns::laid(const Points& logs, const Points& tilts) const
 double FarTurns::share_at(const std::vector<double>& shares, int vertex) const
 {
     const int component = input_.roles.components.label[at(vertex)];
-    return component == Components::unused ? 0.0 : shares[at(component)];
+    return component == mesh::Components::unused ? 0.0 : shares[at(component)];
 }
 
 FarField FarTurns::bent(const GivenRotations& given, Points logs, const Points& tilts) const
@@ -220,7 +220,7 @@ FarField FarTurns::bent(const GivenRotations& given, Points logs, const Points& 
     const Points shape = laid(field.logs, tilts);
     Points& rows = field.rows = Points::Zero(operators.rest_rows.rows(), 3);
     for (int column = 0; column < operators.rows.outerSize(); ++column)
-        for (SparseMatrix::InnerIterator entry(operators.rows, column); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(operators.rows, column); entry; ++entry)
         {
             const int vertex = operators.row_vertices[at(entry.row())];
             rows.row(entry.row()) += entry.value() * (shape.row(column) - shape.row(vertex));
@@ -237,4 +237,4 @@ FarField FarTurns::bent(const GivenRotations& given, Points logs, const Points& 
     return field;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

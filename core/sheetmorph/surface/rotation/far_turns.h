@@ -8,7 +8,7 @@
 #include <mutex>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What a rotation field becomes where the sheet turns far.
@@ -62,7 +62,7 @@ private:
         explicit Factor(const SurfaceOperators& operators);
 
         Unknowns unknowns;
-        SparseCholesky cholesky;
+        numerics::SparseCholesky cholesky;
     };
     void find_sources();
     std::vector<double> shares(const GivenRotations& given) const;
@@ -76,4 +76,4 @@ private:
     mutable std::optional<Factor> factor_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Rotation logarithms of a whole sheet.
@@ -34,7 +34,7 @@ public:
 //! What both kinds of field are made from; only read during construction.
 struct RotationFieldInput
 {
-    const TriangleMesh& mesh;
+    const mesh::TriangleMesh& mesh;
     const SurfaceConstraints& constraints;
     const VertexRoles& roles;
     const SurfaceOperators& operators;
@@ -57,4 +57,4 @@ std::unique_ptr<RotationField> blended_rotation_field(const RotationFieldInput& 
 //! rotation does.
 bool is_rotation_known(const VertexRoles& roles, int vertex);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -35,7 +35,7 @@ std::vector<int> owners(Eigen::Index vertex_count, const std::vector<VertexIds>&
 //! The columns of the groups, one after the other, as they are before they sum to one.
 struct Columns
 {
-    SparseMatrix weights;
+    numerics::SparseMatrix weights;
     Eigen::VectorXd given;  // by vertex: all weights, not yet smoothed
     Eigen::VectorXd sums;   // of the smoothed ones
     WeightCount count;
@@ -64,7 +64,7 @@ struct Columns
         for (Eigen::Index i = 0; count.has_rest && i < given.size(); ++i)
             sums(i) += smoothed(1.0 - given(i), count.faded);
         for (Eigen::Index k = 0; k < weights.cols(); ++k)
-            for (SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
+            for (numerics::SparseMatrix::InnerIterator entry(weights, k); entry; ++entry)
                 entry.valueRef() /= sums(entry.row());
     }
 };
@@ -76,7 +76,8 @@ Eigen::MatrixXd pull_of(const WeightedSheet& sheet, const VertexIds* groups, Eig
     Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(sheet.unknowns.count, count);
     for (Eigen::Index k = 0; k < count; ++k)
         for (const int vertex : groups[k])
-            for (SparseMatrix::InnerIterator entry(sheet.harmonic, vertex); entry; ++entry)
+            for (numerics::SparseMatrix::InnerIterator entry(sheet.harmonic, vertex); entry;
+                 ++entry)
                 if (const int unknown = sheet.unknowns.of_vertex[at(entry.row())];
                     unknown != Unknowns::known)
                     pull(unknown, k) += entry.value();
@@ -113,7 +114,8 @@ SmoothWeights::SmoothWeights(const WeightedSheet& sheet, const std::vector<Verte
 void SmoothWeights::fill_tied(const std::vector<Tie>& ties)
 {
     if (!ties.empty())
-        by_vertex_ = SparseMatrix(tie_basis(vertices(), ties) * SparseMatrix(by_vertex_));
+        by_vertex_ = numerics::SparseMatrix(tie_basis(vertices(), ties)
+                                            * numerics::SparseMatrix(by_vertex_));
 }
 
 double SmoothWeights::sum(Eigen::Index vertex) const
@@ -141,4 +143,4 @@ Points SmoothWeights::times(const Points& values) const
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

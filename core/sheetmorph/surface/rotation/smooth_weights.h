@@ -5,16 +5,16 @@
 #include "sheetmorph/surface/operators/ties.h"
 #include "sheetmorph/surface/operators/unknowns.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! A sheet with some groups of vertices; the other vertices are unknown, or belong to no group and
 //! have no weight.
 struct WeightedSheet
 {
-    const SparseMatrix& harmonic;  //!< K (n, n)
+    const numerics::SparseMatrix& harmonic;  //!< K (n, n)
     const Unknowns& unknowns;
-    const SparseCholesky& factor;  //!< of K merged by the unknowns
+    const numerics::SparseCholesky& factor;  //!< of K merged by the unknowns
 };
 
 //! How a harmonic weight counts.
@@ -64,4 +64,4 @@ private:
 //! (unknowns, count): what groups of value 1 pull on the unknowns around them.
 Eigen::MatrixXd pull_of(const WeightedSheet& sheet, const VertexIds* groups, Eigen::Index count);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! A part in one pose.
@@ -19,4 +19,4 @@ struct Deformation
     bool is_preview = false;            //!< live, and an exact answer is refined besides
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

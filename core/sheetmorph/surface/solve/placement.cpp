@@ -4,7 +4,7 @@
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/bodies/clamping.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -116,4 +116,4 @@ std::vector<RigidMotion> feature_motions(const PlacementInput& part, const BodyM
     return motions;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

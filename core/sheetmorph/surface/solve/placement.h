@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/triangle_mesh.h"
 #include "sheetmorph/surface/bodies/body_motions.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Offset b (n, 3) of u = S y + b: known vertices wholly, open bodies their turn about the centre.
@@ -22,4 +22,4 @@ Points placed_positions(const PlacementInput& part, const SurfaceTargets& target
 //! Motion of every form feature about its rest centroid.
 std::vector<RigidMotion> feature_motions(const PlacementInput& part, const BodyMotions& bodies);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

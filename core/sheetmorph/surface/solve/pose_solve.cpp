@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -37,7 +37,7 @@ void require_met_points(const PreparedSurface& part, const Eigen::MatrixXd& disp
     const Eigen::VectorXd error = part.minimiser.constraint_error(displacements, wanted);
     const double reach = part.rest.size() + (wanted.size() ? wanted.cwiseAbs().maxCoeff() : 0.0);
     const double allowed =
-        level == Exactness::exact ? exactness(part.rest.points(), reach) : 1e-6 * reach;
+        level == Exactness::exact ? mesh::exactness(part.rest.points(), reach) : 1e-6 * reach;
     Text missed("");
     for (Eigen::Index k = 0; k < error.size(); ++k)
         if (error(k) > allowed)
@@ -59,7 +59,7 @@ struct Solving
     Exactness exactness;
     BodyMotions bodies;
     Field field;
-    ConstrainedMinimiser::Targets asked;
+    numerics::ConstrainedMinimiser::Targets asked;
     Convergence convergence = {};
 
     int refinements() const { return exactness == Exactness::exact ? most_refinements : 0; }
@@ -102,8 +102,8 @@ void ask_turned(const PreparedSurface& part, const Turning& turning, Solving& po
 // How far the bodies move on, radians or of the size, when the slope at the answer is taken for
 // what the responses tell: these know the energy to rounding of what it would be if nothing
 // yielded.
-double turn_on(const PreparedSurface& part, const ConstrainedMinimiser::Solution& found,
-               const ConstrainedMinimiser::Targets& asked, Turned& turned)
+double turn_on(const PreparedSurface& part, const numerics::ConstrainedMinimiser::Solution& found,
+               const numerics::ConstrainedMinimiser::Targets& asked, Turned& turned)
 {
     const PlacementInput placement = part.placement();
     const FeatureResponses& responses = *part.responses;
@@ -122,7 +122,7 @@ double turn_on(const PreparedSurface& part, const ConstrainedMinimiser::Solution
 
 // Lets the bodies move on until nothing on the answer moves them.
 void settle(const PreparedSurface& part, Turning& turning, Solving& pose,
-            ConstrainedMinimiser::Solution& found)
+            numerics::ConstrainedMinimiser::Solution& found)
 {
     Convergence settled{turning.turned.convergence.what, false, 0, 0.0, "radians"};
     while (!settled.is_converged && settled.rounds < most_turns)
@@ -132,13 +132,13 @@ void settle(const PreparedSurface& part, Turning& turning, Solving& pose,
         settled.is_converged = settled.miss <= small_turn;
         if (settled.miss <= settled_turn)
             break;
-        const ConstrainedMinimiser::Targets before = pose.asked;
+        const numerics::ConstrainedMinimiser::Targets before = pose.asked;
         take_turns(part, turning, pose);
         ask_turned(part, turning, pose);
-        const ConstrainedMinimiser::Targets more{
+        const numerics::ConstrainedMinimiser::Targets more{
             pose.asked.rows - before.rows, pose.asked.offset - before.offset,
             Eigen::MatrixXd::Zero(before.constraints.rows(), before.constraints.cols())};
-        const ConstrainedMinimiser::Solution further = part.minimiser.minimum(more, 0);
+        const numerics::ConstrainedMinimiser::Solution further = part.minimiser.minimum(more, 0);
         found.u += further.u;
         found.multipliers += further.multipliers;
     }
@@ -162,7 +162,8 @@ Eigen::MatrixXd turned_displacements(const PreparedSurface& part, Solving& pose)
                 entries_of(turned.joints, part.placement(), *part.responses)))
             return turned.base.u + *change;
     ask_turned(part, turning, pose);
-    ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
+    numerics::ConstrainedMinimiser::Solution found =
+        part.minimiser.minimum(pose.asked, pose.refinements());
     pose.join_linear(part, found.convergence);
     if (is_exact)
         settle(part, turning, pose, found);
@@ -174,7 +175,8 @@ Eigen::MatrixXd solved_displacements(const PreparedSurface& part, Solving& pose)
     if (part.responses)
         return turned_displacements(part, pose);
     ask(part, turns_of(part, pose.field, {}), {pose.targets, pose.field, pose.bodies}, pose.asked);
-    ConstrainedMinimiser::Solution found = part.minimiser.minimum(pose.asked, pose.refinements());
+    numerics::ConstrainedMinimiser::Solution found =
+        part.minimiser.minimum(pose.asked, pose.refinements());
     pose.join_linear(part, found.convergence);
     return std::move(found.u);
 }
@@ -241,4 +243,4 @@ Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& target
     return result;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

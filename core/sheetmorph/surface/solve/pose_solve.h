@@ -4,7 +4,7 @@
 #include "sheetmorph/surface/solve/deformation.h"
 #include "sheetmorph/surface/solve/prepared_surface.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! The interactive phase: one part in one pose (2.9, 2.10), its features where the energy, the
@@ -12,4 +12,4 @@ namespace sheetmorph
 Deformation solve_pose(const PreparedSurface& part, const SurfaceTargets& targets,
                        Exactness exactness, const Progress& progress = {});
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

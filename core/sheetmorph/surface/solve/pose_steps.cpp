@@ -9,7 +9,7 @@
 #include "sheetmorph/surface/features/turner_field.h"
 #include "sheetmorph/surface/solve/placement.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -81,7 +81,7 @@ std::vector<Matrix3> turns_of(const PreparedSurface& part, const Field& field,
 }
 
 void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const Told& told,
-         ConstrainedMinimiser::Targets& asked)
+         numerics::ConstrainedMinimiser::Targets& asked)
 {
     asked.rows = turned_rows(part.operators, change);
     if (told.field.far.rows() > 0)
@@ -90,13 +90,13 @@ void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const 
 }
 
 Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
-                       ConstrainedMinimiser::Targets& asked)
+                       numerics::ConstrainedMinimiser::Targets& asked)
 {
     const PlacementInput placement = part.placement();
     const FeatureResponses& responses = *part.responses;
     const BodyMotions unmoved = unmoved_turners(responses.turners(), pose.bodies);
     ask(part, turns_of(part, pose.field, {}), {pose.targets, pose.field, unmoved}, asked);
-    ConstrainedMinimiser::Solution base = part.minimiser.minimum(asked, pose.refinements);
+    numerics::ConstrainedMinimiser::Solution base = part.minimiser.minimum(asked, pose.refinements);
     ReducedEnergy energy = responses.energy(asked, base);
     Turned found{std::move(base),
                  energy.slope,
@@ -111,4 +111,4 @@ Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
     return found;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -3,7 +3,7 @@
 
 #include "sheetmorph/surface/solve/prepared_surface.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! The rotation field of one pose.
@@ -36,7 +36,7 @@ struct Told
 //! Asks the sheet for rest rows that turn like that, and for what moves as it is told.
 //! \param change  turns_of()
 void ask(const PreparedSurface& part, const std::vector<Matrix3>& change, const Told& told,
-         ConstrainedMinimiser::Targets& asked);
+         numerics::ConstrainedMinimiser::Targets& asked);
 
 //! What decides how the energy turns features in one pose; outlives the answer.
 struct ToTurn
@@ -51,8 +51,8 @@ struct ToTurn
 //! What the energy turns, at its minimum.
 struct Turned
 {
-    ConstrainedMinimiser::Solution base;  //!< with every turner unmoved
-    Eigen::MatrixXd slope;                //!< (c, 3) that the sheet alone has there
+    numerics::ConstrainedMinimiser::Solution base;  //!< with every turner unmoved
+    Eigen::MatrixXd slope;                          //!< (c, 3) that the sheet alone has there
     ReducedEnergy energy;
     bool is_held = false;  //!< a feature is held at the field's rotation (hold_far_turned())
     Joints joints;
@@ -62,6 +62,6 @@ struct Turned
 //! Lets the energy turn what it may turn.
 //! \param asked  gets what was asked for the base; its constraints are there already
 Turned turned_features(const PreparedSurface& part, const ToTurn& pose,
-                       ConstrainedMinimiser::Targets& asked);
+                       numerics::ConstrainedMinimiser::Targets& asked);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,7 +6,7 @@
 #include "sheetmorph/surface/operators/point_rows.h"
 #include "sheetmorph/surface/operators/shared_unknowns.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -32,7 +32,7 @@ std::vector<int> all_of(std::size_t count)
 }
 
 // Points that alone hold a component: the energy does not see where it is.
-std::vector<int> supporting_points(const TriangleMesh& rest, const VertexRoles& roles,
+std::vector<int> supporting_points(const mesh::TriangleMesh& rest, const VertexRoles& roles,
                                    const SurfaceConstraints& constraints)
 {
     std::vector<int> supporting;
@@ -47,9 +47,10 @@ std::vector<int> supporting_points(const TriangleMesh& rest, const VertexRoles& 
     return supporting;
 }
 
-QuadraticProblem position_problem(const RotationFieldInput& input, const Unknowns& unknowns)
+numerics::QuadraticProblem position_problem(const RotationFieldInput& input,
+                                            const Unknowns& unknowns)
 {
-    QuadraticProblem problem;
+    numerics::QuadraticProblem problem;
     problem.rows = input.operators.rows;
     problem.weights = input.operators.weights;
     problem.basis = unknowns.basis();
@@ -68,7 +69,7 @@ std::unique_ptr<RotationField> rotation_field(const RotationFieldInput& input,
                                                      : blended_rotation_field(input, earlier);
 }
 
-VertexRoles reported_roles(const TriangleMesh& rest, const SurfaceConstraints& constraints,
+VertexRoles reported_roles(const mesh::TriangleMesh& rest, const SurfaceConstraints& constraints,
                            const Progress& progress)
 {
     progress.report(0.0, "checking constraints");
@@ -76,7 +77,7 @@ VertexRoles reported_roles(const TriangleMesh& rest, const SurfaceConstraints& c
 }
 
 // The operators know the edges of the sheet, and so what known vertices clamp.
-std::shared_ptr<const SurfaceOperators> reported_operators(const TriangleMesh& rest,
+std::shared_ptr<const SurfaceOperators> reported_operators(const mesh::TriangleMesh& rest,
                                                            const SurfaceConstraints& constraints,
                                                            VertexRoles& roles,
                                                            const Progress& progress)
@@ -91,7 +92,8 @@ std::shared_ptr<const SurfaceOperators> reported_operators(const TriangleMesh& r
 
 // An earlier state of the part whose operators are still right: those of `natural` depend on what
 // is held, those of ties on what decides their vertices.
-const PreparedSurface* with_same_operators(const PreparedSurface* earlier, const TriangleMesh& rest,
+const PreparedSurface* with_same_operators(const PreparedSurface* earlier,
+                                           const mesh::TriangleMesh& rest,
                                            const SurfaceConstraints& constraints)
 {
     const bool is_same = earlier != nullptr && constraints.energy != Energy::natural
@@ -110,17 +112,19 @@ std::unique_ptr<RotationField> reported_field(const RotationFieldInput& input,
     return rotation_field(input, earlier != nullptr ? earlier->field.get() : nullptr);
 }
 
-ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input, const Unknowns& unknowns,
-                                        const PreparedSurface* earlier, const Progress& progress)
+numerics::ConstrainedMinimiser reported_minimiser(const RotationFieldInput& input,
+                                                  const Unknowns& unknowns,
+                                                  const PreparedSurface* earlier,
+                                                  const Progress& progress)
 {
     progress.report(0.4, "factorisation");
-    return ConstrainedMinimiser(position_problem(input, unknowns),
-                                earlier != nullptr ? &earlier->minimiser : nullptr);
+    return numerics::ConstrainedMinimiser(position_problem(input, unknowns),
+                                          earlier != nullptr ? &earlier->minimiser : nullptr);
 }
 
-std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& input,
-                                                     const ConstrainedMinimiser& minimiser,
-                                                     const Progress& progress)
+std::unique_ptr<FeatureResponses> reported_responses(
+    const RotationFieldInput& input, const numerics::ConstrainedMinimiser& minimiser,
+    const Progress& progress)
 {
     std::vector<Turner> turners = turners_of(input.mesh, input.constraints, input.roles);
     if (turners.empty())
@@ -131,15 +135,17 @@ std::unique_ptr<FeatureResponses> reported_responses(const RotationFieldInput& i
 
 }  // namespace
 
-PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
-                                 const Progress& progress, const PreparedSurface* earlier)
+PreparedSurface::PreparedSurface(const mesh::TriangleMesh& rest_mesh,
+                                 const SurfaceConstraints& given, const Progress& progress,
+                                 const PreparedSurface* earlier)
     : PreparedSurface(rest_mesh, given, progress,
                       Reuse{with_same_operators(earlier, rest_mesh, given)})
 {
 }
 
-PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
-                                 const Progress& progress, Reuse reuse)
+PreparedSurface::PreparedSurface(const mesh::TriangleMesh& rest_mesh,
+                                 const SurfaceConstraints& given, const Progress& progress,
+                                 Reuse reuse)
     : rest(rest_mesh),
       constraints(given),
       roles(reported_roles(rest, constraints, progress)),
@@ -164,4 +170,4 @@ PreparedSurface::PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceCon
     progress.report(1.0, "ready");
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -9,7 +9,7 @@
 #include "sheetmorph/surface/solve/sheet_growth.h"
 #include "sheetmorph/surface/steel/steel_answer.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Everything about one part that no pose changes. Its members refer to each other, so it stays
@@ -18,14 +18,14 @@ struct PreparedSurface
 {
     //! \param earlier  an earlier state of a part: if the mesh is the same, what the constraints do
     //!                 not change is taken over
-    PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
+    PreparedSurface(const mesh::TriangleMesh& rest_mesh, const SurfaceConstraints& given,
                     const Progress& progress, const PreparedSurface* earlier);
     PreparedSurface(const PreparedSurface&) = delete;
     PreparedSurface& operator=(const PreparedSurface&) = delete;
 
     PlacementInput placement() const { return {rest, constraints, roles}; }
 
-    TriangleMesh rest;
+    mesh::TriangleMesh rest;
     SurfaceConstraints constraints;
     VertexRoles roles;
     FeatureShapes shapes;
@@ -34,7 +34,7 @@ struct PreparedSurface
     Unknowns unknowns;
     std::unique_ptr<RotationField> field;
     std::unique_ptr<const FarTurns> far_turns;  //!< of `natural` alone
-    ConstrainedMinimiser minimiser;
+    numerics::ConstrainedMinimiser minimiser;
     std::unique_ptr<FeatureResponses> responses;  //!< none where the energy turns nothing
     std::unique_ptr<SteelAnswer> steel;           //!< none but for `steel` and refined parts
     SheetGrowth growth;
@@ -45,8 +45,8 @@ private:
     {
         const PreparedSurface* earlier;  // with the same operators
     };
-    PreparedSurface(const TriangleMesh& rest_mesh, const SurfaceConstraints& given,
+    PreparedSurface(const mesh::TriangleMesh& rest_mesh, const SurfaceConstraints& given,
                     const Progress& progress, Reuse reuse);
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

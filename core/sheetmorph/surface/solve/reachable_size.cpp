@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -32,7 +32,7 @@ Vector3 normal(const Points& points, const Triangles& triangles, int triangle)
         .cross(corner(points, triangles, triangle, 2) - first);
 }
 
-Vector3 middle(const TriangleMesh& mesh, int triangle)
+Vector3 middle(const mesh::TriangleMesh& mesh, int triangle)
 {
     return (corner(mesh.points(), mesh.triangles(), triangle, 0)
             + corner(mesh.points(), mesh.triangles(), triangle, 1)
@@ -173,7 +173,8 @@ std::string holders(const PreparedSurface& part, std::size_t feature, const std:
 
 }  // namespace
 
-std::vector<int> overturned_triangles(const TriangleMesh& rest, const Deformation& deformation)
+std::vector<int> overturned_triangles(const mesh::TriangleMesh& rest,
+                                      const Deformation& deformation)
 {
     std::vector<int> overturned;
     for (int triangle = 0; triangle < rest.triangle_count(); ++triangle)
@@ -210,4 +211,4 @@ void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& siz
             + holders(part, feature, found.overturned));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

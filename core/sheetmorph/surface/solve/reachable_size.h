@@ -4,12 +4,13 @@
 #include "sheetmorph/surface/solve/deformation.h"
 #include "sheetmorph/surface/solve/prepared_surface.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! Triangles that a deformation turned over: their normal is against the one the sheet's rotation
 //! there gives them.
-std::vector<int> overturned_triangles(const TriangleMesh& rest, const Deformation& deformation);
+std::vector<int> overturned_triangles(const mesh::TriangleMesh& rest,
+                                      const Deformation& deformation);
 
 //! Refuses sizes that turn triangles over which stand without them.
 //! \param unsized  the pose without its sizes
@@ -18,4 +19,4 @@ std::vector<int> overturned_triangles(const TriangleMesh& rest, const Deformatio
 void require_reachable_sizes(const PreparedSurface& part, const SizeChanges& sizes,
                              const Deformation& unsized);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -22,7 +22,7 @@ std::vector<char> held_vertices(const RotationFieldInput& input)
     std::vector<char> is_held(at(input.mesh.vertex_count()), 0);
     for (std::size_t i = 0; i < is_held.size(); ++i)
         is_held[i] = input.roles.role[i] != Role::free;
-    const EdgeTable table(input.mesh);
+    const mesh::EdgeTable table(input.mesh);
     for (int edge = 0; edge < table.count(); ++edge)
         if (table.uses(edge).count() == 1)
         {
@@ -37,19 +37,19 @@ std::vector<char> held_vertices(const RotationFieldInput& input)
 
 // The edge weights, heavier near resizable features as 1/distance: then a rim in a round sheet
 // takes room evenly up to the border, where plain harmonic functions would crowd it at the rim.
-SparseMatrix even_stiffness(const RotationFieldInput& input, const FeatureShapes& shapes)
+numerics::SparseMatrix even_stiffness(const RotationFieldInput& input, const FeatureShapes& shapes)
 {
-    SparseMatrix stiffness = *input.operators.harmonic;
+    numerics::SparseMatrix stiffness = *input.operators.harmonic;
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(stiffness.cols());
     for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
-        for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
         {
             if (entry.row() == column)
                 continue;
             const Eigen::RowVector3d middle =
                 0.5 * (input.mesh.points().row(entry.row()) + input.mesh.points().row(column));
             double nearness = 0.0;
-            for (const std::optional<FeatureShape>& shape : shapes)
+            for (const std::optional<forms::FeatureShape>& shape : shapes)
                 if (shape)
                     nearness += 1.0 / ((middle.transpose() - shape->centre).norm() + nearest);
             entry.valueRef() *= nearness;
@@ -57,7 +57,7 @@ SparseMatrix even_stiffness(const RotationFieldInput& input, const FeatureShapes
         }
     // Columns of unused nodes are empty: there is no entry to write to.
     for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
-        for (SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(stiffness, column); entry; ++entry)
             if (entry.row() == column)
                 entry.valueRef() = sums(column);
     return stiffness;
@@ -68,11 +68,11 @@ SparseMatrix even_stiffness(const RotationFieldInput& input, const FeatureShapes
 SheetGrowth::SheetGrowth(const RotationFieldInput& input, const FeatureShapes& shapes)
     : mesh_(input.mesh), constraints_(input.constraints), roles_(input.roles), shapes_(shapes)
 {
-    const auto is_resizable = [](const std::optional<FeatureShape>& shape)
+    const auto is_resizable = [](const std::optional<forms::FeatureShape>& shape)
     { return shape.has_value(); };
     if (std::none_of(shapes.begin(), shapes.end(), is_resizable))
         return;
-    stiffness_ = std::make_shared<const SparseMatrix>(even_stiffness(input, shapes));
+    stiffness_ = std::make_shared<const numerics::SparseMatrix>(even_stiffness(input, shapes));
     find_unknowns(held_vertices(input));
     if (unknowns_.count > 0)
         factor_.emplace(unknowns_.merged(stiffness_), input.operators.harmonic_tree);
@@ -91,7 +91,7 @@ void SheetGrowth::find_unknowns(const std::vector<char>& is_held)
     {
         const int vertex = open.back();
         open.pop_back();
-        for (SparseMatrix::InnerIterator entry(*stiffness_, vertex); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(*stiffness_, vertex); entry; ++entry)
         {
             const auto next = at(entry.row());
             if (entry.value() == 0.0 || is_held[next] || is_reached[next])
@@ -172,4 +172,4 @@ void SheetGrowth::lay(const SizeChanges& sizes, Deformation& deformation) const
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! How the sheet makes room for the sizes of a pose. At rest, a sized rim moves to its circle
@@ -38,13 +38,13 @@ private:
     void find_unknowns(const std::vector<char>& is_held);
     Points spread(Points moves) const;
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const SurfaceConstraints& constraints_;
     const VertexRoles& roles_;
     const FeatureShapes& shapes_;
-    std::shared_ptr<const SparseMatrix> stiffness_;  // (n, n)
+    std::shared_ptr<const numerics::SparseMatrix> stiffness_;  // (n, n)
     Unknowns unknowns_;
-    std::optional<SparseCholesky> factor_;
+    std::optional<numerics::SparseCholesky> factor_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -242,4 +242,4 @@ ShellElement::Stress ShellElement::tension(const Stress& stress)
     return {{kept(0, 0), kept(1, 1), kept(0, 1)}, Vector3::Zero()};
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

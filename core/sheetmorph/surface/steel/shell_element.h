@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <array>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! A triangle of a thin shell (mathematics.md, section 9): constant membrane strain e, whose energy
@@ -95,4 +95,4 @@ private:
     Vector3 rest_angles_;  // from the normal to the directors
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

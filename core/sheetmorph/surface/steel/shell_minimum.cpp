@@ -10,8 +10,10 @@
 #include <memory>
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
+
+using numerics::NewtonStep;
 
 namespace
 {
@@ -45,7 +47,7 @@ public:
     }
 
     //! False where the tangent, with a share added to its diagonal, is not positive definite.
-    bool factorise(SparseCholesky& factor, double shift) const
+    bool factorise(numerics::SparseCholesky& factor, double shift) const
     {
         try
         {
@@ -61,14 +63,14 @@ public:
         }
     }
 
-    Eigen::VectorXd solve(const SparseCholesky& factor) const
+    Eigen::VectorXd solve(const numerics::SparseCholesky& factor) const
     {
         if (misses_.size() == 0)
             return factor.solve(-tangent_.gradient);
         const Eigen::VectorXd right = -tangent_.gradient + weight_ * (rows_.transpose() * misses_);
         const Eigen::VectorXd open = factor.solve(right);
         const Eigen::MatrixXd responses =
-            factor.solve(Eigen::MatrixXd(SparseMatrix(rows_.transpose())));
+            factor.solve(Eigen::MatrixXd(numerics::SparseMatrix(rows_.transpose())));
         const Eigen::MatrixXd schur = rows_ * responses;
         const Eigen::VectorXd multipliers =
             schur.completeOrthogonalDecomposition().solve(misses_ - rows_ * open);
@@ -79,10 +81,10 @@ private:
     // Adds weight * C^T C, which holds what only points hold.
     void add_rows()
     {
-        const SparseMatrix product = SparseMatrix(rows_.transpose()) * rows_;
-        SparseMatrix& matrix = *tangent_.matrix;
+        const numerics::SparseMatrix product = numerics::SparseMatrix(rows_.transpose()) * rows_;
+        numerics::SparseMatrix& matrix = *tangent_.matrix;
         for (Eigen::Index column = 0; column < product.outerSize(); ++column)
-            for (SparseMatrix::InnerIterator entry(product, column); entry; ++entry)
+            for (numerics::SparseMatrix::InnerIterator entry(product, column); entry; ++entry)
             {
                 const int* begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column];
                 const int* end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column + 1];
@@ -92,11 +94,11 @@ private:
             }
     }
 
-    SparseMatrix shifted(double shift) const
+    numerics::SparseMatrix shifted(double shift) const
     {
-        SparseMatrix matrix = *tangent_.matrix;
+        numerics::SparseMatrix matrix = *tangent_.matrix;
         for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
-            for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+            for (numerics::SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
                 if (entry.row() == column)
                     entry.valueRef() *= 1.0 + shift;
         return matrix;
@@ -105,12 +107,12 @@ private:
     const ShellSystem::Tangent& tangent_;
     const ShellSystem& shell_;
     Eigen::VectorXd misses_;
-    SparseMatrix rows_;
+    numerics::SparseMatrix rows_;
     double weight_ = 0.0;
 };
 
 //! A shell for newton_minimum(). Lengths are how far a vertex moves, mm.
-class ShellProblem : public NewtonProblem
+class ShellProblem : public numerics::NewtonProblem
 {
 public:
     ShellProblem(ShellSystem& shell, const ShellTask& task)
@@ -156,10 +158,10 @@ public:
     }
 
 private:
-    static std::shared_ptr<const FrontPattern> pattern_of(const ShellSystem& shell)
+    static std::shared_ptr<const numerics::FrontPattern> pattern_of(const ShellSystem& shell)
     {
-        return std::make_shared<const FrontPattern>(
-            Elimination(unmerged(shell.pattern()), shell.tree()));
+        return std::make_shared<const numerics::FrontPattern>(
+            numerics::Elimination(numerics::unmerged(shell.pattern()), shell.tree()));
     }
 
     std::optional<NewtonStep> mixed_step()
@@ -282,15 +284,15 @@ private:
     double bending_;
     ShellShape before_;
     ShellSystem::Stresses stresses_, last_;
-    double share_ = 1.0;     // of the compression in the last eased step
-    SparseCholesky factor_;  // of the last tangent
+    double share_ = 1.0;               // of the compression in the last eased step
+    numerics::SparseCholesky factor_;  // of the last tangent
 };
 
 }  // namespace
 
 Convergence minimise_shell(ShellSystem& shell, const ShellTask& task)
 {
-    NewtonLimits limits{"the positions of the sheet"};
+    numerics::NewtonLimits limits{"the positions of the sheet"};
     limits.most_rounds = most_rounds;
     limits.settled = settled * task.size;
     limits.finest = limits.settled;
@@ -299,7 +301,7 @@ Convergence minimise_shell(ShellSystem& shell, const ShellTask& task)
     limits.noise = noise;
     limits.task = "steel";
     ShellProblem problem(shell, task);
-    return newton_minimum(problem, limits, task.progress);
+    return numerics::newton_minimum(problem, limits, task.progress);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,7 +5,7 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/surface/steel/shell_system.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What to minimise, and by when to give up.
@@ -24,4 +24,4 @@ struct ShellTask
 //! \throws Cancelled if the progress callback asks for it
 Convergence minimise_shell(ShellSystem& shell, const ShellTask& task);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

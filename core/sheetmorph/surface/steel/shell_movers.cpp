@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -267,14 +267,14 @@ private:
 
 }  // namespace
 
-ShellMesh::ShellMesh(const TriangleMesh& mesh)
+ShellMesh::ShellMesh(const mesh::TriangleMesh& mesh)
 {
-    const EdgeTable table(mesh);
+    const mesh::EdgeTable table(mesh);
     edges.resize(at(table.count()));
     directors.assign(edges.size(), Vector3::Zero());
     for (int t = 0; t < mesh.triangle_count(); ++t)
     {
-        if (is_thin(mesh.points(), mesh.triangles(), t) || table.edge_of(t, 0) < 0)
+        if (mesh::is_thin(mesh.points(), mesh.triangles(), t) || table.edge_of(t, 0) < 0)
             continue;
         const auto corners = mesh.triangles().row(t);
         Triangle triangle{t, {corners(0), corners(1), corners(2)}, {}, {}};
@@ -321,4 +321,4 @@ std::vector<Turner> shell_turners(const PlacementInput& part)
     return turners;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 #include "sheetmorph/mesh/topology/edges.h"
 #include "sheetmorph/surface/bodies/joints.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What moves a vertex, or turns the director of an edge, while a shell is minimised.
@@ -32,7 +32,7 @@ struct ShellShape
 //! The triangles of a part that count, and their edges, each with a director at rest.
 struct ShellMesh
 {
-    explicit ShellMesh(const TriangleMesh& mesh);
+    explicit ShellMesh(const mesh::TriangleMesh& mesh);
 
     struct Triangle
     {
@@ -76,4 +76,4 @@ struct ShellMovers
 //! Bodies that have to be found together with the shell, leaders before followers.
 std::vector<Turner> shell_turners(const PlacementInput& part);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 using Kind = ShellMover::Kind;
@@ -46,7 +46,7 @@ void ShellSystem::find_things()
 }
 
 // Ones where some element couples two things.
-SparseMatrix ShellSystem::coupled_things() const
+numerics::SparseMatrix ShellSystem::coupled_things() const
 {
     look_for_stop();
     std::vector<int> first(things_.size() + 2, 0);  // of the elements of each thing, one later
@@ -60,7 +60,7 @@ SparseMatrix ShellSystem::coupled_things() const
             elements[at(first[at(thing) + 1]++)] = static_cast<int>(e);
     const auto count = static_cast<int>(things_.size());
     std::vector<int> last(things_.size(), -1), rows;
-    SparseMatrix found(count, count);
+    numerics::SparseMatrix found(count, count);
     std::vector<int> starts = {0};
     for (int thing = 0; thing < count; ++thing)
     {
@@ -86,14 +86,14 @@ SparseMatrix ShellSystem::coupled_things() const
 }
 
 // The unknowns of one thing stay together.
-void ShellSystem::find_tree(const SparseMatrix& coupled)
+void ShellSystem::find_tree(const numerics::SparseMatrix& coupled)
 {
     look_for_stop();
     Points places(static_cast<Eigen::Index>(things_.size()), 3);
     for (std::size_t k = 0; k < things_.size(); ++k)
         places.row(static_cast<Eigen::Index>(k)) = things_[k].place.transpose();
-    const SeparatorTree cut = nested_dissection(coupled, places);
-    SeparatorTree tree{{}, {0}, cut.parent, cut.lowest};
+    const numerics::SeparatorTree cut = numerics::nested_dissection(coupled, places);
+    numerics::SeparatorTree tree{{}, {0}, cut.parent, cut.lowest};
     for (int node = 0; node < cut.size(); ++node)
     {
         for (int k = cut.first[at(node)]; k < cut.first[at(node) + 1]; ++k)
@@ -104,7 +104,7 @@ void ShellSystem::find_tree(const SparseMatrix& coupled)
         }
         tree.first.push_back(static_cast<int>(tree.order.size()));
     }
-    tree_ = std::make_shared<const SeparatorTree>(std::move(tree));
+    tree_ = std::make_shared<const numerics::SeparatorTree>(std::move(tree));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -59,7 +59,7 @@ ShellSystem::ShellSystem(const ShellInput& input, ShellMovers movers, Joints& jo
     }
     find_columns();
     find_things();
-    const SparseMatrix coupled = coupled_things();
+    const numerics::SparseMatrix coupled = coupled_things();
     find_pattern(coupled);
     find_slots(coupled);
     find_tree(coupled);
@@ -126,19 +126,19 @@ void ShellSystem::check_count(std::size_t entries)
 }
 
 // Couplings of things expand to blocks of the matrix: the columns of one thing have the same rows.
-void ShellSystem::find_pattern(const SparseMatrix& coupled)
+void ShellSystem::find_pattern(const numerics::SparseMatrix& coupled)
 {
     const auto count_of = [this](Eigen::Index thing) { return things_[at(thing)].count; };
     std::vector<int> heights(things_.size(), 0);
     std::size_t entries = 0;
     for (Eigen::Index k = 0; k < coupled.outerSize(); ++k)
     {
-        for (SparseMatrix::InnerIterator entry(coupled, k); entry; ++entry)
+        for (numerics::SparseMatrix::InnerIterator entry(coupled, k); entry; ++entry)
             heights[at(k)] += count_of(entry.row());
         entries += at(heights[at(k)]) * at(count_of(k));
     }
     check_count(entries);
-    matrix_ = std::make_shared<SparseMatrix>(unknowns(), unknowns());
+    matrix_ = std::make_shared<numerics::SparseMatrix>(unknowns(), unknowns());
     matrix_->resizeNonZeros(static_cast<Eigen::Index>(entries));
     int* const starts = matrix_->outerIndexPtr();
     int* row = matrix_->innerIndexPtr();
@@ -147,13 +147,13 @@ void ShellSystem::find_pattern(const SparseMatrix& coupled)
         {
             const int unknown = things_[at(k)].first + column;
             starts[unknown + 1] = starts[unknown] + heights[at(k)];
-            for (SparseMatrix::InnerIterator entry(coupled, k); entry; ++entry)
+            for (numerics::SparseMatrix::InnerIterator entry(coupled, k); entry; ++entry)
                 for (int r = 0; r < count_of(entry.row()); ++r)
                     *row++ = things_[at(entry.row())].first + r;
         }
 }
 
-void ShellSystem::find_slots(const SparseMatrix& coupled)
+void ShellSystem::find_slots(const numerics::SparseMatrix& coupled)
 {
     for (Freedom& freedom : freedoms_)
     {
@@ -161,7 +161,7 @@ void ShellSystem::find_slots(const SparseMatrix& coupled)
         for (const int column : freedom.things)
         {
             int slot = matrix_->outerIndexPtr()[things_[at(column)].first];
-            SparseMatrix::InnerIterator entry(coupled, column);
+            numerics::SparseMatrix::InnerIterator entry(coupled, column);
             for (const int thing : freedom.things)
             {
                 for (; entry.row() != thing; ++entry)
@@ -543,7 +543,7 @@ void ShellSystem::restore(const ShellShape& shape)
     joints_.restore(shape.bodies);
 }
 
-SparseMatrix ShellSystem::point_rows() const
+numerics::SparseMatrix ShellSystem::point_rows() const
 {
     std::vector<Eigen::Triplet<double>> entries;
     int row = 0;
@@ -572,7 +572,7 @@ SparseMatrix ShellSystem::point_rows() const
         }
         row += 3;
     }
-    SparseMatrix rows(row, unknowns());
+    numerics::SparseMatrix rows(row, unknowns());
     rows.setFromTriplets(entries.begin(), entries.end());
     return rows;
 }
@@ -596,4 +596,4 @@ Eigen::VectorXd ShellSystem::point_misses(const SurfaceTargets& targets) const
                                              static_cast<Eigen::Index>(misses.size()));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

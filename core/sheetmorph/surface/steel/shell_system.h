@@ -5,7 +5,7 @@
 #include "sheetmorph/surface/steel/shell_element.h"
 #include "sheetmorph/surface/steel/shell_movers.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! What no pose changes.
@@ -51,7 +51,7 @@ public:
     struct Tangent
     {
         Eigen::VectorXd gradient;
-        std::shared_ptr<SparseMatrix> matrix;  //!< both triangles
+        std::shared_ptr<numerics::SparseMatrix> matrix;  //!< both triangles
     };
 
     //! The stresses there are now: their tension, and a share of what is not tension. The tangent
@@ -63,13 +63,13 @@ public:
     Tangent tangent(double bending, const Stresses& stresses, double share = 1.0);
 
     //! A matrix of the pattern that all tangents have.
-    std::shared_ptr<const SparseMatrix> pattern() const { return matrix_; }
+    std::shared_ptr<const numerics::SparseMatrix> pattern() const { return matrix_; }
 
     //! Order of elimination of the tangents.
-    const std::shared_ptr<const SeparatorTree>& tree() const { return tree_; }
+    const std::shared_ptr<const numerics::SeparatorTree>& tree() const { return tree_; }
 
     //! Rows (3 k, unknowns) of the points that are held, and what they miss (3 k) mm.
-    SparseMatrix point_rows() const;
+    numerics::SparseMatrix point_rows() const;
     Eigen::VectorXd point_misses(const SurfaceTargets& targets) const;
 
 private:
@@ -99,10 +99,10 @@ private:
     void find_columns();
     static void check_count(std::size_t entries);
     void find_things();
-    SparseMatrix coupled_things() const;
-    void find_pattern(const SparseMatrix& coupled);
-    void find_slots(const SparseMatrix& coupled);
-    void find_tree(const SparseMatrix& coupled);
+    numerics::SparseMatrix coupled_things() const;
+    void find_pattern(const numerics::SparseMatrix& coupled);
+    void find_slots(const numerics::SparseMatrix& coupled);
+    void find_tree(const numerics::SparseMatrix& coupled);
     void add_to_matrix(const Freedom& freedom, const Eigen::MatrixXd& part);
     std::vector<int> columns_of(const ShellMesh::Triangle& triangle) const;
     ShellElement::Place place_of(std::size_t element) const;
@@ -125,8 +125,8 @@ private:
     std::vector<Freedom> freedoms_;
     std::vector<Thing> things_;  // by their unknowns
     std::vector<int> slots_;     // by element, column and row of things: where their block begins
-    std::shared_ptr<SparseMatrix> matrix_;
-    std::shared_ptr<const SeparatorTree> tree_;
+    std::shared_ptr<numerics::SparseMatrix> matrix_;
+    std::shared_ptr<const numerics::SeparatorTree> tree_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 namespace
@@ -23,7 +23,7 @@ constexpr double refined_thickness = 0.05;  // of the size
 // The diagonal of a flat rectangle, and for any other sheet that of the rectangle with the same
 // covariance of its area. It does not turn with the axes, as the diagonal of a box along them does,
 // and depends neither on the facets nor on nodes of no triangle.
-double size_of_triangles(const TriangleMesh& mesh)
+double size_of_triangles(const mesh::TriangleMesh& mesh)
 {
     double area = 0.0, second = 0.0;
     Vector3 first = Vector3::Zero();
@@ -50,7 +50,7 @@ double size_of_triangles(const TriangleMesh& mesh)
 }
 
 // A linear answer is refined by a shell so thick that only large rotations change it.
-double thickness_of(const TriangleMesh& rest, const SurfaceConstraints& constraints)
+double thickness_of(const mesh::TriangleMesh& rest, const SurfaceConstraints& constraints)
 {
     return constraints.energy == Energy::steel ? sheet_thickness(constraints.thickness, rest)
                                                : refined_thickness * size_of_triangles(rest);
@@ -70,12 +70,12 @@ Matrix3 frame(const Points& points, const std::array<int, 3>& corners)
 
 }  // namespace
 
-double sheet_thickness(double given, const TriangleMesh& mesh)
+double sheet_thickness(double given, const mesh::TriangleMesh& mesh)
 {
     return given > 0.0 ? given : default_thickness * size_of_triangles(mesh);
 }
 
-SteelAnswer::SteelAnswer(const TriangleMesh& rest, const SurfaceConstraints& constraints)
+SteelAnswer::SteelAnswer(const mesh::TriangleMesh& rest, const SurfaceConstraints& constraints)
     : mesh_(rest),
       size_(size_of_triangles(rest)),
       thickness_(thickness_of(rest, constraints)),
@@ -133,4 +133,4 @@ Points SteelAnswer::measured_logs(const ShellPose& pose, const Points& positions
     return logs;
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,12 +5,12 @@
 #include "sheetmorph/base/progress.h"
 #include "sheetmorph/surface/steel/shell_movers.h"
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 
 //! mm: what is given, or a hundredth of the size where that is 0. The size is the diagonal of the
 //! flat rectangle whose area is spread as the sheet's is, so that no axis and no facet counts.
-double sheet_thickness(double given, const TriangleMesh& mesh);
+double sheet_thickness(double given, const mesh::TriangleMesh& mesh);
 
 //! A part as a sheet of steel: a geometrically nonlinear thin shell that hardly stretches
 //! (mathematics.md, section 9), from the linear answer on. Refined parts of the other energies are
@@ -18,7 +18,7 @@ double sheet_thickness(double given, const TriangleMesh& mesh);
 class SteelAnswer
 {
 public:
-    SteelAnswer(const TriangleMesh& rest, const SurfaceConstraints& constraints);
+    SteelAnswer(const mesh::TriangleMesh& rest, const SurfaceConstraints& constraints);
 
     struct Shape
     {
@@ -43,4 +43,4 @@ private:
     double poisson_;
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -5,7 +5,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotations/lane_matrices.h"
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! Polar factors of `width` matrices at once. Which ones stand beside each other decides nothing,
@@ -73,4 +73,4 @@ struct LaneRotations : LaneFunctions<width>
     }
 };
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

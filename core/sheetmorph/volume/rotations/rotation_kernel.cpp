@@ -9,7 +9,7 @@
 // Fused multiply-adds where the processor has them.
 #pragma GCC optimize("fp-contract=fast")
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 namespace
@@ -195,4 +195,4 @@ void make_rotations(std::vector<Matrix3>& matrices)
         });
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

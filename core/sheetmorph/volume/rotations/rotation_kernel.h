@@ -3,7 +3,7 @@
 
 #include "sheetmorph/base/types.h"
 
-namespace sheetmorph
+namespace sheetmorph::volume
 {
 
 //! Some rings side by side, each around a vertex; vertices are rows of what is run on.
@@ -46,4 +46,4 @@ void turn_rings(const RingBatch& batch, const std::vector<RingSpokes>& spokes,
 //! Every matrix becomes its polar_rotation().
 void make_rotations(std::vector<Matrix3>& matrices);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::volume

@@ -6,15 +6,16 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
 
 TEST(ControlBox, PointsAreInsideWhereNoCoordinateIsBeyondASide)
 {
-    const OrientedBox box{rotation_from_log(Vector3(0.4, -0.3, 0.8)), Vector3(10.0, -20.0, 30.0),
-                          Vector3(5.0, 2.0, 0.5), Vector3::Zero()};
+    const volume::OrientedBox box{rotation_from_log(Vector3(0.4, -0.3, 0.8)),
+                                  Vector3(10.0, -20.0, 30.0), Vector3(5.0, 2.0, 0.5),
+                                  Vector3::Zero()};
     Points local(8, 3);
     local << 0, 0, 0,      //
         4.9, -1.9, 0.49,   //
@@ -58,4 +59,4 @@ TEST(ControlBox, StackedRowsAreThoseOfBoth)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

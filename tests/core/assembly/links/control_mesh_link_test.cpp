@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace volume;
 namespace
 {
 
@@ -17,7 +19,7 @@ namespace
 struct Region
 {
     std::string name;
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     VertexIds vertices;
     Points targets;
 };
@@ -28,7 +30,7 @@ Region drawn_together(std::mt19937& bits, double extent)
     static const std::vector<VertexIds> choices = {
         {40}, {40, 41}, {40, 41, 42}, {40, 41, 50}, {40, 41, 49, 50}, {30, 40, 50}, {40, 44, 80}};
     const VertexIds vertices = choices[bits() % choices.size()];
-    const TriangleMesh grid = shapes::jittered_grid(9, 9, 5.0, static_cast<unsigned>(bits()));
+    const mesh::TriangleMesh grid = shapes::jittered_grid(9, 9, 5.0, static_cast<unsigned>(bits()));
     Points points = grid.points();
     const Eigen::RowVector3d first = points.row(vertices.front());
     const bool is_in_line = bits() % 2 == 0;
@@ -45,7 +47,7 @@ Region drawn_together(std::mt19937& bits, double extent)
             points.row(vertices[k]) + Eigen::RowVector3d(0.0, 0.0, 0.3 * extent);
     return {std::to_string(vertices.size()) + (is_in_line ? " in line, " : ", ")
                 + std::to_string(extent),
-            TriangleMesh(points, grid.triangles()), vertices, targets};
+            mesh::TriangleMesh(points, grid.triangles()), vertices, targets};
 }
 
 OrientedBox box_around(const Region& region)
@@ -64,10 +66,10 @@ TEST(ControlMeshLink, ARegionOfAnyExtentTakesItsTargetsAlongRigidly)
         for (int draw = 0; draw < 8; ++draw)
         {
             const Region region = drawn_together(bits, extent);
-            const PartGeometry part(region.mesh);
+            const mesh::PartGeometry part(region.mesh);
             const auto link = control_mesh_link({part, region.vertices, region.targets},
                                                 {box_around(region), 3, 0.05});
-            Deformation moved;
+            surface::Deformation moved;
             moved.positions = motion.apply(region.mesh.points());
             moved.rotation_logs =
                 motion.rotation_log.transpose().replicate(region.mesh.vertex_count(), 1);
@@ -82,4 +84,4 @@ TEST(ControlMeshLink, ARegionOfAnyExtentTakesItsTargetsAlongRigidly)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -10,7 +10,7 @@
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // GCC installs no header for it
 #endif
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -29,8 +29,8 @@ double used_bytes()
 
 TEST(TiedLink, ManyContactsKeepNoCopyOfTheLargePartTheyAreOn)
 {
-    const TriangleMesh mesh = shapes::grid(200, 200, 400.0, 400.0);
-    const PartGeometry part(mesh);
+    const mesh::TriangleMesh mesh = shapes::grid(200, 200, 400.0, 400.0);
+    const mesh::PartGeometry part(mesh);
     const double bytes_of_points = 24.0 * mesh.vertex_count();
     const auto link_at = [&](int k)
     {
@@ -54,19 +54,19 @@ TEST(TiedLink, ManyContactsKeepNoCopyOfTheLargePartTheyAreOn)
 
 TEST(TiedLink, AFewVerticesOfAPartTurnAsTheyDoAmongAll)
 {
-    const TriangleMesh mesh = shapes::jittered_grid(12, 9, 5.0, 3);
+    const mesh::TriangleMesh mesh = shapes::jittered_grid(12, 9, 5.0, 3);
     const RigidMotion motion{{1.0, -2.0, 3.0}, {0.3, 0.9, -0.2}, {5.0, 4.0, 3.0}};
     const VertexIds region = {40, 41, 42, 53, 54, 55};
     const Points targets =
         mesh.points()({40, 54}, Eigen::indexing::all).rowwise() + Eigen::RowVector3d(0.4, 0.3, 1.5);
-    const PartGeometry part(mesh);
+    const mesh::PartGeometry part(mesh);
     const auto link = tied_link({part, region, targets});
-    Deformation shape{motion.apply(mesh.points()),
-                      motion.rotation_log.transpose().replicate(mesh.vertex_count(), 1),
-                      {}};
-    const LinkedTargets found = link->transfer(shape, Exactness::exact);
+    surface::Deformation shape{motion.apply(mesh.points()),
+                               motion.rotation_log.transpose().replicate(mesh.vertex_count(), 1),
+                               {}};
+    const volume::LinkedTargets found = link->transfer(shape, Exactness::exact);
     EXPECT_LT((found.positions - motion.apply(targets)).norm(), 1e-11);
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

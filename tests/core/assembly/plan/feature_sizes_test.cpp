@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -26,7 +26,7 @@ Frame flat_plate()
         frame.assembly.features.push_back({"hole" + std::to_string(k),
                                            0,
                                            plate.rims[static_cast<std::size_t>(k)],
-                                           FeatureRotation::free,
+                                           surface::FeatureRotation::free,
                                            {},
                                            {},
                                            false});
@@ -36,10 +36,10 @@ Frame flat_plate()
     return frame;
 }
 
-CircleFit rim_of(const Frame& frame, const Deformed& shape, int hole)
+fitting::CircleFit rim_of(const Frame& frame, const Deformed& shape, int hole)
 {
     const PartFeature& feature = frame.assembly.features[static_cast<std::size_t>(hole)];
-    return fit_circle(shape.parts[0].positions(feature.vertices, Eigen::indexing::all));
+    return fitting::fit_circle(shape.parts[0].positions(feature.vertices, Eigen::indexing::all));
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ TEST(FeatureSizes, OfTheDescriptionAndOfThePoseMakeExactCircles)
     for (int hole = 0; hole < 3; ++hole)
     {
         const FeatureResult& result = shape.features[static_cast<std::size_t>(hole)];
-        const CircleFit circle = rim_of(frame, shape, hole);
+        const fitting::CircleFit circle = rim_of(frame, shape, hole);
         EXPECT_NEAR(circle.radius, radii[static_cast<std::size_t>(hole)], 1e-10);
         EXPECT_LT(circle.residual, 1e-10);
         EXPECT_LT(result.edge_error, 1e-10);
@@ -107,4 +107,4 @@ TEST(FeatureSizes, TooLargeForTheSheetAreRefusedWithTheLimit)
     EXPECT_THAT(refusal(frame), HasSubstr("hole0"));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

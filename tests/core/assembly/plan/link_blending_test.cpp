@@ -8,8 +8,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -101,4 +103,4 @@ TEST(LinkBlending, ASheetBetweenTwoContactsThatDisagreeDoesNotFold)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -18,14 +18,14 @@ frames::Frame two_sheets(Unheld unheld)
     Assembly& assembly = frame.assembly;
     frames::add_plate(assembly, "first", {0.0, 0.0, 0.0}, false);
     frames::add_plate(assembly, "second", {0.0, 0.0, 5.0}, false);
-    const TriangleMesh &low = assembly.parts[0].mesh, &high = assembly.parts[1].mesh;
+    const mesh::TriangleMesh &low = assembly.parts[0].mesh, &high = assembly.parts[1].mesh;
     const int count = low.vertex_count();
     Points points(2 * count, 3);
     points << low.points(), high.points();
     Triangles triangles(2 * low.triangle_count(), 3);
     triangles << low.triangles(), (high.triangles().array() + count).matrix();
     assembly.parts = {assembly.parts[0]};
-    assembly.parts[0].mesh = TriangleMesh(points, triangles);
+    assembly.parts[0].mesh = mesh::TriangleMesh(points, triangles);
     assembly.features.clear();
     assembly.fixed = {frames::side("root", assembly, 0,
                                    [](const Vector3& p) { return p.z() < 1.0 && p.x() < 1e-6; })};
@@ -70,4 +70,4 @@ TEST(LoosePieces, AreRefusedWhereTheAssemblyWantsIt)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

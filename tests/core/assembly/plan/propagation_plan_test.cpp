@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -44,4 +44,4 @@ TEST(PropagationPlan, ListsPartsThatNothingReachesAndStartsAnewAtPartsWithTheirO
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -58,7 +58,7 @@ TEST(WeldPlan, AFeatureBetweenTwoRigidContactsMakesThemOneBody)
                                        2,
                                        {frame.assembly.contacts[1].b.vertices.front(),
                                         frame.assembly.contacts[3].b.vertices.front()},
-                                       FeatureRotation::free,
+                                       surface::FeatureRotation::free,
                                        {},
                                        {},
                                        false});
@@ -122,4 +122,4 @@ TEST(WeldPlan, WhatIsFixedOnADrivenPartHoldsTheWholeStack)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

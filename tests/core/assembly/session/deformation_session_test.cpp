@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -94,7 +94,7 @@ TEST(DeformationSession, APrescribedFeatureInAContactTurnsAsToldAndGoesWhereTheC
     Frame frame = frames::open_chain(ContactType::tied);
     const Deformed before = DeformationSession(frame.assembly).deform(frame.pose);
     // The hole of the second plate in the contact.
-    frame.assembly.features[3].rotation = FeatureRotation::prescribed;
+    frame.assembly.features[3].rotation = surface::FeatureRotation::prescribed;
     const Vector3 log = rotation_log({0.0, 0.0, 1.0}, 0.5);
     frame.pose.feature_logs["second hole0"] = log;
     const Deformed after = DeformationSession(frame.assembly).deform(frame.pose);
@@ -128,8 +128,8 @@ TEST(DeformationSession, APartOnOneVertexTurnsAsTheSheetThereAlsoNearAWholeTurn)
             const Deformed shape = session.deform(frame.pose);
             const Points& rest = frame.assembly.parts[1].mesh.points();
             const RigidMotion moved = best_rigid_motion(rest, shape.parts[1].positions);
-            const LocalRotations sheet =
-                LocalRotationMeter(frame.assembly.parts[0].mesh, {a})
+            const volume::LocalRotations sheet =
+                volume::LocalRotationMeter(frame.assembly.parts[0].mesh, {a})
                     .measure(shape.parts[0].positions, shape.parts[0].rotation_logs.row(a));
             EXPECT_LT((moved.rotation() - sheet.matrices[0]).norm(), 1e-6) << degrees;
         }
@@ -210,4 +210,4 @@ TEST(DeformationSession, CancelsBetweenPartsAndReportsRisingProgress)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

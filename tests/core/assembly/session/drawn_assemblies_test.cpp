@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -97,7 +97,7 @@ bool may_turn_far(const Frame& frame)
         farthest = std::max(farthest, log.norm());
     for (const auto& [name, target] : frame.pose.points)
         farthest = std::max(farthest, target.rotation_log.norm());
-    return frame.assembly.energy == Energy::natural && farthest > half_of_half;
+    return frame.assembly.energy == surface::Energy::natural && farthest > half_of_half;
 }
 
 class DrawnAssemblies : public testing::TestWithParam<unsigned>
@@ -131,4 +131,4 @@ TEST_P(DrawnAssemblies, AreAnsweredAlikeInEveryWay)
 INSTANTIATE_TEST_SUITE_P(Seeds, DrawnAssemblies, testing::Range(16U, 56U));
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -20,13 +20,13 @@ struct Hole
 {
     shapes::PlateWithHoles plate = shapes::plate_with_holes();
     VertexIds rim = plate.rims[1];
-    FeatureShape shape = *feature_shape(plate.mesh, rim);
+    forms::FeatureShape shape = *forms::feature_shape(plate.mesh, rim);
     Points rest = plate.mesh.points()(rim, Eigen::indexing::all);
 };
 
 TEST(FeatureError, TheEdgesOfAFeatureAreThoseBetweenItsVertices)
 {
-    const TriangleMesh sheet = shapes::grid(4, 4, 40.0, 40.0);
+    const mesh::TriangleMesh sheet = shapes::grid(4, 4, 40.0, 40.0);
     // A cell of the sheet and a row of three vertices that no edges join.
     const std::vector<FeatureEdges> edges = edges_of_features(sheet, {{6, 7, 11, 12}, {0, 22, 14}});
     std::set<std::pair<int, int>> of_cell, of_row;
@@ -43,7 +43,7 @@ TEST(FeatureError, TheEdgesOfAFeatureAreThoseBetweenItsVertices)
 TEST(FeatureError, IsHowFarAVertexLeftTheRigidMotion)
 {
     const Hole hole;
-    const TriangleMesh& mesh = hole.plate.mesh;
+    const mesh::TriangleMesh& mesh = hole.plate.mesh;
     const FeatureEdges edges = edges_of_features(mesh, {hole.rim})[0];
     Points positions = motion.apply(mesh.points());
     EXPECT_LT(edge_error(mesh.points(), edges, positions, motion), 1e-12 * mesh.size());
@@ -82,4 +82,4 @@ TEST(FeatureError, OfAnOutlineIsTheDistanceFromItsCircle)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

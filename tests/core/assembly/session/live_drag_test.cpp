@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -101,7 +101,7 @@ TEST_P(LiveDragContacts, ThinSolidsAnswerWithBothSkins)
     EXPECT_TRUE(drag->answered()[0]);
 }
 
-class LearntDrag : public testing::TestWithParam<std::tuple<ContactType, FeatureRotation>>
+class LearntDrag : public testing::TestWithParam<std::tuple<ContactType, surface::FeatureRotation>>
 {
 };
 
@@ -138,10 +138,11 @@ TEST(LiveDrag, SmallAssembliesAreSubstitutedBehindContacts)
     EXPECT_EQ(drag->answered(), (std::vector<char>{1, 0, 0, 0}));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, LearntDrag,
-    testing::Combine(testing::Values(ContactType::tied, ContactType::control_mesh),
-                     testing::Values(FeatureRotation::interpolated, FeatureRotation::free)));
+INSTANTIATE_TEST_SUITE_P(All, LearntDrag,
+                         testing::Combine(testing::Values(ContactType::tied,
+                                                          ContactType::control_mesh),
+                                          testing::Values(surface::FeatureRotation::interpolated,
+                                                          surface::FeatureRotation::free)));
 
 TEST(LiveDrag, SubstitutesWhereAPoseIsFarFromThoseLearntFrom)
 {
@@ -265,4 +266,4 @@ TEST(LiveDrag, RefusesHandlesTheAssemblyDoesNotHave)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -6,13 +6,15 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace surface;
 namespace
 {
 
 // Constraints of a strip with something of every kind.
-SurfaceConstraints with_everything(const TriangleMesh& mesh)
+SurfaceConstraints with_everything(const mesh::TriangleMesh& mesh)
 {
     SurfaceConstraints one;
     one.fixed = {
@@ -25,7 +27,7 @@ SurfaceConstraints with_everything(const TriangleMesh& mesh)
     one.groups = {{0, 1}};
     one.links = {{"bar", FeatureLinkType::distance, 2, -1, {1.0, 2.0, 3.0}, {0.0, 0.0, 1.0}}};
     one.stitches = {{"stitch", {110, 111}, "contact"}};
-    one.ties = {{120, Anchor::at_vertex(30)}};
+    one.ties = {{120, mesh::Anchor::at_vertex(30)}};
     return one;
 }
 
@@ -34,7 +36,7 @@ using Edit = std::function<void(SurfaceConstraints&)>;
 // What was prepared serves again only for the same constraints: any edit starts anew.
 void expect_new_after(const std::vector<Edit>& edits)
 {
-    const TriangleMesh mesh = shapes::grid(20, 5, 100.0, 25.0);
+    const mesh::TriangleMesh mesh = shapes::grid(20, 5, 100.0, 25.0);
     const SurfaceConstraints own = with_everything(mesh);
     const SurfaceDeformer deformer(mesh, own);
     EXPECT_TRUE(is_deformer_of(deformer, mesh, own));
@@ -64,7 +66,7 @@ TEST(Reuse, AnotherEnergyOrRegionStartsAnew)
         [](auto& c) {
             c.stitches[0].vertices = {110, 112};
         },
-        [](auto& c) { c.ties[0].place = Anchor::at_vertex(31); },
+        [](auto& c) { c.ties[0].place = mesh::Anchor::at_vertex(31); },
         [](auto& c) { c.ties[0].vertex = 121; },
     });
 }
@@ -96,4 +98,4 @@ TEST(Reuse, AnotherFeaturePointOrLinkStartsAnew)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

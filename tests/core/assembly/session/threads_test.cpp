@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -23,7 +23,7 @@ std::vector<Points> all_shapes(const Frame& frame, int threads)
     std::vector<Points> found;
     const auto add = [&](const Deformed& shape)
     {
-        for (const Deformation& part : shape.parts)
+        for (const surface::Deformation& part : shape.parts)
             found.push_back(part.positions);
     };
     add(session.deform(frame.pose));
@@ -69,4 +69,4 @@ TEST(Threads, TheirNumberChangesNoBitOfALargePart)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 
 namespace
@@ -99,4 +99,4 @@ TEST(WaveRates, OfAThinSolidThereAreNone)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -9,8 +9,11 @@
 #include <functional>
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace mesh;
+using namespace surface;
 
 namespace
 {
@@ -284,4 +287,4 @@ TEST(SymmetryPlan, AFeatureWithoutAMirrorIsRefusedWhereItIsMoved)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -95,7 +95,7 @@ const Profile profiles[] = {{"Channel", channel},
                             {"LappedBox", lapped_box},
                             {"LipOnAFace", lip_on_a_face}};
 
-double largest_strain(const TriangleMesh& mesh, const Points& positions, double shortest)
+double largest_strain(const mesh::TriangleMesh& mesh, const Points& positions, double shortest)
 {
     double worst = 0.0;
     for (int t = 0; t < mesh.triangle_count(); ++t)
@@ -146,10 +146,10 @@ shapes::FoldedSheet placed(shapes::FoldedSheet sheet, Random& random)
     Triangles triangles = sheet.mesh.triangles();
     if (is_mirrored)
         triangles.col(1).swap(triangles.col(2));
-    const TriangleMesh mesh =
+    const mesh::TriangleMesh mesh =
         shapes::mapped(sheet.mesh, [&](const Vector3& p)
                        { return motion.apply(is_mirrored ? Vector3(p.x(), -p.y(), p.z()) : p); });
-    sheet.mesh = TriangleMesh(mesh.points(), triangles);
+    sheet.mesh = mesh::TriangleMesh(mesh.points(), triangles);
     return sheet;
 }
 
@@ -179,8 +179,8 @@ TEST_P(FacingFlanges, OneIsPulledTheOtherStaysAndNothingIsStrained)
         const Points moved =
             positions(stay, Eigen::indexing::all) - sheet.mesh.points()(stay, Eigen::indexing::all);
         EXPECT_LT(moved.rowwise().norm().maxCoeff(), 1e-9);
-        const ThicknessChange change =
-            thickness_change(sheet.mesh, *session.thin_solid(0), positions);
+        const recognise::ThicknessChange change =
+            recognise::thickness_change(sheet.mesh, *session.thin_solid(0), positions);
         EXPECT_NEAR(change.rest_least, t, 0.02 * t);
         EXPECT_LT(change.rest_most, 1.1 * t);
         EXPECT_LT(change.worst, 0.03);
@@ -198,4 +198,4 @@ INSTANTIATE_TEST_SUITE_P(Profiles, FacingFlanges, testing::ValuesIn(profiles),
                          [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -11,14 +11,14 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
 
 using frames::Frame;
 
-VertexIds patch(const TriangleMesh& mesh, shapes::Draw& draw)
+VertexIds patch(const mesh::TriangleMesh& mesh, shapes::Draw& draw)
 {
     const Vector3 centre = mesh.points().row(draw.whole(mesh.vertex_count())).transpose();
     const double radius = draw.one_of<double>({0.1, 12.0, 40.0, 400.0});
@@ -144,4 +144,4 @@ TEST(ThinBodies, AnyAssemblyIsAnsweredOrRefused)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -5,16 +5,16 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
 
 constexpr double thickness = 2.0;
 
-ThinPart thin(const TriangleMesh& mesh)
+ThinPart thin(const mesh::TriangleMesh& mesh)
 {
-    return ThinPart(mesh, *find_thin_solid(mesh).solid);
+    return ThinPart(mesh, *recognise::find_thin_solid(mesh).solid);
 }
 
 // The skin's vertices by their number in the part.
@@ -28,10 +28,11 @@ VertexIds in_part(const ThinPart& part, const VertexIds& of_skin)
 
 TEST(ThinPart, ItsMiddleIsHalfwayBetweenItsSkins)
 {
-    const TriangleMesh flat = shapes::grid(24, 8, 120.0, 40.0);
+    const mesh::TriangleMesh flat = shapes::grid(24, 8, 120.0, 40.0);
     for (const double angle : {0.0, 0.6, shapes::pi / 2.0})
     {
-        const TriangleMesh sheet = angle > 0.0 ? shapes::with_bend(flat, 50.0, 20.0, angle) : flat;
+        const mesh::TriangleMesh sheet =
+            angle > 0.0 ? shapes::with_bend(flat, 50.0, 20.0, angle) : flat;
         const ThinPart part = thin(shapes::two_skinned(sheet, thickness));
         const Points& points = part.mesh().points();
         for (int s = 0; s < part.middle().vertex_count(); ++s)
@@ -47,7 +48,7 @@ TEST(ThinPart, ItsMiddleIsHalfwayBetweenItsSkins)
 // A patch of the main skin is itself on it; the same patch of the other skin is what lies over it.
 TEST(ThinPart, ARegionOfEitherSkinIsTheSamePlaceOfTheMainOne)
 {
-    const TriangleMesh sheet = shapes::grid(20, 10, 100.0, 50.0);
+    const mesh::TriangleMesh sheet = shapes::grid(20, 10, 100.0, 50.0);
     const ThinPart part = thin(shapes::two_skinned(sheet, thickness));
     const int count = sheet.vertex_count();
     VertexIds front = shapes::vertices_where(
@@ -81,4 +82,4 @@ TEST(ThinPart, TheRimOfAHoleTakesItsWallAlong)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

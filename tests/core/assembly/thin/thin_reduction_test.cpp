@@ -7,7 +7,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
 namespace
 {
@@ -15,7 +15,7 @@ namespace
 // A plate of 2 mm as a thin solid, and vertices of its skins by the place in the sheet.
 struct Plate
 {
-    TriangleMesh sheet = shapes::grid(20, 10, 100.0, 50.0);
+    mesh::TriangleMesh sheet = shapes::grid(20, 10, 100.0, 50.0);
     Assembly assembly;
     ThinParts thin;
     int main = 0, opposite = 0;  // the first vertex of each skin
@@ -73,8 +73,13 @@ TEST(ThinReduction, AVertexBelowTwoRegionsOfTheOppositeSkinStaysWithTheFirst)
     Plate plate;
     plate.assembly.fixed = {{"root", 0, plate.where(plate.opposite, 0.0, 50.0)}};
     plate.assembly.handles = {{"tip", 0, plate.where(plate.opposite, 55.0, 70.0)}};
-    plate.assembly.features = {
-        {"patch", 0, plate.where(plate.main, 80.0, 90.0), FeatureRotation::free, {}, {}, false}};
+    plate.assembly.features = {{"patch",
+                                0,
+                                plate.where(plate.main, 80.0, 90.0),
+                                surface::FeatureRotation::free,
+                                {},
+                                {},
+                                false}};
     const Assembly reduced = plate.reduced();
     EXPECT_EQ(plate.extent(reduced.fixed[0].vertices), std::pair(0.0, 50.0));
     EXPECT_EQ(plate.extent(reduced.handles[0].vertices), std::pair(55.0, 70.0));
@@ -107,7 +112,7 @@ TEST(ThinReduction, PointsKeepTheirPlaceInTheSheetAndVerticesTheirNumbers)
     for (int i = 0; i < part.mesh.vertex_count(); ++i)
         part.ids.push_back(1000 + 3 * i);
     const Triangles& triangles = part.mesh.triangles();
-    const auto place = [](const TriangleMesh& mesh, const PointConstraint& point)
+    const auto place = [](const mesh::TriangleMesh& mesh, const surface::PointConstraint& point)
     {
         Vector3 sum = Vector3::Zero();
         for (int k = 0; k < 3; ++k)
@@ -117,7 +122,8 @@ TEST(ThinReduction, PointsKeepTheirPlaceInTheSheetAndVerticesTheirNumbers)
     };
     for (int t = 0; t < triangles.rows(); t += 37)
     {
-        if (plate.thin[0]->solid().facets[static_cast<std::size_t>(t)] == SolidSide::wall)
+        if (plate.thin[0]->solid().facets[static_cast<std::size_t>(t)]
+            == recognise::SolidSide::wall)
             continue;
         plate.assembly.points = {{"probe", 0, {"probe", t, {0.2, 0.3, 0.5}, false, false}}};
         const Assembly reduced = plate.reduced();
@@ -134,4 +140,4 @@ TEST(ThinReduction, PointsKeepTheirPlaceInTheSheetAndVerticesTheirNumbers)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace mesh;
+using namespace recognise;
 namespace
 {
 
@@ -82,7 +85,7 @@ TEST_P(ThinSolids, KeepTheirThicknessAndNeverMeetThemselves)
     EXPECT_NEAR(change.rest_most, thickness, 1e-9);
     EXPECT_LT(change.worst, 0.005);
     EXPECT_LT(change.worst_at_walls, 0.02);
-    EXPECT_TRUE(self_intersections(TriangleMesh(positions, mesh.triangles())).empty());
+    EXPECT_TRUE(repair::self_intersections(TriangleMesh(positions, mesh.triangles())).empty());
 }
 
 TEST_P(ThinSolids, BendAsTheOpenSheetInTheirMiddle)
@@ -329,7 +332,7 @@ TEST(ThinSolid, ManyPlatesWithBendsAndHolesKeepTheirThickness)
         const ThicknessChange change = thickness_change(mesh, *session.thin_solid(0), positions);
         EXPECT_LT(change.worst, 0.02) << "round " << round;
         EXPECT_LT(change.worst_at_walls, 0.02) << "round " << round;
-        EXPECT_TRUE(self_intersections(TriangleMesh(positions, mesh.triangles())).empty())
+        EXPECT_TRUE(repair::self_intersections(TriangleMesh(positions, mesh.triangles())).empty())
             << "round " << round;
     }
 }
@@ -369,4 +372,4 @@ TEST(ThinSolid, ASessionOfTheSamePartTakesOverWhatItFound)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

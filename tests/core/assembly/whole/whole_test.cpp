@@ -11,8 +11,11 @@
 #include <ostream>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::assembly
 {
+
+using namespace mesh;
+using namespace surface;
 namespace
 {
 
@@ -386,4 +389,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Hold{"a row tied around a tube", ContactType::tied, 0.1, across}));
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::assembly

@@ -8,7 +8,7 @@
 #include <gp_Pln.hxx>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -47,4 +47,4 @@ TEST(FacePatch, HasNoKnotsOfCurvesThatGoAslant)
     EXPECT_TRUE(patch.knots[0].empty() && patch.knots[1].empty());
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -102,4 +102,4 @@ TEST(KeptMotionTest, OnlyCylindersGetAnotherSize)
     EXPECT_FALSE(resized_fit(cylinder_points(3.0), cylinder_points(4.5), 1e-9, plane));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

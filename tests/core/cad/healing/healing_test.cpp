@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
@@ -61,4 +61,4 @@ TEST(Healing, WhatIsOffByMuchIsToldAndStays)
     EXPECT_THAT(part.faults.front(), testing::MatchesRegex("face [0-9]+: .*a vertex is off.*"));
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
@@ -169,4 +169,4 @@ TEST(FaceMesh, refuses_triangles_that_are_no_surface)
     EXPECT_THROW(FaceMesh(vertices, {{0, 1, 2}, {0, 1, 3}}, {}), InvalidInput);
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
@@ -67,4 +67,4 @@ TEST(MeshEstimate, names_what_asks_for_too_many)
     EXPECT_THAT(said({1.0, 1.0, 1e-4}), testing::HasSubstr("an angle of"));
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

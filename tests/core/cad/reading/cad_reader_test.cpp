@@ -11,13 +11,13 @@
 #include <set>
 #include <sstream>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
 {
 
-double volume(const TriangleMesh& mesh)
+double volume(const mesh::TriangleMesh& mesh)
 {
     double sum = 0.0;
     for (Eigen::Index t = 0; t < mesh.triangles().rows(); ++t)
@@ -30,7 +30,7 @@ double volume(const TriangleMesh& mesh)
     return sum;
 }
 
-double longest_edge(const TriangleMesh& mesh)
+double longest_edge(const mesh::TriangleMesh& mesh)
 {
     double longest = 0.0;
     for (Eigen::Index t = 0; t < mesh.triangles().rows(); ++t)
@@ -129,7 +129,7 @@ TEST_P(PlateFile, is_one_closed_part_with_its_holes_exact)
     EXPECT_NEAR(*radii.begin(), 3.0, 1e-9);
     EXPECT_NEAR(*radii.rbegin(), 5.0, 1e-9);
     EXPECT_LE(part.deviation, 0.05);
-    EXPECT_GT(quality(part.mesh).worst_angle_degrees, 15.0);
+    EXPECT_GT(mesh::quality(part.mesh).worst_angle_degrees, 15.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, PlateFile, testing::Values("step", "igs", "brep"));
@@ -167,7 +167,7 @@ TEST(CadReader, takes_free_shells_and_solids_of_one_file)
         EXPECT_NEAR((ball.mesh.points().row(v) - Eigen::RowVector3d(100, 0, 0)).norm(), 4.0, 1e-9);
     EXPECT_NEAR(sheet.mesh.points().col(2).minCoeff(), 2.0, 1e-12);
     EXPECT_EQ(sheet.circles.size(), 2u);
-    EXPECT_GT(quality(sheet.mesh).worst_angle_degrees, 20.0);
+    EXPECT_GT(mesh::quality(sheet.mesh).worst_angle_degrees, 20.0);
 }
 
 TEST(CadReader, follows_bends_and_keeps_flats_coarse)
@@ -278,4 +278,4 @@ TEST(CadReader, refuses_an_iges_file_that_is_cut_off)
     }
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 namespace
 {
@@ -70,4 +70,4 @@ TEST(StepText, FindsTheStandardTextOfAnyOther)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -7,7 +7,7 @@
 #include <gp_Ax2.hxx>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 TEST(ArcLength, OfACircleIsItsAngleTimesItsRadius)
@@ -29,4 +29,4 @@ TEST(ArcLength, OfALineIsTheDistanceHoweverUnevenItsParameterIs)
         EXPECT_NEAR(length.at(t), line->Value(t).X(), 1e-12);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

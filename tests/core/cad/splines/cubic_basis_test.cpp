@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -81,4 +81,4 @@ TEST(CubicBasisTest, OnlyChosenSpansAreHalvedAndKinksStay)
     EXPECT_EQ(finer.span_of(9.0), 4);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

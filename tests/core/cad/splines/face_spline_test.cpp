@@ -9,7 +9,7 @@
 #include <gp_Pln.hxx>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -113,4 +113,4 @@ TEST(FaceSpline, IsCancelledBetweenItsRounds)
     EXPECT_EQ(rounds, 3);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

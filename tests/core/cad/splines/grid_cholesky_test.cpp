@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
@@ -82,4 +82,4 @@ TEST(GridCholesky, TellsThatAMatrixIsNotDefinite)
     EXPECT_TRUE(GridCholesky(one.sparse, 60.0).is_definite());
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

@@ -12,7 +12,7 @@
 #include <gp_Ax2.hxx>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -115,4 +115,4 @@ TEST(BorderAbove, IsNothingWhereTheCurveLeavesTheSurface)
     EXPECT_TRUE(border_of_patch(1.5, 2.5).IsNull());
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

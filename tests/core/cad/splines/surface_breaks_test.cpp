@@ -7,7 +7,7 @@
 #include <TColgp_Array2OfPnt.hxx>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::cad
 {
 
 namespace
@@ -58,4 +58,4 @@ TEST(SurfaceBreaks, AreAsOftenKnotsAsDerivativesJump)
     EXPECT_TRUE(surface_breaks(two_pieces({0, 0, 0, 0, 1, 2, 3}), 1).empty());
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::cad

@@ -17,7 +17,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-namespace sheetmorph::test
+namespace sheetmorph::cad::test
 {
 
 namespace
@@ -238,4 +238,4 @@ TEST(CadWriter, IsCancelledInEveryStageAndSaysHowFarItIs)
     }
 }
 
-}  // namespace sheetmorph::test
+}  // namespace sheetmorph::cad::test

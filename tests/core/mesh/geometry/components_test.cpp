@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 namespace
 {
@@ -45,4 +45,4 @@ TEST(Components, AClosedSurfaceIsOne)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 namespace
 {
@@ -127,4 +127,4 @@ TEST(DelaunayFlips, TakeSlantedSeamsOfThreeSheetsThroughTheCover)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 TEST(Normals, OfAFlatPlateAreItsNormal)
@@ -50,4 +50,4 @@ TEST(Normals, OfTinyTrianglesAreNotLost)
     EXPECT_EQ(normals.col(2).minCoeff(), 1.0);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 namespace
 {
@@ -119,4 +119,4 @@ TEST(Operators, AVertexOnDegenerateTrianglesAloneIsTiedToNothing)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

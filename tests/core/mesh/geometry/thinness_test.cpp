@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -35,4 +35,4 @@ TEST(Thinness, ARepeatedVertexOrAPointIsThin)
     EXPECT_TRUE(is_thin(points, Triangles(Eigen::RowVector3i(2, 2, 2)), 0));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -40,4 +40,4 @@ TEST(Noise, ScatterOfMeasuredMeshesIsToldToAHalf)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

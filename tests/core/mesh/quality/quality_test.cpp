@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -152,4 +152,4 @@ TEST(Quality, AnotherNumberOfPointsOrNanIsRefused)
     EXPECT_THROW(compare_quality(sheet, points), InvalidInput);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -149,4 +149,4 @@ TEST(Growing, IdsOutsideTheMeshAreRefusedByName)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 using testing::SizeIs;
@@ -37,7 +37,7 @@ TEST(RoundHoles, SkipTheBorderOfANarrowCurvedStrip)
                            const double radius = 100.0 + 0.2 * p.y();
                            return Vector3(radius * std::cos(p.x()), radius * std::sin(p.x()), 0.0);
                        });
-    const CircleFit circle = fit_circle(strip.points());
+    const fitting::CircleFit circle = fitting::fit_circle(strip.points());
     EXPECT_LT(circle.residual, 0.01 * circle.radius);
     EXPECT_THAT(round_holes(strip, 0.01), SizeIs(0));
 }
@@ -54,4 +54,4 @@ TEST(RoundHoles, SkipOvalsSlitsAndCoarseOnes)
     EXPECT_THROW(round_holes(ring, 0.0), InvalidInput);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 namespace
 {
@@ -51,4 +51,4 @@ TEST(PartGeometry, IsMadeOnceWhoeverAsksFirst)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <atomic>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -277,4 +277,4 @@ TEST(Picking, ARayWithoutDirectionOrWithNanIsRefused)
     EXPECT_THROW(tree.nearest_point({0, std::nan(""), 0}), InvalidInput);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

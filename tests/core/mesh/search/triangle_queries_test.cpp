@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -100,4 +100,4 @@ TEST(TriangleQueries, NoPlaceOnATriangleIsNearerThanTheNearestOne)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

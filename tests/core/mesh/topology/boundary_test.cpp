@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -180,4 +180,4 @@ TEST(Boundary, AVertexInsideOrOutsideTheMeshIsRefusedByName)
     }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -80,4 +80,4 @@ TEST(Edges, BendAngleIsTheAngleBetweenThePlanesInEitherOrientation)
         }
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

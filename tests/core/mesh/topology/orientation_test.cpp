@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 namespace
 {
@@ -47,4 +47,4 @@ TEST(Orientation, OfAMoebiusStripIsImpossible)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <set>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 
 namespace
@@ -138,4 +138,4 @@ TEST(Polygons, CornersThatDoNotExistAreRefused)
     EXPECT_THROW(split_polygon(points, {0, 1, -2}), InvalidInput);
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::mesh
 {
 namespace
 {
@@ -34,4 +34,4 @@ TEST(VertexTriangles, AreThoseThatHaveTheVertexAscending)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::mesh

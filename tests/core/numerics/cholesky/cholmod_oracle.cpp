@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 CholmodOracle::CholmodOracle(SparseMatrix matrix) : matrix_(std::move(matrix))
@@ -69,4 +69,4 @@ std::shared_ptr<const SeparatorTree> one_node(int rows)
     return std::make_shared<const SeparatorTree>(std::move(tree));
 }
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

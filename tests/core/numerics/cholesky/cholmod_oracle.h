@@ -5,7 +5,7 @@
 
 #include <cholmod.h>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 //! The same factor by CHOLMOD, which only the tests and the benchmarks link.
@@ -38,4 +38,4 @@ MergedMatrix all_of(const SparseMatrix& matrix);
 //! The tree of one node, which any matrix may have.
 std::shared_ptr<const SeparatorTree> one_node(int rows);
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -4,7 +4,7 @@
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -54,4 +54,4 @@ TEST(DenseCholesky, FactorisesThePartOfAMatrixThatIsBelowItsColumns)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

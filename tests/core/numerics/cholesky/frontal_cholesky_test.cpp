@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -282,4 +282,4 @@ TEST(FrontalCholesky, EndsAtAnyLookAndFactorisesAsBeforeThen)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

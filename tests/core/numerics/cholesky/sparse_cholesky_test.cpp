@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -161,4 +161,4 @@ TEST(SparseCholesky, AcceptsASystemWithoutUnknowns)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -147,4 +147,4 @@ TEST(NestedDissection, FillsALargeSheetHardlyMoreThanMinimumDegreeDoes)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(VertexCover, ChoosesTheMiddleOfStars)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

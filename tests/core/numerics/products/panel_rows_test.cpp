@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -35,4 +35,4 @@ TEST(PanelRows, RowsCanBeSetSomeAtATime)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 
 namespace
@@ -81,4 +81,4 @@ TEST_F(RowProductsTest, UnknownsAreExpandedToAllTheirRows)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::numerics
 {
 namespace
 {
@@ -134,4 +134,4 @@ TEST(ResponseBasis, WithoutColumnsIsTheStart)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::numerics

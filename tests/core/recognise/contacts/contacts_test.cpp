@@ -10,18 +10,18 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 
 namespace
 {
 
-ContactPart part_of(const TriangleMesh& mesh, double thickness = 0.0)
+ContactPart part_of(const mesh::TriangleMesh& mesh, double thickness = 0.0)
 {
     return {mesh, thickness, find_features(mesh)};
 }
 
-TriangleMesh shifted(const TriangleMesh& mesh, const Vector3& by)
+mesh::TriangleMesh shifted(const mesh::TriangleMesh& mesh, const Vector3& by)
 {
     return shapes::mapped(mesh, [&](const Vector3& p) { return Vector3(p + by); });
 }
@@ -214,4 +214,4 @@ TEST(Contacts, AThousandPartsAreNoTrouble)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
+
+using namespace mesh;
 
 namespace
 {
@@ -88,4 +90,4 @@ TEST(FacetGraph, JoinsFacetsOfSolidsOnlyWhereTheyAreOrientedAlike)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
+
+using namespace mesh;
 
 namespace
 {
@@ -283,4 +285,4 @@ TEST(Features, AnEmptyMeshHasNone)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

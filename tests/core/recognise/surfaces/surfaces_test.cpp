@@ -7,13 +7,15 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
+
+using namespace fitting;
 
 namespace
 {
 
-std::vector<Surface> surfaces_of(const TriangleMesh& mesh)
+std::vector<Surface> surfaces_of(const mesh::TriangleMesh& mesh)
 {
     std::vector<Surface> found;
     for (const SurfaceRegion& region : find_surfaces(FacetGraph(mesh, 1e-7), FeatureTolerances()))
@@ -80,7 +82,7 @@ TEST(Surfaces, ASphereAndABoxAreWhatTheyAre)
 
 TEST(Surfaces, OfASaddleTheyTellThatTheyDidNotSettle)
 {
-    const TriangleMesh saddle =
+    const mesh::TriangleMesh saddle =
         shapes::mapped(shapes::grid(60, 40, 100.0, 60.0), [](const Vector3& p)
                        { return Vector3(p.x(), p.y(), (p.x() * p.x() - p.y() * p.y()) / 200.0); });
     int lost = 0;
@@ -114,4 +116,4 @@ TEST(Surfaces, AMeasuredTubeIsOneCylinder)
 
 }  // namespace
 
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -7,14 +7,14 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
 namespace
 {
 
 struct Plate
 {
-    TriangleMesh mesh = shapes::two_skinned(shapes::grid(20, 10, 100.0, 50.0), 2.0);
+    mesh::TriangleMesh mesh = shapes::two_skinned(shapes::grid(20, 10, 100.0, 50.0), 2.0);
     ThinSolid solid = *find_thin_solid(mesh).solid;
 
     // The thickness of the plate times a factor that may depend on the place.
@@ -75,4 +75,4 @@ TEST(ThicknessGauge, RefusesPositionsOfAnotherMesh)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

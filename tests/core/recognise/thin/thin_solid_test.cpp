@@ -8,8 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::recognise
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -279,4 +281,4 @@ TEST(ThinSolid, AKnownThicknessChoosesTheSheet)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::recognise

@@ -16,8 +16,10 @@
 #include <numeric>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::repair
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -355,4 +357,4 @@ TEST(Remeshing, OfDegenerateStripsStaysAmongItsVertices)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::repair

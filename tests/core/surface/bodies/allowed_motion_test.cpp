@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -175,4 +175,4 @@ TEST(AllowedMotion, AFollowerOnAnAxisTurnsAboutItAndSlidesAlongIt)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

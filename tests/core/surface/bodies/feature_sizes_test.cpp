@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -57,10 +57,10 @@ TEST(FeatureSizes, ASizeMovesNothingButTheSheetAroundIt)
     const Points sized = deformer.deform(one.targets).positions;
     const VertexIds& rim = one.constraints.features[1].vertices;
     EXPECT_GT((sized - plain).rowwise().norm().maxCoeff(), 9.0);
-    const EdgeTable table(one.mesh);
+    const mesh::EdgeTable table(one.mesh);
     for (int edge = 0; edge < table.count(); ++edge)
     {
-        const EdgeUse& use = *table.uses(edge).begin();
+        const mesh::EdgeUse& use = *table.uses(edge).begin();
         if (table.uses(edge).count() == 1 && std::count(rim.begin(), rim.end(), use.from) == 0)
             EXPECT_EQ(sized.row(use.from), plain.row(use.from)) << use.from;
     }
@@ -92,4 +92,4 @@ TEST(FeatureSizes, ASizeThatWouldTurnTrianglesOverIsRefusedWithTheLimit)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

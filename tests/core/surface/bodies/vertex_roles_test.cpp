@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -61,7 +61,7 @@ TEST(VertexRoles, NamesTheComponentThatNothingHolds)
     Triangles triangles(one.mesh.triangle_count() + 1, 3);
     const int first = one.mesh.vertex_count();
     triangles << one.mesh.triangles(), Eigen::RowVector3i(first, first + 1, first + 2);
-    one.mesh = TriangleMesh(points, triangles);
+    one.mesh = mesh::TriangleMesh(points, triangles);
     EXPECT_THAT(refuses(one),
                 ThrowsMessage<InvalidInput>(
                     AllOf(HasSubstr(std::to_string(first) + ", " + std::to_string(first + 1)),
@@ -90,4 +90,4 @@ TEST(VertexRoles, RefusesIdsOutOfRangeEmptyRegionsAndNumbersThatAreNone)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

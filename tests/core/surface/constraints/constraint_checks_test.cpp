@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <limits>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -55,7 +55,7 @@ void expect_refused(const std::vector<std::pair<const char*, Spoil>>& cases)
 TEST(ConstraintChecks, EveryWrongConstraintIsNamed)
 {
     expect_refused({
-        {"no triangles", [](Case& c) { c.mesh = TriangleMesh(); }},
+        {"no triangles", [](Case& c) { c.mesh = mesh::TriangleMesh(); }},
         {"'root' names", [](Case& c) { c.constraints.fixed[0].vertices[1] = -1; }},
         {"'tip' names", [](Case& c) { c.constraints.handles[0].vertices[1] = 126; }},
         {"'patch' names", [](Case& c) { c.constraints.features[0].vertices[1] = 99999; }},
@@ -109,4 +109,4 @@ TEST(ConstraintChecks, EveryWrongNumberOfAPoseIsNamed)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -95,4 +97,4 @@ TEST(FlatSystem, ARimIsPutWhereItFits)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

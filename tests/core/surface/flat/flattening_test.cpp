@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -107,4 +109,4 @@ TEST(Flattening, RefusesWhatIsNoSheet)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 #include "shapes/draw.h"
 #include "surface/cases.h"
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 //! Poses drawn at random, the same ones every time.
@@ -43,4 +43,4 @@ public:
     }
 };
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

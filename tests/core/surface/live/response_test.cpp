@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -237,7 +237,7 @@ TEST(Response, TakesFollowersAndPrescribedFeaturesAlong)
     Points points(one.mesh.vertex_count() + 1, 3);
     points.topRows(one.mesh.vertex_count()) = one.mesh.points();
     points.bottomRows(1) = one.mesh.points().row(40) + Eigen::RowVector3d(0.0, 0.0, 3.0);
-    one.mesh = TriangleMesh(points, one.mesh.triangles());
+    one.mesh = mesh::TriangleMesh(points, one.mesh.triangles());
     expect_exact_in_other_poses(one, {0}, 120.0);
 }
 
@@ -295,4 +295,4 @@ TEST(Response, StopsWhenItIsAskedTo)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -133,4 +135,4 @@ TEST(Followers, ATiedVertexKeepsItsPlaceOnASheetThatMovesRigidly)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,8 +7,10 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
+
+using namespace mesh;
 namespace
 {
 
@@ -294,4 +296,4 @@ TEST(NaturalEnergy, KeepsTheWidthOfATwistedStrip)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

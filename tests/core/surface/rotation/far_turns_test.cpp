@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -42,7 +42,7 @@ struct Twist
 {
     std::vector<double> degrees, widths;
 
-    explicit Twist(const Points& shape, const TriangleMesh& rest)
+    explicit Twist(const Points& shape, const mesh::TriangleMesh& rest)
     {
         double last = 0.0;
         for (int i = 0; i <= along; ++i)
@@ -172,4 +172,4 @@ TEST(FarTurns, RollAStripUpToACircle)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -113,4 +113,4 @@ INSTANTIATE_TEST_SUITE_P(Ways, RotationFields,
                                          Way{Energy::natural, Laplacian::intrinsic}));
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -123,4 +123,4 @@ INSTANTIATE_TEST_SUITE_P(Cases, EditedConstraints,
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -84,4 +84,4 @@ TEST(FreeFeatures, AHandleWithAFreeRotationTurnsAsTheSheetWants)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

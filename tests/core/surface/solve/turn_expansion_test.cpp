@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -54,7 +54,7 @@ TEST_P(TurnExpansions, GiveTheProductsOfTheSecondDerivative)
     BodyMotions bodies = known_body_motions(placement, one.targets);
     const Field field = field_of(part, given_rotations(placement, one.targets, bodies));
     turn_open_bodies(placement, field.logs, field.tilts, bodies);
-    ConstrainedMinimiser::Targets asked;
+    numerics::ConstrainedMinimiser::Targets asked;
     asked.constraints.resize(0, 3);
     const Turned turned = turned_features(part, {one.targets, bodies, field}, asked);
     const Joints start(placement, one.targets, part.responses->turners(), bodies);
@@ -92,4 +92,4 @@ TEST(TurnedWhole, IsSolvedExactlyAsAtRest)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

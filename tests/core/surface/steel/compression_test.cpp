@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -270,4 +270,4 @@ TEST(Compression, ATwistedStripHasTheStiffnessOfSaintVenant)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -6,7 +6,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 namespace
@@ -19,7 +19,7 @@ Vector3 place(const Points& points, int i)
 
 }  // namespace
 
-LoadedShell::LoadedShell(TriangleMesh mesh, const Sheet& sheet, const ShellSupport& support)
+LoadedShell::LoadedShell(mesh::TriangleMesh mesh, const Sheet& sheet, const ShellSupport& support)
     : rest_(std::move(mesh)), sheet_(sheet), shell_mesh_(rest_)
 {
     roles_.role.assign(static_cast<std::size_t>(rest_.vertex_count()), Role::free);
@@ -98,14 +98,14 @@ Eigen::VectorXd LoadedShell::solved(const ShellSystem::Tangent& tangent,
 {
     try
     {
-        return SparseCholesky({tangent.matrix, unknown_of_, static_cast<int>(right.size())},
-                              shell_->tree())
+        return numerics::SparseCholesky(
+                   {tangent.matrix, unknown_of_, static_cast<int>(right.size())}, shell_->tree())
             .solve(right);
     }
     catch (const SolverError&)
     {
-        const SparseMatrix matrix = selection_.transpose() * *tangent.matrix * selection_;
-        return Eigen::SimplicialLDLT<SparseMatrix>(matrix).solve(right);
+        const numerics::SparseMatrix matrix = selection_.transpose() * *tangent.matrix * selection_;
+        return Eigen::SimplicialLDLT<numerics::SparseMatrix>(matrix).solve(right);
     }
 }
 
@@ -139,11 +139,11 @@ void LoadedShell::find_selection(const std::vector<char>& is_held)
     selection_.setFromTriplets(entries.begin(), entries.end());
 }
 
-int vertex_near(const TriangleMesh& mesh, const Vector3& wanted)
+int vertex_near(const mesh::TriangleMesh& mesh, const Vector3& wanted)
 {
     int found = 0;
     (mesh.points().rowwise() - wanted.transpose()).rowwise().norm().minCoeff(&found);
     return found;
 }
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-namespace sheetmorph::cases
+namespace sheetmorph::surface::cases
 {
 
 //! What carries a sheet: vertices that are clamped, and planes of symmetry.
@@ -29,7 +29,7 @@ struct Sheet
 class LoadedShell
 {
 public:
-    LoadedShell(TriangleMesh mesh, const Sheet& sheet, const ShellSupport& support);
+    LoadedShell(mesh::TriangleMesh mesh, const Sheet& sheet, const ShellSupport& support);
 
     //! Adds a force along an axis; what the sheet carries at a load factor of 1.
     void pull(int vertex, int axis, double force);
@@ -43,7 +43,7 @@ public:
     //! Of its length at rest.
     double shortest_edge() const;
 
-    const TriangleMesh& rest() const { return rest_; }
+    const mesh::TriangleMesh& rest() const { return rest_; }
 
 private:
     double bending() const { return sheet_.thickness * sheet_.thickness / 12.0; }
@@ -53,7 +53,7 @@ private:
     void find_selection(const std::vector<char>& is_held);
     Eigen::VectorXd solved(const ShellSystem::Tangent& tangent, const Eigen::VectorXd& right) const;
 
-    TriangleMesh rest_;
+    mesh::TriangleMesh rest_;
     Sheet sheet_;
     ShellMesh shell_mesh_;
     SurfaceConstraints constraints_;
@@ -65,12 +65,12 @@ private:
     std::vector<ShellMover> vertices_;
     std::unique_ptr<ShellSystem> shell_;
     ShellSystem::Stresses stresses_;
-    SparseMatrix selection_;
+    numerics::SparseMatrix selection_;
     std::vector<int> unknown_of_;  // of the selection, or -1
     Eigen::VectorXd load_;
 };
 
 //! The vertex nearest to a place.
-int vertex_near(const TriangleMesh& mesh, const Vector3& wanted);
+int vertex_near(const mesh::TriangleMesh& mesh, const Vector3& wanted);
 
-}  // namespace sheetmorph::cases
+}  // namespace sheetmorph::surface::cases

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -119,7 +119,7 @@ TEST(Refined, NodesOfNoTriangleDoNotChangeHowThickASheetIs)
     const Case one = twisted(true);
     Points points(one.mesh.vertex_count() + 1, 3);
     points << one.mesh.points(), 1e4, 1e4, 1e4;
-    const TriangleMesh with(points, one.mesh.triangles());
+    const mesh::TriangleMesh with(points, one.mesh.triangles());
     EXPECT_EQ(sheet_thickness(0.0, with), sheet_thickness(0.0, one.mesh));
     const SurfaceDeformer deformer(with, one.constraints);
     EXPECT_LT((deformer.deform(one.targets).positions.topRows(one.mesh.vertex_count())
@@ -130,4 +130,4 @@ TEST(Refined, NodesOfNoTriangleDoNotChangeHowThickASheetIs)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

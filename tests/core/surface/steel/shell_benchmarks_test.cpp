@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -100,7 +100,7 @@ TEST(ShellBenchmarks, AHemisphereIsWithinThreePercent)
         return Vector3(10.0 * std::cos(up) * std::cos(turn), 10.0 * std::cos(up) * std::sin(turn),
                        10.0 * std::sin(up));
     };
-    const TriangleMesh mesh = shapes::mapped(shapes::grid(16, 16, 1.0, 1.0), bent);
+    const mesh::TriangleMesh mesh = shapes::mapped(shapes::grid(16, 16, 1.0, 1.0), bent);
     const int pulled = vertex_near(mesh, {10.0, 0.0, 0.0});
     const int pushed = vertex_near(mesh, {0.0, 10.0, 0.0});
     ShellSupport support;
@@ -130,7 +130,7 @@ TEST(ShellBenchmarks, APulledOutCylinderIsWithinOnePercentBeforeAndAfterItSnaps)
         const double turn = 0.5 * shapes::pi * p.x();
         return Vector3(4.953 * std::cos(turn), 5.175 * p.y(), 4.953 * std::sin(turn));
     };
-    const TriangleMesh mesh = shapes::mapped(shapes::grid(32, 16, 1.0, 1.0), bent);
+    const mesh::TriangleMesh mesh = shapes::mapped(shapes::grid(32, 16, 1.0, 1.0), bent);
     ShellSupport support;
     support.symmetries = {{0, [](const Vector3& p) { return is_zero(p.x()); }},
                           {1, [](const Vector3& p) { return is_zero(p.y()); }},
@@ -163,7 +163,7 @@ TEST(ShellBenchmarks, AShallowRoofCarriesItsLimitLoadAndNoMore)
         const double turn = 0.1 * p.x();
         return Vector3(radius * std::sin(turn), 254.0 * p.y(), radius * std::cos(turn));
     };
-    const TriangleMesh mesh = shapes::mapped(shapes::grid(10, 10, 1.0, 1.0), bent);
+    const mesh::TriangleMesh mesh = shapes::mapped(shapes::grid(10, 10, 1.0, 1.0), bent);
     ShellSupport support;
     support.symmetries = {{0, [](const Vector3& p) { return is_zero(p.x()); }},
                           {1, [](const Vector3& p) { return is_zero(p.y()); }}};
@@ -188,4 +188,4 @@ TEST(ShellBenchmarks, AShallowRoofCarriesItsLimitLoadAndNoMore)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -299,4 +299,4 @@ TEST(ShellElement, ItTakesEverMoreToCrushATriangle)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface

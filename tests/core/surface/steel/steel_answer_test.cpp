@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace sheetmorph
+namespace sheetmorph::surface
 {
 namespace
 {
@@ -47,7 +47,7 @@ Case bar(bool is_regular, double poisson)
             triangles.row(row++) << a, b, (is_falling ? d : c);
             triangles.row(row++) << (is_falling ? b : a), c, d;
         }
-    Case one{is_regular ? "regular" : "irregular", TriangleMesh(points, triangles), {}, {}};
+    Case one{is_regular ? "regular" : "irregular", mesh::TriangleMesh(points, triangles), {}, {}};
     one.constraints.energy = Energy::steel;
     one.constraints.thickness = length / 100.0;
     one.constraints.poisson = poisson;
@@ -308,4 +308,4 @@ TEST(SteelAnswer, APointOnATriangleIsMet)
 }
 
 }  // namespace
-}  // namespace sheetmorph
+}  // namespace sheetmorph::surface
