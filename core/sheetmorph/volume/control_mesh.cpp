@@ -120,9 +120,8 @@ ControlShape::ControlShape(int levels)
     Quads quads = cube();
     for (int level = 0; level < levels; ++level)
         quads = subdivide(quads);
-    triangles_ = split(quads);
-    laplacian_ = uniform_laplacian(quads);
-    vertices_ = smooth(laplacian_);
+    const Eigen::SparseMatrix<double> laplacian = uniform_laplacian(quads);
+    arrays_ = std::make_shared<const Arrays>(Arrays{smooth(laplacian), split(quads), laplacian});
 }
 
 const ControlShape& ControlShape::shared(int levels)

@@ -55,17 +55,11 @@ Points samples(const Points& points, const Points& offsets)
     return all;
 }
 
-ControlMeshFit fit_of(const ControlMesh& control, const MeanValueCoordinates& coordinates,
-                      const LinkSource& source, const LinkOptions& options)
+Eigen::VectorXd areas_of(const LinkSource& source)
 {
-    check(source, options);
-    const Eigen::Index count = source.points.rows();
-    Eigen::VectorXd areas = Eigen::VectorXd::Ones(count);
-    if (source.areas.size() == count && source.areas.sum() > 0.0)
-        areas = source.areas;
-    const Points all = samples(source.points, offsets_of(source, options));
-    return ControlMeshFit(coordinates.weights(all), areas.replicate(all.rows() / count, 1),
-                          control.shape.laplacian(), options.smoothness);
+    if (source.areas.size() == source.points.rows() && source.areas.sum() > 0.0)
+        return source.areas;
+    return Eigen::VectorXd::Ones(source.points.rows());
 }
 
 // A sample at +-h n is displaced by a +- b, a the displacement of its point and b that of its
@@ -91,66 +85,83 @@ std::vector<Eigen::Index> nearest_rows(const Points& points, const Points& targe
 
 }  // namespace
 
-// What the public constructor was given.
-struct VolumeLink::Setting
-{
-    const ControlMesh& control;
-    const LinkSource& source;
-    const Points& targets;
-    const LinkOptions& options;
-};
-
 VolumeLink::VolumeLink(const ControlMesh& control, const LinkSource& source, const Points& targets,
                        const LinkOptions& options)
-    : VolumeLink(Setting{control, source, targets, options},
-                 MeanValueCoordinates(control.vertices, control.shape.triangles()))
+    : VolumeLink(control, source, options)
+{
+    targets_ = targets;
+    const MeanValueCoordinates coordinates(control.vertices, control.shape.triangles());
+    compose(coordinates, fit_by(coordinates));
+}
+
+VolumeLink::VolumeLink(const ControlMesh& control, const LinkSource& source,
+                       const LinkOptions& options)
+    : options_((check(source, options), options)),
+      control_(control),
+      source_(source.points),
+      source_offsets_(offsets_of(source, options)),
+      areas_(areas_of(source)),
+      steps_(control.box.axes * (difference_step * control.box.half_extents).asDiagonal()),
+      later_fit_(std::make_shared<LaterFit>())
 {
 }
 
-VolumeLink::VolumeLink(const Setting& setting, const MeanValueCoordinates& coordinates)
-    : VolumeLink(setting, fit_of(setting.control, coordinates, setting.source, setting.options))
+std::unique_ptr<const VolumeLink::Fit> VolumeLink::fit_by(
+    const MeanValueCoordinates& coordinates) const
 {
-    compose(coordinates);
+    const Points all = samples(source_, source_offsets_);
+    const ControlMeshFit fit(coordinates.weights(all),
+                             areas_.replicate(all.rows() / areas_.size(), 1),
+                             control_.shape.laplacian(), options_.smoothness);
+    const Weights rows = input_rows(fit.weighted_samples(), source_.rows());
+    return std::make_unique<const Fit>(
+        Fit{fit.factor(), fit.factor().half_solve_rows(rows).transpose()});
 }
 
-VolumeLink::VolumeLink(const Setting& setting, const ControlMeshFit& fit)
-    : options_(setting.options),
-      source_(setting.source.points),
-      source_offsets_(offsets_of(setting.source, setting.options)),
-      targets_(setting.targets),
-      control_rest_(setting.control.vertices),
-      steps_(setting.control.box.axes
-             * (difference_step * setting.control.box.half_extents).asDiagonal()),
-      factor_(fit.factor()),
-      from_inputs_(
-          factor_.half_solve_rows(input_rows(fit.weighted_samples(), source_.rows())).transpose())
+const VolumeLink::Fit& VolumeLink::fit() const
 {
+    std::call_once(later_fit_->is_there,
+                   [this]
+                   {
+                       if (later_fit_->fit == nullptr)
+                           later_fit_->fit = fit_by(
+                               MeanValueCoordinates(control_.vertices, control_.shape.triangles()));
+                   });
+    return *later_fit_->fit;
 }
 
-void VolumeLink::compose(const MeanValueCoordinates& coordinates)
+void VolumeLink::compose(const MeanValueCoordinates& coordinates, std::unique_ptr<const Fit> fit)
 {
     const Eigen::Index each = options_.rotations ? 4 : 1, count = targets_.rows();
-    const Eigen::Index inputs = from_inputs_.cols(), vertices = from_inputs_.rows();
+    const Eigen::Index inputs = input_count(), vertices = control_.vertices.rows();
     if (options_.rotations)
         nearest_ = nearest_rows(source_, targets_);
     is_composed_ = each * count * inputs <= vertices * (each * count + inputs);
     const Eigen::Index columns = is_composed_ ? inputs : vertices;
-    if (sizeof(double) * static_cast<double>(each * count) * static_cast<double>(columns)
-        > options_.most_kept)
-    {
-        is_composed_ = false;
+    const double bytes = sizeof(double) * static_cast<double>(each * count * columns);
+    const bool is_kept = bytes <= options_.most_kept;
+    is_composed_ = is_composed_ && is_kept;
+    if (is_kept)
+        keep_rows(coordinates, *fit);
+    else
         coordinates_ = std::make_shared<const MeanValueCoordinates>(coordinates);
-        return;
-    }
-    const Weights half_inputs = from_inputs_.transpose();
-    rows_ = numerics::PanelRows(each * count, columns);
+    if (!is_composed_)
+        later_fit_->fit = std::move(fit);
+}
+
+void VolumeLink::keep_rows(const MeanValueCoordinates& coordinates, const Fit& fit)
+{
+    const Eigen::Index each = options_.rotations ? 4 : 1, count = targets_.rows();
+    const Eigen::Index columns = is_composed_ ? input_count() : control_.vertices.rows();
+    const Weights half_inputs = is_composed_ ? fit.from_inputs.transpose() : Weights();
+    rows_ = numerics::CompactPanelRows(each * count, columns);
     for (Eigen::Index first = 0; first < count; first += chunk)
     {
         Weights rows = target_rows(coordinates, first);
         if (is_composed_)
         {
             Weights composed = Weights::Zero(rows.rows(), columns);
-            numerics::add_product(factor_.half_solve_rows(std::move(rows)), half_inputs, 1.0,
+            numerics::add_product(fit.factor.half_solve_rows(std::move(rows)), half_inputs, 1.0,
                                   composed);
             rows = std::move(composed);
         }
@@ -188,6 +199,12 @@ Weights VolumeLink::target_rows(const MeanValueCoordinates& coordinates, Eigen::
     return rows;
 }
 
+// Positions and, with offsets, rotations: twice as many.
+Eigen::Index VolumeLink::input_count() const
+{
+    return source_.rows() + source_offsets_.rows();
+}
+
 Points VolumeLink::inputs(const SourceState& state) const
 {
     const Eigen::Index count = source_.rows();
@@ -198,7 +215,7 @@ Points VolumeLink::inputs(const SourceState& state) const
             "the state of a control mesh's source needs a position, and with offset "
             "samples a rotation, for each of its "
             + std::to_string(count) + " points");
-    Points inputs(from_inputs_.cols(), 3);
+    Points inputs(input_count(), 3);
     inputs.topRows(count) = state.positions - state.mean.apply(source_);
     const Matrix3 rotation = state.mean.rotation();
     for (Eigen::Index i = 0; has_offsets && i < count; ++i)
@@ -207,14 +224,14 @@ Points VolumeLink::inputs(const SourceState& state) const
     return inputs;
 }
 
-Points VolumeLink::control_displacements(const Points& inputs) const
+Points VolumeLink::Fit::displacements(const Points& inputs) const
 {
-    return factor_.solve_upper(numerics::narrow_product(from_inputs_, inputs));
+    return factor.solve_upper(numerics::narrow_product(from_inputs, inputs));
 }
 
 Points VolumeLink::control_vertices(const SourceState& state) const
 {
-    return state.mean.apply(control_rest_) + control_displacements(inputs(state));
+    return state.mean.apply(control_.vertices) + fit().displacements(inputs(state));
 }
 
 // How far every row of the targets is moved. What is not kept is worked out on all threads: so
@@ -223,7 +240,7 @@ Points VolumeLink::displacements(const Points& inputs, Exactness exactness) cons
 {
     if (is_composed_)
         return rows_.times(inputs, exactness);
-    const Points control = control_displacements(inputs);
+    const Points control = fit().displacements(inputs);
     if (coordinates_ == nullptr)
         return rows_.times(control, exactness);
     const Eigen::Index each = options_.rotations ? 4 : 1;
@@ -279,7 +296,7 @@ LinkedRates VolumeLink::transfer_rate(const SourceState& state, const SourceRate
 {
     const Eigen::Index count = source_.rows();
     const Matrix3 mean = state.mean.rotation(), turning = cross_matrix(rate.mean.spin) * mean;
-    Points change(from_inputs_.cols(), 3);
+    Points change(input_count(), 3);
     for (Eigen::Index i = 0; i < count; ++i)
     {
         change.row(i) = rate.positions.row(i)

@@ -8,6 +8,7 @@
 #include "sheetmorph/volume/mean_value_coordinates.h"
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace sheetmorph::volume
@@ -74,7 +75,8 @@ struct LinkedRates
 //! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
 //! Memory: about k * min(inputs, m) doubles, four times that with rotations; inputs are the n
 //! source points, twice as many with offset samples. Where that is more than `most_kept`, nothing
-//! of it is kept: every transfer() works the weights out anew, 256 targets at a time.
+//! of it is kept: every transfer() works the weights out anew, 256 targets at a time. Where the
+//! weights are of the inputs, the fit is not kept, and control_vertices() makes it again once.
 class VolumeLink
 {
 public:
@@ -93,23 +95,38 @@ public:
     Points control_vertices(const SourceState& state) const;
 
 private:
-    struct Setting;
-    VolumeLink(const Setting& setting, const MeanValueCoordinates& coordinates);
-    VolumeLink(const Setting& setting, const ControlMeshFit& fit);
+    //! From the inputs to the control mesh.
+    struct Fit
+    {
+        numerics::DenseCholesky factor;
+        numerics::Weights from_inputs;  //!< (m, inputs): L^-1 times what the source says
+
+        Points displacements(const Points& inputs) const;
+    };
+    struct LaterFit  // shared by copies of a link
+    {
+        std::once_flag is_there;
+        std::unique_ptr<const Fit> fit;
+    };
+    VolumeLink(const ControlMesh& control, const LinkSource& source, const LinkOptions& options);
+    Eigen::Index input_count() const;
     Points inputs(const SourceState& state) const;
-    Points control_displacements(const Points& inputs) const;
-    void compose(const MeanValueCoordinates& coordinates);
+    std::unique_ptr<const Fit> fit_by(const MeanValueCoordinates& coordinates) const;
+    const Fit& fit() const;
+    void compose(const MeanValueCoordinates& coordinates, std::unique_ptr<const Fit> fit);
+    void keep_rows(const MeanValueCoordinates& coordinates, const Fit& fit);
     numerics::Weights target_rows(const MeanValueCoordinates& coordinates,
                                   Eigen::Index first) const;
     Points displacements(const Points& inputs, Exactness exactness) const;
 
     LinkOptions options_;
-    Points source_, source_offsets_, targets_, control_rest_;
-    Matrix3 steps_;  // columns: how far apart the targets' map is compared, mm
-    numerics::DenseCholesky factor_;
-    numerics::Weights from_inputs_;      // (m, inputs): L^-1 times what the source says
+    ControlMesh control_;
+    Points source_, source_offsets_, targets_;
+    Eigen::VectorXd areas_;  // of the source
+    Matrix3 steps_;          // columns: how far apart the targets' map is compared, mm
+    std::shared_ptr<LaterFit> later_fit_;
     std::vector<Eigen::Index> nearest_;  // source point of every target, with rotations
-    numerics::PanelRows rows_;           // of the targets, on the inputs or on the control vertices
+    numerics::CompactPanelRows rows_;    // of the targets, on the inputs or on the control vertices
     bool is_composed_ = false;
     std::shared_ptr<const MeanValueCoordinates> coordinates_;  // instead of rows that are not kept
 };

@@ -5,6 +5,7 @@
 #include "sheetmorph/assembly/session/wave.h"
 #include "sheetmorph/assembly/session/wave_rates.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/freed_memory.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/surface/bodies/bodies.h"
 #include "sheetmorph/surface/steel/steel_answer.h"
@@ -53,6 +54,7 @@ DeformationSession::DeformationSession(Assembly assembly, const Progress& progre
     : data_(std::make_shared<const PreparedAssembly>(prepare_assembly(
         std::move(assembly), progress, previous != nullptr ? previous->data_.get() : nullptr)))
 {
+    return_freed_memory();
 }
 
 DeformationSession::~DeformationSession() = default;

@@ -3,6 +3,7 @@
 
 #include "sheetmorph/assembly/session/drag_samples.h"
 #include "sheetmorph/base/errors.h"
+#include "sheetmorph/base/freed_memory.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/threads/stopping.h"
 
@@ -137,10 +138,7 @@ private:
         std::exception_ptr failure;
         try
         {
-            progress.report(0.0, "learning");
-            DragSamples samples(prepared_, dragged, start, learns);
-            for (const int part : prepared_.plan.order)
-                keep(part, samples.learn(part, progress));
+            learn(learns, dragged, start, progress);
         }
         catch (const Cancelled&)
         {
@@ -150,10 +148,20 @@ private:
         {
             failure = std::current_exception();  // frames go on by substitution
         }
+        return_freed_memory();
         const std::lock_guard<std::mutex> lock(mutex_);
         failure_ = failure;
         is_done_ = true;
         finished_.notify_all();
+    }
+
+    void learn(bool passes, const std::set<std::string>& dragged, const Pose& start,
+               const Progress& progress)
+    {
+        progress.report(0.0, "learning");
+        DragSamples samples(prepared_, dragged, start, passes);
+        for (const int part : prepared_.plan.order)
+            keep(part, samples.learn(part, progress));
     }
 
     void wait_for_frame()
@@ -189,7 +197,12 @@ LiveDrag::LiveDrag(std::shared_ptr<const PreparedAssembly> prepared, std::set<st
 {
 }
 
-LiveDrag::~LiveDrag() = default;
+LiveDrag::~LiveDrag()
+{
+    frames_.clear();
+    background_.reset();
+    return_freed_memory();
+}
 
 // One that nobody holds, or a new one.
 std::shared_ptr<Deformed> LiveDrag::unheld_frame()

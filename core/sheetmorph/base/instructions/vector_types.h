@@ -35,14 +35,23 @@ struct VectorTypes<8>
     using Bits = long long __attribute__((vector_size(64)));
 };
 
-//! The same for floats: Lanes of `width` floats, and as many short integers.
+//! The same for floats: Lanes of `width` floats, and as many integers of 32 and 16 bits.
 template <int width>
 struct FloatVectorTypes;
+
+template <>
+struct FloatVectorTypes<2>
+{
+    using Lanes = float __attribute__((vector_size(8)));
+    using Ints = int __attribute__((vector_size(8)));
+    using Shorts = short __attribute__((vector_size(4)));
+};
 
 template <>
 struct FloatVectorTypes<4>
 {
     using Lanes = float __attribute__((vector_size(16)));
+    using Ints = int __attribute__((vector_size(16)));
     using Shorts = short __attribute__((vector_size(8)));
 };
 
@@ -50,6 +59,7 @@ template <>
 struct FloatVectorTypes<8>
 {
     using Lanes = float __attribute__((vector_size(32)));
+    using Ints = int __attribute__((vector_size(32)));
     using Shorts = short __attribute__((vector_size(16)));
 };
 
@@ -57,6 +67,7 @@ template <>
 struct FloatVectorTypes<16>
 {
     using Lanes = float __attribute__((vector_size(64)));
+    using Ints = int __attribute__((vector_size(64)));
     using Shorts = short __attribute__((vector_size(32)));
 };
 

@@ -5,7 +5,9 @@
 #include "sheetmorph/base/instructions/widest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 // Fused multiply-adds where the processor has them.
 #pragma GCC optimize("fp-contract=fast")
@@ -20,11 +22,44 @@ namespace
 
 constexpr int panel = 8;  // rows
 
-//! The panels of a matrix; without the rests of the entries where they need not be exact.
+// A float in [2^e, 2^(e+1)) is at most 2^(e-24) from its entry: 2^15 units of 2^(e-39).
+constexpr float unit_share = 1.0F / (1LL << 39);
+constexpr std::int32_t exponent_bits = 0x7f800000;
+
+double unit_of(float entry)
+{
+    std::int32_t bits;
+    std::memcpy(&bits, &entry, sizeof bits);
+    bits &= exponent_bits;
+    std::memcpy(&entry, &bits, sizeof bits);
+    return entry * unit_share;
+}
+
+// Both keep `rest`, what an entry is beyond the float `most`, and return what rounding leaves of
+// it.
+double keep(double rest, float /*most*/, float& remainder)
+{
+    remainder = static_cast<float>(rest);
+    return 0.0;  // nothing beside the rounding of a product
+}
+
+double keep(double rest, float most, std::int16_t& remainder)
+{
+    constexpr double largest = std::numeric_limits<std::int16_t>::max();
+    const double unit = unit_of(most);
+    remainder = 0;
+    if (unit > 0.0)
+        remainder =
+            static_cast<std::int16_t>(std::clamp(std::round(rest / unit), -largest, largest));
+    return rest - remainder * unit;
+}
+
+//! The panels of a matrix; without the remainders of the entries where they need not be exact.
+template <typename Remainder>
 struct Panels
 {
     const float* first;
-    const float* rest;
+    const Remainder* rest;
 
     Panels from(Eigen::Index entry) const { return {first + entry, rest ? rest + entry : nullptr}; }
 };
@@ -33,7 +68,9 @@ template <int width, bool is_whole>
 struct Kernel
 {
     using Lanes = typename VectorTypes<width>::Lanes;
-    typedef float Floats __attribute__((vector_size(width * sizeof(float))));
+    using Floats = typename FloatVectorTypes<width>::Lanes;
+    using Ints = typename FloatVectorTypes<width>::Ints;
+    using Shorts = typename FloatVectorTypes<width>::Shorts;
 
     static constexpr int parts = panel / width;  // of a column of a panel
 
@@ -47,9 +84,28 @@ struct Kernel
         return __builtin_convertvector(some, Lanes);
     }
 
+    static SHEETMORPH_INLINE Lanes widened(const float* /*entries*/, const float* rests)
+    {
+        return widened(rests);
+    }
+
+    // The products are exact: their factors are powers of two and 16 bits.
+    static SHEETMORPH_INLINE Lanes widened(const float* entries, const std::int16_t* rests)
+    {
+        Ints bits;
+        Shorts counts;
+        Floats powers;
+        std::memcpy(&bits, entries, sizeof bits);
+        std::memcpy(&counts, rests, sizeof counts);
+        bits &= exponent_bits;
+        std::memcpy(&powers, &bits, sizeof powers);
+        const Floats rest = powers * (__builtin_convertvector(counts, Floats) * unit_share);
+        return __builtin_convertvector(rest, Lanes);
+    }
+
     // \param entries  of some panels, `stride` entries apart
-    template <int panels>
-    static SHEETMORPH_INLINE void multiply(const Panels& entries, Eigen::Index stride,
+    template <int panels, typename Remainder>
+    static SHEETMORPH_INLINE void multiply(const Panels<Remainder>& entries, Eigen::Index stride,
                                            const Points& right, double (*result)[3][panel])
     {
         Lanes sums[panels][parts][3] = {};
@@ -60,7 +116,7 @@ struct Kernel
                     const Eigen::Index at = p * stride + panel * k + part * width;
                     Lanes entry = widened(entries.first + at);
                     if constexpr (is_whole)
-                        entry += widened(entries.rest + at);
+                        entry += widened(entries.first + at, entries.rest + at);
                     for (int c = 0; c < 3; ++c)
                         sums[p][part][c] += entry * right.data()[3 * k + c];
                 }
@@ -70,14 +126,15 @@ struct Kernel
                     std::memcpy(result[p][c] + part * width, &sums[p][part][c], sizeof(Lanes));
     }
 
-    static SHEETMORPH_INLINE void multiply(const Panels& entries, const Points& right,
+    template <typename Remainder>
+    static SHEETMORPH_INLINE void multiply(const Panels<Remainder>& entries, const Points& right,
                                            Points& result)
     {
         const Eigen::Index count = result.rows(), stride = panel * right.rows();
         for (Eigen::Index row = 0; row < count; row += together * panel)
         {
             double sums[together][3][panel];
-            const Panels from = entries.from(row * right.rows());
+            const Panels<Remainder> from = entries.from(row * right.rows());
             if (row + (together - 1) * panel < count)
                 multiply<together>(from, stride, right, sums);
             else
@@ -93,7 +150,8 @@ struct Kernel
 
 }  // namespace
 
-PanelRows::PanelRows(Eigen::Index rows, Eigen::Index columns)
+template <typename Remainder>
+PanelRows<Remainder>::PanelRows(Eigen::Index rows, Eigen::Index columns)
     : rows_(rows),
       columns_(columns),
       first_(at((rows + panel - 1) / panel * columns)),
@@ -101,42 +159,56 @@ PanelRows::PanelRows(Eigen::Index rows, Eigen::Index columns)
 {
 }
 
-PanelRows::PanelRows(const Weights& rows) : PanelRows(rows.rows(), rows.cols())
+template <typename Remainder>
+PanelRows<Remainder>::PanelRows(const Weights& rows) : PanelRows(rows.rows(), rows.cols())
 {
     set(0, rows);
 }
 
-void PanelRows::set(Eigen::Index first, const Weights& rows)
+// The next remainder of a row takes on what rounding leaves of one: a product with numbers that
+// vary little from entry to entry is exacter than the entries.
+template <typename Remainder>
+void PanelRows<Remainder>::set(Eigen::Index first, const Weights& rows)
 {
     for (Eigen::Index row = 0; row < rows.rows(); ++row)
     {
         const std::size_t to = at((first + row) / panel * columns_);
         const auto lane = at((first + row) % panel);
+        double left = 0.0;
         for (Eigen::Index k = 0; k < columns_; ++k)
         {
             float& most = first_[to + at(k)].at[lane];
+            Remainder& remainder = rest_[to + at(k)].at[lane];
             most = static_cast<float>(rows(row, k));
-            rest_[to + at(k)].at[lane] = static_cast<float>(rows(row, k) - most);
+            left = keep(rows(row, k) - most + left, most, remainder);
         }
     }
 }
 
-Points PanelRows::times(const Points& right, Exactness exactness) const
+template <typename Remainder>
+Points PanelRows<Remainder>::times(const Points& right, Exactness exactness) const
 {
     Points result(rows_, 3);
     if (first_.empty())
         result.setZero();
     else if (exactness == Exactness::exact)
         run_widest(
-            [&](auto width) SHEETMORPH_INLINED {
-                Kernel<width, true>::multiply({first_.data()->at, rest_.data()->at}, right, result);
+            [&](auto width) SHEETMORPH_INLINED
+            {
+                const Panels<Remainder> panels{first_.data()->at, rest_.data()->at};
+                Kernel<width, true>::multiply(panels, right, result);
             });
     else
         run_widest(
-            [&](auto width) SHEETMORPH_INLINED {
-                Kernel<width, false>::multiply({first_.data()->at, nullptr}, right, result);
+            [&](auto width) SHEETMORPH_INLINED
+            {
+                const Panels<Remainder> panels{first_.data()->at, nullptr};
+                Kernel<width, false>::multiply(panels, right, result);
             });
     return result;
 }
+
+template class PanelRows<float>;
+template class PanelRows<std::int16_t>;
 
 }  // namespace sheetmorph::numerics

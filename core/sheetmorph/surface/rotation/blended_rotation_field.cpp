@@ -256,7 +256,7 @@ private:
         std::vector<VertexIds> each;
         for (const int vertex : told_alone_)
             each.push_back({vertex});
-        answers_ = numerics::PanelRows(
+        answers_ = numerics::ExactPanelRows(
             numerics::Weights(-factor_.solve(pull_of(sheet(), each.data(), told))));
     }
 
@@ -304,7 +304,7 @@ private:
     std::vector<Tie> ties_;
     VertexIds told_alone_;  // in propagated regions, each by its own
     bool is_kept_ = false;
-    numerics::PanelRows answers_;  // (unknowns, told alone), if kept
+    numerics::ExactPanelRows answers_;  // (unknowns, told alone), if kept
 };
 
 }  // namespace

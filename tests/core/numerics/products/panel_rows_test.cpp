@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/numerics/products/panel_rows.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace sheetmorph::numerics
@@ -8,30 +9,68 @@ namespace sheetmorph::numerics
 namespace
 {
 
-TEST(PanelRows, MultipliesAsTheMatrix)
+template <typename Rows>
+class PanelRowsOf : public testing::Test
+{
+};
+
+using Kinds = testing::Types<ExactPanelRows, CompactPanelRows>;
+TYPED_TEST_SUITE(PanelRowsOf, Kinds);
+
+// Of an entry, as a share of its size.
+template <typename Rows>
+constexpr double precision = std::is_same_v<Rows, ExactPanelRows> ? 0x1p-48 : 0x1p-40;
+
+TYPED_TEST(PanelRowsOf, MultipliesAsTheMatrix)
 {
     for (const Eigen::Index rows : {0, 1, 7, 8, 31, 32, 100})
         for (const Eigen::Index columns : {0, 1, 5, 64})
         {
             const Weights matrix = Weights::Random(rows, columns);
             const Points right = Points::Random(columns, 3);
-            const Points product = PanelRows(matrix).times(right);
+            const Points product = TypeParam(matrix).times(right);
             ASSERT_EQ(product.rows(), rows);
-            EXPECT_LT((product - matrix * right).norm(), 1e-13) << rows << " x " << columns;
-            const Points live = PanelRows(matrix).times(right, Exactness::live);
+            // A remainder also takes on what the entry before it has left.
+            EXPECT_LE((product - matrix * right).norm(),
+                      1e-14 + 2.0 * precision<TypeParam> * matrix.norm() * right.norm())
+                << rows << " x " << columns;
+            const Points live = TypeParam(matrix).times(right, Exactness::live);
             EXPECT_LE((live - product).norm(), 1e-7 * matrix.norm() * right.norm());
         }
 }
 
-TEST(PanelRows, RowsCanBeSetSomeAtATime)
+TYPED_TEST(PanelRowsOf, RowsCanBeSetSomeAtATime)
 {
     const Weights matrix = Weights::Random(27, 6);
     const Points right = Points::Random(6, 3);
-    PanelRows rows(27, 6);
+    TypeParam rows(27, 6);
     EXPECT_EQ(rows.times(right), Points(Points::Zero(27, 3)));
     rows.set(16, matrix.bottomRows(11));
     rows.set(0, matrix.topRows(16));
-    EXPECT_EQ(rows.times(right), PanelRows(matrix).times(right));
+    EXPECT_EQ(rows.times(right), TypeParam(matrix).times(right));
+}
+
+// Columns that are equal sum up a row.
+TEST(CompactPanelRowsTest, ARowSumsUpExacterThanItsEntries)
+{
+    const Weights matrix = Weights::Random(64, 500);
+    const Points ones = Points::Ones(500, 3);
+    const Points sums = CompactPanelRows(matrix).times(ones);
+    EXPECT_LT((sums - matrix * ones).cwiseAbs().maxCoeff(), 2.0 * 0x1p-40);
+}
+
+// Zeros, powers of two and their neighbours, entries far from 1, and of either sign.
+TEST(CompactPanelRowsTest, AnyEntryIsKeptToItsPrecision)
+{
+    for (const double size : {0.0, 1e-30, 1e-12, 0.5, 1.0, 3.0, 1e9})
+        for (const double factor : {1.0, 1.0 + 1e-9, 1.0 - 1e-9, 1.0 + 0x1p-24, 2.0 - 0x1p-25})
+            for (const double sign : {1.0, -1.0})
+            {
+                const double entry = sign * size * factor;
+                const Weights matrix = Weights::Constant(1, 1, entry);
+                const Points product = CompactPanelRows(matrix).times(Points::Ones(1, 3));
+                EXPECT_LE(std::abs(product(0, 0) - entry), 0x1p-40 * std::abs(entry)) << entry;
+            }
 }
 
 }  // namespace
