@@ -27,6 +27,7 @@ __all__ = [
     "test_ok_cancel_and_escape_on_the_enclosure_are_measured",
 ]
 BOUND = 10.0  # seconds; the solves of these morphs take longer on a loaded machine
+MOST_OPEN = 1800  # MB, of the enclosure before a panel: it has taken 1,720, the goal is 1,500
 PAGE = os.sysconf("SC_PAGE_SIZE") / 2.0**20  # MB
 
 
@@ -216,5 +217,7 @@ def test_ok_cancel_and_escape_on_the_enclosure_are_measured():
         note("the enclosure: its STEP file is not at hand; SHEETMORPH_SHARED names the folder")
         return
     yield from enclosure()
-    note(f"the enclosure before a panel: {megabytes()} MB")
+    opened = megabytes()
+    note(f"the enclosure before a panel: {opened} MB")
+    assert opened <= MOST_OPEN, opened
     yield from measured()

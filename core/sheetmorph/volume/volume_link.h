@@ -27,7 +27,7 @@ struct LinkOptions
     double smoothness = 0.05;  //!< c of (3.3)
     double offset = 0.0;       //!< h, mm: samples at +-h along the normals too; 0 for none
     bool rotations = true;     //!< also how the targets turn; four times the memory
-    double most_kept = 4.0 * 1024 * 1024 * 1024;  //!< bytes of the targets' weights
+    double most_kept = 4.0 * 1024 * 1024 * 1024;  //!< bytes of the targets' weights in double
 };
 
 //! The same points in one frame.
@@ -73,10 +73,10 @@ struct LinkedRates
 //! Source points drive a control mesh (3.3), the control mesh drives target points (2.11).
 //! Targets move by the source's mean motion plus a displacement, so that a source at rest leaves
 //! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
-//! Memory: about k * min(inputs, m) doubles, four times that with rotations; inputs are the n
-//! source points, twice as many with offset samples. Where that is more than `most_kept`, nothing
-//! of it is kept: every transfer() works the weights out anew, 256 targets at a time. Where the
-//! weights are of the inputs, the fit is not kept, and control_vertices() makes it again once.
+//! Memory: about k * min(inputs, m) entries of six bytes, four times that with rotations; inputs
+//! are the n source points, twice as many with offset samples. Above `most_kept` the link keeps
+//! none: every transfer() works the weights out anew, 256 targets at a time. A link whose weights
+//! are those of the inputs does not keep its fit: the first control_vertices() makes it again.
 class VolumeLink
 {
 public:

@@ -298,6 +298,10 @@ TEST(VolumeLinkTest, ManyTargetsAndFewOnesGiveTheSame)
     const LinkedTargets all = sheets.link.transfer(state), some = few.transfer(state);
     EXPECT_LT(farthest(all.positions.topRows(3), some.positions), 1e-10);
     EXPECT_LT(farthest(all.logs.topRows(3), some.logs), 1e-8);
+    // Only the link to many targets keeps its fit; the other one makes it for the picture.
+    for (int time = 0; time < 2; ++time)
+        EXPECT_TRUE(few.control_vertices(state) == sheets.link.control_vertices(state));
+    EXPECT_GT(farthest(few.control_vertices(state), sheets.control.vertices), 0.1);
 }
 
 TEST(VolumeLinkTest, WeightsThatAreNotKeptMoveTheTargetsTheSameWay)

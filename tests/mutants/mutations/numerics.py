@@ -102,9 +102,21 @@ MUTATIONS = [
     ),
     Mutation(
         "numerics/products/panel_rows.cpp",
-        "static_cast<float>(rows(row, k) - most)",
-        "0.0F",
-        "PanelRows.*",
+        "remainder = static_cast<float>(rest)",
+        "remainder = 0.0F",
+        "PanelRows*",
+    ),
+    Mutation(
+        "numerics/products/panel_rows.cpp",
+        "return rest - remainder * unit;",
+        "return 0.0;",
+        "CompactPanelRows*",
+    ),
+    Mutation(
+        "numerics/products/panel_rows.cpp",
+        "bits &= exponent_bits;\n        std::memcpy(&powers",
+        "std::memcpy(&powers",
+        "*PanelRows*",
     ),
     Mutation(
         "numerics/response/response_basis.cpp",

@@ -5,8 +5,8 @@
 #include "sheetmorph/assembly/session/wave.h"
 #include "sheetmorph/assembly/session/wave_rates.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/freed_memory.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/threads/freed_memory.h"
 #include "sheetmorph/surface/bodies/bodies.h"
 #include "sheetmorph/surface/steel/steel_answer.h"
 

@@ -3,8 +3,8 @@
 
 #include "sheetmorph/assembly/session/drag_samples.h"
 #include "sheetmorph/base/errors.h"
-#include "sheetmorph/base/freed_memory.h"
 #include "sheetmorph/base/index.h"
+#include "sheetmorph/base/threads/freed_memory.h"
 #include "sheetmorph/base/threads/stopping.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/base/freed_memory.h"
+#include "sheetmorph/base/threads/freed_memory.h"
 
 #include <cstdlib>
 
