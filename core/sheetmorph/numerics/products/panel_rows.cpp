@@ -5,7 +5,6 @@
 #include "sheetmorph/base/instructions/widest.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -26,13 +25,11 @@ constexpr int panel = 8;  // rows
 constexpr float unit_share = 1.0F / (1LL << 39);
 constexpr std::int32_t exponent_bits = 0x7f800000;
 
-double unit_of(float entry)
+double power_of_bits(std::int32_t bits)
 {
-    std::int32_t bits;
-    std::memcpy(&bits, &entry, sizeof bits);
-    bits &= exponent_bits;
-    std::memcpy(&entry, &bits, sizeof bits);
-    return entry * unit_share;
+    float power;
+    std::memcpy(&power, &bits, sizeof power);
+    return power;
 }
 
 // Both keep `rest`, what an entry is beyond the float `most`, and return what rounding leaves of
@@ -43,14 +40,18 @@ double keep(double rest, float /*most*/, float& remainder)
     return 0.0;  // nothing beside the rounding of a product
 }
 
+// Divides by no unit: the bits of a power of two are those of its inverse, turned round.
 double keep(double rest, float most, std::int16_t& remainder)
 {
+    constexpr std::int32_t inverse_bits = 0x7f000000;
     constexpr double largest = std::numeric_limits<std::int16_t>::max();
-    const double unit = unit_of(most);
-    remainder = 0;
-    if (unit > 0.0)
-        remainder =
-            static_cast<std::int16_t>(std::clamp(std::round(rest / unit), -largest, largest));
+    std::int32_t bits;
+    std::memcpy(&bits, &most, sizeof bits);
+    bits &= exponent_bits;
+    const double unit = power_of_bits(bits) * unit_share;
+    const double inverse = bits == 0 ? 0.0 : power_of_bits(inverse_bits - bits) / unit_share;
+    const double units = std::clamp(rest * inverse, -largest, largest);
+    remainder = static_cast<std::int16_t>(units + (units < 0.0 ? -0.5 : 0.5));
     return rest - remainder * unit;
 }
 
