@@ -121,10 +121,10 @@ std::optional<Core> wall(const FeaturePatch& patch, const VertexIds& vertices)
     const std::optional<RimProfile> profile = between(*one, *other);
     if (!profile)
         return std::nullopt;
-    const std::optional<RimProfile> settled = fitting::refit(*profile, patch.points_of(vertices));
-    if (!settled)
+    const std::optional<RimProfile> refitted = fitting::refit(*profile, patch.points_of(vertices));
+    if (!refitted)
         return std::nullopt;
-    core.profile = *settled;
+    core.profile = *refitted;
     return core;
 }
 

@@ -13,8 +13,9 @@ namespace sheetmorph::numerics
 //! A dense matrix (r, k) that is multiplied by three columns again and again: eight rows stand side
 //! by side, so that no sum runs across a register. A live product reads a float of each entry, an
 //! exact one its remainder too.
-//! \tparam Remainder  float: entries are exact to 2^-48 of their size; std::int16_t: to 2^-39, in
-//!                    three quarters of the memory
+//! \tparam Remainder  float: entries are exact to 2^-48 of their size; std::int16_t: to 2^-39 of
+//! the
+//!                    largest of their row, in three quarters of the memory
 template <typename Remainder>
 class PanelRows
 {

@@ -81,7 +81,7 @@ private:
     Eigen::RowVector3d displacement(const Item& item, const KnownPose& pose) const;
 
     const PreparedSurface& part_;
-    double reach_;                  // mm: the size of what moves as it is told
+    double reach_;                  // mm: the size of what has a prescribed motion
     numerics::Weights directions_;  // (m, g) of the given rotations
     numerics::Weights field_;
     VertexIds kept_;  // the vertices of its rows, ascending; empty: all

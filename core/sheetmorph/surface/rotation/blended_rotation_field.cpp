@@ -14,8 +14,8 @@ namespace sheetmorph::surface
 namespace
 {
 
-// Answers to every vertex that is told on its own are kept where they are so few: read in less time
-// than the factor.
+// Answers to the single vertices are kept where they have at most so many entries: these are read
+// in less time than the factor.
 constexpr Eigen::Index most_kept = 100000;
 
 // The smoothed share of such a weight, 3e-16, is rounding.
@@ -197,7 +197,7 @@ public:
             of_used.row(static_cast<Eigen::Index>(k)) = of_source.row(used_[k]);
         Points logs = weights_.times(of_used);
         Points excess = Points::Zero(known.vertices.rows(), 3);
-        for (const int i : told_alone_)
+        for (const int i : single_)
             excess.row(i) = known.vertices.row(i) - of_source.row(sources_.of_vertex[at(i)]);
         if (!excess.isZero(0.0))
             add_harmonic_excess(logs, excess);
@@ -213,7 +213,7 @@ public:
         for (int i = 0; i < known.vertices.rows(); ++i)
             if (const int source = sources_.of_vertex[at(i)]; source != Sources::none)
             {
-                logs.row(i) = is_told_alone(i) ? known.vertices.row(i) : of_source.row(source);
+                logs.row(i) = is_single(i) ? known.vertices.row(i) : of_source.row(source);
                 given.push_back(i);
             }
         const Points of_unknown = solved_for(logs, given);
@@ -237,7 +237,7 @@ private:
         return logs;
     }
 
-    bool is_told_alone(int vertex) const
+    bool is_single(int vertex) const
     {
         const int source = sources_.of_vertex[at(vertex)];
         return source >= sources_.first_region && source < sources_.first_point;
@@ -245,29 +245,29 @@ private:
 
     void keep_answers()
     {
-        const auto count = static_cast<int>(sources_.of_vertex.size());
-        for (int i = 0; i < count; ++i)
-            if (is_told_alone(i))
-                told_alone_.push_back(i);
-        const auto told = static_cast<Eigen::Index>(told_alone_.size());
-        is_kept_ = told * unknowns_.count <= most_kept;
+        const auto vertices = static_cast<int>(sources_.of_vertex.size());
+        for (int i = 0; i < vertices; ++i)
+            if (is_single(i))
+                single_.push_back(i);
+        const auto count = static_cast<Eigen::Index>(single_.size());
+        is_kept_ = count * unknowns_.count <= most_kept;
         if (!is_kept_ || unknowns_.count == 0)
             return;
         std::vector<VertexIds> each;
-        for (const int vertex : told_alone_)
+        for (const int vertex : single_)
             each.push_back({vertex});
         answers_ = numerics::ExactPanelRows(
-            numerics::Weights(-factor_.solve(pull_of(sheet(), each.data(), told))));
+            numerics::Weights(-factor_.solve(pull_of(sheet(), each.data(), count))));
     }
 
-    // Harmonic values of the unknowns for given ones (n, 3) of the vertices told alone.
+    // Harmonic values of the unknowns for given ones (n, 3) of the single vertices.
     Points harmonic_values(const Points& given) const
     {
         if (unknowns_.count == 0)
             return Points(0, 3);
         if (is_kept_)
-            return answers_.times(given(told_alone_, Eigen::indexing::all));
-        return solved_for(given, told_alone_);
+            return answers_.times(given(single_, Eigen::indexing::all));
+        return solved_for(given, single_);
     }
 
     // (unknowns, 3) harmonic values for those (n, 3) of some known vertices; others have none.
@@ -302,9 +302,9 @@ private:
     std::vector<int> used_;  // sources that have a vertex
     SmoothWeights weights_;  // (n, used sources)
     std::vector<Tie> ties_;
-    VertexIds told_alone_;  // in propagated regions, each by its own
+    VertexIds single_;  // in propagated regions: each has its own rotation
     bool is_kept_ = false;
-    numerics::ExactPanelRows answers_;  // (unknowns, told alone), if kept
+    numerics::ExactPanelRows answers_;  // (unknowns, single vertices), if kept
 };
 
 }  // namespace

@@ -60,6 +60,23 @@ TEST(CompactPanelRowsTest, ARowSumsUpExacterThanItsEntries)
     EXPECT_LT((sums - matrix * ones).cwiseAbs().maxCoeff(), 2.0 * 0x1p-39);
 }
 
+// An entry takes on what rounding leaves of those before it: a share of the largest, not of its
+// own.
+TEST(CompactPanelRowsTest, EntriesOfAllSizesInARowAreKeptToAShareOfTheLargest)
+{
+    const int count = 60;
+    Weights matrix = Weights::Random(16, count);
+    for (int k = 0; k < count; ++k)
+        matrix.col(k) *= std::pow(10.0, -(7 * k % 13));
+    const CompactPanelRows rows(matrix);
+    for (int k = 0; k < count; ++k)
+    {
+        Points one = Points::Zero(count, 3);
+        one.row(k).setOnes();
+        EXPECT_LT((rows.times(one) - matrix * one).cwiseAbs().maxCoeff(), 0x1p-39) << k;
+    }
+}
+
 // Zeros, powers of two and their neighbours, entries far from 1, and of either sign.
 TEST(CompactPanelRowsTest, AnyEntryIsKeptToItsPrecision)
 {

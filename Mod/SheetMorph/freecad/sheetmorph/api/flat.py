@@ -30,9 +30,8 @@ def flatten(
     require_kind(part, model.PART, "part")
     rest = read_rest(part)
     positions = solving.deform(assembly_of(part))[part.Name]
-    told = (
-        number_of(part, "SheetThickness") if thickness is None else number(thickness, "thickness")
-    )
+    own = number_of(part, "SheetThickness")
+    chosen = own if thickness is None else number(thickness, "thickness")
     shapes = [(part.Label, positions)]
     if at_rest and not np.array_equal(positions, rest.points):
         shapes.append((f"{part.Label} at rest", rest.points))
@@ -40,7 +39,7 @@ def flatten(
     for label, shape in shapes:
         for pattern in kernel.flat().patterns_of(
             kernel.load().PartMesh(shape, rest.triangles, name=label),
-            thickness=told or None,
+            thickness=chosen or None,
             limit=number(limit, "limit") / 100.0,
         ):
             for line in kernel.flat().table_of(pattern):

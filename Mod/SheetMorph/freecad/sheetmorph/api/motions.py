@@ -11,6 +11,7 @@ import numpy as np
 from freecad.sheetmorph.bridge import solving
 from freecad.sheetmorph.api.checks import direction, number, require_assembly, require_role, vector
 from freecad.sheetmorph.objects import model
+from freecad.sheetmorph.objects.properties import vector_of
 from freecad.sheetmorph.objects.region import FORM_FEATURE, FREE, HANDLE, INTERPOLATED, PRESCRIBED
 from freecad.sheetmorph.bridge.rest import read_rest
 from freecad.sheetmorph.tools.motion import CENTROID, Motion
@@ -66,7 +67,9 @@ def reset_motion(handle) -> None:
 def pivot(handle) -> FreeCAD.Vector:
     """Return the point a handle turns about, global at rest, mm."""
     require_role(handle, HANDLE)
-    return rest_centroid(handle) if handle.PivotAtCentroid else handle.Pivot
+    if handle.PivotAtCentroid:
+        return rest_centroid(handle)
+    return FreeCAD.Vector(*vector_of(handle, "Pivot"))
 
 
 def rest_centroid(region) -> FreeCAD.Vector:

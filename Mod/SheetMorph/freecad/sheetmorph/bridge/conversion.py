@@ -100,7 +100,7 @@ def placement_entry(frame: Frame) -> dict:
 
 def container_placement(obj) -> FreeCAD.Placement:
     """Return the global placement of the container that `obj` lives in."""
-    return obj.getGlobalPlacement().multiply(obj.Placement.inverse())
+    return obj.getGlobalPlacement().multiply(obj.getPropertyByName("Placement").inverse())
 
 
 def result_placement(part) -> FreeCAD.Placement:

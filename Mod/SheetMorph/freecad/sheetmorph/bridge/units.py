@@ -22,7 +22,7 @@ def number_in(text: str, unit: str, default: float = 1.0) -> float | None:
     """
     try:
         found = FreeCAD.Units.Quantity(text.replace(",", "."))
-        is_bare = found == FreeCAD.Units.Quantity(found.Value)  # reading .Unit would leak it
+        is_bare = found == FreeCAD.Units.Quantity(found.Value)  # .Unit leaks, see number_of
         value = default * float(found.Value) if is_bare else float(found.getValueAs(unit))
     except (ValueError, SyntaxError, OSError, ArithmeticError):
         return None

@@ -59,6 +59,6 @@ def told_thickness(part) -> float:
 
     The same that the package takes where a recipe tells none.
     """
-    told = [number_of(shells, "Thickness") for shells in part.Shells]
+    thicknesses = [number_of(shells, "Thickness") for shells in part.Shells]
     counts = [shells.Elements for shells in part.Shells]
-    return float(np.median(np.repeat(told, counts))) if sum(counts) else 0.0
+    return float(np.median(np.repeat(thicknesses, counts))) if sum(counts) else 0.0

@@ -35,7 +35,8 @@ SCHEMA_VERSION = Property(
 def number_of(obj, name: str) -> float:
     """Return a length, mm, or an angle, degrees, of an object.
 
-    Read as an attribute, each would stay in memory for ever: FreeCAD counts it once too often.
+    Read as an attribute, it would stay in memory for ever: FreeCAD 0.20 counts its references one
+    too high.
     """
     return float(obj.getPropertyByName(name).Value)
 

@@ -107,7 +107,7 @@ def loaded(file: str):
     form = Gui.PySideUic.loadUi(file)
     layouts = form.findChildren(QtWidgets.QLayout)
     for name, widget in list(vars(form).items()):
-        # Not by its meta object: PySide keeps each one that it is asked for.
+        # widget.metaObject() would say so too, but PySide never frees what it returns.
         if isinstance(widget, QtWidgets.QWidget) and any(map(widget.inherits, REPLACED)):
             layout = next(one for one in layouts if one.indexOf(widget) >= 0)
             setattr(form, name, replaced(widget, layout))

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Assemblies, parts and regions behave like any other document objects."""
 
+import gc
 import unittest
 
 import FreeCAD
 
 from freecad.sheetmorph import api, objects
+from freecad.sheetmorph.bridge import recipes, solving, units
 from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.assembly import together
-from freecad.sheetmorph.objects.region import FEATURE, MOTION
+from freecad.sheetmorph.objects.region import FEATURE, MOTION, motion_of
 from freecad.sheetmorph.tests import support
 
 HIDDEN = "Hidden"
@@ -71,6 +73,38 @@ class TestCreation(support.DocumentTest):
         source = self.add_source()
         with self.assertRaisesRegex(ValueError, "no assembly"):
             api.add_part(source, source)
+
+
+class TestReading(support.DocumentTest):
+    """FreeCAD 0.20 never frees a length, an angle, a vector or a unit that is read as an attribute,
+    nor the weak reference that it makes to it."""
+
+    def weak_references(self) -> int:
+        gc.collect()
+        return sum(type(one).__name__ == "ReferenceType" for one in gc.get_objects())
+
+    def test_what_is_read_again_and_again_does_not_stay(self):
+        assembly, part, handle = self.add_morph()
+        feature = api.add_feature(assembly, part, [0, 1, 2])
+        handle.PivotAtCentroid = False
+        assembly.Symmetry = True
+        reads = {
+            "motion of a handle": lambda: motion_of(handle),
+            "motion of a form feature": lambda: motion_of(feature),
+            "pivot": lambda: api.pivot(handle),
+            "recipe": lambda: solving.read_morph(assembly),
+            "pose": lambda: recipes.pose_of(assembly),
+            "form feature": lambda: recipes.allowed_of(feature),
+            "part": lambda: (recipes.sheet_entry(part), recipes.thin_entry(part)),
+            "text": lambda: units.number_in("10 in", "mm"),
+        }
+        for what, read in reads.items():
+            with self.subTest(what):
+                read()
+                before = self.weak_references()
+                for _ in range(20):
+                    read()
+                self.assertLess(self.weak_references() - before, 10)
 
 
 class TestProperties(support.DocumentTest):
