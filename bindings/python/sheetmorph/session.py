@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +18,7 @@ from .progress import Progress
 from .recipe import check_pose
 from .recipe.pose import Pose
 from .report import make_report, warnings_in
-from .translation import Numbers, kernel_faults
+from .translation import kernel_faults
 
 if TYPE_CHECKING:
     from . import _core
@@ -82,23 +81,6 @@ class Session(Preprocessed):
         with kernel_faults(self._core):
             deformed = self._kernel.deform(self._translator.pose(moved), exact, progress)
         return self._result(deformed, wanted)
-
-    def pose_numbers(self, pose: Pose) -> Numbers:
-        """What a pose tells the kernel, in numbers that are closed forms of its entries."""
-        return self._translator.numbers(check_pose(self._model, pose))
-
-    def position_rates(self, pose: Pose, directions: Sequence[Numbers]) -> list[dict[str, Floats]]:
-        """How exact positions (n, 3) change along directions of pose_numbers(), by part.
-
-        The solves are differentiated with the factors that are there: a substitution or two a
-        direction. Raises RecipeError, NoDerivative of the kernel where they cannot be: `steel`,
-        `refine`, thin solids, a plane of symmetry, `coaxial` and `distance`, whole turns.
-        """
-        told = self._translator.pose(check_pose(self._model, pose))
-        rates = [self._translator.pose_rate(numbers) for numbers in directions]
-        with kernel_faults(self._core):
-            found = self._kernel.rates(told, rates)
-        return [dict(zip(self.parts, of_parts)) for of_parts in found]
 
     def begin_drag(self, handles: list[str], pose: Pose | None = None) -> Drag:
         """Live frames while the named handles move, the others staying as in `pose`.

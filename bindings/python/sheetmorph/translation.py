@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import ModuleType
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,10 +19,6 @@ from .recipe.pose import Moved, PoseEntry, Rotation
 
 if TYPE_CHECKING:
     from . import _core
-
-_Told = TypeVar("_Told", "_core.Pose", "_core.PoseRate")
-
-Numbers = dict[tuple[str, str], Floats]
 
 _NO_TURN = (0.0, 0.0, 0.0)
 _UPWARDS = (0.0, 0.0, 1.0)
@@ -152,58 +148,32 @@ class Translator:
 
     def pose(self, pose: Mapping[str, Moved]) -> _core.Pose:
         """The kernel's Pose; what it leaves out keeps the recipe's own values."""
-        found: _core.Pose = self._told(self._core.Pose(), self.numbers(pose))
-        return found
-
-    def pose_rate(self, numbers: Numbers) -> _core.PoseRate:
-        """The kernel's PoseRate; numbers: how those of the pose change."""
-        found: _core.PoseRate = self._told(self._core.PoseRate(), numbers)
-        return found
-
-    def numbers(self, pose: Mapping[str, Moved]) -> Numbers:
-        """What a pose tells the kernel, by (kind, name): of a handle translation, rotation log and
-        pivot (9,), of a point its place and rotation log (6,), of a feature its rotation log (3,)
-        or its size (1,); mm, radians."""
-        found: Numbers = {}
+        told: _core.Pose = self._core.Pose()
         for entry in self._model.regions:
             motion = pose.get(entry.name, _AS_TOLD)
             if entry.kind == "handle":
-                found |= self._of_handle(entry, motion)
+                self._move(entry, motion, told)
             elif entry.kind == "feature":
                 if entry.rotation is not None:
-                    log = self._log(motion.rotation or entry.rotation)
-                    found["turn", entry.name] = np.asarray(log, float)
+                    told.turn_feature(entry.name, self._log(motion.rotation or entry.rotation))
                 if motion.size is not None:
-                    found["size", entry.name] = np.array([motion.size], float)
+                    told.size_feature(entry.name, motion.size)
             elif entry.kind == "point":
                 target = motion.target or entry.target
                 place = self._places[entry.name] if target is None else np.array(target)
-                log = self._log(motion.rotation or entry.rotation)
-                found["point", entry.name] = np.concatenate([place, log])
-        return found
+                told.place_point(entry.name, place, self._log(motion.rotation or entry.rotation))
+        return told
 
-    def _of_handle(self, entry: RegionEntry, motion: Moved) -> Numbers:
+    def _move(self, entry: RegionEntry, motion: Moved, told: _core.Pose) -> None:
+        """A handle, whose vertices may be one point."""
         place = self._places[entry.name]
         pivot = motion.pivot or entry.pivot or tuple(place)
-        told = motion.translation or _NO_TURN, self._log(motion.rotation), pivot
-        if not entry.is_point:
-            return {("handle", entry.name): np.concatenate(told)}
-        rigid = self._core.RigidMotion(*told)
-        moved = rigid.apply(place[None, :])[0]
-        return {("point", entry.name): np.concatenate([moved, rigid.rotation_log])}
-
-    def _told(self, pose: _Told, numbers: Numbers) -> _Told:
-        for (kind, name), values in numbers.items():
-            if kind == "handle":
-                rigid = self._core.RigidMotion(values[:3], values[3:6], values[6:])
-                pose.move_handle(name, rigid)
-            elif kind == "point":
-                pose.place_point(name, values[:3], values[3:])
-            elif kind == "turn":
-                pose.turn_feature(name, values)
-            else:
-                pose.size_feature(name, float(values[0]))
-        return pose
+        translation, log = motion.translation or _NO_TURN, self._log(motion.rotation)
+        rigid = self._core.RigidMotion(translation, log, pivot)
+        if entry.is_point:
+            told.place_point(entry.name, rigid.apply(place[None, :])[0], rigid.rotation_log)
+        else:
+            told.move_handle(entry.name, rigid)
 
     def _log(self, rotation: Rotation | None) -> Vector | Floats:
         if rotation is None:

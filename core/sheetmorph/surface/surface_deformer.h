@@ -12,7 +12,6 @@
 namespace sheetmorph::surface
 {
 
-class PoseRates;
 class Response;
 struct ResponseReaders;
 
@@ -44,11 +43,6 @@ public:
     std::unique_ptr<Response> response(const std::vector<SurfaceTargets>& samples,
                                        const ResponseReaders& readers,
                                        const Progress& progress = {}) const;
-
-    //! How the exact answer changes with the targets, its factors differentiated (pose_rates.h).
-    //! The deformer must outlive it.
-    //! \throws NoDerivative where it is not differentiated
-    std::unique_ptr<PoseRates> rates(SurfaceTargets targets) const;
 
     //! Whether response() knows the part.
     bool can_respond() const;

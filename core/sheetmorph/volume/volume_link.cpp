@@ -292,40 +292,4 @@ LinkedTargets VolumeLink::transfer(const SourceState& state, Exactness exactness
     return result;
 }
 
-LinkedRates VolumeLink::transfer_rate(const SourceState& state, const SourceRate& rate) const
-{
-    const Eigen::Index count = source_.rows();
-    const Matrix3 mean = state.mean.rotation(), turning = cross_matrix(rate.mean.spin) * mean;
-    Points change(input_count(), 3);
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-        change.row(i) = rate.positions.row(i)
-                        - rate.mean.at(state.mean, source_.row(i).transpose()).transpose();
-        if (source_offsets_.rows() == 0)
-            continue;
-        const Matrix3 own = cross_matrix(rate.spins.row(i).transpose()) * state.rotations[i];
-        change.row(count + i) = ((own - turning) * source_offsets_.row(i).transpose()).transpose();
-    }
-    const Points moved = displacements(inputs(state), Exactness::exact);
-    const Points moving = displacements(change, Exactness::exact);
-    const Matrix3 axes = steps_.colwise().normalized();
-    LinkedRates found{Points(targets_.rows(), 3), Points(targets_.rows(), 3),
-                      Points(targets_.rows(), 3)};
-    for (Eigen::Index i = 0; i < targets_.rows(); ++i)
-    {
-        const Matrix3 map = mean + moved.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
-        const Matrix3 map_rate =
-            turning + moving.middleRows<3>(4 * i + 1).transpose() * axes.transpose();
-        const Matrix3 rotation = polar_rotation(map);
-        const Vector3 spin = spin_of_polar(rotation, map, map_rate);
-        const Vector3 log = log_near(rotation, state.logs.row(nearest_[i]).transpose());
-        require_whole_log(rotation, log);
-        found.positions.row(i) =
-            rate.mean.at(state.mean, targets_.row(i).transpose()).transpose() + moving.row(4 * i);
-        found.logs.row(i) = log_rate_of_spin(log, spin).transpose();
-        found.spins.row(i) = spin.transpose();
-    }
-    return found;
-}
-
 }  // namespace sheetmorph::volume

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "sheetmorph/base/rates.h"
+#include "sheetmorph/base/rigid_motion.h"
 #include "sheetmorph/numerics/products/panel_rows.h"
 #include "sheetmorph/volume/control_mesh.h"
 #include "sheetmorph/volume/control_mesh_fit.h"
@@ -54,22 +54,6 @@ struct LinkedTargets
     Matrix3 rotation(Eigen::Index row) const;
 };
 
-//! How a SourceState changes; its logs must be there.
-struct SourceRate
-{
-    Points positions;  //!< (n, 3) mm
-    Points spins;      //!< (n, 3) of the local rotations
-    MotionRate mean;
-};
-
-//! How LinkedTargets change.
-struct LinkedRates
-{
-    Points positions;  //!< (k, 3) mm
-    Points logs;       //!< (k, 3) radians
-    Points spins;      //!< (k, 3) of the rotations
-};
-
 //! Source points drive a control mesh (3.3), the control mesh drives target points (2.11).
 //! Targets move by the source's mean motion plus a displacement, so that a source at rest leaves
 //! them where they are, bit for bit, and a rigid motion of the source is theirs to rounding.
@@ -86,10 +70,6 @@ public:
 
     //! \throws InvalidInput if the state has another number of points
     LinkedTargets transfer(const SourceState& state, Exactness exactness = Exactness::exact) const;
-
-    //! How it changes with the source; for links with rotations. \throws NoDerivative near whole
-    //! turns
-    LinkedRates transfer_rate(const SourceState& state, const SourceRate& rate) const;
 
     //! (m, 3) mm: the control mesh that does it, to be shown.
     Points control_vertices(const SourceState& state) const;

@@ -29,8 +29,6 @@ _OF_PART: dict[str, Callable[[dict[str, Any]], Any]] = {
     "displacement": lambda part: part["largest_displacement"],
     "thickness change": lambda part: (part["thin"] or {}).get("largest_change"),
 }
-# Those that positions alone decide.
-OF_POSITIONS = ("angle", "aspect", "flipped", "stretch", "fold", "displacement")
 FIGURES = (*_OF_PART, "gap change", "edge error", "crossings", "touching", "warnings")
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/features/reduced_expansion.h"
 
-#include "sheetmorph/base/rates.h"
+#include "sheetmorph/base/rotation.h"
 
 #include <Eigen/Geometry>
 #include <array>
@@ -259,20 +259,6 @@ Eigen::VectorXd TurnExpansion::nearly_solved(const Eigen::VectorXd& q) const
         solved.segment<3>(row) = (rotations_[k] * solved.segment<3>(row)).eval();
     }
     return solved;
-}
-
-std::vector<StateRate> state_rates(const Joints& joints, const Eigen::VectorXd& steps)
-{
-    std::vector<StateRate> found(joints.states().size());
-    for (std::size_t k = 0; k < found.size(); ++k)
-        for (const Mover& mover : movers_of(joints.levels(k)))
-        {
-            const double step = steps(mover.freedom);
-            if (mover.is_turn)
-                found[k].spin += step * mover.axis;
-            found[k].centre += step * first_change(mover, joints.states()[k]).centre;
-        }
-    return found;
 }
 
 Eigen::VectorXd gradient_of(const Joints& joints, const FeatureResponses& responses,

@@ -50,16 +50,6 @@ private:
     const numerics::DenseCholesky& at_rest_;
 };
 
-//! How one turner changes where the joints do.
-struct StateRate
-{
-    Vector3 spin = Vector3::Zero();    //!< of its rotation
-    Vector3 centre = Vector3::Zero();  //!< of its centre, mm
-};
-
-//! \param steps  (freedoms) how the joints' numbers change
-std::vector<StateRate> state_rates(const Joints& joints, const Eigen::VectorXd& steps);
-
 //! (freedoms) the gradient of an energy whose forces G rho + g are these (c, 3).
 Eigen::VectorXd gradient_of(const Joints& joints, const FeatureResponses& responses,
                             const Eigen::MatrixXd& forces);

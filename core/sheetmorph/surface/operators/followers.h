@@ -19,10 +19,6 @@ public:
     //! Fills the followers' rows of `positions` and `rotation_logs`, both (n, 3).
     void place(const mesh::TriangleMesh& rest, Points& positions, Points& rotation_logs) const;
 
-    //! The same of how they change, of a shape with these logs.
-    void place_rates(const mesh::TriangleMesh& rest, const Points& rotation_logs,
-                     Points& velocities, Points& log_rates) const;
-
     bool is_empty() const { return ties_.empty() && followers_.empty(); }
 
     //! The vertices that they hang on, ascending: place() reads their rows.

@@ -121,20 +121,6 @@ Points SheetGrowth::field(const SizeChanges& sizes) const
     return spread(std::move(moves));
 }
 
-Points SheetGrowth::field_rate(const SizeChanges& sizes, const std::vector<double>& rates) const
-{
-    Points moves = Points::Zero(mesh_.vertex_count(), 3);
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-    {
-        const VertexIds& vertices = constraints_.features[k].vertices;
-        for (std::size_t i = 0; i < vertices.size() && sizes[k]; ++i)
-            if (roles_.role[at(vertices[i])] == Role::body)
-                moves.row(vertices[i]) =
-                    rates[k] * shapes_[k]->growth.row(static_cast<Eigen::Index>(i));
-    }
-    return spread(std::move(moves));
-}
-
 // From rims to the sheet between them.
 Points SheetGrowth::spread(Points moves) const
 {

@@ -24,10 +24,6 @@ public:
     //! (n, 3) mm: what a size adds to the rest shape.
     Points field(const SizeChanges& sizes) const;
 
-    //! (n, 3) how the field changes where sizes do. \param rates  mm, by form feature; 0 where none
-    //! is set
-    Points field_rate(const SizeChanges& sizes, const std::vector<double>& rates) const;
-
     //! Whether the size of a feature moves a vertex that is no feature's.
     bool moves(int vertex) const;
 
