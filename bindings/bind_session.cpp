@@ -259,11 +259,11 @@ void bind_union(py::class_<DeformationSession>& session)
 // Poses and their answers.
 void bind_answers(py::class_<DeformationSession>& session)
 {
-    session
-        .def("deform", &deform, py::arg("pose"), py::arg("exact") = true,
-             py::arg("progress") = py::none(),
-             "Every part in one pose, always from rest. progress(fraction, task): return False to "
-             "cancel (raises Cancelled).");
+    session.def(
+        "deform", &deform, py::arg("pose"), py::arg("exact") = true,
+        py::arg("progress") = py::none(),
+        "Every part in one pose, always from rest. progress(fraction, task): return False to "
+        "cancel (raises Cancelled).");
 }
 
 }  // namespace

@@ -31,6 +31,19 @@ double smooth_step(double value, double low, double high)
     return t * t * (3.0 - 2.0 * t);
 }
 
+// d(rotation vector of the product) / d(log), for logs of half the angle on both sides:
+// exp(log + d) = exp(J d) exp(log).
+Matrix3 left_jacobian(const Vector3& log)
+{
+    const double angle = 2.0 * log.norm();
+    if (angle < 1e-9)
+        return Matrix3::Identity();
+    const Vector3 axis = log * (2.0 / angle);
+    const double sine = std::sin(angle) / angle, cosine = (1.0 - std::cos(angle)) / angle;
+    return sine * Matrix3::Identity() + (1.0 - sine) * axis * axis.transpose()
+           + cosine * cross_matrix(axis);
+}
+
 // One damped step from the reference: continuous in the rotation wherever its axis is.
 Vector3 first_order_log(const Matrix3& rotation, const Vector3& reference)
 {
@@ -45,18 +58,6 @@ Vector3 first_order_log(const Matrix3& rotation, const Vector3& reference)
 }
 
 }  // namespace
-
-Matrix3 left_jacobian(const Vector3& log)
-{
-    const double angle = 2.0 * log.norm();
-    if (angle < 1e-9)
-        return Matrix3::Identity();
-    const Vector3 axis = log * (2.0 / angle);
-    Matrix3 cross;
-    cross << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
-    const double sine = std::sin(angle) / angle, cosine = (1.0 - std::cos(angle)) / angle;
-    return sine * Matrix3::Identity() + (1.0 - sine) * axis * axis.transpose() + cosine * cross;
-}
 
 Vector3 log_near(const Matrix3& rotation, const Vector3& reference)
 {

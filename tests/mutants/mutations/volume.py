@@ -8,7 +8,6 @@ ROTATIONS = "volume/local_rotations.cpp"
 LINK = "volume/volume_link.cpp"
 BOX = "volume/oriented_box.cpp"
 VALUES = "MeanValue*"
-RATES = "WaveRates.*"
 
 MUTATIONS = [
     # Mean value weights, equations (2.11) to (2.14).
@@ -62,20 +61,6 @@ MUTATIONS = [
     Mutation(ROTATIONS, "moments += spoke.triangles[lane] * edge", "moments += edge", "LocalRot*"),
     Mutation(
         ROTATIONS,
-        "(rate_before.cross(moved) + before.cross(rate))",
-        "before.cross(rate)",
-        RATES,
-        "assembly",
-    ),
-    Mutation(
-        ROTATIONS,
-        "tilting = (area_rate - normal",
-        "tilting = (area_rate + normal",
-        RATES,
-        "assembly",
-    ),
-    Mutation(
-        ROTATIONS,
         "motion.translation = (share.transpose() * (deformed - rest)).transpose()",
         "motion.translation = (deformed - rest).colwise().mean().transpose()",
         "MeanMotion*",
@@ -101,5 +86,4 @@ MUTATIONS = [
         "state.positions - source_",
         "VolumeLink*",
     ),
-    Mutation(LINK, "((own - turning) *", "(own *", RATES, "assembly"),
 ]

@@ -197,11 +197,6 @@ private:
 
 }  // namespace
 
-Eigen::VectorXd newton_step(const Expansion& at)
-{
-    return convex_step(at).amount;
-}
-
 Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
                            const FeatureResponses& responses)
 {

@@ -19,12 +19,6 @@ struct Measure
 Eigen::MatrixXd entries_of(const Joints& joints, const PlacementInput& part,
                            const FeatureResponses& responses);
 
-struct Expansion;
-
-//! (freedoms) the Newton step; where the energy is not convex, with the least of some shifts that
-//! make it so. Directions the energy does not feel stay as they are.
-Eigen::VectorXd newton_step(const Expansion& at);
-
 //! Moves the joints to the minimum of the energy near where they are: newton_minimum() on their own
 //! freedoms, with the full second derivative, made positive where it is not.
 //! Directions the energy does not feel stay as they are.
