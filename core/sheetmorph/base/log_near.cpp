@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/log_near.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/rotation.h"
 
 #include <Eigen/Dense>
@@ -11,8 +12,6 @@ namespace sheetmorph
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 // How much of a turn across the axis a change of the logarithm makes: sin(|r|) / |r|. Where it is
 // less than this (0 at whole turns) the change is damped.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/base/rotation.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/limits.h"
 
@@ -13,7 +14,6 @@ namespace sheetmorph
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double most_radians = 1e6;
 }  // namespace
 

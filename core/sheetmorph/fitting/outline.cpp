@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/fitting/outline.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/fitting/circle.h"
 #include "sheetmorph/fitting/stadium.h"
 
@@ -16,8 +17,6 @@ namespace
 {
 
 using Corners = Eigen::Array<bool, Eigen::Dynamic, 1>;
-
-constexpr double pi = 3.14159265358979323846;
 
 // Enclosed area over squared radius: 2 for a square on the circle, 2.6 for a
 // hexagon.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/mesh/quality/quality.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/errors.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/thinness.h"
@@ -17,7 +18,6 @@ namespace sheetmorph::mesh
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double folded_over = 150.0 / 180.0 * pi;
 constexpr double least_growth = 30.0 / 180.0 * pi;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/facets/facet_graph.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/mesh/geometry/thinness.h"
@@ -20,7 +21,6 @@ namespace sheetmorph::recognise
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr int none = -1;
 
 // Sheets at one edge beyond which none goes on; the bend up to which one does,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/bends.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -15,8 +17,6 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr double pi = 3.14159265358979323846;
-
 // Turns of a bend, radians: less is a waved flat, more is a tube.
 constexpr double least_turn = 0.08;
 constexpr double most_turn = 1.1 * pi;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/hole_wall.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,8 +15,6 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr double pi = 3.14159265358979323846;
-
 // How far outside its outline, in radii of a circle of the same area, the wall
 // of a hole may be.
 constexpr double slack = 0.25;

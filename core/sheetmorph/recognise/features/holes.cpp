@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/features/holes.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/vertex_sets.h"
 #include "sheetmorph/fitting/outline.h"
 #include "sheetmorph/recognise/features/hole_wall.h"
@@ -129,7 +130,7 @@ Feature RimFinder::plain_hole(const RegionLoop& loop) const
     feature.kind = FeatureKind::hole;
     feature.center = rim.colwise().mean().transpose();
     feature.axis = loop.normal;
-    feature.length = feature.width = 2.0 * std::sqrt(loop.area / 3.14159265358979323846);
+    feature.length = feature.width = 2.0 * std::sqrt(loop.area / pi);
     feature.rims = {loop.vertices};
     feature.vertices = loop.vertices;
     make_set(feature.vertices);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/recognise/surfaces/surface_grower.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,6 @@ namespace
 {
 
 constexpr int none = -1;
-constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t patch_size = 14;
 constexpr std::size_t measured_patch_size = 40;
 constexpr std::size_t fewest_triangles = 6;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/repair/remeshing/round_rims.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/mesh/regions/crease_loops.h"
 
 #include <Eigen/Geometry>
@@ -49,7 +50,7 @@ std::vector<double> RoundRims::sizes(int count) const
     std::vector<double> found(static_cast<std::size_t>(count),
                               std::numeric_limits<double>::infinity());
     for (const auto& [vertex, circle] : circle_of_)
-        found[vertex] = 2.0 * M_PI * circles_[circle].radius / fewest_segments;
+        found[vertex] = 2.0 * pi * circles_[circle].radius / fewest_segments;
     return found;
 }
 

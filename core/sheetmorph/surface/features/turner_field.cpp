@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/features/turner_field.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/threads/parallel.h"
@@ -28,8 +29,8 @@ bool turns_sheet(const Turner& turner)
 // and what lies around it.
 double hold(double angle)
 {
-    constexpr double begins = 75.0 / 180.0 * 3.14159265358979323846;
-    constexpr double complete = 150.0 / 180.0 * 3.14159265358979323846;
+    constexpr double begins = 75.0 / 180.0 * pi;
+    constexpr double complete = 150.0 / 180.0 * pi;
     const double t = std::clamp((angle - begins) / (complete - begins), 0.0, 1.0);
     return 4.0 * t * t * (3.0 - 2.0 * t);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/rotation/far_turns.h"
 
+#include "sheetmorph/base/angles.h"
 #include "sheetmorph/base/disjoint_sets.h"
 #include "sheetmorph/base/index.h"
 #include "sheetmorph/base/log_near.h"
@@ -16,8 +17,6 @@ namespace sheetmorph::surface
 
 namespace
 {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 // Angles between two given rotations of a component. Below the first `natural` is what it always
 // was: a flat strip has lost a seventh of its width there. Above the second the laid shape decides.

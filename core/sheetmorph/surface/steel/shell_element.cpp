@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "sheetmorph/surface/steel/shell_element.h"
 
+#include "sheetmorph/base/angles.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
@@ -10,8 +12,6 @@ namespace sheetmorph::surface
 
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Below this squared ratio of areas, now over rest, a triangle resists further loss of area.
 constexpr double first_crushed = 0.75;
