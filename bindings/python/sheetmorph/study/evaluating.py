@@ -21,8 +21,8 @@ from .plan import Plan
 from .sampling import Values
 from .working import Workshop
 
-# The step of central differences, of the range: their own error, which grows with its square, and
-# the rounding of exact answers, which grows as it shrinks, are both below 1e-6 of a slope there.
+# The step of a central difference, as a share of the parameter's range. Truncation error grows with
+# its square and rounding error with its inverse; here both stay below 1e-6 of a slope.
 _STEP = 2e-3
 
 Given = Mapping[str, float] | Sequence[float]
@@ -58,8 +58,10 @@ class Evaluator:
         return _array(self(values))
 
     def gradient(self, values: Given) -> Floats:
-        """Slopes (m, k) of the measures over the parameters: central differences of exact
-        answers, two a parameter."""
+        """Return the slopes (m, k) of the measures over the parameters.
+
+        Each slope is the central difference of two exact answers.
+        """
         told = self._values(values)
         slopes = [self._slopes(told, name, self._array) for name in self.names]
         return np.stack([slope[""] for slope in slopes], axis=-1)
@@ -69,7 +71,7 @@ class Evaluator:
         return dict(self._result(self._values(values)).positions)
 
     def position_gradients(self, values: Given) -> dict[str, Floats]:
-        """Slopes (n, 3, k) of the positions over the parameters, by part, found likewise."""
+        """Return the slopes (n, 3, k) of the positions over the parameters, by part."""
         told = self._values(values)
         slopes = [self._slopes(told, name, self.positions) for name in self.names]
         return {part: np.stack([slope[part] for slope in slopes], axis=-1) for part in slopes[0]}
@@ -81,7 +83,7 @@ class Evaluator:
     def _slopes(
         self, values: Values, name: str, function: Callable[[Values], Mapping[str, Floats]]
     ) -> dict[str, Floats]:
-        """How what a function tells changes with a parameter."""
+        """Differentiate a function of the parameters by one of them."""
         low, high = self.bounds[self.names.index(name)]
         step = _STEP * ((high - low) or max(1.0, abs(low)))
         beyond, before = (function({**values, name: values[name] + s}) for s in (step, -step))
