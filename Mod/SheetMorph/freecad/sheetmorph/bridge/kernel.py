@@ -73,6 +73,12 @@ def splitting() -> ModuleType:
     return importlib.import_module("sheetmorph.recipe.splitting")
 
 
+def cad_module() -> ModuleType:
+    """Return the module of the package that reads and writes CAD shapes."""
+    load()
+    return importlib.import_module("sheetmorph.cad")
+
+
 def certifying() -> ModuleType:
     """Return the module of the package that certifies what was written."""
     load()
