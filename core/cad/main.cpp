@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <new>
 
@@ -67,6 +68,8 @@ Answer answered(Requests& requests, const std::vector<std::string>& request, Pip
 void work()
 {
     std::signal(SIGINT, SIG_IGN);  // Ctrl+C is for who started this process
+    // Where memory runs out, Linux ends this process and not the one that waits for it.
+    std::ofstream("/proc/self/oom_score_adj") << 1000;
     Pipe pipe;
     Requests requests;
     for (auto request = pipe.next_request(); !request.empty(); request = pipe.next_request())

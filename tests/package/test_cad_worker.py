@@ -118,18 +118,28 @@ def test_shapes_are_read_again_if_their_worker_has_ended_meanwhile(
     assert len(started) == 2 and written(model, tmp_path / "out.step")[0]["is_valid"]
 
 
-def test_a_file_that_was_changed_meanwhile_is_not_taken_for_the_one_that_was_read(
+def test_shapes_that_are_read_again_are_those_of_the_file_as_it_was(
     samples: Path, tmp_path: Path, started: list
 ):
     path = tmp_path / "part.step"
     shutil.copy(samples / "openings.step", path)
     model = read_part(path).model
+    faces = len(model.parts[0].surfaces)
     kill(started[0])
     started[0].wait()
-    shutil.copy(samples / "bend.step", path)
-    with pytest.raises(FileError, match="changed since it was read; read it again"):
-        written(model, tmp_path / "out.step")
-    assert not (tmp_path / "out.step").exists()
+    path.unlink()
+    (body,) = written(model, tmp_path / "out.step")
+    assert (body["faces"], body["is_valid"]) == (faces, True)
+
+
+def test_there_are_never_too_many_and_a_model_whose_worker_had_to_go_is_read_again(
+    samples: Path, started: list, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(worker, "MOST", 2)
+    models = [read_part(samples / "plate.brep").model for _ in range(3)]
+    assert [is_running(process.pid) for process in started] == [False, True, True]
+    assert models[0].brep(0) == models[2].brep(0)
+    assert [is_running(process.pid) for process in started] == [False, False, True, True]
 
 
 def test_a_worker_ends_with_its_model(samples: Path, started: list):
@@ -234,6 +244,18 @@ def test_arrays_are_read_only(samples: Path):
     with pytest.raises(ValueError, match="read-only"):
         part.points[0] = 0.0
     assert part.points.dtype == np.float64 and part.triangles.dtype == np.int32
+
+
+@pytest.mark.parametrize(
+    ("sizes", "words"),
+    [
+        ({"edge": 1e-3}, "edges of 0.001 mm would need 1.1.e.04 million triangles, the most are 3"),
+        ({"deflection": 1e-6}, "a deflection of 1e-06 mm is too small"),
+    ],
+)
+def test_a_mesh_that_is_too_large_is_refused_with_its_size(samples: Path, sizes: dict, words: str):
+    with pytest.raises(FileError, match=words):
+        read_part(samples / "plate.brep", sizes)
 
 
 # The command runs on, its worker is killed: the last words are one sentence, no file is left.

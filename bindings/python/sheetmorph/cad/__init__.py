@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import struct
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -49,10 +50,10 @@ def read_cad(
 
     Raises
     ------
-    InvalidInput, Cancelled, KernelError
+    InvalidInput, Cancelled, KernelError, OSError
     """
     request = [b"read_cad", os.fsencode(path), _packed(sizes)]
-    return CadModel("read the file", request, progress)
+    return CadModel("read the file", request, progress, Path(path))
 
 
 def read_brep(text: str, name: str, sizes: Mapping[str, float] | None = None) -> CadModel:

@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
+import os
 import struct
+import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..arrays import Floats, Ints
 from ..progress import Progress
-from .worker import Worker, kernel_error
+from .worker import Worker
 
 
 @dataclass(frozen=True)
@@ -97,8 +100,16 @@ class CadModel:
     why.
     """
 
-    def __init__(self, doing: str, request: Sequence[bytes], progress: Progress | None = None):
-        self._doing, self._request = doing, list(request)
+    def __init__(
+        self,
+        doing: str,
+        request: Sequence[bytes],
+        progress: Progress | None = None,
+        file: Path | None = None,
+    ):
+        self._doing, self._request, self._file = doing, list(request), file
+        # What is read once more must be the same, whatever happens to the file meanwhile.
+        self._content = b"" if file is None else file.read_bytes()
         self._worker = Worker()
         told, _ = self._worker.ask(doing, self._request, progress)
         self.parts = [_part(entry) for entry in told["parts"]]
@@ -134,22 +145,17 @@ class CadModel:
     def _ready(self) -> Worker:
         """A worker that has the shapes: another one reads them again if the first has ended."""
         if not self._worker.is_alive:
-            again = CadModel(self._doing, self._request)
-            if not _is_same(self.parts, again.parts):
-                raise kernel_error(
-                    "InvalidInput", "the file was changed since it was read", "read it again"
-                )
-            self._worker = again._worker
+            self._worker = self._read_again()._worker
         return self._worker
 
-
-def _is_same(parts: Sequence[CadPart], others: Sequence[CadPart]) -> bool:
-    return len(parts) == len(others) and all(
-        one.name == other.name
-        and np.array_equal(one.points, other.points)
-        and np.array_equal(one.triangles, other.triangles)
-        for one, other in zip(parts, others)
-    )
+    def _read_again(self) -> CadModel:
+        if self._file is None:
+            return CadModel(self._doing, self._request)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, self._file.name)
+            path.write_bytes(self._content)
+            request = [self._request[0], os.fsencode(path), *self._request[2:]]
+            return CadModel(self._doing, request)
 
 
 def _part(told: dict[str, Any]) -> CadPart:

@@ -27,6 +27,8 @@ PROGRAM = Path(__file__).resolve().parent.parent / (
     "sheetmorph-cad.exe" if sys.platform == "win32" else "sheetmorph-cad"
 )
 _NOT_STARTED = 127  # what the loader of programs answers if a library is missing
+# A process takes some 30 MB; a model whose worker had to go is read again when it is written.
+MOST = 16
 _TRY = "try it again; if it ends again, repair the shape in the CAD system"
 
 
@@ -42,6 +44,9 @@ class Worker:
     """
 
     def __init__(self) -> None:
+        if PROGRAM.is_file() and not os.access(PROGRAM, os.X_OK):
+            with suppress(OSError):
+                PROGRAM.chmod(0o755)  # Python's zipfile loses what may be run
         self._owner = os.getpid()
         self._errors = tempfile.TemporaryFile()
         try:
@@ -53,11 +58,21 @@ class Worker:
             raise _no_worker(error.strerror or str(error)) from None
         self._asking = threading.Lock()
         self._end = weakref.finalize(self, _end, self._process, self._owner)
+        _make_room()
+        _LIVING.append(weakref.ref(self))
 
     @property
     def is_alive(self) -> bool:
         """Whether it can be asked; a process that was forked from this one has no worker."""
         return self._owner == os.getpid() and self._end.alive and self._process.poll() is None
+
+    def end_if_idle(self) -> None:
+        """End it, unless it is being asked."""
+        if self._asking.acquire(blocking=False):
+            try:
+                self._end()
+            finally:
+                self._asking.release()
 
     def ask(
         self, doing: str, fields: Sequence[bytes], progress: Progress | None = None
@@ -119,17 +134,23 @@ class Worker:
         if code is not None and code < 0:
             reason = signal.strsignal(-code) or f"signal {-code}"
         what = f"the CAD worker ended unexpectedly while it {doing} ({reason.lower()})"
-        return kernel_error("InvalidInput", what, _TRY)
+        told = {"error": "InvalidInput", "message": f"{what}; {_TRY}"}
+        return _error({**told, "what": what, "brief": what, "todo": _TRY})
 
 
-def kernel_error(kind: str, what: str, todo: str) -> Exception:
-    """An error as the kernel raises it: InvalidInput or SolverError."""
-    message = f"{what}; {todo}"
-    return _error({"error": kind, "message": message, "what": what, "brief": what, "todo": todo})
+_LIVING: list[weakref.ref[Worker]] = []  # the oldest first
+
+
+def _make_room() -> None:
+    """End the oldest workers where there are too many."""
+    found = [worker for worker in (one() for one in _LIVING) if worker and worker.is_alive]
+    for worker in found[: max(0, len(found) + 1 - MOST)]:
+        worker.end_if_idle()
+    _LIVING[:] = [weakref.ref(worker) for worker in found if worker.is_alive]
 
 
 def _error(told: dict[str, str]) -> Exception:
-    """The error that an answer tells."""
+    """The error that an answer tells, as the kernel raises it."""
     core = load_kernel()
     kind: Any = {"InvalidInput": core.InvalidInput, "SolverError": core.SolverError}[told["error"]]
     error = kind(told["message"])
