@@ -9,8 +9,8 @@ import sheetmorph
 
 FOLDER = Path(sheetmorph.__file__).parent
 BUILT = [*sorted(FOLDER.glob("*.so")), FOLDER / "sheetmorph-cad"]
-# The system's own; GMP and MPFR (LGPL) are in _core for exact predicates.
-SYSTEM = r"libstdc\+\+|libm|libgcc_s|libc|libgomp|ld-linux-x86-64"
+# The system's own, and Highway (Apache-2.0), which asks the processor for its instructions.
+SYSTEM = r"libstdc\+\+|libm|libgcc_s|libc|libgomp|ld-linux-x86-64|libhwy"
 ALLOWED = {
     "_core": rf"({SYSTEM}|libgmp|libmpfr)\.so\.\d+",
     "sheetmorph-cad": rf"({SYSTEM}|libTK\w+)\.so[\d.]*",
