@@ -113,6 +113,15 @@ MUTATIONS = [
         "CompactPanelRows*",
     ),
     Mutation(
+        "numerics/products/shared_rows.cpp",
+        "if (length <= least)",
+        "if (length <= 1e4 * least)",
+        "SharedRows*",
+    ),
+    Mutation(
+        "numerics/products/shared_rows.cpp", "before && !are_few", "before", "SharedRows*"
+    ),
+    Mutation(
         "numerics/products/panel_rows.cpp",
         "bits &= exponent_bits;\n        std::memcpy(&powers",
         "std::memcpy(&powers",
