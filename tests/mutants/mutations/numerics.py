@@ -120,6 +120,15 @@ MUTATIONS = [
         "CompactPanelRows*",
     ),
     Mutation(
+        "numerics/products/shared_rows.cpp",
+        "if (length <= least)",
+        "if (length <= 1e4 * least)",
+        "SharedRows*",
+    ),
+    Mutation(
+        "numerics/products/shared_rows.cpp", "before && !are_few", "before", "SharedRows*"
+    ),
+    Mutation(
         "numerics/products/panel_rows.cpp",
         "hn::And(bits, hn::Set(integers, exponent_bits))",
         "bits",

@@ -85,6 +85,7 @@ MUTATIONS = [
     # From sources over control meshes to targets.
     Mutation(LINK, "/ (2.0 * steps_.col(a).norm())", "/ steps_.col(a).norm()", "VolumeLink*"),
     Mutation(LINK, "above - below;", "above + below;", "VolumeLink*"),
+    Mutation(LINK, "negligible = 0x1p-43", "negligible = 0x1p-20", "VolumeLink*"),
     Mutation(
         LINK,
         "state.positions - state.mean.apply(source_)",
