@@ -12,7 +12,7 @@ BUILT = [*sorted(FOLDER.glob("*.so")), FOLDER / "sheetmorph-cad"]
 # The system's own, and Highway (Apache-2.0), which asks the processor for its instructions.
 SYSTEM = r"libstdc\+\+|libm|libgcc_s|libc|libgomp|ld-linux-x86-64|libhwy"
 ALLOWED = {
-    "_core": rf"({SYSTEM}|libgmp|libmpfr)\.so\.\d+",
+    "_core": rf"({SYSTEM})\.so\.\d+",
     "sheetmorph-cad": rf"({SYSTEM}|libTK\w+)\.so[\d.]*",
     "_coin": rf"({SYSTEM}|libCoin)\.so[\w.]*",
 }

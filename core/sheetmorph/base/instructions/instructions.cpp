@@ -12,7 +12,7 @@ namespace
 {
 
 // Of two sets of one processor family the wider one has the lower bit.
-std::int64_t excluded()
+[[maybe_unused]] std::int64_t excluded()
 {
     const char* const given = std::getenv("SHEETMORPH_INSTRUCTIONS");
     const std::string name = given != nullptr ? given : "";
@@ -27,7 +27,9 @@ std::int64_t excluded()
 
 void limit_instructions()
 {
+#if (HWY_TARGETS & (HWY_TARGETS - 1)) != 0  // there is a choice
     [[maybe_unused]] static const bool is_limited = (hwy::DisableTargets(excluded()), true);
+#endif
 }
 
 }  // namespace sheetmorph
