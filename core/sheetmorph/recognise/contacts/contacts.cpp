@@ -21,13 +21,14 @@ namespace
 
 constexpr double weld = 1e-7;
 
-// Largest and smallest gap that is ever proposed, over the size of the assembly. Joined sheets are
-// at most farthest_joined mm apart, however large the assembly is.
+// Largest and smallest gap that is ever proposed, relative to the size of the assembly. Joined
+// sheets are at most farthest_joined mm apart, however large the assembly is.
 constexpr double widest_gap = 0.012;
 constexpr double closest_gap = 1e-3;
 constexpr double farthest_joined = 10.0;
 
-// Over the size of the assembly. Longer elements carry masses or loads and do not join parts.
+// Relative to the size of the assembly. Longer elements carry masses or loads and do not join
+// parts.
 constexpr double farthest_connection = 0.06;
 
 // The first three are explained at gap_before_quiet(); `above` is the proposed gap over the gap

@@ -69,9 +69,9 @@ std::vector<FoundContact> find_contacts(const std::vector<ContactPart>& parts,
                                         const ContactTolerances& tolerances = {},
                                         const Progress& progress = {});
 
-//! Proposes the largest gap of a contact, beyond half of both thicknesses, mm. It is 1.2 times the
-//! gap that ends the cluster of small gaps: almost no facing surfaces have a gap between it and 1.5
-//! times its value.
+//! Proposes the largest gap of a contact, beyond half of both thicknesses, mm. Small gaps form
+//! a cluster: almost no facing surfaces have gaps from its end to 1.5 times that gap. The proposal
+//! is 1.2 times the gap at the end of the cluster.
 double proposed_gap(const std::vector<ContactPart>& parts,
                     const ContactTolerances& tolerances = {});
 

@@ -14,7 +14,8 @@ namespace
 // point lies sideways of the vertex and not opposite it.
 constexpr double sideways = 0.5;
 
-// Over the reach. At smaller distances, rounding determines the direction to the nearest point.
+// Relative to the reach. At smaller distances, rounding determines the direction to the nearest
+// point.
 constexpr double touching = 0.02;
 
 }  // namespace

@@ -20,13 +20,13 @@ constexpr int none = -1;
 constexpr double in_plane = 1.0 - 5e-7;
 constexpr double straight = -1.0 + 5e-7;
 
-// Target edge length over the facet's width and over the part's size. A patch of a few triangles
-// must span several facets to show the curvature.
+// Target edge length relative to the facet's width and to the part's size. A patch of a few
+// triangles must span several facets to show the curvature.
 constexpr double of_width = 2.0;
 constexpr double of_size = 0.03;
 
-// Over the target length: shorter edges collapse, unless the collapse creates an edge longer than
-// too_long.
+// Relative to the target length: shorter edges collapse, unless the collapse creates an edge longer
+// than too_long.
 constexpr double too_short = 1.0;
 constexpr double too_long = 1.7;
 
