@@ -21,7 +21,7 @@ using Corners = Eigen::Array<bool, Eigen::Dynamic, 1>;
 // Enclosed area over squared radius: 2 for a square with its corners on the circle, 2.6 for a
 // hexagon.
 constexpr double least_round_area = 2.3;
-constexpr std::size_t most_directions = 96;
+constexpr std::size_t most_directions = 96;  // edges tried as sides of the bounding rectangle
 
 // shortest_slot: length over width below which a slot counts as a circle. roundest_rectangle:
 // corner radius over half the width above which a rectangle counts as a slot.

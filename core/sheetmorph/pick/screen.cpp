@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr int rows_of_an_outline = 256;
-constexpr double margin = 1e-6;  // px, far above rounding; shifts the planes outwards
-constexpr double depth_margin = 1e-9;
+constexpr double margin = 1e-6;        // px, far above rounding; shifts the planes outwards
+constexpr double depth_margin = 1e-9;  // likewise, in depth
 
 }  // namespace
 

@@ -18,6 +18,8 @@ namespace
 {
 
 constexpr int none = -1;
+// Triangles of the patch around a seed, of a drawn and of a measured mesh; fewest triangles to
+// which a curved surface is fitted.
 constexpr std::size_t patch_size = 14;
 constexpr std::size_t measured_patch_size = 40;
 constexpr std::size_t fewest_triangles = 6;

@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr int most_looks = 64;
-constexpr Eigen::Index least_looks = 50;  // fewest worth a thread
-constexpr double looks_a_component = 2000.0;
+constexpr Eigen::Index least_looks = 50;      // fewest worth a thread
+constexpr double looks_a_component = 2000.0;  // target number of rays
 constexpr double facing = -0.70710678118654752;
 
 // Depth of the ray origin below the surface, over the square root of the component's area.
