@@ -9,7 +9,7 @@ namespace sheetmorph::fitting
 namespace
 {
 
-// Largest deviation over the radius.
+// Largest deviation, relative to the radius.
 constexpr double tolerance = 0.02;
 
 // Below 30 degrees of arc the normals do not determine the axis. Measurement noise also spreads the

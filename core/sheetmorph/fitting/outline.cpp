@@ -27,13 +27,14 @@ constexpr std::size_t most_directions = 96;  // edges tried as sides of the boun
 // corner radius over half the width above which a rectangle counts as a slot.
 constexpr double shortest_slot = 1.06;
 
-// If the residual of a circle over its radius exceeds barely_off, a rounded rectangle is preferred
-// whose residual is below this share of the circle's.
+// barely_off: residual of a circle, relative to its radius, above which a rounded rectangle may
+// replace it. Its residual must then be below clearly_better times that of the circle.
 constexpr double barely_off = 0.04;
 constexpr double clearly_better = 0.35;
 constexpr double roundest_rectangle = 0.8;
 
-// Deviation of a formed hole over its radius that is always allowed, however fine its polygon is.
+// Deviation of a formed hole, relative to its radius, that is always allowed, however fine its
+// polygon is.
 constexpr double least_tolerance = 0.03;
 
 // Smallest turn at a corner, relative to the mean turn of the rim's vertices.

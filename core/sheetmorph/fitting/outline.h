@@ -39,12 +39,12 @@ constexpr double default_roundness = 0.12;
 //! uses this function.
 //! The faceting tolerance is the sagitta of a regular polygon with the same number of corners,
 //!   radius (1 - cos(pi / corners)) ,
-//! because a mesher may put vertices anywhere between arc and chord. It is at least 3 % of the
-//! radius, for the sake of formed holes. Vertices inside straight sides do not count as corners.
+//! and at least 3 % of the radius, for the sake of formed holes. A mesher may put vertices anywhere
+//! between arc and chord. Vertices inside straight sides do not count as corners.
 //! \param loop       (k, 3) mm, k >= 3, in order, not collinear
 //! \param roundness  upper limit of all relative tolerances, no unit
-//! \param scatter    standard deviation of the points in one direction, mm; widens the tolerance by
-//!                   three times its value
+//! \param scatter    standard deviation of the points in one direction, mm; three times this value
+//!                   widens the tolerance
 Outline fit_outline(const Points& loop, double roundness = default_roundness, double scatter = 0.0);
 
 }  // namespace sheetmorph::fitting

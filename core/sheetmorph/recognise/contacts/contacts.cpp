@@ -31,7 +31,7 @@ constexpr double farthest_joined = 10.0;
 // parts.
 constexpr double farthest_connection = 0.06;
 
-// The first three are explained at gap_before_quiet(); `above` is the proposed gap over the gap
+// gap_before_quiet() explains the first three. `above` is the ratio of the proposed gap to the gap
 // found.
 constexpr double quiet = 1.5;
 constexpr double fair_share = 0.2;

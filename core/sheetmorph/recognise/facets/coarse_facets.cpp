@@ -33,7 +33,7 @@ constexpr double too_long = 1.7;
 // Minimum height over longest side of a triangle after a collapse.
 constexpr double slimmest = 0.05;
 
-// Coarsening pays off if it leaves a smaller share of the triangles.
+// Coarsening is worthwhile if at most this share of the triangles would remain.
 constexpr double far_fewer = 0.9;
 
 // The facet of every triangle. A degenerate triangle forms its own facet.

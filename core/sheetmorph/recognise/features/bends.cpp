@@ -24,18 +24,19 @@ constexpr double most_turn = 1.1 * pi;
 // Cosine between the axis and an edge at which the bend ends.
 constexpr double along_axis = 0.98;
 
-// at_end: over the turn, the distance of an end edge from the end. least_flat: over the length, the
-// minimum length of end edges that a flat adjoins.
+// at_end: largest distance of an end edge from the end, relative to the turn. least_flat: smallest
+// length of end edges that a flat adjoins, relative to the length.
 constexpr double at_end = 0.1;
 constexpr double least_flat = 0.5;
 
-// Largest distance of the strip's vertices from the cylinder over its radius; smallest cosine
-// between facet normals and the cylinder's normal (30 degrees).
+// on_cylinder: largest distance of the strip's vertices from the cylinder, relative to its radius.
+// along_surface: smallest cosine between a facet's normal and the cylinder's (30 degrees).
 constexpr double on_cylinder = 1e-3;
 constexpr double along_surface = 0.866;
 
-// Criteria for the two skins of one bend: cosine between their axes, distance of the axes over the
-// thickness, difference of the turns over the larger turn, overlap along the axis over the length.
+// Criteria for the two skins of one bend: cosine between their axes; distance of the axes, relative
+// to the thickness; difference of the turns, relative to the larger turn; overlap along the axis,
+// relative to the length.
 constexpr double parallel = 0.9995;
 constexpr double off_axis = 0.15;
 constexpr double other_turn = 0.15;

@@ -15,7 +15,7 @@ struct HoleWall
     std::vector<int> triangles;  //!< ascending
     bool leads_out = false;      //!< the wall reaches the rim of another skin or leaves the outline
     bool is_open = false;        //!< the wall has free edges of its own
-    double covered = 0.0;        //!< projected area of the wall over the area of the outline
+    double covered = 0.0;        //!< projected area of the wall, relative to the outline's area
     //! largest distance of its vertices from the loop's plane, mm, signed by the loop's normal
     double height = 0.0;
 };

@@ -25,10 +25,12 @@ constexpr int none = -1;
 constexpr double collar_cover = 0.5;
 constexpr double through_cover = 0.85;
 
-// Minimum height of a collar over the scatter of a measured mesh; a lower one is a bent rim.
+// Minimum height of a collar, relative to the scatter of a measured mesh. A lower one is a bent
+// rim.
 constexpr double lowest_collar = 6.0;
 
-// Largest deviation from a plane of a rim on a curved sheet, over the square root of its area.
+// Largest deviation from a plane of a rim on a curved sheet, relative to the square root of its
+// area.
 constexpr double most_bulge = 0.6;
 
 class RimFinder

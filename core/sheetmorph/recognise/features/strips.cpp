@@ -17,8 +17,8 @@ namespace
 
 constexpr int none = -1;
 
-// Of a flange: largest width over the length of its fold, smallest free border over the fold,
-// largest area over the part's area.
+// Of a flange: largest width and smallest free border, relative to the length of its fold; largest
+// area, relative to the part.
 constexpr double widest = 0.6;
 constexpr double least_free = 0.8;
 constexpr double largest = 0.35;
@@ -27,7 +27,7 @@ constexpr double largest = 0.35;
 // rows of facets form a bend.
 constexpr double folded = 0.3;
 
-// Minimum area of a plane that may have beads, over the part's area.
+// Minimum area of a plane that may have beads, relative to the part's area.
 constexpr double least_base = 0.04;
 
 // Minimum share of its outline that a raised region covers, seen from above; with less it is a

@@ -13,7 +13,8 @@ fitting::FacetSample sample_of(const FacetGraph& graph, const std::vector<int>& 
 //! (k, 3) corners of a subset of the triangles; enough to refine a surface.
 Points some_corners(const FacetGraph& graph, const std::vector<int>& triangles);
 
-//! The largest distance of a corner of the triangles from the surface, over the radius there.
+//! The largest distance of a corner of the triangles from the surface, relative to the radius
+//! there.
 double misfit_of(const FacetGraph& graph, const std::vector<int>& triangles,
                  const fitting::Surface& surface);
 

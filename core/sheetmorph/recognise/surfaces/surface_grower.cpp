@@ -59,10 +59,10 @@ constexpr double along_surface = 0.866;
 constexpr int directions = 36;
 constexpr int fewest_directions = 3;
 
-// Largest distance of measured vertices from a surface, over the scatter.
+// Largest distance of measured vertices from a surface, relative to the scatter.
 constexpr double within_scatter = 4.0;
 
-// Largest distance from a plane, over the size of the part.
+// Largest distance from a plane, relative to the size of the part.
 constexpr double flatness = 1e-3;
 
 // Two fits of similar size: the second replaces the first only if its mean distance at centroids is

@@ -23,7 +23,7 @@ private:
     struct Seed
     {
         int triangle;
-        double misfit;  // of the best curved surface through its patch, over the radius; < 0: flat
+        double misfit;  // of the best curved fit, relative to the radius; < 0: flat
     };
 
     std::vector<Seed> seeds();

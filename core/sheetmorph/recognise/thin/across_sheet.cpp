@@ -19,7 +19,7 @@ using mesh::Hit;
 namespace
 {
 
-// Tolerance of equal distances, over the distance plus a thousandth of the size.
+// Tolerance of equal distances, relative to the distance plus a thousandth of the size.
 constexpr double equally_near = 1e-7;
 
 // A ray that ends within this many thicknesses has reached the other skin of its own sheet.
@@ -33,7 +33,7 @@ constexpr double beside[] = {0.05, 1.2};
 // One ray is enough for all facets of a plane. At a fold, however flat, each plane needs its own.
 constexpr double alike = 1.0 - 1e-12;
 
-// Depth of the ray origin below the surface, over the size of the mesh.
+// Depth of the ray origin below the surface, relative to the size of the mesh.
 constexpr double first_step = 1e-7;
 
 // A skin reached through the material faces away from the start of the walk (sine of the angle).

@@ -20,7 +20,7 @@ constexpr Eigen::Index least_looks = 50;      // fewest worth a thread
 constexpr double looks_a_component = 2000.0;  // target number of rays
 constexpr double facing = -0.70710678118654752;
 
-// Depth of the ray origin below the surface, over the square root of the component's area.
+// Depth of the ray origin below the surface, relative to the square root of the component's area.
 constexpr double first_step = 1e-7;
 
 // Low-discrepancy barycentric coordinates (R2 sequence, Roberts 2018).

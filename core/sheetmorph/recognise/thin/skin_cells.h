@@ -33,8 +33,8 @@ struct SkinCells
     int count() const { return static_cast<int>(area.size()); }
 };
 
-//! A facet may be skin if most of its rays hit a facet that faces the opposite way after 0.5 to 1.6
-//! typical thicknesses, and if its cell is larger than the square of the thickness.
+//! A facet may be skin if most of its rays hit a facet that faces the opposite way, after 0.5 to
+//! 1.6 typical thicknesses. Its cell must also be larger than the square of the thickness.
 //! \param thickness  typical thickness, mm; 0: estimated
 SkinCells skin_cells(const FacetGraph& graph, const std::vector<InwardProbe>& probes,
                      double thickness);

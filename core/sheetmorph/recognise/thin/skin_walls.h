@@ -17,9 +17,9 @@ struct FacetSides
 };
 
 //! Assigns the facets that are on neither skin to a skin, a wall or a lump.
-//! - A facet in a smooth patch of one skin (the foot of a boss seen from behind, the strip along a
-//!   sharp fold) joins that skin, unless it runs along the direction to the other skin as a rounded
-//!   wall does.
+//! - A facet in a smooth patch of one skin joins that skin. Examples are the foot of a boss seen
+//!   from behind and the strip along a sharp fold. A rounded wall is an exception: its facets run
+//!   along the direction to the other skin.
 //! - Any other facet within 1.6 thicknesses of both skins is a wall. A wall bordered by the same
 //!   skin on all sides (the rim of an embossed letter, a ledge up to the border) joins that skin.
 //! - All other facets are lumps, and so are facets of a skin farther than 1.8 thicknesses from the

@@ -87,7 +87,7 @@ private:
     int count_ = 0;
 };
 
-// Whether each group is wide. The width is twice its area over the length of its border.
+// Whether each group is wide. The width is twice its area divided by the length of its border.
 std::vector<char> wide_groups(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& table,
                               const std::vector<int>& plane, double least_width)
 {

@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr double finest = 1.0 / 30.0;  // relative to the target edge length
-constexpr double per_segment = 1.3;    // edges next to a ridge, over its shortest segment
-constexpr double per_radius = 0.35;    // edges on a bend, over its radius
+constexpr double per_segment = 1.3;    // edges next to a ridge, relative to its shortest segment
+constexpr double per_radius = 0.35;    // edges on a bend, relative to its radius
 constexpr double least_bend = 0.003;   // radians; a smaller bend counts as flat
 
 double length(const mesh::TriangleMesh& mesh, const mesh::EdgeUse& use)
@@ -31,7 +31,7 @@ double height(const mesh::TriangleMesh& mesh, const mesh::EdgeUse& use)
     return way.cross(across).norm() / std::max(way.norm(), 1e-300);
 }
 
-// Radius of curvature at an edge: mean height of its two facets over the bend, mm.
+// Radius of curvature at an edge: mean height of its two facets divided by the bend, mm.
 double radius(const mesh::TriangleMesh& mesh, const mesh::EdgeUses& uses, double bend)
 {
     return 0.5 * (height(mesh, *uses.begin()) + height(mesh, *(uses.begin() + 1))) / bend;

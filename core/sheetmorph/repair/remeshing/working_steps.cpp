@@ -18,7 +18,7 @@ namespace
 
 constexpr double too_long = 4.0 / 3.0;
 constexpr double too_short = 4.0 / 5.0;
-constexpr double least_height = 0.02;  // of a new triangle, over its longest edge
+constexpr double least_height = 0.02;  // of a new triangle, relative to its longest edge
 constexpr auto edges_of_work = "the edges of the new mesh";
 // Cosine between a triangle's normals before and after a step.
 constexpr double least_alignment = 0.8;
