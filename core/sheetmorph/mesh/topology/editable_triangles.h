@@ -65,7 +65,7 @@ public:
     int split(int t, int k);
 
     //! Whether flip() keeps the surface manifold: the other diagonal is not yet a side, and the
-    //! ends of this side keep three triangles each.
+    //! ends of this side keep three triangles each, or one at a border.
     bool may_flip(int t, int k) const;
 
     //! Replaces a free side by the other diagonal of its two triangles. Requires may_flip().
@@ -73,7 +73,7 @@ public:
 
     //! Whether collapse() of side k keeps the surface manifold (Dey et al. 1999). The ends must
     //! share only the two opposite vertices and the two triangles at the side. The opposite
-    //! vertices must keep three triangles, or two at a border.
+    //! vertices must keep three triangles, or one at a border.
     bool may_collapse(int t, int k) const;
 
     //! Removes vertex `v`, whose triangles must form a closed fan, by moving it onto its neighbour

@@ -9,8 +9,8 @@ namespace sheetmorph::recognise
 {
 
 //! Region growing over the triangles of a part. It fits a surface to a patch around a seed, grows
-//! the patch over all near triangles with a similar normal, and repeats. Best curved fits come
-//! first, flat seeds after them; no surface then spans a bend.
+//! the patch over all near triangles with a similar normal, and repeats. Flat seeds come first,
+//! then the seeds with the best curved fit. This order keeps a surface from spanning a bend.
 class SurfaceGrower
 {
 public:

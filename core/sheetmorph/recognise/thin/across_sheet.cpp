@@ -36,7 +36,8 @@ constexpr double alike = 1.0 - 1e-12;
 // Depth of the ray origin below the surface, relative to the size of the mesh.
 constexpr double first_step = 1e-7;
 
-// A skin reached through the material faces away from the start of the walk (sine of the angle).
+// A skin reached through the material faces away from the start of the walk: smallest cosine
+// between its normal and the direction from the start.
 constexpr double from_behind = -0.01;
 
 // A walk ends at this many times the distance of the nearest point that faces the start.

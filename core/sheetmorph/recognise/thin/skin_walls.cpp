@@ -21,8 +21,8 @@ namespace
 constexpr double reach_of_walls = 1.6;
 constexpr double thickest_of_skin = 1.8;  // above sqrt(3): the corner of a folded box
 
-// A facet whose normal deviates by more than 60 degrees from the direction to the other skin runs
-// along that direction.
+// A facet whose inward normal deviates by more than 60 degrees from the direction to the other skin
+// runs along that direction.
 constexpr double across = 0.5;
 
 constexpr int on_both = 2;
