@@ -251,12 +251,12 @@ def test_arrays_are_read_only(samples: Path):
 def test_the_cad_files_of_a_recipe_are_read_at_once_and_a_bad_one_costs_nothing_else(
     samples: Path, started: list
 ):
-    files = ("plate.brep", "none.step", "plate.igs")
-    entries = [{"file": file, "name": file[-4:]} for file in files]
+    files = ("plate.brep", "none.step", "openings.step")
+    entries = [{"file": file, "name": file} for file in files]
     parts = read_parts(model_of({"parts": entries}).parts, samples)
     assert [fault.what for fault in parts.faults] == ["there is no such file"]
     assert len(started) == 2
-    for source, file in zip(parts.sources, ("plate.brep", "plate.igs")):
+    for source, file in zip(parts.sources, ("plate.brep", "openings.step")):
         alone = read_part(samples / file).mesh
         assert source.file.path.name == file
         assert np.array_equal(source.file.mesh.points, alone.points)
