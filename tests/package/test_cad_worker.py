@@ -23,6 +23,8 @@ from sheetmorph import FileError, cad, read_part
 from sheetmorph.cad import worker
 from sheetmorph.errors import KernelError
 from sheetmorph.files.cad_writing import CadWriting, write_model
+from sheetmorph.recipe.model import model_of
+from sheetmorph.recipe.parts import read_parts
 
 WRITING = CadWriting("step")
 
@@ -244,6 +246,21 @@ def test_arrays_are_read_only(samples: Path):
     with pytest.raises(ValueError, match="read-only"):
         part.points[0] = 0.0
     assert part.points.dtype == np.float64 and part.triangles.dtype == np.int32
+
+
+def test_the_cad_files_of_a_recipe_are_read_at_once_and_a_bad_one_costs_nothing_else(
+    samples: Path, started: list
+):
+    files = ("plate.brep", "none.step", "openings.step")
+    entries = [{"file": file, "name": file} for file in files]
+    parts = read_parts(model_of({"parts": entries}).parts, samples)
+    assert [fault.what for fault in parts.faults] == ["there is no such file"]
+    assert len(started) == 2
+    for source, file in zip(parts.sources, ("plate.brep", "openings.step")):
+        alone = read_part(samples / file).mesh
+        assert source.file.path.name == file
+        assert np.array_equal(source.file.mesh.points, alone.points)
+        assert np.array_equal(source.file.mesh.triangles, alone.triangles)
 
 
 @pytest.mark.parametrize(
