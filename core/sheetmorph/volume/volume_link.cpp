@@ -6,7 +6,7 @@
 #include "sheetmorph/base/log_near.h"
 #include "sheetmorph/base/rotation.h"
 #include "sheetmorph/base/rotations/rotation_batch.h"
-#include "sheetmorph/numerics/products/shared_rows.h"
+#include "sheetmorph/numerics/products/row_space.h"
 #include "sheetmorph/volume/mean_value_coordinates.h"
 #include "sheetmorph/volume/rotations/rotation_kernel.h"
 
@@ -27,10 +27,10 @@ constexpr double difference_step = 1e-3;
 // Targets composed at a time, so that the weights of many targets never exist together.
 constexpr Eigen::Index chunk = 256;
 
-// Rows of targets whose directions are looked for: so many exist together in double.
+// More rows than this never exist together in double, so their rank is not computed.
 constexpr Eigen::Index most_together = 20000;
 
-// Of the targets' rows: less than what rounding their entries leaves.
+// Truncation of the targets' rows: below the rounding of their entries.
 constexpr double negligible = 0x1p-43;
 
 void check(const LinkSource& source, const LinkOptions& options)
@@ -149,13 +149,13 @@ void VolumeLink::compose(const MeanValueCoordinates& coordinates, std::unique_pt
         later_fit_->fit = std::move(fit);
     }
     else if (row_count() <= most_together)
-        keep_directions(coordinates, *fit);
+        keep_low_rank(coordinates, *fit);
     else
         keep_rows(coordinates, *fit);
 }
 
-// The targets on the directions that their rows on the inputs lie in, if that takes less memory.
-void VolumeLink::keep_directions(const MeanValueCoordinates& coordinates, const Fit& fit)
+// Keep the targets' rows on the inputs as a product of low rank where that takes less memory.
+void VolumeLink::keep_low_rank(const MeanValueCoordinates& coordinates, const Fit& fit)
 {
     Weights half(row_count(), control_.vertices.rows());
     for (Eigen::Index row = 0, first = 0; row < half.rows(); first += chunk)
@@ -165,9 +165,10 @@ void VolumeLink::keep_directions(const MeanValueCoordinates& coordinates, const 
         row += rows.rows();
     }
     const Weights half_inputs = fit.from_inputs.transpose();
-    const Eigen::Index together = half.rows() + half_inputs.rows();
-    const Weights basis = numerics::shared_rows(
-        {half, half_inputs}, half.rows() * half_inputs.rows() / together, negligible);
+    // An entry of rows_ takes six bytes, one of combined_ eight.
+    const Eigen::Index rows = half.rows(), inputs = half_inputs.rows();
+    const Weights basis = numerics::row_space(
+        {half, half_inputs}, 3 * rows * inputs / (3 * rows + 4 * inputs), negligible);
     Weights through = half_inputs;
     if (basis.rows() != 0)
     {
@@ -175,17 +176,17 @@ void VolumeLink::keep_directions(const MeanValueCoordinates& coordinates, const 
         numerics::add_product(basis, fit.from_inputs, 1.0, through);
         combined_ = numerics::ExactPanelRows(basis);
     }
-    rows_ = numerics::CompactPanelRows(half.rows(), through.rows());
-    for (Eigen::Index first = 0; first < half.rows(); first += 4 * chunk)
+    rows_ = numerics::CompactPanelRows(rows, through.rows());
+    for (Eigen::Index first = 0; first < rows; first += 4 * chunk)
     {
-        const Eigen::Index count = std::min(4 * chunk, half.rows() - first);
-        Weights rows = Weights::Zero(count, through.rows());
-        numerics::add_product(half.middleRows(first, count), through, 1.0, rows);
-        rows_.set(first, rows);
+        const Eigen::Index count = std::min(4 * chunk, rows - first);
+        Weights some = Weights::Zero(count, through.rows());
+        numerics::add_product(half.middleRows(first, count), through, 1.0, some);
+        rows_.set(first, some);
     }
 }
 
-// The targets on the control vertices, or on the inputs where they are few.
+// Keep the targets' rows on the control vertices, or on the inputs where these are few.
 void VolumeLink::keep_rows(const MeanValueCoordinates& coordinates, const Fit& fit)
 {
     const Eigen::Index inputs = input_count(), vertices = control_.vertices.rows();
@@ -214,7 +215,7 @@ void VolumeLink::keep_rows(const MeanValueCoordinates& coordinates, const Fit& f
     }
 }
 
-// With rotations the three derivatives of a target's place have a row each.
+// Targets with rotations have a row for the position and one for each of three derivatives.
 Eigen::Index VolumeLink::row_count() const
 {
     return (options_.rotations ? 4 : 1) * targets_.rows();

@@ -285,7 +285,7 @@ TEST(VolumeLinkTest, AHandleTwistedThroughFourHundredDegreesMovesTheTargetSmooth
     EXPECT_LT(largest, 0.02);
 }
 
-//! A sheet of columns x rows squares over the source's, and the source itself as fine.
+// A sheet of columns x rows squares above the source.
 TriangleMesh wide_sheet(int columns, int rows)
 {
     return shapes::mapped(shapes::grid(columns, rows, 1.8, 0.4),
@@ -298,7 +298,7 @@ TriangleMesh fine_strip()
                           [](const Vector3& p) { return Vector3(p.x() - 1.0, p.y() - 0.25, 0.0); });
 }
 
-// How far every hundredth target and its log are from where a link to those alone puts them.
+// Compare every hundredth target with a link to those targets alone.
 void expect_as_few(const TriangleMesh& source, const TriangleMesh& target)
 {
     const LinkedSheets sheets = linked(source, target, with_offset(0.05));
@@ -315,7 +315,7 @@ void expect_as_few(const TriangleMesh& source, const TriangleMesh& target)
     EXPECT_LT(farthest(all.logs(some, Eigen::indexing::all), found.logs), 1e-9);
     const LinkedTargets live = sheets.link.transfer(state, Exactness::live);
     EXPECT_LT(farthest(live.positions, all.positions), 2e-6);
-    // None keeps its fit; each makes it for the picture, once.
+    // No link keeps its fit; each computes it once for the picture.
     for (int time = 0; time < 2; ++time)
         EXPECT_TRUE(link.control_vertices(state) == sheets.link.control_vertices(state));
     EXPECT_GT(farthest(link.control_vertices(state), sheets.control.vertices), 0.1);

@@ -120,14 +120,12 @@ MUTATIONS = [
         "CompactPanelRows*",
     ),
     Mutation(
-        "numerics/products/shared_rows.cpp",
+        "numerics/products/row_space.cpp",
         "if (length <= least)",
         "if (length <= 1e4 * least)",
-        "SharedRows*",
+        "RowSpace*",
     ),
-    Mutation(
-        "numerics/products/shared_rows.cpp", "before && !are_few", "before", "SharedRows*"
-    ),
+    Mutation("numerics/products/row_space.cpp", "before && !are_few", "before", "RowSpace*"),
     Mutation(
         "numerics/products/panel_rows.cpp",
         "hn::And(bits, hn::Set(integers, exponent_bits))",

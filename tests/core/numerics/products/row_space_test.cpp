@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/numerics/products/shared_rows.h"
+#include "sheetmorph/numerics/products/row_space.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace
 
 constexpr double tolerance = 1e-12;
 
-//! A product of known directions: by how much each counts falls from 1 to 10^-decades.
+//! A product whose singular values fall by `decades` every hundred.
 struct Graded
 {
     Graded(Eigen::Index rows, Eigen::Index columns, Eigen::Index rank, double decades)
@@ -40,46 +40,46 @@ double off_orthonormal(const Weights& basis)
         .maxCoeff();
 }
 
-TEST(SharedRowsTest, FindsAsManyDirectionsAsThereAre)
+TEST(RowSpaceTest, HasTheRankOfTheProduct)
 {
     for (const Eigen::Index rows : {60, 1000})
     {
         const Graded product(rows, 300, 40, 0.0);
-        const Weights basis = shared_rows({product.left, product.right}, 200, tolerance);
+        const Weights basis = row_space({product.left, product.right}, 200, tolerance);
         EXPECT_EQ(basis.rows(), 40);
         EXPECT_LT(product.worst_miss(basis), 1e-14);
         EXPECT_LT(off_orthonormal(basis), 1e-14);
     }
 }
 
-TEST(SharedRowsTest, LeavesOutWhatDoesNotCount)
+TEST(RowSpaceTest, LeavesOutSingularValuesBelowTheTolerance)
 {
-    const Graded product(1500, 700, 300, 10.0);  // a decade every ten directions
-    const Weights basis = shared_rows({product.left, product.right}, 300, tolerance);
+    const Graded product(1500, 700, 300, 10.0);  // a decade every ten
+    const Weights basis = row_space({product.left, product.right}, 300, tolerance);
     EXPECT_LT(basis.rows(), 160);
     EXPECT_LT(product.worst_miss(basis), 10.0 * tolerance);
     EXPECT_LT(off_orthonormal(basis), 1e-12);
     EXPECT_GT(product.worst_miss(basis.topRows(100)), 100.0 * tolerance);
 }
 
-TEST(SharedRowsTest, FewRowsOfAnyOrderAreAllSeen)
+TEST(RowSpaceTest, SeesEveryOneOfFewRows)
 {
     // The first block has one direction, the last row another.
     Graded product(50, 80, 2, 0.0);
     product.left.setZero();
     product.left.col(0).setOnes();
     product.left(49, 1) = 1e-6;
-    const Weights basis = shared_rows({product.left, product.right}, 40, tolerance);
+    const Weights basis = row_space({product.left, product.right}, 40, tolerance);
     EXPECT_EQ(basis.rows(), 2);
     EXPECT_LT(product.worst_miss(basis), 1e-14);
 }
 
-TEST(SharedRowsTest, HasNothingWhereMoreDirectionsAreNeededThanWanted)
+TEST(RowSpaceTest, IsEmptyIfTheRankIsTooLarge)
 {
     const Graded product(500, 300, 40, 0.0);
-    EXPECT_EQ(shared_rows({product.left, product.right}, 39, tolerance).rows(), 0);
-    EXPECT_EQ(shared_rows({product.left, product.right}, 40, tolerance).rows(), 40);
-    EXPECT_EQ(shared_rows({Weights::Zero(30, 4), Weights::Ones(20, 4)}, 10, tolerance).rows(), 0);
+    EXPECT_EQ(row_space({product.left, product.right}, 39, tolerance).rows(), 0);
+    EXPECT_EQ(row_space({product.left, product.right}, 40, tolerance).rows(), 40);
+    EXPECT_EQ(row_space({Weights::Zero(30, 4), Weights::Ones(20, 4)}, 10, tolerance).rows(), 0);
 }
 
 }  // namespace

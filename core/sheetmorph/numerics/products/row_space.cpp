@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "sheetmorph/numerics/products/shared_rows.h"
+#include "sheetmorph/numerics/products/row_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +11,15 @@ namespace sheetmorph::numerics
 namespace
 {
 
-// Directions that are looked for at a time: a multiple of the rows of a tile of a dense product.
+// Rows of the basis found at a time: a multiple of the rows of a tile of a dense product.
 constexpr Eigen::Index block = 24;
 
-// Of so many sums each row is part, and so many sums are more than there can be directions: else
-// one that is left out of the sums by chance would be lost.
+// Every row is in this many sums. There are more sums than the rank can be, so that no direction is
+// lost by chance.
 constexpr int sums_of_row = 8;
 constexpr Eigen::Index spare = 2 * block;
 
-// A reproducible random number (splitmix64).
+// Return the next random number (splitmix64).
 std::uint64_t next(std::uint64_t& state)
 {
     std::uint64_t bits = state += 0x9e3779b97f4a7c15;
@@ -28,7 +28,7 @@ std::uint64_t next(std::uint64_t& state)
     return bits ^ (bits >> 31);
 }
 
-// (count, k) sums of rows with random signs.
+// Return (count, k) sums of rows with random signs.
 Weights random_sums(const Weights& rows, Eigen::Index count)
 {
     Weights sums = Weights::Zero(count, rows.cols());
@@ -47,7 +47,7 @@ Weights random_sums(const Weights& rows, Eigen::Index count)
     return sums;
 }
 
-//! Orthonormal rows that grow.
+//! Orthonormal rows, extended block by block.
 class Basis
 {
 public:
@@ -58,12 +58,12 @@ public:
     Eigen::Index count() const { return count_; }
     Weights found() const { return rows_.topRows(count_); }
 
-    //! Takes in what rows have beyond the basis, except what is shorter than `least`.
-    //! \returns whether there was room for it
-    bool take_in(Weights& rows, double least)
+    //! Extend the basis by the rows' components orthogonal to it that are longer than `least`.
+    //! \returns whether the basis had room for them
+    bool extend(Weights& rows, double least)
     {
-        for (int time = 0; time < 2; ++time)  // once leaves rounding of what was taken away
-            subtract_shares(rows);
+        for (int time = 0; time < 2; ++time)  // the first time leaves rounding of the projection
+            project_out(rows);
         const Eigen::Index before = count_;
         for (Eigen::Index row = 0; row < rows.rows(); ++row)
         {
@@ -83,11 +83,11 @@ public:
     }
 
 private:
-    void subtract_shares(Weights& rows) const
+    void project_out(Weights& rows) const
     {
-        Weights shares = Weights::Zero(rows.rows(), count_);
-        add_product(rows, rows_.topRows(count_), 1.0, shares);
-        add_product(shares, columns_.leftCols(count_), -1.0, rows);
+        Weights products = Weights::Zero(rows.rows(), count_);
+        add_product(rows, rows_.topRows(count_), 1.0, products);
+        add_product(products, columns_.leftCols(count_), -1.0, rows);
     }
 
     Weights rows_, columns_;  // the same, transposed
@@ -96,7 +96,7 @@ private:
 
 }  // namespace
 
-Weights shared_rows(const ProductFactors& product, Eigen::Index most, double tolerance)
+Weights row_space(const ProductFactors& product, Eigen::Index most, double tolerance)
 {
     const Eigen::Index width = product.right.rows();
     const Eigen::Index count = std::min(product.left.cols(), width) + spare;
@@ -111,10 +111,10 @@ Weights shared_rows(const ProductFactors& product, Eigen::Index most, double tol
         if (first == 0)
             least = tolerance * rows.rowwise().norm().maxCoeff();
         const Eigen::Index before = basis.count();
-        if (!basis.take_in(rows, least))
+        if (!basis.extend(rows, least))
             return Weights(0, width);
         if (basis.count() == before && !are_few)
-            break;  // sums of all rows have nothing more
+            break;  // random sums have nothing beyond the basis
     }
     return basis.found();
 }
