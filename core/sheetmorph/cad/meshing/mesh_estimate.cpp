@@ -155,13 +155,13 @@ void MeshEstimate::check(const CadMeshing& meshing) const
         : is_angle ? "an angle of " + short_number(meshing.angle * 180.0 / M_PI) + " degrees"
                    : "a deflection of " + short_number(meshing.deflection) + " mm";
     const double unit = std::pow(10.0, std::floor(std::log10(size)));
-    const std::string enough = short_number(std::ceil(size / unit) * unit) + " mm or so";
+    const std::string enough = short_number(std::ceil(size / unit) * unit) + " mm";
     throw InvalidInput(what + " would need " + short_number(needed / 1e6)
-                           + " million triangles, the most are "
+                           + " million triangles, more than the limit of "
                            + short_number(most_triangles / 1e6) + " million",
-                       is_edge    ? "give a longer edge, " + enough
+                       is_edge    ? "give a longer edge, about " + enough
                        : is_angle ? "give a larger one"
-                                  : "give a larger one, " + enough);
+                                  : "give a larger one, about " + enough);
 }
 
 }  // namespace sheetmorph::cad
