@@ -34,9 +34,10 @@ def criteria_of(asked: Any, base: Path) -> str | Path | None:
 
 
 def repaired(result: Result, sources: list[Source], criteria: str | Path) -> Result:
-    """Return the result with nodes of its decks slid in the sheet until the criteria are met.
+    """Slide nodes of the decks in their sheets until the criteria are met; return the new result.
 
-    Its `repairs` describe every part. Raises FileError, and RecipeError if there is no deck.
+    Its `repairs` describe every part. Raises FileError, and RecipeError if none of the parts is a
+    deck.
     """
     wanted = read_criteria(criteria)
     decks = [(s, s.file) for s in sources if isinstance(s.file, DeckFile)]
