@@ -35,8 +35,8 @@ class Found:
 class Resolved:
     """A recipe with vertex ids only.
 
-    told maps the place of a region to its selector result: area in mm^2, distance in mm of the
-    farthest match from its point or None, matches, remarks.
+    The dict `told` maps the place of a region to its selector result. The result has the area in
+    mm^2, the distance in mm of the farthest match from its point or None, matches and remarks.
     """
 
     recipe: dict[str, Any]

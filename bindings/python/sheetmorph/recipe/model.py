@@ -204,7 +204,7 @@ class Model:
     """A whole recipe.
 
     pose maps names of handles, features and points to motions, and poses maps names to poses. found
-    is the search result. told maps the place of a region to the result of its selector.
+    is the search result. The dict `told` maps the place of a region to the result of its selector.
     """
 
     parts: list[PartEntry] = field(default_factory=list)

@@ -35,7 +35,7 @@ def solvable(
 ) -> list[dict[str, Any]]:
     """Return the contacts, with rigid ones changed to tied if different regions move their body.
 
-    All fixed regions count as one. told receives a sentence for each change.
+    All fixed regions count as one. The list `told` receives a sentence for each change.
     """
     movers = _movers(recipe)
     bodies = _Bodies()
