@@ -38,9 +38,7 @@ def missing_findings(missing: list[str]) -> list[dict[str, Any]]:
 
 
 def for_deck(findings: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return the findings without the cures that need a new mesh, because a deck keeps its
-    elements.
-    """
+    """Return the findings of a deck, without cures that need a new mesh."""
     return [
         finding
         if set(finding["recipe"] or ()) <= _OF_DECKS and finding["cure"] != "orient"

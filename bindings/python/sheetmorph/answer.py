@@ -60,9 +60,7 @@ class Answer:
 
     @property
     def features(self) -> list[FeatureResult]:
-        """Motion of every form feature of the recipe; computed on demand because a drag rarely
-        needs it.
-        """
+        """Motion of every form feature of the recipe, computed on demand."""
         return self._moved[: len(self._moved) - self.session.lump_count]
 
     @property

@@ -36,8 +36,7 @@ def feature_edges(mesh: PartMesh, vertices: Ints) -> Ints:
 
 
 def best_turn(rest: Floats, positions: Floats, vertices: Ints) -> Floats | None:
-    """Return the rotation (3, 3) that fits the motion of vertices (k,) best, None if they are
-    collinear.
+    """Return the rotation (3, 3) of vertices (k,) that fits best, None if they are collinear.
 
     It needs positions only, so that a written file can be certified.
     """
@@ -60,8 +59,7 @@ def edge_error(rest: Floats, positions: Floats, edges: Ints, rotation: Floats | 
 
 
 def crossings(core: Any, points: Floats, triangles: Ints) -> Ints:
-    """Return the sorted pairs (k, 2) of triangles (m, 3) that intersect but share no corner (CGAL).
-    """
+    """Return sorted pairs (k, 2) of triangles (m, 3) that intersect but share no corner (CGAL)."""
     pairs = core.self_intersections(core.TriangleMesh(np.array(points), triangles))
     found: Ints = np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
     return found

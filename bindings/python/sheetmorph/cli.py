@@ -135,8 +135,7 @@ def _printable(text: str, stream: TextIO | None) -> str:
 
 
 def parser() -> argparse.ArgumentParser:
-    """Return the argument parser; the manual page and the shell completion are generated from it.
-    """
+    """Return the argument parser, from which manual page and shell completion are generated."""
     started = Path(sys.argv[0]).name
     parser = Parser(
         prog="python3 -m sheetmorph" if started == "__main__.py" else started,

@@ -53,8 +53,7 @@ class Parser(argparse.ArgumentParser):
         return words
 
     def _values(self, words: list[str]) -> tuple[list[int], int]:
-        """Return the options whose next word may be their value, and the number of certain
-        arguments.
+        """Return the options whose next word may be their value, and the count of sure arguments.
         """
         values: list[int] = []
         free, k = 0, 0
@@ -78,8 +77,7 @@ class Parser(argparse.ArgumentParser):
         return values, free
 
     def _action(self, word: str) -> argparse.Action | None:
-        """Return the option that consumes the next words: none for `--option=value` and `-ovalue`.
-        """
+        """Return the option that consumes the next words; `--option=value` consumes none."""
         if word in self._known:
             return self._known[word]
         found = {id(a): a for name, a in self._known.items() if name.startswith(word)}

@@ -14,8 +14,7 @@ from .arrays import Array, Ints
 
 @dataclass(frozen=True)
 class CadFace:
-    """A face of a CAD file: its number from 1 in its body, surface kind, name and colour "#rrggbb".
-    """
+    """A face of a CAD file: number from 1 in its body, surface kind, name, colour "#rrggbb"."""
 
     body: str
     number: int
@@ -43,8 +42,7 @@ class Labels:
         return replace(self, groups={**self.groups, **groups})
 
     def carried(self, triangle_of: Ints) -> Labels:
-        """Return the labels of a new mesh whose triangles (m,) each come from a triangle of this
-        mesh.
+        """Return the labels of a new mesh, whose triangles (m,) come from triangles of this mesh.
 
         Groups without a triangle in the new mesh are left out.
         """

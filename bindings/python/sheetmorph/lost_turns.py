@@ -92,11 +92,10 @@ class FollowedTurns:
     def least_miss(
         self, start: list[tuple[Ints, float]], end: Ints, axis: Floats, angle: float
     ) -> float | None:
-        """Return the least difference from angle to the turn about a unit axis at vertices end,
-        rad.
+        """Return the least difference from angle to the turn of vertices end, rad.
 
-        start lists regions as (vertices, own turn about the axis). The result is None if no chain
-        of triangles connects both.
+        The turn is about the unit axis. start lists regions as (vertices, own turn about the axis).
+        The result is None if no chain of triangles connects both.
         """
         turns = 2.0 * np.arctan2(self._quaternions[:, 1:] @ axis, self._quaternions[:, 0])
         found = np.full(len(turns), np.nan)

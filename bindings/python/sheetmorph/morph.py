@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A morph in a few lines of Python: open files, mark regions, move handles; this builds a recipe.
-"""
+"""A morph in a few lines of Python: open files, mark regions, move handles."""
 
 from __future__ import annotations
 

@@ -13,8 +13,7 @@ from .pictures import PictureError, Scene, draw
 
 
 def picture_html(scene: Scene | None, title: str, told: str = "") -> str:
-    """Return a title and an embedded picture of a scene, or the text `told` if there is no scene.
-    """
+    """Return a title and an embedded picture of a scene, or a text if there is no scene."""
     line = f"<p><code>{html.escape(title)}</code></p>"
     if scene is not None:
         try:

@@ -76,9 +76,7 @@ class PreparedMesh(PartMesh):
         return len(self.source.triangles)
 
     def find(self, ids: Ids, prepared: bool = False) -> tuple[Ints, list[int]]:
-        """Return the vertices (j,) int32 between or nearest to the given file ids, and the missing
-        ids.
-        """
+        """Return vertices (j,) int32 between or nearest to the file ids, and the missing ids."""
         if prepared:
             return super().find(ids, prepared)
         old, missing = self.source.find(ids)
@@ -122,8 +120,7 @@ class PreparedMesh(PartMesh):
 def prepared_mesh(
     core: ModuleType, mesh: PartMesh, wanted: Wanted, progress: Progress | None = None
 ) -> tuple[PartMesh, Ints]:
-    """Scale, merge and remesh a mesh; return the result and the file triangle of each triangle
-    (m,).
+    """Scale, merge and remesh a mesh; return it with the file triangle of each triangle (m,).
 
     Scaling alone changes no triangle. progress(fraction, task) returns whether to continue. Raises
     InvalidInput of the kernel (a ValueError) and its Cancelled.
@@ -192,8 +189,7 @@ def _only_scaled(mesh: PartMesh, scale: float) -> PreparedMesh:
 
 
 def placed_on(core: ModuleType, made: PartMesh, before: PartMesh) -> PreparedMesh:
-    """Return a mesh that accepts the ids of another mesh of the same surface, matched by position.
-    """
+    """Return a mesh that accepts the ids of another mesh of the same surface, by position."""
     old = core.PickingTree(before.points, before.triangles)
     new = core.PickingTree(made.points, made.triangles)
     below = [old.nearest_point(point) for point in made.points]
@@ -222,8 +218,7 @@ def _first_of(cure: _core.CuredMesh) -> Ints:
 
 
 def _corners_below(fresh: _core.RemeshedMesh, triangles: Ints) -> Ints:
-    """Return (n, 4): the nearest corner of the facet under each vertex, then its support corners.
-    """
+    """Return (n, 4): the nearest corner of the facet under each vertex, then its support."""
     return _with_weight(triangles[fresh.triangle], fresh.barycentric, _ON_EDGE)
 
 

@@ -166,9 +166,7 @@ class Preprocessed:
         return bool(self._kernel.is_held(self.parts.index(part)))
 
     def region_vertices(self, region: RegionEntry) -> Ints:
-        """Return the vertex indices (k,) of a region in its part; of a point, those of its
-        triangle.
-        """
+        """Return the vertices (k,) of a region, or the triangle corners of a point."""
         return self._translator.indices(region)
 
     def contact_gap(self, contact: str) -> ContactGap:
@@ -255,9 +253,7 @@ class Preprocessed:
         return self._kernel.thin_solid(self.parts.index(part))
 
     def sheet(self, part: str) -> _core.TriangleMesh:
-        """Return the kernel mesh that is deformed: the part's own, or the mid-surface of a thin
-        solid.
-        """
+        """Return the deformed mesh of the kernel: the part, or the mid-surface of a thin solid."""
         return self._kernel.sheet(self.parts.index(part))
 
     def sheet_thickness(self, part: str) -> float:

@@ -44,9 +44,7 @@ def _entry(session: Preprocessed, region: RegionEntry) -> dict[str, Any]:
 
 
 def _extent(mesh: PartMesh, vertices: Ints) -> tuple[float, list[float]]:
-    """Return the area inside a region, mm^2, and its centroid; without triangles, that of the
-    vertices.
-    """
+    """Return the area inside a region, mm^2, and its centroid, or that of the vertices."""
     inside = np.zeros(len(mesh.points), dtype=bool)
     inside[vertices] = True
     corners = mesh.points[mesh.triangles[inside[mesh.triangles].all(axis=1)]]

@@ -126,8 +126,7 @@ def warnings_in(result: Answer) -> list[Caution]:
 
 
 def as_written(result: Shown, files: Mapping[str, WrittenPart]) -> Shown:
-    """Return the answer with the positions stored in the files; the same object if they are equal.
-    """
+    """Return the answer with the positions stored in the files, or itself if they are equal."""
     stored = {name: part.positions for name, part in files.items()}
     if all(np.array_equal(result.positions[name], places) for name, places in stored.items()):
         return result

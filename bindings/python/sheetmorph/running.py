@@ -447,9 +447,7 @@ class Writer:
     def _written_shapes(
         self, files: FileSet, source: Source, positions: Floats
     ) -> WrittenShapes | None:
-        """Write the CAD shapes of a file beside its mesh; return None if the recipe does not want
-        them.
-        """
+        """Write the CAD shapes of a file beside its mesh, or return None if not wanted."""
         file, writing = source.file, source.writing
         if writing is None or not isinstance(file, CadFile):
             return None

@@ -93,9 +93,7 @@ def shape_failures(part: str, shape: dict[str, Any], flipped: int) -> Iterator[s
 
 
 def fold_of(core: Any, mesh: PartMesh, positions: Floats) -> str:
-    """Describe how the mesh of a part folds at positions (n, 3); return an empty string if it does
-    not.
-    """
+    """Describe how a mesh folds at positions (n, 3); return "" if it does not."""
     flipped = int(core.compare_quality(mesh.points, positions, mesh.triangles).flipped)
     rest, deformed = (
         len(crossings(core, points, mesh.triangles)) for points in (mesh.points, positions)

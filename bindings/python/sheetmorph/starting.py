@@ -242,8 +242,9 @@ class _End:
 
 
 def _rigid_bodies(part: str, parts: Parts, found: Findings) -> list[Ints]:
-    """Return the vertices of each rigid body: thick regions joined with the form features they
-    share vertices with.
+    """Return the vertices of each rigid body of a thin solid.
+
+    A body is a thick region, joined with the form features that share its vertices.
     """
     mesh = parts.meshes[part]
     entry = next(one for one in parts.entries if one.name == part)

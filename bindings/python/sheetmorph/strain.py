@@ -57,8 +57,7 @@ class EdgeChanges:
         return self._edge(positions, lambda ratio: int(np.abs(ratio - 1.0).argmax()), before)
 
     def shortest(self, positions: Floats) -> Edge | None:
-        """Return the edge with the smallest ratio to its rest length at positions (n, 3), or None.
-        """
+        """Return the edge with the smallest ratio to its rest length at (n, 3), or None."""
         return self._edge(positions, lambda ratio: int(ratio.argmin()))
 
     def collapsed(self, positions: Floats) -> int:
@@ -119,8 +118,7 @@ def middle_edge(points: Floats, triangles: Ints) -> float:
 
 
 def _edges(triangles: Ints) -> tuple[Ints, tuple[Ints, Ints]]:
-    """Return the sorted unique edges (e, 2), and the pairs of triangles (k,), (k,) that share one.
-    """
+    """Return sorted unique edges (e, 2), and pairs of triangles (k,), (k,) that share one."""
     count, size = len(triangles), int(triangles.max(initial=0)) + 1
     keys = np.empty(3 * count, dtype=np.int64)
     for k in range(3):
@@ -287,8 +285,7 @@ def _shape_gradients(rest: Floats, triangles: Ints) -> tuple[Floats, Floats]:
 
 
 def _curvatures(sheet: tuple[Floats, Floats], triangles: Ints, gradients: Floats) -> Floats:
-    """Return the negative second fundamental form (m, 2, 2), from the differences of corner
-    normals.
+    """Return the negative second fundamental form (m, 2, 2) from normals of the corners.
 
     sheet has the vertices and their normals, each (n, 3).
     """

@@ -26,8 +26,7 @@ _AS_TOLD = PoseEntry()
 
 
 class Translator:
-    """Builder of kernel objects for one model; it stores the rest positions of pivots and points.
-    """
+    """Builder of kernel objects for one model, with rest positions of pivots and points."""
 
     def __init__(self, core: ModuleType, model: Model, meshes: Mapping[str, PartMesh]):
         self._core = core
@@ -42,9 +41,7 @@ class Translator:
         self._places = {region.name: self._place(region) for region in model.regions}
 
     def indices(self, region: RegionEntry) -> Ints:
-        """Return the vertex indices (k,) of a region in its part; of a point, those of its
-        triangle.
-        """
+        """Return the vertices (k,) of a region, or the triangle corners of a point."""
         if region.is_point:
             triangle, _ = self._on_mesh(region)
             corners: Ints = self._meshes[region.part].triangles[triangle]

@@ -135,9 +135,7 @@ class Certifier:
     def certificate(
         self, folder: Path, written: dict[str, Written], sizes: Mapping[str, float] = {}
     ) -> dict[str, Any]:
-        """Return the certificate of the files in a folder; sizes, mm, are the feature sizes of the
-        pose.
-        """
+        """Return the certificate of the files in a folder; sizes, mm, are those of the pose."""
         core, criteria = self._core, self._criteria
         files: list[PartFile | JointSource] = [source.file for source in self._sources]
         files += self._joint_files

@@ -29,9 +29,7 @@ _BINS = 20
 
 
 class Shape(Surface):
-    """A part in one state with faces (m, 4), the last corner -1 for triangles; it caches its
-    measures.
-    """
+    """A part in one state with faces (m, 4), -1 last for triangles; it caches its measures."""
 
     def __init__(self, places: Floats, faces: Ints, triangles: Ints):
         super().__init__(places, triangles)
@@ -271,7 +269,9 @@ def _steps(part: Written, masses: list[Floats], target: float | None) -> dict[st
 
 
 def penetrations(one: Written, other: Written) -> dict[str, Any] | None:
-    """Return the vertices of a part that newly come closer to another than half both thicknesses.
+    """Return the number of new penetrating vertices and the largest depth, or None.
+
+    Such a vertex newly comes closer to the other part than half of both thicknesses.
     """
     room = 0.5 * (one.sheet.thickness + other.sheet.thickness)
     if room <= 0.0:

@@ -99,7 +99,9 @@ def skew(corners: Floats) -> Floats:
 
 
 def taper(corners: Floats) -> Floats:
-    """Return 1 minus the smallest of the four corner triangles over half the quad; 0 for triangles.
+    """Return 1 minus the smallest of the four corner triangles over half the quad.
+
+    It is 0 for triangles.
     """
     if corners.shape[1] == 3:
         return np.zeros(len(corners))
@@ -108,7 +110,9 @@ def taper(corners: Floats) -> Floats:
 
 
 def jacobian(corners: Floats) -> Floats:
-    """Return the smallest over the largest determinant at the 2 x 2 Gauss points; 1 for triangles.
+    """Return the smallest over the largest determinant at the 2 x 2 Gauss points.
+
+    It is 1 for triangles.
     """
     if corners.shape[1] == 3:
         return np.ones(len(corners))
@@ -165,8 +169,7 @@ MEASURES: dict[str, Callable[[Floats], Floats]] = {
 
 
 def measured(measure: Callable[[Floats], Floats], points: Floats, faces: Ints) -> Floats:
-    """Return a measure (m,) of faces (m, 4) at points (n, 3); the last corner is -1 for triangles.
-    """
+    """Return a measure (m,) of faces (m, 4), -1 last for triangles, at points (n, 3)."""
     found = np.empty(len(faces))
     is_quad = faces[:, 3] >= 0
     for rows, count in ((np.flatnonzero(is_quad), 4), (np.flatnonzero(~is_quad), 3)):

@@ -132,9 +132,7 @@ class Sliding:
         self._step[nodes[~is_better]] *= 0.5
 
     def _trials(self, nodes: Ints, rows: Ints, valid: Bools) -> Floats:
-        """Return trial positions (k, 9, 3): eight directions, and towards the centre of the
-        elements.
-        """
+        """Return trial positions (k, 9, 3): eight directions and the centre of the elements."""
         normal = (self._normals[rows] * valid[:, :, None]).sum(axis=1)
         one = np.cross(normal, np.eye(3)[np.abs(normal).argmin(axis=1)])
         one /= np.maximum(np.linalg.norm(one, axis=1, keepdims=True), 1e-300)
@@ -167,8 +165,7 @@ class Sliding:
         return result
 
     def _laid_back(self, places: Floats, reach: Floats) -> Floats:
-        """Return the nearest points (k, 3) of the sheet; points farther than a step stay unchanged.
-        """
+        """Return the nearest points (k, 3) of the sheet; more distant points stay unchanged."""
         found = places.copy()
         for k, hit in enumerate(map(self._tree.nearest_point, places)):
             if hit is not None and hit.distance <= reach[k]:

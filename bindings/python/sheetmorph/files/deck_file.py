@@ -155,8 +155,7 @@ class DeckFile(PartFile):
         return self.sheet.faces
 
     def faces_among(self, vertices: Ints) -> Ints:
-        """Return the corner faces (e, 4) of the shells among vertices (k,), as indices into these.
-        """
+        """Return the corner faces (e, 4) of shells among vertices (k,), as indices into these."""
         row = np.full(len(self.mesh.points) + 1, -1, dtype=np.int32)  # the last entry maps -1 to -1
         row[vertices] = np.arange(len(vertices))
         faces = row[self.sheet.faces]
@@ -231,8 +230,7 @@ class DeckFile(PartFile):
         return self.stored_nodes(path)[self.sheet.nodes]
 
     def stored_nodes(self, path: Path) -> Floats:
-        """Return all node positions (n, 3) of the written deck; unchanged files are read only once.
-        """
+        """Return all node positions (n, 3) of the written deck; an unchanged file is read once."""
         state = _state_of(self._written_at(path).values())
         if self._stored is None or not state or self._stored[0] != state:
             self._stored = state, self.stored_deck(path).points

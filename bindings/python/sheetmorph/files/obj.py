@@ -129,9 +129,7 @@ class _Rows:
         self._has_plain = False
 
     def vertex_span(self, tokens: list[re.Match[bytes]], offset: int) -> tuple[int, ...]:
-        """Return the offsets of the three coordinates of a vertex; a weight and a colour may
-        follow.
-        """
+        """Return the offsets of the three coordinates; a weight and a colour may follow."""
         count = len(tokens)
         if count not in (3, 4, 6, 7):
             what = f"a vertex with {count} coordinates instead of 3"

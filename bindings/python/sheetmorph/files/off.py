@@ -21,7 +21,9 @@ Tokens = list[re.Match[bytes]]
 
 
 def _lines(data: bytes) -> Iterator[Tokens]:
-    """Yield the tokens of every non-empty line; comments become blanks, so offsets stay the same.
+    """Yield the tokens of every non-empty line; comments become blanks, so offsets stay correct.
+
+    Blank lines are skipped.
     """
     text = _COMMENT.sub(lambda m: b" " * len(m.group()), data.replace(b"\r", b"\n"))
     for line in _LINE.finditer(text):

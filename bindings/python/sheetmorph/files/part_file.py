@@ -145,8 +145,7 @@ class PartFile(ABC):
         """
 
     def write(self, path: str | Path, positions: Floats, *, force: bool = False) -> None:
-        """Write the deformed part under a temporary name and rename it, so that no partial file
-        appears.
+        """Write the deformed part; the file appears complete or not at all.
 
         Parameters
         ----------

@@ -48,8 +48,7 @@ class Element:
 
 @dataclass(frozen=True)
 class Header:
-    """A PLY header: order is "" for text, "<" or ">" for binary; begin is the data offset in bytes.
-    """
+    """A PLY header: order is "" for text, "<" or ">" for binary; begin is the data offset."""
 
     order: str
     elements: list[Element]

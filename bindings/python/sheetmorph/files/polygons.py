@@ -75,8 +75,7 @@ def _normals(points: Floats, triangles: Ints) -> Floats:
 
 
 def _are_sound(points: Floats, polygons: Ints, triangles: Ints) -> Bools:
-    """Return whether all triangles (f, k, 3) of each polygon (f, k + 2) have its orientation (f,).
-    """
+    """Return whether all triangles (f, k, 3) have the orientation of their polygon (f, k + 2)."""
     normals = _normals(points, triangles)
     whole = normals.sum(axis=1)
     corners = points[polygons]
@@ -186,9 +185,7 @@ class _Ears:
         return ear
 
     def _is_ear(self, entry: _Entry) -> bool:
-        """Return whether a triangle contains no other corner; otherwise store it under the blocking
-        corner.
-        """
+        """Return whether a triangle contains no other corner; if it does, store it there."""
         corners = np.array(entry[1:])
         area = float(_doubled_areas(self._flat, corners))
         if area < -self._no_area:

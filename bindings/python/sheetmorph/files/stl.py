@@ -34,9 +34,7 @@ _NO_END = (
 
 @dataclass(frozen=True)
 class _Weld:
-    """The merged corners: points (n, 3) in order of first appearance; corner (3 m,) gives their
-    index.
-    """
+    """The merged corners: points (n, 3) by first appearance, and corner (3 m,) with their index."""
 
     points: Floats
     corner: Ints

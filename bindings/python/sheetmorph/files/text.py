@@ -170,8 +170,7 @@ class CoordinateText:
         return [word.group() for word in found], own
 
     def read_again(self, data: bytes) -> Floats | None:
-        """Return coordinates (n, 3) of the file with other numbers; None if another word differs.
-        """
+        """Return coordinates (n, 3) of a file with new numbers; None if another word differs."""
         if self._words is None:
             return None
         before, own = self._words

@@ -126,8 +126,7 @@ def _joined(
 
 
 def _groups(file: DeckFile, sheet: Collection[int]) -> list[tuple[set[int], bool]]:
-    """Return the nodes of elements that are connected outside the sheet, and whether one is rigid.
-    """
+    """Return the nodes of elements connected outside the sheet, and whether one is rigid."""
     groups: list[set[int]] = []
     rigid: list[bool] = []
     at_node: dict[int, int] = {}

@@ -57,8 +57,7 @@ class FindPart:
 
 
 def body_entries(part: FindPart) -> list[dict[str, Any]]:
-    """Return the rigid bodies of a part as features of a recipe, so that a morph keeps them rigid.
-    """
+    """Return the rigid bodies of a part as features, so that a morph keeps them rigid."""
     return [
         {
             "name": f"{part.name}: rigid body {number}",

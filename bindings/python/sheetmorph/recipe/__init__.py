@@ -81,9 +81,7 @@ def prepare(recipe: Any, base: str | Path, progress: Progress | None = None) -> 
 
 
 def with_ids(parts: Parts) -> dict[str, Any]:
-    """Return the recipe with vertex ids in place of selectors, and found entries in place of
-    "auto".
-    """
+    """Return the recipe with vertex ids for selectors, and with found entries for "auto"."""
     ids = parts.resolved.recipe
     return ids if parts.found is None else filled(ids, parts.found)
 

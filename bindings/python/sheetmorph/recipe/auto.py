@@ -65,8 +65,7 @@ def filled(recipe: dict[str, Any], found: Found) -> dict[str, Any]:
 
 
 def in_file_ids(recipe: dict[str, Any], meshes: Mapping[str, PartMesh]) -> dict[str, Any]:
-    """Return the recipe with file ids in place of ids of prepared meshes, because the search uses
-    them.
+    """Return the recipe with file ids in place of ids of prepared meshes, for the search.
 
     Each is the id of the nearest file vertex.
     """

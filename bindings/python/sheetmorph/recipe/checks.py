@@ -102,8 +102,7 @@ def pose_meaning_faults(
 
 
 def mesh_faults(model: Model, meshes: Mapping[str, PartMesh]) -> list[Fault]:
-    """Return the faults of part meshes, vertex ids and triangles; parts without a mesh are skipped.
-    """
+    """Return the faults of meshes, vertex ids and triangles; parts without mesh are skipped."""
     faults = [
         fault.about(part.subject)
         for part in model.parts

@@ -31,8 +31,7 @@ class FeatureMotion:
 
 @dataclass(frozen=True)
 class RelationEntry:
-    """Related form features: a "group" that moves as one body, or a "coaxial" or "distance" pair.
-    """
+    """Related features: a "group" that moves as one body, or a "coaxial" or "distance" pair."""
 
     where: str
     name: str

@@ -141,8 +141,7 @@ class RegionEntry:
 
     @property
     def subject(self) -> Subject:
-        """The region as named in a fault: the contact of a side, or the part of its own followers.
-        """
+        """The region as named in a fault; a contact side or `driven` has its owner."""
         kind = "fixed region" if self.kind == "fixed" else self.kind
         return self.owner or Subject(kind, self.name)
 
@@ -176,8 +175,7 @@ class ContactEntry:
 
 @dataclass(frozen=True)
 class PropagationEntry:
-    """Propagation to the other parts: "local", "single" or "whole", levels, smoothness c of (3.3).
-    """
+    """Propagation: type "local", "single" or "whole", levels, smoothness c of (3.3)."""
 
     type: str = "local"
     levels: int = 3

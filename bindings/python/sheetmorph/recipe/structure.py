@@ -97,8 +97,7 @@ def faults_against(other: dict[str, Any], data: Any) -> list[Fault]:
 
 
 def _errors(validator: Any, instance: Any, told: list[list[str | int]]) -> list[Any]:
-    """Return the schema errors in order of their paths, except at paths that have a fault already.
-    """
+    """Return the schema errors in order of their paths, except at paths that have a fault."""
     errors = sorted(validator.iter_errors(instance), key=lambda error: list(map(str, error.path)))
     return [error for error in errors if list(_innermost(error).absolute_path) not in told]
 

@@ -12,8 +12,7 @@ from ..arrays import Ints
 
 @dataclass(frozen=True, eq=False)
 class CadEdge:
-    """A CAD edge: the rows of its faces in Labels.faces, one at a border, and vertex pairs (k, 2).
-    """
+    """A CAD edge: rows of its faces in Labels.faces, one at a border; vertex pairs (k, 2)."""
 
     faces: tuple[int, ...]
     segments: Ints

@@ -13,8 +13,9 @@ from ..arrays import Bools, Floats, Ints
 
 
 class SelectorError(ValueError):
-    """A selector that cannot be resolved: ``what`` is wrong at ``path`` in it, and ``todo`` is the
-    remedy.
+    """A selector that cannot be resolved.
+
+    The fault ``what`` is at ``path`` in the selector; ``todo`` is the remedy.
     """
 
     def __init__(self, what: str, todo: str, path: tuple[str | int, ...] = ()):

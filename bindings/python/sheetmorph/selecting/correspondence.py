@@ -31,8 +31,7 @@ _GROUPS, _STARTS = 4, 12
 
 @dataclass(frozen=True, eq=False)
 class Holes:
-    """Holes of a part: kinds, centres (n, 3), axes (n, 3) and sizes (n, 2), the larger first, mm.
-    """
+    """Holes of a part: kinds, centres (n, 3), axes (n, 3), sizes (n, 2), larger first, mm."""
 
     kinds: list[str]
     places: Floats
@@ -136,9 +135,7 @@ class _Pair:
         return float(self.gaps[rows, explanation.pairs[rows]].mean())
 
     def explanations(self) -> Iterator[_Explanation]:
-        """Yield an explanation for every start: all holes at rest, or a motion of the largest
-        group.
-        """
+        """Yield an explanation for every start: rest, or a motion of the largest group."""
         at_rest = self._explained([])
         yield at_rest
         if not at_rest.edits:
@@ -162,9 +159,7 @@ class _Pair:
         return [motion for _, motion in kept]
 
     def _placed(self, motion: Motion | None, old: Bools, new: Bools) -> tuple[Ints, Ints]:
-        """Return the free old holes that a motion, None for rest, maps to free new ones, and the
-        latter.
-        """
+        """Return the free old holes that a motion, None for rest, maps to new ones, and these."""
         rows, columns = np.flatnonzero(old), np.flatnonzero(new)
         if not len(rows) or not len(columns):
             return rows[:0], columns[:0]
@@ -179,9 +174,7 @@ class _Pair:
         return rows[is_placed], columns[nearest[is_placed]]
 
     def _explained(self, first: list[Motion]) -> _Explanation:
-        """Match holes at rest, after a given motion if there is one, then groups, then single
-        holes.
-        """
+        """Match holes at rest, or after a given motion, then groups, then single holes."""
         pairs, groups = np.full(len(self.old), -1), np.zeros(len(self.old), dtype=int)
 
         def take(motion: Motion | None) -> None:
@@ -209,8 +202,7 @@ class _Pair:
         return pairs < 0, new
 
     def _singles(self, pairs: Ints) -> Iterator[tuple[int, int]]:
-        """Yield single holes that moved less than half the distance to any other, with their match.
-        """
+        """Yield single holes that moved less than half the distance to others, and their match."""
         old, new = self._free(pairs)
         for k in np.flatnonzero(old).tolist():
             free = np.flatnonzero(new & self.may[k])

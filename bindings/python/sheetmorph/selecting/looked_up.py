@@ -33,8 +33,7 @@ Told = Mapping[str, Any]
 
 
 def face_at(shape: PartShape, told: Told) -> Chosen:
-    """Return the face around the point of the part nearest to a given point, up to a crease angle.
-    """
+    """Return the face nearest to a point, up to a crease angle."""
     angle = math.radians(told.get("crease_angle", CREASE_ANGLE))
     hit = _nearest(shape, told["face_at"])
     rows = _largest(shape, (shape.near.face(t, angle) for t in _touching(shape, hit)))
@@ -68,10 +67,9 @@ def borders_longer(shape: PartShape, told: Told) -> Chosen:
 
 
 def rim_at(shape: PartShape, told: Told) -> Chosen:
-    """Return the rim nearest to a point, with rings around it; in a thin solid both rims and the
-    wall.
+    """Return the rim nearest to a point, with rings around it.
 
-    With the option alone it is only the loop.
+    In a thin solid it includes both rims and the wall. With the option alone it is only the loop.
     """
     loops, rows = rim_loops(shape, told)
     if not loops:

@@ -71,8 +71,7 @@ def _names(names: Sequence[str], wanted: str) -> str:
 
 
 def by_kind(shape: PartShape, told: Told) -> Chosen:
-    """Return found features: all of a kind, those in a diameter range, or the nearest to a point.
-    """
+    """Return found features: all of a kind, those in a diameter range, or the nearest one."""
     kind = told["found"]
     if kind not in KINDS:
         near = difflib.get_close_matches(str(kind), KINDS, 1, 0.4)
@@ -127,7 +126,9 @@ def _nearest(
 
 
 def _distance(shape: PartShape, entry: dict[str, Any], place: Floats) -> float:
-    """Return the distance from a point to the vertices or the centre of a feature, the smaller one.
+    """Return the distance from a point to the vertices or the centre of a feature.
+
+    The smaller one counts. Features without holes are measured to their triangles.
     """
     to_centre = float(np.linalg.norm(np.array(entry["center"]) - place))
     chosen = shape.of_vertices(np.array(entry["vertices"]))

@@ -93,9 +93,7 @@ def _anchors(between: Floats) -> list[tuple[int, int]]:
 
 
 def _frame(along: Floats, axis: Floats) -> Floats | None:
-    """Return a frame as columns: a direction, a perpendicular, and the orthogonalised axis; or
-    None.
-    """
+    """Return a frame as columns: direction, perpendicular, orthogonalised axis; or None."""
     length = float(np.linalg.norm(along))
     if not length > 0.0:
         return None

@@ -82,8 +82,7 @@ class Thing:
         return float(np.mean([self._nearest(place)[0] for place in places]))
 
     def points(self, first: Floats) -> Iterator[Floats]:
-        """Yield points at which a selector selects the item: first its centre, then points on it.
-        """
+        """Yield points at which a selector selects the item: its centre, then points on it."""
         yield self.place
         yield self._nearest(first)[1]
         yield from self.samples[:: max(1, len(self.samples) // 12)]
@@ -205,9 +204,7 @@ def _closed(loop: Ints) -> Ints:
 
 
 def _line(shape: PartShape, segments: Ints, kind: str, taken: tuple[Ints, int | None]) -> Thing:
-    """Return a line of segments; taken has the vertices that the selector selects, and the feature
-    row.
-    """
+    """Return a line of segments; taken has its selected vertices and its feature row."""
     middles = shape.points[segments].mean(axis=1)
     return Thing(
         kind, shape, np.unique(taken[0]), _spread(middles), segments=segments, feature=taken[1]
