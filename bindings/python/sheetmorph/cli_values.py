@@ -53,8 +53,7 @@ class Parser(argparse.ArgumentParser):
         return words
 
     def _values(self, words: list[str]) -> tuple[list[int], int]:
-        """Return the options whose next word may be their value, and the count of sure arguments.
-        """
+        """Return the options whose next word may be their value, and count the sure arguments."""
         values: list[int] = []
         free, k = 0, 0
         while k < len(words):

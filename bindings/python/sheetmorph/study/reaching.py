@@ -16,7 +16,7 @@ Criteria = Mapping[str, Mapping[str, float]]
 
 
 class _Stopped(Exception):
-    """The result is no longer needed."""
+    """Nobody waits for the result."""
 
 
 @dataclass(frozen=True)
@@ -34,8 +34,7 @@ class Reach:
     def limits(self, ends: tuple[float, float]) -> list[Limit] | None:
         """Return the limits from 0 to both ends, as shares of the ways.
 
-        The list is empty if 0 itself is not admissible. The result is None once it is no longer
-        needed.
+        The list is empty if 0 itself is not admissible. The result is None if nobody waits for it.
         """
         try:
             if self._why(0.0):
