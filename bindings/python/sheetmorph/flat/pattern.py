@@ -92,9 +92,7 @@ class FlatPattern:
         return found
 
     def residual(self) -> tuple[float, float]:
-        """Return the largest |principal stretch - 1|, and the value below which 99 % of the area
-        lie.
-        """
+        """Return the largest |principal stretch - 1|, and its 99 % quantile by area."""
         strain = np.abs(self.stretches - 1.0).max(axis=1)
         area = areas(self.rest, self.triangles)
         order = np.argsort(strain)

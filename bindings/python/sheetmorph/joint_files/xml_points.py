@@ -148,8 +148,7 @@ class _Reader:
         return self._file.number(begin, end, self._line, what)
 
     def _direction(self) -> None:
-        """Add a direction of a point, which rotates with it; those of lines and faces are left out.
-        """
+        """Add a direction of a point; those of lines and faces stay unchanged."""
         assert self._joint is not None
         if "connection_0d" not in self._stack:
             self._untold += 1
