@@ -42,9 +42,9 @@ def ramp(count: int) -> np.ndarray:
 
 
 def colours_of(values: np.ndarray, span: tuple[float, float]) -> np.ndarray:
-    """Return colours (n, 3), 0 to 1, of values (n,) in a span. NaN is grey. A value outside the
-    span
-    has the colour of the nearer end.
+    """Return colours (n, 3), 0 to 1, of values (n,) in a span.
+
+    NaN is grey. A value outside the span has the colour of the nearer end.
     """
     low, high = span
     share = np.clip((np.nan_to_num(values, nan=low) - low) / max(high - low, 1e-300), 0.0, 1.0)

@@ -41,9 +41,9 @@ class ContactSides:
         return True
 
     def put(self, side: str, part: str, vertices=()) -> None:
-        """Give a side another part and picked vertices; an empty name clears the side. A part on
-        the
-        other side leaves that side.
+        """Give a side another part and picked vertices; an empty name clears the side.
+
+        A part on the other side leaves that side.
         """
         other = "b" if side == "a" else "a"
         if part and self.parts[other] == part:
@@ -73,8 +73,9 @@ class ContactSides:
 
 
 def reach_that_touches(touching, size: float) -> float:
-    """Return the first of 2, 4, 8, … mm at which `touching(mm)` finds vertices on both sides. The
-    search starts lower for small parts. If it finds nothing within a quarter of `size` (mm), it
+    """Return the first of 2, 4, 8, … mm at which `touching(mm)` finds vertices on both sides.
+
+    The search starts lower for small parts. If it finds nothing within a quarter of `size` (mm), it
     returns the first length.
     """
     first = min(REACH, float(f"{FRACTION * size:.1g}"))

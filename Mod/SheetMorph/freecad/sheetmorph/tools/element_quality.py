@@ -28,8 +28,9 @@ Positions = dict[str, np.ndarray]
 
 @dataclass(frozen=True, eq=False)
 class Histogram:
-    """The number of elements by value, at rest and now, (BINS,) each, over a span. `limit` is the
-    limit of the criteria, None without one. `failing` counts the elements beyond it.
+    """The number of elements by value, at rest and now, (BINS,) each, over a span.
+
+    `limit` is the limit of the criteria, None without one. `failing` counts the elements beyond it.
     """
 
     span: tuple[float, float]
@@ -39,9 +40,10 @@ class Histogram:
     failing: int
 
     def bars(self, width: float, height: float) -> list[tuple]:
-        """Return left end, right end, height now, height at rest and colour of each bar. Heights
-        grow
-        with the square root of the count, so that a few bad elements among thousands stay visible.
+        """Return left end, right end, height now, height at rest and colour of each bar.
+
+        Heights grow with the square root of the count, so that a few bad elements among thousands
+        stay visible.
         """
         ends = np.linspace(0.0, width, len(self.now) + 1)
         middles = (ends[1:] + ends[:-1]) / (2.0 * width)
@@ -69,9 +71,10 @@ class ElementQuality:
     def __init__(
         self, name: str, measured: Callable, limits: Mapping[str, float], parts: dict[str, tuple]
     ):
-        """Prepare a measure for parts at rest. `measured(positions, faces)` returns values (e,).
-        `limits` has their "min" or "max". `parts` maps names to points at rest (n, 3) and faces (e,
-        4).
+        """Prepare a measure for parts at rest.
+
+        `measured(positions, faces)` returns values (e,). `limits` has their "min" or "max". `parts`
+        maps names to points at rest (n, 3) and faces (e, 4).
         """
         self.unit, self.worst, self._ends = MEASURES[name]
         self.is_low_bad = name in LOW_IS_BAD

@@ -29,8 +29,9 @@ class Camera:
 
     @classmethod
     def of_pixels(cls, matrix: np.ndarray) -> Camera:
-        """Return the camera of rows (4, 4) that give px, depth and divisor. Rows (3, 4) stand for a
-        view without perspective.
+        """Return the camera of rows (4, 4) that give px, depth and divisor.
+
+        Rows (3, 4) stand for a view without perspective.
         """
         clip = np.vstack([matrix, [[0.0, 0.0, 0.0, 1.0]]])[:4]
         clip[:2] -= clip[3]

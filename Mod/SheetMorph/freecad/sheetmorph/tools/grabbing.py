@@ -18,9 +18,10 @@ class Grabbed:
 
 
 def grab(core, meshes: dict, ray) -> Grabbed | None:
-    """Return the vertex nearest to where a ray first meets a mesh, None if it meets none. `core` is
-    `sheetmorph._core`. `meshes` maps part names to displayed points (n, 3) and triangles (m, 3).
-    `ray` is a `part_mesh.Ray`.
+    """Return the vertex nearest to where a ray first meets a mesh, None if it meets none.
+
+    `core` is `sheetmorph._core`. `meshes` maps part names to displayed points (n, 3) and triangles
+    (m, 3). `ray` is a `part_mesh.Ray`.
     """
     nearest, reach = None, np.inf
     for name, (points, triangles) in meshes.items():

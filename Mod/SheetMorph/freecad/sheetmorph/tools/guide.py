@@ -177,10 +177,10 @@ def with_failure(step: Step, facts: Facts) -> Step:
 
 
 def with_next(found: list[Step]) -> list[Step]:
-    """Mark the first step that is not done as NEXT. If that step is optional, the first required
-    one
-    is AFTER, and the user may continue there. An optional step is passed over when a later step is
-    done.
+    """Mark the first step that is not done as NEXT.
+
+    If that step is optional, the first required one is AFTER, and the user may continue there. An
+    optional step is passed over when a later step is done.
     """
     if any(step.state == FAULTY for step in found):
         return found

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One value per vertex during a motion, such as displacement, element quality or gap. Dictionaries
-have the part name as key. Positions are (n, 3) mm, global. A vertex without a value has NaN.
+"""One value per vertex during a motion, such as displacement, element quality or gap.
+
+Dictionaries have the part name as key. Positions are (n, 3) mm, global. A vertex without a value
+has NaN.
 """
 
 from __future__ import annotations
@@ -57,17 +59,18 @@ class Quality:
 
 
 class Stretch:
-    """The largest stretch or compression of the sheet around every vertex, percent. The reference
-    is
-    the shape at rest with the sizes of the pose, see `start_from`.
+    """The largest stretch or compression of the sheet around every vertex, percent.
+
+    The reference is the shape at rest with the sizes of the pose, see `start_from`.
     """
 
     unit, worst = "%", "largest stretch"
 
     def __init__(self, stretches, meshes: dict[str, tuple], regions: Iterable[Region] = ()):
-        """Prepare the measure for parts at rest. `stretches` is
-        `sheetmorph.strain.PrincipalStretches`. `meshes` maps part names to points at rest (n, 3)
-        and triangles (m, 3).
+        """Prepare the measure for parts at rest.
+
+        `stretches` is `sheetmorph.strain.PrincipalStretches`. `meshes` maps part names to points at
+        rest (n, 3) and triangles (m, 3).
         """
         self._stretches = stretches
         self._parts = {
@@ -150,9 +153,9 @@ def _peaks(values, points, apart: float) -> list[int]:
 
 
 def _around(triangles):
-    """Return the vertices of triangles (m, 3), and the triangles around each of them. The triangles
-    of
-    all vertices are in one array; a third array has the start of each vertex.
+    """Return the vertices of triangles (m, 3), and the triangles around each of them.
+
+    The triangles of all vertices are in one array; a third array has the start of each vertex.
     """
     corners = np.asarray(triangles).ravel()
     order = np.argsort(corners, kind="stable")
@@ -210,9 +213,10 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Legend:
-    """The values at both ends of the colours, the worst value and its part. `histogram` is an
-    `element_quality.Histogram` where elements are measured. `places` are the worst places. `near`
-    is the label of the region near the first place.
+    """The values at both ends of the colours, the worst value and its part.
+
+    `histogram` is an `element_quality.Histogram` where elements are measured. `places` are the
+    worst places. `near` is the label of the region near the first place.
     """
 
     span: tuple[float, float]

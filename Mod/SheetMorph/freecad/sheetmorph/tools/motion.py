@@ -24,9 +24,10 @@ class Turn(NamedTuple):
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion from rest, global: translation mm, axis, angle in degrees, pivot mm. A form feature
-    that follows the sheet has the translation None; an axis None lets the sheet turn it. A pivot
-    None is the centroid. A size (mm) None keeps the present size.
+    """A motion from rest, global: translation mm, axis, angle in degrees, pivot mm.
+
+    A form feature that follows the sheet has the translation None; an axis None lets the sheet turn
+    it. A pivot None is the centroid. A size (mm) None keeps the present size.
     """
 
     translation: Triple | None = (0.0, 0.0, 0.0)
@@ -80,9 +81,9 @@ class Motion:
         return replace(self, translation=rounded(moved))
 
     def turned(self, translation, axis, angle: float) -> Motion:
-        """Return a motion with another translation and rotation about the same pivot. Axis and
-        whole
-        turns stay if the rotation is equal to the present one.
+        """Return a motion with another translation and rotation about the same pivot.
+
+        Axis and whole turns stay if the rotation is equal to the present one.
         """
         other = replace(self, translation=translation)
         if not angle and not self.angle:
@@ -96,8 +97,8 @@ class Motion:
 
     def about(self, pivot, place) -> Motion:
         """Return the same motion about another pivot, whose moved position is `place` (3,) mm.
-        `pivot`
-        (3,) mm is the position of the present pivot at rest.
+
+        `pivot` (3,) mm is the position of the present pivot at rest.
         """
         turn, start = self.matrix(), np.asarray(pivot, float)
         moved = np.asarray(place, float) - start - np.asarray(self.translation)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The targets of a pick on one part: facets, faces, hole rims and connected pieces. Vertices are
-numpy
-arrays of unique ids in ascending order.
+"""The targets of a pick on one part: facets, faces, hole rims and connected pieces.
+
+Vertices are numpy arrays of unique ids in ascending order.
 """
 
 from __future__ import annotations
@@ -44,8 +44,9 @@ class PartMesh:
     """A part as displayed (for hits) and at rest (for faces and rims)."""
 
     def __init__(self, core, rest: tuple, seen: np.ndarray):
-        """Wrap a part; `core` is `sheetmorph._core`, `rest` has points and triangles. `seen` (n, 3)
-        are the displayed points.
+        """Wrap a part; `core` is `sheetmorph._core`, `rest` has points and triangles.
+
+        `seen` (n, 3) are the displayed points.
         """
         self._rest, self.triangles = rest
         self._core = core
@@ -122,8 +123,10 @@ class PartMesh:
         return self._remembered(("piece",), triangle, lambda: self._near.piece(triangle))
 
     def inside(self, camera: Camera, outline: np.ndarray, hiding=None) -> np.ndarray:
-        """Return the vertices inside a closed outline, (k, 2) px. `hiding` are the meshes, this one
-        included, that may hide a vertex; with None, hidden vertices count too.
+        """Return the vertices inside a closed outline, (k, 2) px.
+
+        `hiding` are the meshes, this one included, that may hide a vertex; with None, hidden
+        vertices count too.
         """
         screen = self._core.Screen(camera.to_clip, camera.width, camera.height)
         found = self._core.vertices_inside(self._tree, screen, outline)
@@ -133,9 +136,10 @@ class PartMesh:
         return np.asarray(found)
 
     def rim(self, ray: Ray, rings: int, *, crease: float, holes_only: bool = False) -> np.ndarray:
-        """Return the rim nearest to where the ray meets the part, with `rings` around it. A ray
-        through an empty hole finds the rim of that hole. A ray far from every rim and from the part
-        finds none.
+        """Return the rim nearest to where the ray meets the part, with `rings` around it.
+
+        A ray through an empty hole finds the rim of that hole. A ray far from every rim and from
+        the part finds none.
         """
         found = self.hit(ray)
         rims = self.edges(crease)
@@ -166,8 +170,9 @@ class PartMesh:
         return (inner @ corners / inner.sum()).tolist()
 
     def rim_at(self, vertex: int, rings: int) -> np.ndarray:
-        """Return the closed boundary through a vertex with rings of vertices around it. Raises
-        ValueError if no boundary passes through the vertex.
+        """Return the closed boundary through a vertex with rings of vertices around it.
+
+        Raises ValueError if no boundary passes through the vertex.
         """
         return self.grown(self._core.boundary_loop_at(self._mesh, vertex), rings)
 
@@ -194,8 +199,9 @@ class PartMesh:
         return self._tree.nearest_hit(ray.origin, ray.direction)
 
     def _remembered(self, key: tuple, triangle: int, find) -> np.ndarray:
-        """Return the vertices of the triangles that `find()` returns. The same search from one of
-        these triangles returns the same array.
+        """Return the vertices of the triangles that `find()` returns.
+
+        The same search from one of these triangles returns the same array.
         """
         if key != self._last[0] or not self._last[1][triangle]:
             triangles = np.asarray(find())
@@ -222,9 +228,10 @@ class PartMesh:
         return Rims(self.rims.loops + added, self._seen, self.rims.outlines | outlines)
 
     def _outlines(self, loops, share: float) -> set[int]:
-        """Return the numbers of the loops that are outlines of their connected component. These are
-        the longest loop and all loops of at least `share` of its length, if they span half of the
-        component. A sheet whose outline ends in T-joints has holes only.
+        """Return the numbers of the loops that are outlines of their connected component.
+
+        These are the longest loop and all loops of at least `share` of its length, if they span
+        half of the component. A sheet whose outline ends in T-joints has holes only.
         """
         lengths = [length(self._seen[loop]) for loop in loops]
         longest: dict[int, float] = {}

@@ -171,8 +171,9 @@ class RegionPicker:
         return bool(len(target)) and self.take(target, mode, self.told(ray))
 
     def take(self, vertices: Iterable[int], mode: str = REPLACE, said: Said = None) -> bool:
-        """Replace, add or remove vertices; return whether that changed anything. `said` is the
-        selector of the vertices, if it exists.
+        """Replace, add or remove vertices; return whether that changed anything.
+
+        `said` is the selector of the vertices, if it exists.
         """
         target = to_ids(vertices)
         if mode == ADD:

@@ -33,10 +33,10 @@ def from_text(text: str) -> Pose:
 
 
 def blended(first: Pose, second: Pose, weight: float) -> Pose:
-    """Return the pose between two that name the same regions: the first at weight 0. Translations
-    and
-    pivots are interpolated linearly. Rotations are interpolated as axis times angle, so that whole
-    turns count.
+    """Return the pose between two that name the same regions: the first at weight 0.
+
+    Translations and pivots are interpolated linearly. Rotations are interpolated as axis times
+    angle, so that whole turns count.
     """
     return {name: between(first[name], second[name], weight) for name in first}
 

@@ -39,9 +39,10 @@ class Rims:
         return [loop for k, loop in enumerate(self.loops) if k not in self.outlines]
 
     def nearest(self, ray: Ray, hit, holes_only: bool):
-        """Return the loop nearest to the point `hit` (3,) of the part, else to the ray. A ray
-        beside
-        the part finds a hole that it passes through, or an outline that it passes near, or None.
+        """Return the loop nearest to the point `hit` (3,) of the part, else to the ray.
+
+        A ray beside the part finds a hole that it passes through, or an outline that it passes
+        near, or None.
         """
         allowed = [k for k in range(len(self.loops)) if not (holes_only and k in self.outlines)]
         if not allowed:

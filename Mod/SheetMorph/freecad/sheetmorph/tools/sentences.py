@@ -15,9 +15,9 @@ from freecad.sheetmorph.tools.figures import DRAWN, number
 
 @dataclass(frozen=True)
 class Length:
-    """The precision of a selector: decimals of a point, significant digits of a camera. `away` is
-    the
-    largest deviation (px) of a shortened figure from the drawn one.
+    """The precision of a selector: decimals of a point, significant digits of a camera.
+
+    `away` is the largest deviation (px) of a shortened figure from the drawn one.
     """
 
     digits: int
@@ -38,9 +38,10 @@ Said = Any  # # a selector, None if unknown
 
 @dataclass(frozen=True)
 class DrawnFigure:
-    """A figure on the screen: its places (px), the radius of a brush, and the camera. `camera` has
-    the
-    rows that give px, depth and divisor; without perspective the last row is absent.
+    """A figure on the screen: its places (px), the radius of a brush, and the camera.
+
+    `camera` has the rows that give px, depth and divisor; without perspective the last row is
+    absent.
     """
 
     tool: str
@@ -61,8 +62,9 @@ class DrawnFigure:
 
 
 def tool_of(told: dict) -> str:
-    """Return the tool of a drawn figure, the key of its places. Raises KeyError if there is not
-    exactly one.
+    """Return the tool of a drawn figure, the key of its places.
+
+    Raises KeyError if there is not exactly one.
     """
     found = [tool for tool in DRAWN if tool in told]
     if len(found) != 1:
@@ -71,7 +73,9 @@ def tool_of(told: dict) -> str:
 
 
 def figure_of(told: dict) -> DrawnFigure:
-    """Return the figure of a selector. Raises ValueError if the selector describes no valid figure.
+    """Return the figure of a selector.
+
+    Raises ValueError if the selector describes no valid figure.
     """
     try:
         tool = tool_of(told)
@@ -107,9 +111,9 @@ def changed(key: str, said: Said) -> Said:
 
 
 def in_file(said: Said, frame: Any, length: Length = EXACT) -> Said:
-    """Return a selector in the coordinates of the part's file, with the given precision. `frame`
-    has
-    rotation, base and origin, as conversion.Frame.
+    """Return a selector in the coordinates of the part's file, with the given precision.
+
+    `frame` has rotation, base and origin, as conversion.Frame.
     """
     if isinstance(said, list):
         return [in_file(one, frame, length) for one in said]
@@ -175,8 +179,10 @@ def with_moved_ids(where: Said, moved: Callable[[list], list]) -> Said:
 
 
 def placed(where: Said, frame: Any) -> Said:
-    """Return the selector of a part in global coordinates. `frame` is as for `in_file`. Raises
-    ValueError for a box in a rotated part, and for a drawn figure.
+    """Return the selector of a part in global coordinates.
+
+    `frame` is as for `in_file`. Raises ValueError for a box in a rotated part, and for a drawn
+    figure.
     """
     if np.array_equal(frame.rotation, np.eye(3)) and np.array_equal(frame.base, frame.origin):
         return where

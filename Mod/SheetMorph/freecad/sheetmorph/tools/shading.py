@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Normals for drawing a mesh, smooth over bends and broken at creases. A slower replacement for
-`bindings/coin/shading.h` where that cannot be loaded.
+"""Normals for drawing a mesh, smooth over bends and broken at creases.
+
+A slower replacement for `bindings/coin/shading.h` where that cannot be loaded.
 """
 
 from __future__ import annotations
@@ -12,8 +13,9 @@ class Shading:
     """The normal of each corner of each triangle; corners share one across smooth edges."""
 
     def __init__(self, points: np.ndarray, triangles: np.ndarray, crease: float):
-        """Group the corners of a mesh at rest. `points` are (n, 3), `triangles` (m, 3). Edges above
-        `crease` radians are sharp.
+        """Group the corners of a mesh at rest.
+
+        `points` are (n, 3), `triangles` (m, 3). Edges above `crease` radians are sharp.
         """
         self._triangles = np.asarray(triangles, np.int64)
         joined = _joined_corners(np.asarray(points, float), self._triangles, crease)

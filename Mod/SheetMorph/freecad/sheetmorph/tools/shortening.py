@@ -17,6 +17,7 @@ BESIDE = 0.01
 
 def shortened(where: Any, points: np.ndarray, away: float) -> Any:
     """Return a selector whose figures have fewer places, at most `away` px from the drawn line.
+
     `points` (n, 3) are the vertices of the part. A lasso keeps each of them on the same side.
     """
     if isinstance(where, list):
@@ -46,9 +47,9 @@ def seen(rows: list, points: np.ndarray) -> np.ndarray:
 
 
 def straightened(line: np.ndarray, away: float) -> list[int]:
-    """Return the numbers of the points to keep of a line (k, 2), both ends included. No other point
-    is
-    farther than `away` from the line through the kept ones.
+    """Return the numbers of the points to keep of a line (k, 2), both ends included.
+
+    No other point is farther than `away` from the line through the kept ones.
     """
     kept, end = [0], 1
     while end < len(line):
@@ -68,10 +69,10 @@ def farthest(line: np.ndarray, first: int, last: int) -> float:
 
 
 def corners(line: np.ndarray, points: np.ndarray, away: float) -> list[int]:
-    """Return the numbers of the corners to keep of a closed line (k, 2), px. The smallest corners
-    go
-    first. A corner stays if the line would otherwise pass a point (n, 2) on its other side, or
-    deviate by more than `away`.
+    """Return the numbers of the corners to keep of a closed line (k, 2), px.
+
+    The smallest corners go first. A corner stays if the line would otherwise pass a point (n, 2) on
+    its other side, or deviate by more than `away`.
     """
     kept = list(range(len(line)))
     if (line[0] == line[-1]).all():

@@ -14,9 +14,10 @@ Shape = tuple[np.ndarray, np.ndarray]
 
 
 def shapes_of(where: Any, points: np.ndarray) -> list[Shape]:
-    """Return vertices (k, 3) and triangles (t, 3) of the spaces in a selector. Spaces are boxes,
-    planes, slabs, cylinders and spheres. Planes and endless cylinders are as large as the part with
-    `points` (n, 3).
+    """Return vertices (k, 3) and triangles (t, 3) of the spaces in a selector.
+
+    Spaces are boxes, planes, slabs, cylinders and spheres. Planes and endless cylinders are as
+    large as the part with `points` (n, 3).
     """
     if isinstance(where, list):
         return [shape for one in where for shape in shapes_of(one, points)]

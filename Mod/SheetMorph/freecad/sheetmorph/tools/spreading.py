@@ -12,10 +12,10 @@ STEP = 0.5  # # of the least distance, by which each round looks farther
 
 
 def spread(places: np.ndarray, least: float, taken: tuple = ()) -> np.ndarray:
-    """Return places (n, 2) px near `places`, at least `least` px apart. `taken` has pairs of a
-    place
-    (2,) and a distance (px) that all marks keep from it. The first places keep their position where
-    possible.
+    """Return places (n, 2) px near `places`, at least `least` px apart.
+
+    `taken` has pairs of a place (2,) and a distance (px) that all marks keep from it. The first
+    places keep their position where possible.
     """
     kept: list[tuple[np.ndarray, float]] = [(np.asarray(at, float), far) for at, far in taken]
     found = []

@@ -17,8 +17,10 @@ _LIMIT = re.compile(r"\s*([\w .]*?\w)\s*(<=|>=)\s*([-+.\deE]+)\s*")
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number of a document that a study varies between two others. `owner` is the name of the
-    document object. `number` is its property, or the cell of a spreadsheet.
+    """A number of a document that a study varies between two others.
+
+    `owner` is the name of the document object. `number` is its property, or the cell of a
+    spreadsheet.
     """
 
     name: str
@@ -49,8 +51,9 @@ def renamed(parameters: list[Parameter], names: dict[str, str]) -> list[Paramete
 
 
 def criteria_in(text: str) -> dict[str, dict[str, float]]:
-    """Return criteria such as `stretch <= 0.2, angle >= 12` as a study file has them. Raises
-    ValueError for text that is not a criterion.
+    """Return criteria such as `stretch <= 0.2, angle >= 12` as a study file has them.
+
+    Raises ValueError for text that is not a criterion.
     """
     found: dict[str, dict[str, float]] = {}
     for piece in filter(str.strip, text.split(",")):

@@ -25,8 +25,10 @@ def of_all(meshes) -> np.ndarray:
 
 
 def of_mesh(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return the edges (e, 2) of a mesh without the diagonals of quads. A control mesh consists of
-    quads, each cut into two triangles by its longest edge. `points` are (n, 3), `triangles` (t, 3).
+    """Return the edges (e, 2) of a mesh without the diagonals of quads.
+
+    A control mesh consists of quads, each cut into two triangles by its longest edge. `points` are
+    (n, 3), `triangles` (t, 3).
     """
     corners = np.asarray(triangles, dtype=np.int64)
     if not len(corners):
