@@ -19,7 +19,7 @@ from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 API = "api"
 IMPORTS = (f"import freecad.sheetmorph.api as {API}",)
 DOCUMENT = f"{API}.doc"
-LONGEST_SHOWN = 300  # # characters
+LONGEST_SHOWN = 300  # characters
 FORESEEN = (ValueError, RuntimeError, OSError)
 FAULTS = (ValueError, RuntimeError, OSError, TypeError, KeyError)
 
@@ -80,7 +80,7 @@ def note(*lines: str) -> None:
     effect meanwhile, and variables that the lines assign are removed.
     """
     record()
-    names = vars(sys.modules["__main__"])  # # the namespace in which FreeCAD runs lines
+    names = vars(sys.modules["__main__"])  # the namespace in which FreeCAD runs lines
     before = dict(names)
     names[API] = Idle()
     try:
@@ -130,7 +130,7 @@ def run(title: str, *lines: str, document=None) -> None:
                 do(f"{DOCUMENT}.recompute()", document)
             refuse(faults.new_fault(document, before))
     except MorphError:
-        document.recompute()  # # FreeCAD counts the undone changes as due
+        document.recompute()  # FreeCAD counts the undone changes as due
         raise
 
 

@@ -9,8 +9,8 @@ import gc
 
 from freecad.sheetmorph.qt import QtCore
 
-PERIOD = 500  # # ms between two checks
-OLDEST = 1  # # generation: older garbage is left to the automatic collector afterwards
+PERIOD = 500  # ms between two checks
+OLDEST = 1  # generation: older garbage is left to the automatic collector afterwards
 
 
 class Collecting(QtCore.QObject):
@@ -48,7 +48,7 @@ class Collecting(QtCore.QObject):
             gc.collect(due[-1])
 
 
-_collecting: list = []  # # one, created in the window thread on first use
+_collecting: list = []  # one, created in the window thread on first use
 
 
 def collecting() -> Collecting:

@@ -66,4 +66,4 @@ def loose_on(part) -> np.ndarray:
     try:
         return loose_vertices(part)
     except FAULTS:
-        return np.zeros(0, dtype=np.int64)  # # the part has no mesh, which is the fault to report
+        return np.zeros(0, dtype=np.int64)  # the part has no mesh, which is the fault to report

@@ -3,7 +3,7 @@
 
 import os
 
-# # abspath, not realpath: a staged add-on may consist of links, next to its resources.
+# abspath, not realpath: a staged add-on may consist of links, next to its resources.
 _ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 _RESOURCES = os.path.join(_ROOT, "resources")
 

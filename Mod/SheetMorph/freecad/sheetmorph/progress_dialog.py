@@ -9,10 +9,10 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.garbage import collecting
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
-PATIENCE = 0.4  # # s until the dialog appears
-LOOK = 0.03  # # s between two checks of a thread's progress
-SHARE = 0.25  # # largest share of the time for handling events
-LONGEST = 0.3  # # s without a check
+PATIENCE = 0.4  # s until the dialog appears
+LOOK = 0.03  # s between two checks of a thread's progress
+SHARE = 0.25  # largest share of the time for handling events
+LONGEST = 0.3  # s without a check
 
 
 class Progress:
@@ -62,7 +62,7 @@ class Progress:
             while not found.done():
                 futures.wait([found], timeout=LOOK)
                 self._look()
-            self._look(at_last=True)  # # Cancel counts if it was pressed in time
+            self._look(at_last=True)  # Cancel counts if it was pressed in time
         except BaseException:
             self.is_cancelled = True
             raise

@@ -22,7 +22,7 @@ except ImportError:
 __all__ = ["QtCore", "QtGui", "QtWidgets", "draw", "forget", "frame_of", "icon_of", "number"]
 __all__ += ["translate", "widen"]
 
-OVERLAY, GRIP = "Gui::OverlayTabWidget", "Gui::OverlaySizeGrip"  # # widgets of FreeCAD since 1.0
+OVERLAY, GRIP = "Gui::OverlayTabWidget", "Gui::OverlaySizeGrip"  # widgets of FreeCAD since 1.0
 
 
 def number(choice) -> int:

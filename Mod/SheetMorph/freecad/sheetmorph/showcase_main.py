@@ -17,7 +17,7 @@ from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
 EXAMPLE = "door_mirror"
 FRAMES = 12
-# # into the open side, from where all parts are visible
+# into the open side, from where all parts are visible
 LINE_OF_SIGHT = App.Vector(-0.35, -0.85, -0.3)
 FAULTS = (
     ArithmeticError,
@@ -28,7 +28,7 @@ FAULTS = (
     TypeError,
     ValueError,
 )
-PATIENCE = 200_000  # # ms until a run without a user is aborted
+PATIENCE = 200_000  # ms until a run without a user is aborted
 
 
 class Showcase:
@@ -137,7 +137,7 @@ def leave(reason: str) -> None:
     os._exit(1 if reason else 0)
 
 
-# # If the import by FreeCAD fails, it runs the script again as __main__, which must not go on.
+# If the import by FreeCAD fails, it runs the script again as __main__, which must not go on.
 if __name__ == "showcase_main":
     showcase = Showcase(os.environ.get("SHEETMORPH_SHOWCASE_OUT", ""))
     showcase.start()

@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.kinds import ASSEMBLY, PART, POSE, REGION, STUDY, kind
 from freecad.sheetmorph.objects import model, watcher
 
-_listed: dict[str, list] = {"objects": [], "groups": []}  # # of the last document
+_listed: dict[str, list] = {"objects": [], "groups": []}  # of the last document
 
 __all__ = ["ASSEMBLY", "PART", "POSE", "REGION", "STUDY", "kind"]
 

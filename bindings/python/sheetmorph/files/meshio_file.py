@@ -72,7 +72,7 @@ class MeshioFile(PartFile):
 
 
 def _quiet() -> contextlib.ExitStack:
-    """Suppress the output of meshio; the user gets one line from us."""
+    """Suppress the output of meshio, which the reader replaces by one line."""
     stack = contextlib.ExitStack()
     stack.enter_context(warnings.catch_warnings())
     # numpy only warns if a text file has other data than the promised numbers.

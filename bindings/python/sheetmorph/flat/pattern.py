@@ -182,7 +182,7 @@ def _pieces(points: Floats, triangles: Ints) -> Iterator[tuple[Floats, Ints]]:
 def _sheet(
     core: ModuleType, name: str, piece: tuple[Floats, Ints]
 ) -> tuple[_core.TriangleMesh, float | None]:
-    """The kernel's mesh of an open sheet, or of the middle of a thin solid, and its thickness."""
+    """Return the kernel mesh of a sheet, or of a thin solid with its thickness."""
     part = core.Part(name, core.TriangleMesh(*piece))
     part.make_thin(False)
     session = core.DeformationSession(core.Assembly([part]))

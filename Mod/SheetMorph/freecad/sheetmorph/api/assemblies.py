@@ -204,7 +204,7 @@ def remove(obj) -> None:
 
 
 def remove_dependents(obj) -> None:
-    """Delete the objects that depend on one of ours, before it is deleted itself.
+    """Delete the dependents of a SheetMorph object before the object is deleted.
 
     These are the regions and contacts of a part, the relations that a region leaves incomplete, and
     the whole content of an assembly. Source meshes are shown again. Raises ValueError for any other

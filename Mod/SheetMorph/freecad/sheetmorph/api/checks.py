@@ -25,7 +25,7 @@ def refuse_link(source) -> None:
 
 
 def require_kind(obj, wanted: str, word: str) -> None:
-    """Raise ValueError unless `obj` is an object of ours of the wanted kind."""
+    """Raise ValueError unless `obj` is a SheetMorph object of the wanted kind."""
     if kind(obj) != wanted:
         label = getattr(obj, "Label", repr(obj))
         raise ValueError(f"'{label}' is no {word} of SheetMorph; pass a {word}.")

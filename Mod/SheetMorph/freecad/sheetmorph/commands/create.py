@@ -296,5 +296,5 @@ class ImportPart(Command):
         before = set(App.ActiveDocument.Objects)
         if actions.attempt("Import Part", *lines):
             look_at_new(before)
-            # # Later, because a panel that opens makes the view smaller.
+            # Later, because a panel that opens makes the view smaller.
             QtCore.QTimer.singleShot(0, lambda: Gui.SendMsgToActiveView("ViewFit"))

@@ -108,7 +108,7 @@ class Pending:
         if self._read() == self._steps[0]:
             return
         transactions.begin(self._document, self._title)
-        with suppress(Exception):  # # a partial restoration is better than none
+        with suppress(Exception):  # a partial restoration is better than none
             self._write(self._steps[0])
         transactions.keep()
 
@@ -145,7 +145,7 @@ class Pending:
         self._is_open = False
 
     def _open(self) -> None:
-        self._is_open, self._number = True, 0  # # 0 is the open step, in case of a failure half-way
+        self._is_open, self._number = True, 0  # 0 is the open step, in case of a failure half-way
         self._number = transactions.begin_alone(self._document, self._title)
 
     def _close(self, way) -> None:
@@ -153,7 +153,7 @@ class Pending:
             self._is_open = False
             way(self._number)
 
-    # # -- changes of the document by others
+    # -- changes of the document by others
 
     def on_deletion(self) -> None:
         """Note that an object of somebody else was deleted within the step."""
@@ -194,7 +194,7 @@ class Pending:
             if self._is_undone:
                 self._go_back()
             elif self._interrupted is not None:
-                transactions.keep()  # # the step that the other program part left open
+                transactions.keep()  # the step that the other program part left open
                 self._take(self._uninterrupted())
             else:
                 return False
@@ -233,7 +233,7 @@ class Pending:
                 self._parked = None
                 self._take(self._steps[-1])
 
-    # # -- parked changes: the document is one undo and one redo away from the neighbouring poses
+    # -- parked changes: the document is one undo and one redo away from the neighbouring poses
 
     def _park(self, place: int) -> None:
         """Show a step from the initial pose, and let a redo of the program lead to the next one.
@@ -258,7 +258,7 @@ class Pending:
         parked, self._parked = self._parked, None
         self._steps = self._steps[: parked.place + 1]
         if not parked.is_untouched(self._document):
-            self._lost_something = True  # # somebody else's step is on top of the parked ones
+            self._lost_something = True  # somebody else's step is on top of the parked ones
             self._open()
             return
         if parked.place > 0:

@@ -16,8 +16,8 @@ from freecad.sheetmorph.editing.watch import Watch
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 
-BUSY = 20  # # ms between two checks whether FreeCAD is busy
-LOOK = 50  # # ms after which the widgets of a closed window are gone
+BUSY = 20  # ms between two checks whether FreeCAD is busy
+LOOK = 50  # ms after which the widgets of a closed window are gone
 
 
 class Session(QtCore.QObject):
@@ -47,7 +47,7 @@ class Session(QtCore.QObject):
     def put_selection_aside(self) -> None:
         """Clear the selection, so that its colour hides nothing, until the end."""
         self._aside = [(obj.Document.Name, obj.Name) for obj in Gui.Selection.getSelection()]
-        if self._aside:  # # avoids an unnecessary line in the macro
+        if self._aside:  # avoids an unnecessary line in the macro
             Gui.Selection.clearSelection()
         self.over.connect(self._select_again)
 
@@ -126,9 +126,8 @@ class EditingSession(Session):
         self._meshes = {mesh.Name for mesh in meshes if mesh is not None}
         self._needed = {obj.Name for obj in needed} | self._meshes
         self.view = shown_view(document)
-        # # Signals of the view's widgets will not do: PySide would keep their wrappers, and mistake
-        # a
-        # # later widget at the same address for the deleted one.
+        # Signals of the view's widgets will not do: PySide would keep their wrappers, and mistake a
+        # later widget at the same address for the deleted one.
         mdi_area().subWindowActivated.connect(self._look_for_view)
         self.at_end(self._forget_view)
         self._watch = Watch(self)
@@ -179,7 +178,7 @@ class EditingSession(Session):
         mdi_area().subWindowActivated.disconnect(self._look_for_view)
         self.view = None
 
-    # # -- called by the watch in the middle of FreeCAD's changes
+    # -- called by the watch in the middle of FreeCAD's changes
 
     def on_deleted(self, obj) -> None:
         """Handle the deletion of an object of the document."""

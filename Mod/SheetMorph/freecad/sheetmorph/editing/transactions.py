@@ -38,7 +38,7 @@ def begin_alone(document, title: str) -> int:
     with _active(document):
         number = begin(document, title)
         for morph in [obj for obj in document.Objects if kind(obj) == ASSEMBLY][:1]:
-            # # This assignment changes nothing, but starts the document's step.
+            # This assignment changes nothing, but starts the document's step.
             morph.Order = morph.Order
         if document.HasPendingTransaction:
             FreeCAD.closeActiveTransaction(False, NOBODYS)

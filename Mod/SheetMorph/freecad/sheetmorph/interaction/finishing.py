@@ -19,10 +19,10 @@ from freecad.sheetmorph.objects import model
 from freecad.sheetmorph.objects.errors import MorphError
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 
-PATIENCE = 0.06  # # s that OK may wait, so that a small morph gets its final shape at once
-LARGE = 20_000  # # vertices of a morph above which OK does not wait
-NAP = 0.002  # # s between two checks during this wait
-LOOK = 20  # # ms between two checks whether a document is free
+PATIENCE = 0.06  # s that OK may wait, so that a small morph gets its final shape at once
+LARGE = 20_000  # vertices of a morph above which OK does not wait
+NAP = 0.002  # s between two checks during this wait
+LOOK = 20  # ms between two checks whether a document is free
 COMPUTED = "Being computed: the parts still have an earlier shape."
 STOPPED = "Not computed: recompute the document to get the final shape."
 
@@ -40,7 +40,7 @@ class Finish(QtCore.QObject):
         self.task, self._fraction = "", 0.0
         self._scene = self._expected = None
         self._cache = solving.cache_of(assembly)
-        self._worker = FrameWorker(self._compute, self)  # # last, because it must be stopped
+        self._worker = FrameWorker(self._compute, self)  # last, because it must be stopped
 
     def take(self, scene) -> None:
         """Own a LiveScene and show it until the final shape arrives."""
@@ -102,7 +102,7 @@ class Finish(QtCore.QObject):
         try:
             morph = solving.read_morph(self.assembly())
         except (MorphError, *solving.FAILURES):
-            self.apply()  # # the recompute reports the error
+            self.apply()  # the recompute reports the error
             return
         if self._cache.is_known(morph) or not morph.is_held():
             self.apply()
@@ -155,7 +155,7 @@ class Finish(QtCore.QObject):
         self._worker.tell(task)
         return self._worker.is_free
 
-    # # -- called by the worker
+    # -- called by the worker
 
     def on_answer(self, _outcome) -> None:
         """Do nothing, since the next look finds the answer."""
@@ -182,7 +182,7 @@ class Finishing(QtCore.QObject):
         super().__init__()
         self._jobs: dict[tuple[str, str], Finish] = {}
         self._holds: list = []
-        self._opened: list = []  # # documents that are being opened
+        self._opened: list = []  # documents that are being opened
         self._bar = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(LOOK)
@@ -292,7 +292,7 @@ class Finishing(QtCore.QObject):
                 self._bar = FinishingBar(self.stop_all)
             self._bar.tell(job.label, job.task, job.percent)
 
-    # # -- called by FreeCAD in the middle of changes
+    # -- called by FreeCAD in the middle of changes
 
     def slotUndoDocument(self, document) -> None:
         """Recompute the meshes that came after the step, which an undo does not restore."""

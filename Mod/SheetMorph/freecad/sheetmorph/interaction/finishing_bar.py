@@ -5,7 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.sheetmorph.qt import QtWidgets, translate
 
-WIDTH = 120  # # px of the bar
+WIDTH = 120  # px of the bar
 
 
 class FinishingBar:
@@ -40,7 +40,7 @@ class FinishingBar:
         """Show the name of a morph, its present task and the progress."""
         text = translate("SheetMorph_panels", "Computing the final shape of {0}").format(label)
         self._text.setText(f"{text}: {task}" if task else text)
-        if percent != self._percent:  # # setValue repaints the whole window at once
+        if percent != self._percent:  # setValue repaints the whole window at once
             self._percent = percent
             self._bar.setRange(0, 100 if percent else 0)
             self._bar.setValue(percent)

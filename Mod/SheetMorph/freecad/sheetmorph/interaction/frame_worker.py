@@ -13,7 +13,7 @@ from freecad.sheetmorph.objects.errors import Fault
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.latest import Latest
 
-NICENESS = 10  # # of 19: a thread at 0 gets ten times as much processor time
+NICENESS = 10  # of 19: a thread at 0 gets ten times as much processor time
 ENDING: set = set()
 """Stopped workers with a running thread; they stay here until it ends."""
 
@@ -101,7 +101,7 @@ class FrameWorker(QtCore.QObject):
     def _run(self, question) -> None:
         try:
             answer, fault = self._compute(question), ""
-        except Exception as error:  # # any error is shown, and the next frame is tried
+        except Exception as error:  # any error is shown, and the next frame is tried
             answer, fault = None, sentence_of(error)
         self._computed.emit(answer, fault)
 
@@ -115,7 +115,7 @@ class FrameWorker(QtCore.QObject):
         if not fault:
             try:
                 self._listener.on_answer(answer)
-            except Exception as error:  # # as above: the worker must not stay busy for ever
+            except Exception as error:  # as above: the worker must not stay busy for ever
                 fault = sentence_of(error)
         if fault and self._listener is not None:
             self._listener.on_fault(fault)

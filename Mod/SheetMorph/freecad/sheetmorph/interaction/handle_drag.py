@@ -64,7 +64,7 @@ class HandleDrag:
         if self._arrows is not None:
             self._arrows.place(self._owner.pivot(), self._owner.motion())
 
-    # # -- called by the arrows
+    # -- called by the arrows
 
     def on_grab(self) -> None:
         """Start a drag."""
@@ -101,7 +101,7 @@ class HandleDrag:
         self._escape.stop()
         self._value.show("")
 
-    # # -- called by the view
+    # -- called by the view
 
     def on_key(self, key: str) -> bool:
         """Add a key to the value typed during a drag; Enter ends the drag there."""
@@ -131,7 +131,7 @@ class HandleDrag:
             if tool is not None:
                 tool.cancel()
 
-    # # -- called by points
+    # -- called by points
 
     def on_press(self, ray):
         """Return the point to grab, or None."""

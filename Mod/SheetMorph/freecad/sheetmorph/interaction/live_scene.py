@@ -144,7 +144,7 @@ class LiveScene:
             for region in model.regions(self._assembly):
                 region.ViewObject.Proxy.fill(is_on)
         except (ReferenceError, RuntimeError):
-            return  # # the morph is deleted
+            return  # the morph is deleted
 
     def _begin(self) -> None:
         drawn = zip(model.parts(self._assembly), self._at_rest())

@@ -13,7 +13,7 @@ from freecad.sheetmorph.interaction.live_scene import LiveScene
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools import grabbing, live_values, words
 
-SHOWN = object()  # # the question for the displayed frame in other colours
+SHOWN = object()  # the question for the displayed frame in other colours
 
 
 class LiveUpdate(QtCore.QObject):
@@ -46,7 +46,7 @@ class LiveUpdate(QtCore.QObject):
         self.legend = None
         self.kernel_ms = self.draw_ms = 0.0
         self.count = 0
-        self._worker = FrameWorker(self._compute, self)  # # last, because it must be stopped
+        self._worker = FrameWorker(self._compute, self)  # last, because it must be stopped
 
     def ask(self, moved=(), exact: bool = False) -> None:
         """Request a frame of the present motions; `moved` are the handles that change.
@@ -118,9 +118,9 @@ class LiveUpdate(QtCore.QObject):
             is_due = finishing().is_due(self._assembly)
             return is_due and self._live.ask().pose == self._left
         except (ReferenceError, RuntimeError):
-            return False  # # the document is closed
+            return False  # the document is closed
 
-    # # -- called by the worker
+    # -- called by the worker
 
     def on_answer(self, answer) -> None:
         """Draw a frame; result objects follow an exact one, or any if that is fast."""
@@ -209,7 +209,7 @@ class LiveUpdate(QtCore.QObject):
     def _commit(self) -> None:
         """Recompute the document, which finds the solution of the thread."""
         if not self._pending.is_open:
-            return  # # an undo came before the answer
+            return  # an undo came before the answer
         start = time.perf_counter()
         self._assembly.Document.recompute()
         self._updating.took(time.perf_counter() - start + self.kernel_ms / 1000.0)

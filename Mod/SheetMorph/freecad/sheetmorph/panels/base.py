@@ -17,10 +17,10 @@ LEGEND = {
     "form feature": QT_TRANSLATE_NOOP("SheetMorph_panels", "Form feature"),
     "follower": QT_TRANSLATE_NOOP("SheetMorph_panels", "Follower"),
 }
-WIDTH = 340  # # px at which a panel is readable
-# # on any theme
+WIDTH = 340  # px at which a panel is readable
+# on any theme
 FAULT_STYLE = "color: #8f1d1d; background: #fde7e7; padding: 3px; border-radius: 3px;"
-MARGINS = 110  # # px of the task view around a panel, with its scroll bar
+MARGINS = 110  # px of the task view around a panel, with its scroll bar
 
 
 class Panel:
@@ -31,7 +31,7 @@ class Panel:
     """
 
     width = WIDTH
-    lines = 3  # # of text in the strip at the top
+    lines = 3  # of text in the strip at the top
 
     def __init__(self, session, widgets: str, icon: str, title: str):
         self.session = session
@@ -85,7 +85,7 @@ class Panel:
             self.session.put_selection_aside()
         if hasattr(self.session, "document"):
             finishing().hold(self.session)
-            self.session.over.connect(self._release)  # # Qt would keep a plain function for ever
+            self.session.over.connect(self._release)  # Qt would keep a plain function for ever
         self.session.ending.connect(self._fade)
         self.session.over.connect(self._close)
         Gui.Control.showDialog(self)

@@ -18,7 +18,7 @@ from freecad.sheetmorph.scene.pick_view import PickView
 from freecad.sheetmorph.tools import picking
 from freecad.sheetmorph.tools.contact_sides import ContactSides, reach_that_touches
 
-WAYS = ("", "a", "b")  # # of the combo box: by distance, by hand on side "a", on side "b"
+WAYS = ("", "a", "b")  # of the combo box: by distance, by hand on side "a", on side "b"
 
 
 def create(assembly, chosen=()):
@@ -85,7 +85,7 @@ class ContactPanel(Panel):
         self.form.type.setCurrentIndex(contact_types.TYPES.index(contact.Type))
         self._follow_parts()
 
-    # # -- the mouse in the 3D view while no side is picked by hand
+    # -- the mouse in the 3D view while no side is picked by hand
 
     def hover(self, ray) -> None:
         """Highlight the part that a click would choose."""
@@ -108,7 +108,7 @@ class ContactPanel(Panel):
         """Change the size of the brush."""
         self._tools.turn_wheel(steps)
 
-    # # -- the buttons of the task view
+    # -- the buttons of the task view
 
     def keep(self) -> bool:
         """Store the contact in one undo step; return False while a side is empty."""
@@ -172,7 +172,7 @@ class ContactPanel(Panel):
             view.remove()
         self._views = {}
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form

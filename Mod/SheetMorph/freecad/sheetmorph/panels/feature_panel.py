@@ -72,7 +72,7 @@ class FeaturePanel(Panel):
         self._refresh()
         self._watch()
 
-    # # -- the buttons of the task view
+    # -- the buttons of the task view
 
     def keep(self) -> bool:
         """Store the settings in one undo step; return False after reporting an error."""
@@ -88,7 +88,7 @@ class FeaturePanel(Panel):
             return False
         return True
 
-    # # -- the preview
+    # -- the preview
 
     def _watch(self) -> None:
         form = self.form
@@ -129,7 +129,7 @@ class FeaturePanel(Panel):
             morph = solving.read_morph(self._assembly)
         self._worker.ask((morph, solving.cache_of(self._assembly)))
 
-    # # -- called by the worker
+    # -- called by the worker
 
     def _compute(self, question):
         """Return the solution and its frame, which OK reuses; runs in the worker thread."""
@@ -218,7 +218,7 @@ class FeaturePanel(Panel):
             )
         return function, (self._assembly, *members), {}
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form

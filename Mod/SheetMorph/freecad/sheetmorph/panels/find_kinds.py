@@ -156,6 +156,6 @@ class Contacts:
         return call("add_contact", assembly, *sides, **keywords)
 
 
-# # Holes are checked initially, bends are not.
+# Holes are checked initially, bends are not.
 _OFFERED = (*HOLES, "bend")
 FEATURES, CONTACTS = Features(), Contacts()

@@ -37,7 +37,7 @@ def _opened(assembly, what, parts):
 class FindPanel(Panel):
     """A list of proposals; OK adds the checked ones to the document."""
 
-    width = 540  # # for the columns of the list
+    width = 540  # for the columns of the list
 
     def __init__(self, session, assembly, what, parts=None):
         super().__init__(session, "find", what.icon, what.title)
@@ -56,7 +56,7 @@ class FindPanel(Panel):
         if self.form is not None:
             find_table.freeze(self.form.table)
 
-    # # -- the search and its list
+    # -- the search and its list
 
     def search(self, *_) -> None:
         """Search again with the tolerances of the panel."""
@@ -121,7 +121,7 @@ class FindPanel(Panel):
             texts.append(translate("SheetMorph_panels", "of the selected parts only"))
         self.form.count.setText("; ".join(texts))
 
-    # # -- the 3D view
+    # -- the 3D view
 
     def _light(self, row: int, *_) -> None:
         """Colour the proposal under the mouse."""
@@ -140,7 +140,7 @@ class FindPanel(Panel):
         places = [(part, ids) for part, ids, _ in self._what.places(one, colours)]
         look_at(self.session.view, seen.positions(places))
 
-    # # -- the buttons of the task view
+    # -- the buttons of the task view
 
     def keep(self) -> bool:
         """Add all checked proposals in one undo step."""
@@ -157,7 +157,7 @@ class FindPanel(Panel):
             return False
         return True
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form

@@ -5,8 +5,8 @@ from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
 NUMBER = QtCore.Qt.UserRole
 VALUE = QtCore.Qt.UserRole + 1
-HEIGHT = 230  # # px, for ten rows
-GREY = (128, 132, 138)  # # readable on white and on dark styles
+HEIGHT = 230  # px, for ten rows
+GREY = (128, 132, 138)  # readable on white and on dark styles
 
 
 class Cell(QtWidgets.QTableWidgetItem):
@@ -26,7 +26,7 @@ def prepare(table, columns) -> None:
     table.verticalHeader().setVisible(False)
     rows = table.verticalHeader()
     rows.setMinimumSectionSize(22)
-    rows.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)  # # show names in full
+    rows.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)  # show names in full
     table.setWordWrap(True)
     header = table.horizontalHeader()
     for column in range(len(columns)):
@@ -50,7 +50,7 @@ def fill(table, rows) -> None:
             cell.setData(VALUE, value)
             cell.setToolTip(tip)
             flags = QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsEnabled
-            # # dark styles draw the text of a disabled item as dark as its background
+            # dark styles draw the text of a disabled item as dark as its background
             if not may_be:
                 cell.setForeground(QtGui.QBrush(QtGui.QColor(*GREY)))
             if column == 0:

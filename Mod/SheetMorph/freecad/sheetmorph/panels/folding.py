@@ -19,7 +19,7 @@ class Folds:
 def foldable(group):
     """Put the content of a QGroupBox below a button with its title; return the button, off."""
     inside = QtWidgets.QWidget(group)
-    inside.setLayout(group.layout())  # # this takes the layout from the group
+    inside.setLayout(group.layout())  # this takes the layout from the group
     inside.layout().setContentsMargins(9, 0, 9, 6)
     button = QtWidgets.QToolButton(group)
     button.setObjectName(f"fold_{group.objectName()}")
@@ -31,7 +31,7 @@ def foldable(group):
     button.setCheckable(True)
     group.setTitle("")
     group.setFlat(True)
-    # # the empty title takes no space
+    # the empty title takes no space
     group.setStyleSheet("QGroupBox { border: 0; margin: 0; padding: 0; }")
     column = QtWidgets.QVBoxLayout(group)
     column.setContentsMargins(0, 0, 0, 0)

@@ -7,9 +7,9 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.panels.guide_panel import GuidePanel
 from freecad.sheetmorph.qt import QtCore, QtWidgets
 
-CALM = 100  # # ms without a change of the document until the panel shows it
-GONE = 50  # # ms until the widgets of a closed panel are gone
-LOOK = 200  # # ms between two checks whether a command's panel is closed
+CALM = 100  # ms without a change of the document until the panel shows it
+GONE = 50  # ms until the widgets of a closed panel are gone
+LOOK = 200  # ms between two checks whether a command's panel is closed
 
 
 class Guide:

@@ -20,7 +20,7 @@ def read():
     failure = model.failure_of(owner)
     faulty = [obj for obj in at_fault(owner, failure) if model.kind(obj) in HIGHLIGHTED]
     primary, joining = recipes.primary_of(owner), recipes.used_contacts(owner)
-    names = recipes.names_of(owner)  # # labels, made unique
+    names = recipes.names_of(owner)  # labels, made unique
     facts = Facts(
         morphs=1,
         parts=tuple(names[part.Name] for part in model.parts(owner)),

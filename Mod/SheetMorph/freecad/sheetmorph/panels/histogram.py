@@ -4,7 +4,7 @@
 from freecad.sheetmorph.qt import QtCore, QtGui
 
 WIDTH, HEIGHT = 256, 64
-REST, LIMIT = "#8b95a2", "#de2924"  # # visible on light panels and on the dark legend
+REST, LIMIT = "#8b95a2", "#de2924"  # visible on light panels and on the dark legend
 
 
 def histogram_picture(histogram):

@@ -26,7 +26,7 @@ def keep(title: str, *lines: str, document) -> None:
                 actions.do(f"{actions.DOCUMENT}.recompute()", document)
                 actions.refuse(faults.new_fault(document, before))
     except MorphError:
-        late = late_in(document)  # # FreeCAD counts the undone changes as due
+        late = late_in(document)  # FreeCAD counts the undone changes as due
         if not late:
             document.recompute()
         raise

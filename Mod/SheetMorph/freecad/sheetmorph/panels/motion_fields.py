@@ -4,7 +4,7 @@
 from freecad.sheetmorph.qt import QtCore, translate
 from freecad.sheetmorph.tools.motion import Motion
 
-PRESSED = "QPushButton:checked { color: black; }"  # # dark styles would write blue on blue
+PRESSED = "QPushButton:checked { color: black; }"  # dark styles would write blue on blue
 DRIVEN = {
     "translation_x": "TranslationX",
     "translation_y": "TranslationY",

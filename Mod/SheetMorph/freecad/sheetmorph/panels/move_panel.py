@@ -28,7 +28,7 @@ from freecad.sheetmorph.scene.legend import ViewLegend
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.updating import PAUSE, Updating
 
-# # The panel has room for these; the morph's property Warnings has all.
+# The panel has room for these; the morph's property Warnings has all.
 MOST_WARNINGS = 3
 
 
@@ -44,7 +44,7 @@ def open_panel(handle):
 class MovePanel(Panel):
     """The panel that moves the handles of one morph; its session has the pending changes."""
 
-    width = 400  # # for three buttons, in any language
+    width = 400  # for three buttons, in any language
     lines = 4
 
     def __init__(self, session, handle):
@@ -79,7 +79,7 @@ class MovePanel(Panel):
         session.changed.connect(self._follow)
         self._start()
 
-    # # -- the buttons of the task view
+    # -- the buttons of the task view
 
     def getStandardButtons(self) -> int:
         """Return OK, Apply and Cancel."""
@@ -130,7 +130,7 @@ class MovePanel(Panel):
             return
         actions.note(actions.call("update_shapes", actions.name(owner)))
 
-    # # -- following fields and mouse; HandleDrag calls the next five
+    # -- following fields and mouse; HandleDrag calls the next five
 
     @property
     def _handle(self):
@@ -198,7 +198,7 @@ class MovePanel(Panel):
             self._faults.say(error)
             return
         if finishing().is_due(self._handles.assembly):
-            self._frame.start()  # # the parts still have an earlier shape
+            self._frame.start()  # the parts still have an earlier shape
 
     def _new_live(self) -> LiveUpdate:
         live = LiveUpdate(self._handles.assembly, self._updating, self.session)
@@ -293,7 +293,7 @@ class MovePanel(Panel):
         self._tell_who_stays()
         self._shown.tell()
         if self._live.is_preview and not self._frame.isActive():
-            self._pause.start()  # # the exact shape must follow a preview
+            self._pause.start()  # the exact shape must follow a preview
 
     def _on_settling(self, task: str) -> None:
         if self._live is not None and self._live.is_preview:
@@ -315,7 +315,7 @@ class MovePanel(Panel):
             self._live.remove()
         self._live = None
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form
@@ -326,7 +326,7 @@ class MovePanel(Panel):
         form.reset.clicked.connect(self._reset)
         self._fields.changed.connect(self._on_change)
         say(form.axis_message, "")
-        # # Text from the start: a panel that grows during a click would move the target.
+        # Text from the start: a panel that grows during a click would move the target.
         say(form.status, translate("SheetMorph_panels", "Nothing has moved yet."))
         self._fill()
 

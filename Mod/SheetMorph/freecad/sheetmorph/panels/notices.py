@@ -9,7 +9,7 @@ from freecad.sheetmorph.qt import QtCore, QtWidgets
 
 TAKEN = ("staying", "status", "part", "hint", "type_text", "counts")
 """Labels with changing text, which follow the fault in this order."""
-PADDING = 10  # # px of the red background of a fault
+PADDING = 10  # px of the red background of a fault
 
 
 class Notices:
@@ -32,7 +32,7 @@ class Notices:
         beside = QtWidgets.QHBoxLayout(first)
         beside.setContentsMargins(0, 0, 0, 0)
         column.removeWidget(form.message)
-        beside.addWidget(form.message, 1)  # # the buttons of a fault are next to it
+        beside.addWidget(form.message, 1)  # the buttons of a fault are next to it
         self._lines.addWidget(first)
         self._lines.addStretch(1)
         self._area.setWidget(inside)

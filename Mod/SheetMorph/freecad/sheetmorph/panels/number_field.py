@@ -11,13 +11,13 @@ import FreeCADGui as Gui
 from freecad.sheetmorph.bridge import units
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
-LENGTH = "Gui::QuantitySpinBox"  # # FreeCAD's field for a length
+LENGTH = "Gui::QuantitySpinBox"  # FreeCAD's field for a length
 REPLACED = (LENGTH, "QDoubleSpinBox")
 COPIED = ("objectName", "toolTip", "minimumSize", "sizePolicy", "suffix", "singleStep")
 COPIED += ("keyboardTracking", "buttonSymbols", "specialValueText")
 FARTHEST = 1e15
-DIGITS = 30  # # decimals: Qt rounds the stored number to these
-USUAL = 12345.67  # # a number that the field must have room for
+DIGITS = 30  # decimals: Qt rounds the stored number to these
+USUAL = 12345.67  # a number that the field must have room for
 
 
 class NumberField(QtWidgets.QDoubleSpinBox):
@@ -30,7 +30,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         """Create a field; `unit` is "mm", "deg" or empty."""
         super().__init__()
         self._unit, self._decimals = unit, shown_decimals
-        self._shown = "", 1.0  # # the text, and the size of its unit in mm or degrees
+        self._shown = "", 1.0  # the text, and the size of its unit in mm or degrees
         self.editingFinished.connect(self._finish)
         self.setDecimals(DIGITS)
         self.setRange(-FARTHEST, FARTHEST)
@@ -107,7 +107,7 @@ def loaded(file: str):
     form = Gui.PySideUic.loadUi(file)
     layouts = form.findChildren(QtWidgets.QLayout)
     for name, widget in list(vars(form).items()):
-        # # widget.metaObject() would give the class too, but PySide never frees its result.
+        # widget.metaObject() would give the class too, but PySide never frees its result.
         if isinstance(widget, QtWidgets.QWidget) and any(map(widget.inherits, REPLACED)):
             layout = next(one for one in layouts if one.indexOf(widget) >= 0)
             setattr(form, name, replaced(widget, layout))
@@ -127,7 +127,7 @@ def replaced(old, layout) -> NumberField:
     new.setValue(float(old.property("rawValue" if is_length else "value")))
     layout.replaceWidget(old, new)
     QtWidgets.QWidget.setTabOrder(old, new)
-    old.setObjectName("")  # # it exists for a moment longer
+    old.setObjectName("")  # it exists for a moment longer
     old.hide()
     old.deleteLater()
     return new

@@ -21,7 +21,7 @@ ONLY_FOR = {
     "radius": (figures.BRUSH,),
 }
 CHOSEN = (
-    # # visible in dark styles too
+    # visible in dark styles too
     "QToolButton:checked { border: 2px solid #4a90d9; border-radius: 3px;"
     " background: rgba(74, 144, 217, 70); }"
 )

@@ -41,7 +41,7 @@ class PosePanel(Panel):
         read, write = partial(snapshot, assembly), partial(restore, assembly)
         self._pending = session.edit("Blend Poses", read, write)
         self._poses = [None, *api.poses(assembly)]
-        self._shares = []  # # (snapshot, fields) of every blend that was shown for a while
+        self._shares = []  # (snapshot, fields) of every blend that was shown for a while
         self._live = None
         self._pause = QtCore.QTimer(self.form, singleShot=True, interval=round(1000 * PAUSE))
         self._pause.timeout.connect(lambda: session.when_free(self._settle))

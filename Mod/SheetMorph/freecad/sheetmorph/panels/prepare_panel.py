@@ -75,7 +75,7 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             say(self.form.message, str(error), True)
             return False
-        if not self._wish().is_split:  # # splitting removes the part
+        if not self._wish().is_split:  # splitting removes the part
             differences.tell(self._part.Document, api.preparation_of(self._part))
         return True
 
@@ -87,7 +87,7 @@ class PreparePanel(Panel):
             self._light.show(part.Name, part.ViewObject, triangles)
             look_at(self.session.view, seen.corners(part))
 
-    # # -- the diagnosis
+    # -- the diagnosis
 
     def _offer(self) -> None:
         """Check the repairs that the diagnosis offers."""
@@ -122,7 +122,7 @@ class PreparePanel(Panel):
         form.edge.setValue(suggested)
         self._refresh()
 
-    # # -- the chosen repairs
+    # -- the chosen repairs
 
     def _wish(self) -> cures.Wish:
         form = self.form
@@ -159,7 +159,7 @@ class PreparePanel(Panel):
             lines.append(call("split_part", part))
         return lines
 
-    # # -- the preview
+    # -- the preview
 
     def _show_preview(self) -> None:
         """Compute the new mesh and draw it in place of the part."""
@@ -177,7 +177,7 @@ class PreparePanel(Panel):
         except actions.FAULTS as error:
             self._tell_fault(error)
             return
-        if self.session.is_over:  # # the session may have ended during the computation
+        if self.session.is_over:  # the session may have ended during the computation
             return
         self._light.show()
         view = self.session.view
@@ -195,7 +195,7 @@ class PreparePanel(Panel):
             self._preview.remove()
         self._preview = None
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form

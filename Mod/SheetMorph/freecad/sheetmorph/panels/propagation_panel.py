@@ -28,7 +28,7 @@ def open_panel(assembly):
 class PropagationPanel(Panel):
     """A panel without Cancel, in which every change is an undo step and a macro line."""
 
-    width = 460  # # for names in a tree
+    width = 460  # for names in a tree
 
     def __init__(self, session, assembly):
         super().__init__(session, "propagation", "Propagation", "Propagation")
@@ -58,7 +58,7 @@ class PropagationPanel(Panel):
         """The object of the chosen row, None if it was deleted."""
         return self._assembly.Document.getObject(self._chosen_name) if self._chosen_name else None
 
-    # # -- changes by the user
+    # -- changes by the user
 
     def _change(self, title: str, function: str, *arguments: str, **keywords: str) -> None:
         """Make a change in one undo step, and show the result."""
@@ -96,7 +96,7 @@ class PropagationPanel(Panel):
     def _make_primary(self, *_) -> None:
         self._change("Set as Primary", "set_primary", name(self._assembly), name(self._chosen))
 
-    # # -- the display
+    # -- the display
 
     def _fill(self) -> None:
         """Show the morph of the document."""
@@ -233,7 +233,7 @@ class PropagationPanel(Panel):
             say(self.form.message, str(error), True)
         self._wires.show(meshes)
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form

@@ -8,7 +8,7 @@ from freecad.sheetmorph.qt import QtCore, QtWidgets, icon_of, translate
 
 OBJECT = QtCore.Qt.UserRole
 HINT = "Parts not reached stay at rest: mark a contact that joins them to a part above."
-ROW, LOW, HIGH = 18, 160, 420  # # px: height of a row, least and largest height of the tree
+ROW, LOW, HIGH = 18, 160, 420  # px: height of a row, least and largest height of the tree
 IDLE = "Contacts that move nothing: switched off, between parts not reached, or not needed."
 
 

@@ -9,9 +9,9 @@ from freecad.sheetmorph.tools.marked import QT_TRANSLATE_NOOP
 from freecad.sheetmorph.tools.motion import Motion
 from freecad.sheetmorph.tools.reach_scale import scale_for
 
-CALM = 300  # # ms without a change until the search, and between two attempts to start it
-HEIGHT, GROOVE = 18, 6  # # px
-POSSIBLE, BEYOND = "#2e9e5b", "#d64545"  # # on any theme
+CALM = 300  # ms without a change until the search, and between two attempts to start it
+HEIGHT, GROOVE = 18, 6  # px
+POSSIBLE, BEYOND = "#2e9e5b", "#d64545"  # on any theme
 NUMBERS = ("X", "Y", "Z", QT_TRANSLATE_NOOP("SheetMorph_panels", "The angle"))
 HINT = QT_TRANSLATE_NOOP("SheetMorph_panels", "Change a value to see how far it may go.")
 TURNS_OVER = QT_TRANSLATE_NOOP("SheetMorph_panels", "a triangle turns over")

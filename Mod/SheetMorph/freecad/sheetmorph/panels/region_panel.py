@@ -106,7 +106,7 @@ class RegionPanel(Panel):
         )
         self.picked()
 
-    # # -- the mouse outside the picked part
+    # -- the mouse outside the picked part
 
     def hover(self, ray) -> None:
         """Highlight another part to which a click would change."""
@@ -156,7 +156,7 @@ class RegionPanel(Panel):
         is_other = found not in ("", self._part.Name)
         return self._part.Document.getObject(found) if is_other else None
 
-    # # -- the buttons of the task view
+    # -- the buttons of the task view
 
     def keep(self) -> bool:
         """Store the regions in one undo step; return False if nothing is picked."""
@@ -191,7 +191,7 @@ class RegionPanel(Panel):
             wanted = operands(said)
         return selecting.source_for(self._part, wanted, group)
 
-    # # -- a typed selector
+    # -- a typed selector
 
     def _show_sentence(self) -> None:
         """Show the selector of the picks, in the field for typed selectors."""
@@ -217,7 +217,7 @@ class RegionPanel(Panel):
         if self._view is not None:
             self._view.remove()
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form

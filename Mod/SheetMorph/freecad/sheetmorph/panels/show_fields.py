@@ -19,7 +19,7 @@ ELEMENTS = (
     QT_TRANSLATE_NOOP("SheetMorph_panels", "Elements: shortest edge"),
 )
 """The measures in the order of element_quality.MEASURES."""
-FIRST_OF_ELEMENTS = 5  # # in the list of colours
+FIRST_OF_ELEMENTS = 5  # in the list of colours
 
 
 def beyond(histogram) -> str:
@@ -50,7 +50,7 @@ class ShowFields:
         if has_elements:
             form.colours.addItems([translate("SheetMorph_panels", title) for title in ELEMENTS])
         form.colours.setCurrentIndex(preferences.get("ShowColours"))
-        if form.colours.currentIndex() < 0:  # # the stored choice applies to decks only
+        if form.colours.currentIndex() < 0:  # the stored choice applies to decks only
             form.colours.setCurrentIndex(0)
         form.colours.currentIndexChanged.connect(self._colour)
         form.scale.setPixmap(gradient())
@@ -70,7 +70,7 @@ class ShowFields:
         """Show the legend of the last frame."""
         legend = self._live and self._live.legend
         chosen = self._form.colours.currentIndex()
-        # # The choice decides, not the frame: nothing may move while frames arrive.
+        # The choice decides, not the frame: nothing may move while frames arrive.
         self._form.scale.setVisible(chosen > 0)
         self._form.scale_text.setVisible(chosen > 0)
         self._form.histogram.setVisible(chosen >= FIRST_OF_ELEMENTS)

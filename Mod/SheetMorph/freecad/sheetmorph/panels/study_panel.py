@@ -14,10 +14,10 @@ from freecad.sheetmorph.panels.base import Panel, say
 from freecad.sheetmorph.qt import QtCore, QtWidgets, translate
 from freecad.sheetmorph.tools.studies import ANGLE, LENGTH, METHODS, unused
 
-HEIGHTS = {"parameters": 88, "results": 220}  # # px: least height of the tables
-LOOK = 200  # # ms between two checks of the process
-AROUND = {LENGTH: 10.0, ANGLE: 10.0}  # # range of a new parameter around a length or an angle
-SHARE = 0.2  # # range around any other number, as a share of it
+HEIGHTS = {"parameters": 88, "results": 220}  # px: least height of the tables
+LOOK = 200  # ms between two checks of the process
+AROUND = {LENGTH: 10.0, ANGLE: 10.0}  # range of a new parameter around a length or an angle
+SHARE = 0.2  # range around any other number, as a share of it
 
 
 def open_panel(assembly, study=None):
@@ -33,14 +33,14 @@ class StudyPanel(Panel):
     change: an undo, a deletion or the end of the panel stops the processes.
     """
 
-    width = 480  # # for tables
+    width = 480  # for tables
 
     def __init__(self, session, assembly, study):
         super().__init__(session, "study", "Study", "Study")
         self._assembly, self._document = assembly, assembly.Document
         self._name = study.Name if study is not None else ""
         self._variables = []
-        self._chosen = []  # # a variable for each row of the parameters
+        self._chosen = []  # a variable for each row of the parameters
         self._running = None
         self._run = None
         self._look = QtCore.QTimer(self.form, interval=LOOK)
@@ -66,7 +66,7 @@ class StudyPanel(Panel):
         """The study, None before it is first stored."""
         return self._document.getObject(self._name) if self._name else None
 
-    # # -- changes by the user
+    # -- changes by the user
 
     def _kept(self) -> bool:
         """Store the settings in the document; return False after reporting an error."""
@@ -150,7 +150,7 @@ class StudyPanel(Panel):
         if folder:
             self.form.folder.setText(folder)
 
-    # # -- the run
+    # -- the run
 
     def _start(self, *_) -> None:
         """Store the settings, and compute the variants in separate processes."""
@@ -179,7 +179,7 @@ class StudyPanel(Panel):
             return
         study = self._study
         if study is None:
-            return  # # the study was deleted, and the panel will follow
+            return  # the study was deleted, and the panel will follow
         self.form.progress.setMaximum(max(1, study.Count))
         self.form.progress.setValue(min(self._run.done, study.Count))
         if self._run.is_over:
@@ -220,7 +220,7 @@ class StudyPanel(Panel):
         line = call("apply_variant", name(self._study), repr(run))
         actions.attempt("Apply Variant", line, document=self._document)
 
-    # # -- the display
+    # -- the display
 
     def _follow(self) -> None:
         """Stop the run after an undo, a redo or a deletion, which make it outdated."""
@@ -278,7 +278,7 @@ class StudyPanel(Panel):
             text = hint.format(study_table.counted(results))
         say(self.form.counts, text)
 
-    # # -- the widgets
+    # -- the widgets
 
     def _prepare_widgets(self) -> None:
         form = self.form

@@ -4,7 +4,7 @@
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 from freecad.sheetmorph.scene.overlay import laid_over, take_away
 
-BESIDE = QtCore.QPoint(18, 14)  # # px from the tip of the cursor
+BESIDE = QtCore.QPoint(18, 14)  # px from the tip of the cursor
 LOOK = (
     "QLabel { background: rgba(22, 26, 34, 215); color: #f2f4f7; border-radius: 4px;"
     " padding: 2px 6px; font-weight: bold; }"

@@ -10,8 +10,8 @@ from freecad.sheetmorph.scene.hanging import Hanging
 from freecad.sheetmorph.scene.relay import Relay
 from freecad.sheetmorph.scene.viewport import camera_node, mm_per_px
 
-SIZE = 8.0  # # px: unit size of the dragger, whose arrows are ten times as long
-FINEST = (0.001, 0.01)  # # mm and degrees: steps without snapping
+SIZE = 8.0  # px: unit size of the dragger, whose arrows are ten times as long
+FINEST = (0.001, 0.01)  # mm and degrees: steps without snapping
 
 
 class Dragger:
@@ -35,7 +35,7 @@ class Dragger:
         kind = next(found for found in kinds if not found.isBad())
         self._dragger = coin.cast(kind.createInstance(), "SoDragger")
         self._root = coin.SoAnnotation()
-        # # Drawn on top of the parts, so that the mouse finds it before them.
+        # Drawn on top of the parts, so that the mouse finds it before them.
         first = coin.SoPickStyle()
         first.style = coin.SoPickStyle.SHAPE_ON_TOP
         self._root.addChild(first)
@@ -81,7 +81,7 @@ class Dragger:
         try:
             for kind, function in self._callbacks.items():
                 self._view.removeDraggerCallback(self._dragger, kind, function)
-        except RuntimeError:  # # the view is closed
+        except RuntimeError:  # the view is closed
             pass
         for relay in (self._resized, *self._callbacks.values()):
             relay.let_go()
@@ -118,7 +118,7 @@ class Dragger:
         place = self._pivot.translation.getValue() + self._field("translation").getValue()
         try:
             scale = mm_per_px(self._view, place)
-        except RuntimeError:  # # the view is closed, which changed its camera
+        except RuntimeError:  # the view is closed, which changed its camera
             return
         self._field("draggerSize").setValue(SIZE * scale)
 

@@ -8,7 +8,7 @@ from freecad.sheetmorph.scene.place_marks import PlaceMarks
 from freecad.sheetmorph.tools.live_values import turn_of
 
 NAME = "SheetMorphFeatureMarks"
-LEAST = 0.005  # # mm and degrees: smaller motions get no label
+LEAST = 0.005  # mm and degrees: smaller motions get no label
 
 
 class FeatureMarks:

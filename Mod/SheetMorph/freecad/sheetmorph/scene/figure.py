@@ -4,7 +4,7 @@
 from freecad.sheetmorph.qt import QtCore, QtGui, QtWidgets
 
 DARK, LIGHT = QtGui.QColor(20, 24, 32, 220), QtGui.QColor(255, 255, 255, 235)
-FILL = 28  # # of 255
+FILL = 28  # of 255
 
 
 class Figure(QtWidgets.QWidget):

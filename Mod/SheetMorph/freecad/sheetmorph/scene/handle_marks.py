@@ -14,9 +14,9 @@ from freecad.sheetmorph.scene.relay import Relay
 from freecad.sheetmorph.scene.viewport import camera_node, camera_of
 from freecad.sheetmorph.tools.spreading import spread
 
-SIZE = 13.0  # # px
-LEAST = 26.0  # # px between two marks
-ARROWS = 100.0  # # px around the handle with the arrows, which are 80 px long
+SIZE = 13.0  # px
+LEAST = 26.0  # px between two marks
+ARROWS = 100.0  # px around the handle with the arrows, which are 80 px long
 ROOT = "SheetMorphHandleMarks"
 
 
@@ -57,7 +57,7 @@ class HandleMarks(QtCore.QObject):
         try:
             self._widget.removeEventFilter(self)
         except RuntimeError:
-            pass  # # the view is closed
+            pass  # the view is closed
         self._view = self._widget = self._choose = None
 
     def place_of(self, number: int) -> tuple[float, float]:
@@ -93,7 +93,7 @@ class HandleMarks(QtCore.QObject):
         try:
             camera = camera_of(self._view)
         except (RuntimeError, AttributeError):
-            return  # # the view is closed
+            return  # the view is closed
         pixels = projected(camera, self._places)
         taken = ()
         if self._taken is not None and len(self._places):

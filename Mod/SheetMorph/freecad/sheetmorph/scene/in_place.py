@@ -19,7 +19,7 @@ class InPlace:
         `view_object` is that of the part. `also` are views of other objects that represent the
         part, such as its deformed shape.
         """
-        self._shown = coin.SoSwitch()  # # a new switch is off
+        self._shown = coin.SoSwitch()  # a new switch is off
         self._shown.addChild(node)
         self._hidden = [_Hidden(view, self._follow) for view in (view_object, *also)]
         self._hanging = Hanging(root, self._shown)
@@ -43,10 +43,10 @@ class _Hidden:
 
     def __init__(self, view_object, on_change):
         self._root, self._drawn = view_object.RootNode, view_object.SwitchNode
-        self._unseen = coin.SoSwitch()  # # a new switch is off
+        self._unseen = coin.SoSwitch()  # a new switch is off
         self._root.replaceChild(self._drawn, self._unseen)
         self._unseen.addChild(self._drawn)
-        self._relay = Relay(on_change)  # # Coin never releases a callback
+        self._relay = Relay(on_change)  # Coin never releases a callback
         self._sensor = coin.SoFieldSensor(self._relay, None)
         self._sensor.attach(self._drawn.whichChild)
 
@@ -58,7 +58,7 @@ class _Hidden:
     def remove(self) -> None:
         """Draw the object again."""
         self._sensor.detach()
-        self._sensor = None  # # it refers to its owner, and both would keep the drawing alive
+        self._sensor = None  # it refers to its owner, and both would keep the drawing alive
         self._relay.let_go()
         if self._root.findChild(self._unseen) >= 0:
             self._root.replaceChild(self._unseen, self._drawn)

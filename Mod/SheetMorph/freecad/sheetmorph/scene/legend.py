@@ -4,7 +4,7 @@
 from freecad.sheetmorph.qt import QtWidgets
 from freecad.sheetmorph.scene.overlay import laid_over, take_away
 
-CORNER = 10  # # px from the upper left
+CORNER = 10  # px from the upper left
 LOOK = (
     "QFrame#SheetMorphLegend { background: rgba(22, 26, 34, 190); border-radius: 5px; }"
     "QFrame#SheetMorphLegend QLabel { color: #f2f4f7; background: transparent; border: none; }"

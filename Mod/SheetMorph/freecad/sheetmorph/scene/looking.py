@@ -6,8 +6,8 @@ from pivy import coin
 
 from freecad.sheetmorph.scene.viewport import camera_node
 
-AROUND = 1.6  # # visible extent, as a multiple of the place's size
-LEAST = 0.02  # # of the present extent: a single vertex must not fill the view
+AROUND = 1.6  # visible extent, as a multiple of the place's size
+LEAST = 0.02  # of the present extent: a single vertex must not fill the view
 
 
 def look_at(view, points: np.ndarray) -> None:

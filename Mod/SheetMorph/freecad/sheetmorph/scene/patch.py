@@ -6,9 +6,9 @@ from pivy import coin
 
 from freecad.sheetmorph.scene import drawing, nodes
 
-# # Moves depth a little nearer, so that the patch covers the surface in which it lies.
+# Moves depth a little nearer, so that the patch covers the surface in which it lies.
 NEARER = 0.9997
-BEHIND = 0.9999  # # in front of the surface, behind patches with NEARER
+BEHIND = 0.9999  # in front of the surface, behind patches with NEARER
 
 
 class Patch:

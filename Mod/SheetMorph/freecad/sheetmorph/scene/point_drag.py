@@ -61,7 +61,7 @@ class PointDrag(QtCore.QObject):
             self._widget.removeEventFilter(self)
             self._view.graphicsView().removeEventFilter(self)
         except RuntimeError:
-            pass  # # closed: the filters are gone
+            pass  # closed: the filters are gone
         self._view = self._widget = self._listener = None
 
     def cancel(self) -> None:
@@ -75,7 +75,7 @@ class PointDrag(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress:
             return self._typed(event)
         if kind == QtCore.QEvent.ShortcutOverride and self._listener.is_dragging:
-            event.accept()  # # digits are typed values here, not shortcuts for standard views
+            event.accept()  # digits are typed values here, not shortcuts for standard views
             return True
         if kind == QtCore.QEvent.Resize:
             QtCore.QTimer.singleShot(0, self._resized)

@@ -15,8 +15,8 @@ from freecad.sheetmorph import generations
 from freecad.sheetmorph.qt import QtCore
 from freecad.sheetmorph.tools.figures import Camera
 
-CLICK_TRAVEL = 4  # # logical px that the mouse may move during a click
-WHEEL_STEP = 120.0  # # Qt's unit for one step of a wheel
+CLICK_TRAVEL = 4  # logical px that the mouse may move during a click
+WHEEL_STEP = 120.0  # Qt's unit for one step of a wheel
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class Viewport(QtCore.QObject):
             self._widget.setMouseTracking(self._tracked)
             self._role.set("TRUE")
         except RuntimeError:
-            pass  # # closed: the filters are gone
+            pass  # closed: the filters are gone
         self._view = self._widget = self._listener = None
 
     @property
@@ -170,7 +170,7 @@ def take_every_move(is_wanted: bool) -> None:
 def camera_of(view) -> Camera:
     """Return the present camera of a view."""
     width, height = view.getSize()
-    # # Coin uses the transpose
+    # Coin uses the transpose
     matrix = np.array(view_volume(view).getMatrix().getValue(), dtype=float).T
     return Camera(np.ascontiguousarray(matrix), float(width), float(height))
 
@@ -180,7 +180,7 @@ def pointer_of(view, widget, event) -> Pointer:
     ratio = widget.devicePixelRatioF()
     x = round(event.pos().x() * ratio)
     y = round((widget.height() - 1 - event.pos().y()) * ratio)
-    # # projectPointToLine of the view is wrong in a view that is higher than wide.
+    # projectPointToLine of the view is wrong in a view that is higher than wide.
     near, far = camera_of(view).line(x, y)
     keys = event.modifiers()
     shift, control = keys & QtCore.Qt.ShiftModifier, keys & QtCore.Qt.ControlModifier
@@ -204,7 +204,7 @@ def view_volume(view):
     width, height = view.getSize()
     aspect = width / max(height, 1)
     volume = camera_node(view).getViewVolume(aspect)
-    if aspect < 1.0:  # # as Coin does: what fits into the height must fit into the width
+    if aspect < 1.0:  # as Coin does: what fits into the height must fit into the width
         volume.scale(1.0 / aspect)
     return volume
 
@@ -212,7 +212,7 @@ def view_volume(view):
 def mm_per_px(view, place) -> float:
     """Return the size of a pixel at a place, a global SbVec3f, mm."""
     volume, (_, height) = view_volume(view), view.getSize()
-    size = volume.getHeight()  # # of the near plane
+    size = volume.getHeight()  # of the near plane
     if volume.getProjectionType() == coin.SbViewVolume.PERSPECTIVE:
         depth = (place - volume.getProjectionPoint()).dot(volume.getProjectionDirection())
         size *= depth / volume.getNearDist()

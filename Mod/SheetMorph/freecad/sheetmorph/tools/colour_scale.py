@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-# # Viridis: from dark blue through green to yellow, even in lightness, clear to the colour-blind.
+# Viridis: from dark blue through green to yellow, even in lightness, clear to the colour-blind.
 STOPS = np.array(
     [
         (0.267, 0.005, 0.329),

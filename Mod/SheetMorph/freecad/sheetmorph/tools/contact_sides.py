@@ -6,9 +6,9 @@ from __future__ import annotations
 from freecad.sheetmorph.tools.part_mesh import nearest_part
 from freecad.sheetmorph.tools.picking import REPLACE, RegionPicker
 
-REACH = 2.0  # # mm: the usual largest gap between joined sheets of a model
-FRACTION = 0.02  # # of the size of a part so small that 2 mm would cover all of it
-FARTHEST = 0.25  # # of the size of a part: where the search for touching vertices ends
+REACH = 2.0  # mm: the usual largest gap between joined sheets of a model
+FRACTION = 0.02  # of the size of a part so small that 2 mm would cover all of it
+FARTHEST = 0.25  # of the size of a part: where the search for touching vertices ends
 
 
 class ContactSides:
@@ -49,7 +49,7 @@ class ContactSides:
         if part and self.parts[other] == part:
             self.put(other, "")
         self.parts[side] = part
-        # # Other parts hide nothing here, since parts in contact hide each other just where they
+        # Other parts hide nothing here, since parts in contact hide each other just where they
         # touch.
         self.pickers[side] = RegionPicker(self._meshes[part], vertices) if part else None
 

@@ -59,7 +59,7 @@ def is_needed(diagnosis: dict) -> bool:
     return any(
         finding["cure"] in NEEDED and (finding["cure"] != "remesh" or finding["count"] > few)
         for finding in diagnosis["findings"]
-        # # only the user can judge whether a coarse mesh is fine enough
+        # only the user can judge whether a coarse mesh is fine enough
         if finding["finding"] != "long edges"
     )
 

@@ -11,7 +11,7 @@ import numpy as np
 from freecad.sheetmorph.tools import colour_scale
 
 BINS = 24
-# # For each measure: its unit, the label of its worst value, the first ends of its colours.
+# For each measure: its unit, the label of its worst value, the first ends of its colours.
 MEASURES = {
     "aspect": ("", "worst aspect", (1.0, 2.0)),
     "warpage": ("°", "worst warpage", (0.0, 1.0)),
@@ -101,7 +101,7 @@ class ElementQuality:
     def _at_vertices(self, name: str, values: np.ndarray) -> np.ndarray:
         count, faces = self._parts[name]
         start = np.inf if self.is_low_bad else -np.inf
-        # # The extra last row takes the -1 that stands for the missing corner of a triangle.
+        # The extra last row takes the -1 that stands for the missing corner of a triangle.
         found = np.full(count + 1, start)
         pick = np.minimum if self.is_low_bad else np.maximum
         for corner in range(4):

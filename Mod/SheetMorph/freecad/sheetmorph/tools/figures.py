@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-Place = tuple[float, float]  # # px from the lower left corner of the view
+Place = tuple[float, float]  # px from the lower left corner of the view
 
 BRUSH, RECTANGLE, LASSO = "brush", "rectangle", "lasso"
 DRAWN = (BRUSH, RECTANGLE, LASSO)
-SIDES = 32  # # of the polygon that stands for a circle
-NEAREST = 2.0  # # px between the corners of a lasso
-STRIDE = 0.25  # # of the radius, between two stored places of a brush stroke
-SMALLEST, LARGEST, STEP = 4.0, 400.0, 1.15  # # px, and the factor of one wheel step on the radius
+SIDES = 32  # of the polygon that stands for a circle
+NEAREST = 2.0  # px between the corners of a lasso
+STRIDE = 0.25  # of the radius, between two stored places of a brush stroke
+SMALLEST, LARGEST, STEP = 4.0, 400.0, 1.15  # px, and the factor of one wheel step on the radius
 
 
 @dataclass(frozen=True)
@@ -57,9 +57,9 @@ class Camera:
         choice = np.array([[k & 1, k & 2, k & 4] for k in range(8)], bool)
         corners = np.column_stack([np.where(choice, high, low), np.ones(8)]) @ self.to_clip.T
         if (corners[:, 3] <= 0.0).any():
-            return True  # # at least partly behind the eye
+            return True  # at least partly behind the eye
         places = 0.5 * (1.0 + corners[:, :2] / corners[:, 3:]) * (self.width, self.height)
-        below, above = (places.min(axis=0) - 1.0, places.max(axis=0) + 1.0)  # # 1 px for rounding
+        below, above = (places.min(axis=0) - 1.0, places.max(axis=0) + 1.0)  # 1 px for rounding
         return bool((below <= outline.max(axis=0)).all() and (above >= outline.min(axis=0)).all())
 
 
@@ -123,7 +123,7 @@ class Drawing:
         """Start a figure at a place; `tool` is BRUSH with a `radius`, RECTANGLE or LASSO."""
         self._tool, self._radius = tool, radius
         self._places = [start]
-        self._last = start  # # the present place of the mouse, of which a brush stores only some
+        self._last = start  # the present place of the mouse, of which a brush stores only some
 
     def go_to(self, place: Place) -> np.ndarray:
         """Continue to a place; return the new area of a brush stroke, else the figure so far."""

@@ -71,17 +71,17 @@ class Facts:
     """The facts of a document about one morph; the default is an empty document."""
 
     morphs: int = 0
-    parts: tuple[str, ...] = ()  # # unique names
+    parts: tuple[str, ...] = ()  # unique names
     primary: str = ""
-    edited: tuple[str, str] = ("", "")  # # labels of an edited shape and of the part made from it
-    joined: tuple[tuple[str, str], ...] = ()  # # names of parts joined by an active contact
-    is_single: bool = False  # # one control mesh for all parts
+    edited: tuple[str, str] = ("", "")  # labels of an edited shape and of the part made from it
+    joined: tuple[tuple[str, str], ...] = ()  # names of parts joined by an active contact
+    is_single: bool = False  # one control mesh for all parts
     fixed: int = 0
     features: int = 0
     handles: int = 0
     is_moved: bool = False
-    failure: str = ""  # # the error message of the last recompute if it failed
-    faulty_role: str = ""  # # role of the region that the failure names, "contact", or empty
+    failure: str = ""  # the error message of the last recompute if it failed
+    faulty_role: str = ""  # role of the region that the failure names, "contact", or empty
 
 
 @dataclass(frozen=True)

@@ -14,11 +14,11 @@ import numpy as np
 
 from freecad.sheetmorph.tools import colour_scale
 
-PERFECT = 60.0  # # degrees: the corners of an equilateral triangle
+PERFECT = 60.0  # degrees: the corners of an equilateral triangle
 MOST_PLACES = 10
-APART = 0.12  # # of the part's size: least distance between two places
-NEAR = 0.25  # # of the part's size: largest distance at which a region names a place
-LEAST_STRETCH = 0.05  # # percent: a smaller value marks no place
+APART = 0.12  # of the part's size: least distance between two places
+NEAR = 0.25  # of the part's size: largest distance at which a region names a place
+LEAST_STRETCH = 0.05  # percent: a smaller value marks no place
 Positions = dict[str, np.ndarray]
 
 

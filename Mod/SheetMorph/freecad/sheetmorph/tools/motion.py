@@ -35,7 +35,7 @@ class Motion:
     angle: float = 0.0
     pivot: Triple | None = None
     size: float | None = None
-    target = None  # # only points have a target, and no object of a document has one
+    target = None  # only points have a target, and no object of a document has one
 
     @property
     def rotation(self) -> Turn | None:

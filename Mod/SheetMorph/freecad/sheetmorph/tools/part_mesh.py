@@ -36,7 +36,7 @@ def meets_box(ray: Ray, low: np.ndarray, high: np.ndarray) -> bool:
     slack = 1e-9 * (np.abs(low) + np.abs(high) + np.abs(ray.origin) + 1.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         ends = (np.stack([low - slack, high + slack]) - ray.origin) / ray.direction
-    along = np.where(np.isnan(ends), 0.0, ends)  # # 0 / 0: the ray lies in the plane of a side
+    along = np.where(np.isnan(ends), 0.0, ends)  # 0 / 0: the ray lies in the plane of a side
     return bool(along.min(axis=0).max() <= along.max(axis=0).min() and along.max() >= 0.0)
 
 
@@ -51,8 +51,8 @@ class PartMesh:
         self._rest, self.triangles = rest
         self._core = core
         self._seen = np.ascontiguousarray(seen, float)
-        self._edges: dict[float, Rims] = {}  # # of the last crease angle
-        # # key, triangles and vertices of the last search
+        self._edges: dict[float, Rims] = {}  # of the last crease angle
+        # key, triangles and vertices of the last search
         self._last: tuple = ((), NOTHING, NOTHING)
 
     @cached_property

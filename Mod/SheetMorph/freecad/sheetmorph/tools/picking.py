@@ -22,13 +22,13 @@ VERTEX, FACET, FACE, RIM, WHOLE = "vertex", "facet", "face", "rim", "whole"
 class Options:
     """The options of one click or figure."""
 
-    what: str = FACE  # # one of the names above, or of figures.DRAWN
-    mode: str = REPLACE  # # without a modifier key
-    crease: float = math.radians(30.0)  # # radians
-    rings: int = 0  # # around a hole rim
-    holes_only: bool = False  # # a click near the outline picks no rim
-    through: bool = False  # # hidden vertices count too
-    radius: float = 25.0  # # of the brush, px
+    what: str = FACE  # one of the names above, or of figures.DRAWN
+    mode: str = REPLACE  # without a modifier key
+    crease: float = math.radians(30.0)  # radians
+    rings: int = 0  # around a hole rim
+    holes_only: bool = False  # a click near the outline picks no rim
+    through: bool = False  # hidden vertices count too
+    radius: float = 25.0  # of the brush, px
 
 
 def mode_of(shift: bool, control: bool, mode: str = REPLACE) -> str:

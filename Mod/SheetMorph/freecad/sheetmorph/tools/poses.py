@@ -50,7 +50,7 @@ def between(first: Motion, second: Motion, weight: float) -> Motion:
     angle = float(np.linalg.norm(turn))
     axis = tuple((turn / angle).tolist()) if angle else first.axis
     along = np.dot(axis, first.axis if first.angle else second.axis)
-    if angle and along < 0.0:  # # the same rotation about the axis that the user gave
+    if angle and along < 0.0:  # the same rotation about the axis that the user gave
         axis, angle = tuple(-c for c in axis), -angle
     is_free = None in (first.pivot, second.pivot)
     return replace(

@@ -45,7 +45,7 @@ class Pull:
         if key and not (key.isprintable() and (self.text or key in FIRST)):
             return False
         if not self._shift().any() and self._angle() == 0.0:
-            return False  # # the drag has no direction yet
+            return False  # the drag has no direction yet
         self.text = self.text + key if key else self.text[:-1]
         return True
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-ROOM = 0.25  # # of the range: what is visible beyond each of its ends
+ROOM = 0.25  # of the range: what is visible beyond each of its ends
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-OUTLINE_REACH = 0.05  # # of the outline's size: how far beside the part a click still picks it
+OUTLINE_REACH = 0.05  # of the outline's size: how far beside the part a click still picks it
 
 
 @dataclass(frozen=True)

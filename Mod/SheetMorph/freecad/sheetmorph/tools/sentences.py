@@ -33,7 +33,7 @@ KEPT = "kept"
 """The key around a selector that is in the coordinates of the file already."""
 POINTS = ("face_at", "rim_at", "piece_at")
 
-Said = Any  # # a selector, None if unknown
+Said = Any  # a selector, None if unknown
 
 
 @dataclass(frozen=True)

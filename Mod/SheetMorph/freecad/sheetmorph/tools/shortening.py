@@ -76,7 +76,7 @@ def corners(line: np.ndarray, points: np.ndarray, away: float) -> list[int]:
     """
     kept = list(range(len(line)))
     if (line[0] == line[-1]).all():
-        kept.pop()  # # a closed line repeats its first place
+        kept.pop()  # a closed line repeats its first place
     held: set[int] = set()
     while len(kept) > 3:
         places = line[kept]

@@ -7,8 +7,8 @@ import math
 
 import numpy as np
 
-WAYS = 16  # # directions in which to look for a free place
-STEP = 0.5  # # of the least distance, by which each round looks farther
+WAYS = 16  # directions in which to look for a free place
+STEP = 0.5  # of the least distance, by which each round looks farther
 
 
 def spread(places: np.ndarray, least: float, taken: tuple = ()) -> np.ndarray:

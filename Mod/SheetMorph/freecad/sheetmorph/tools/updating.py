@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 AUTOMATIC, WHILE_CHANGING, ON_PAUSE, ON_OK = range(4)
-BUDGET = 0.05  # # s: largest duration of a commit made at every change
-PAUSE = 0.3  # # s: time without a change that counts as a pause
+BUDGET = 0.05  # s: largest duration of a commit made at every change
+PAUSE = 0.3  # s: time without a change that counts as a pause
 
 
 class Updating:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-LEAST_LENGTH = 0.0005  # # mm: smaller lengths are rounding errors or irrelevant
+LEAST_LENGTH = 0.0005  # mm: smaller lengths are rounding errors or irrelevant
 LEAST_SHARE = 0.0005
 
 

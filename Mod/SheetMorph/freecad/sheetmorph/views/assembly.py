@@ -36,19 +36,19 @@ class AssemblyView(FollowingView, OwnerView):
 
     def updateData(self, obj, name: str) -> None:
         """Update the icons of the primary part and of a faulty morph."""
-        if name == "Status":  # # the recompute that sets the status is not finished yet
+        if name == "Status":  # the recompute that sets the status is not finished yet
             QtCore.QTimer.singleShot(0, self._change_icon)
         if name == "Primary":
             views = [part.ViewObject for part in model.parts(obj)]
-            for view in filter(None, views):  # # a part that is being deleted has no view
+            for view in filter(None, views):  # a part that is being deleted has no view
                 view.signalChangeIcon()
 
     def _change_icon(self) -> None:
         try:
-            if self.icon != self._due_icon():  # # the tree is slow with a large group
+            if self.icon != self._due_icon():  # the tree is slow with a large group
                 self._view_object.signalChangeIcon()
         except (ReferenceError, RuntimeError):
-            return  # # deleted meanwhile
+            return  # deleted meanwhile
 
     def setupContextMenu(self, _view_object, menu) -> bool:
         """Add the entries of a morph."""

@@ -14,7 +14,7 @@ class ContactView(PatchView):
 
     def __init__(self, view_object):
         super().__init__(view_object)
-        # # An assembly has dozens of contacts, which would cover the regions.
+        # An assembly has dozens of contacts, which would cover the regions.
         view_object.Visibility = False
 
     def patches(self, obj) -> list:

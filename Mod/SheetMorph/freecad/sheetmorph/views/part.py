@@ -46,7 +46,7 @@ class PartView(OwnerView):
                 return
             faces = None if obj.Source is None else read_kept(obj).faces
         except (ReferenceError, RuntimeError):
-            return  # # deleted meanwhile
+            return  # deleted meanwhile
         if self._lines is not None:
             self._lines.remove()
         self._lines = None if faces is None else ElementLines(self._view_object, faces)
