@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A checked recipe in the kernel's terms; file ids become indices here and nowhere else."""
+"""Translation of a checked recipe to kernel objects, the only place where ids become indices."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _AS_TOLD = PoseEntry()
 
 
 class Translator:
-    """Builds kernel objects for one model; knows where pivots and points are at rest."""
+    """Builder of kernel objects for one model, with rest positions of pivots and points."""
 
     def __init__(self, core: ModuleType, model: Model, meshes: Mapping[str, PartMesh]):
         self._core = core
@@ -41,7 +41,7 @@ class Translator:
         self._places = {region.name: self._place(region) for region in model.regions}
 
     def indices(self, region: RegionEntry) -> Ints:
-        """Indices (k,) of a region's vertices in its part; of a point, those of its triangle."""
+        """Return the vertices (k,) of a region, or the triangle corners of a point."""
         if region.is_point:
             triangle, _ = self._on_mesh(region)
             corners: Ints = self._meshes[region.part].triangles[triangle]
@@ -49,7 +49,7 @@ class Translator:
         return self._indices[region.where]
 
     def _place(self, region: RegionEntry) -> Floats:
-        """Rest position (3,) of a point on a triangle, centroid of a set of vertices; mm."""
+        """Return the rest position (3,) of a point, or the centroid of a region's vertices; mm."""
         mesh = self._meshes[region.part]
         place: Floats
         if region.is_point:
@@ -60,12 +60,12 @@ class Translator:
         return place
 
     def _on_mesh(self, point: RegionEntry) -> tuple[int, Sequence[float]]:
-        """Triangle and barycentric coordinates of a point on the mesh that is deformed."""
+        """Return the triangle and the barycentric coordinates of a point on the deformed mesh."""
         mesh = self._meshes[point.part]
         return mesh.place_on(self._core, *point.on_triangle)
 
     def assembly(self) -> _core.Assembly:
-        """The kernel's Assembly: everything but the pose."""
+        """Return the kernel's Assembly: everything except the pose."""
         core = self._core
         parts = [self._part(part) for part in self._model.parts]
         primary = self._part_index[self._model.primary or self._model.parts[0].name]
@@ -147,7 +147,7 @@ class Translator:
         return found
 
     def pose(self, pose: Mapping[str, Moved]) -> _core.Pose:
-        """The kernel's Pose; what it leaves out keeps the recipe's own values."""
+        """Return the kernel's Pose; missing entries keep the values of the recipe."""
         told: _core.Pose = self._core.Pose()
         for entry in self._model.regions:
             motion = pose.get(entry.name, _AS_TOLD)
@@ -165,7 +165,7 @@ class Translator:
         return told
 
     def _move(self, entry: RegionEntry, motion: Moved, told: _core.Pose) -> None:
-        """A handle, whose vertices may be one point."""
+        """Add the motion of a handle, which may be a single point, to the pose."""
         place = self._places[entry.name]
         pivot = motion.pivot or entry.pivot or tuple(place)
         translation, log = motion.translation or _NO_TURN, self._log(motion.rotation)
@@ -184,7 +184,7 @@ class Translator:
 
 @contextmanager
 def kernel_faults(core: ModuleType) -> Iterator[None]:
-    """What the kernel refuses becomes a RecipeError with one fault."""
+    """Convert InvalidInput of the kernel to a RecipeError with one fault."""
     try:
         yield
     except core.InvalidInput as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A study as a function for optimisers: from values of the parameters to measures and slopes."""
+"""A study as a function for optimisers: parameter values to measures and derivatives."""
 
 from __future__ import annotations
 
@@ -21,18 +21,36 @@ from .plan import Plan
 from .sampling import Values
 from .working import Workshop
 
-# The step of a central difference, as a share of the parameter's range. Truncation error grows with
-# its square and rounding error with its inverse; here both stay below 1e-6 of a slope.
+# Step of a central difference, as a share of the parameter range. The truncation error grows with
+# the square of the step and the rounding error with its inverse. Here both stay below 1e-6 of a
+# derivative.
 _STEP = 2e-3
 
 Given = Mapping[str, float] | Sequence[float]
 
 
 class Evaluator:
-    """Measures of a study's recipe at any values of its parameters, each by an exact answer.
+    """Measures of a study at any parameter values, each from an exact answer.
 
-    names, columns: of parameters and measures; bounds: (k, 2) of the parameters. Pre-processing is
-    done once for all values that share it. Raises RecipeError, FileError, KernelError.
+    The pre-processing phase runs once for all values that share it.
+
+    Parameters
+    ----------
+    study : str or path
+        The study file.
+
+    Attributes
+    ----------
+    names : list of str
+        Parameters (k).
+    columns : list of str
+        Measures (m).
+    bounds : array (k, 2)
+        Lower and upper limits of the parameters.
+
+    Raises
+    ------
+    RecipeError, FileError, KernelError
     """
 
     def __init__(self, study: str | Path):
@@ -50,34 +68,122 @@ class Evaluator:
         return found
 
     def __call__(self, values: Given) -> dict[str, float | None]:
-        """The measures, by column. Raises RecipeError for values that cannot be computed."""
+        """Return the measures by name.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values, by name or in the order of ``names``.
+
+        Returns
+        -------
+        dict
+            Measure to its value, None if it cannot be measured.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         return self._measured(self._values(values))
 
     def array(self, values: Given) -> Floats:
-        """The measures (m,) in the order of `columns`; NaN where there is nothing to measure."""
+        """Return the measures as an array.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        array (m,)
+            Measures in the order of ``columns``; NaN if one cannot be measured.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         return _array(self(values))
 
     def gradient(self, values: Given) -> Floats:
-        """Return the slopes (m, k) of the measures over the parameters.
+        """Return the derivatives of the measures, as central differences of exact answers.
 
-        Each slope is the central difference of two exact answers.
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        array (m, k)
+            Derivative of each measure by each parameter.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
         """
         told = self._values(values)
         slopes = [self._slopes(told, name, self._array) for name in self.names]
         return np.stack([slope[""] for slope in slopes], axis=-1)
 
     def positions(self, values: Given) -> dict[str, Floats]:
-        """Positions (n, 3) by part, mm."""
+        """Return the positions of all parts.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        dict
+            Part name to positions (n, 3), mm.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         return dict(self._result(self._values(values)).positions)
 
     def position_gradients(self, values: Given) -> dict[str, Floats]:
-        """Return the slopes (n, 3, k) of the positions over the parameters, by part."""
+        """Return the derivatives of the positions by the parameters.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        dict
+            Part name to derivatives (n, 3, k), mm per unit of the parameter.
+
+        Raises
+        ------
+        RecipeError
+            If the values cannot be computed.
+        """
         told = self._values(values)
         slopes = [self._slopes(told, name, self.positions) for name in self.names]
         return {part: np.stack([slope[part] for slope in slopes], axis=-1) for part in slopes[0]}
 
     def failures(self, values: Given) -> str:
-        """Why a variant would not pass; empty if it would."""
+        """Return the reasons why a variant fails.
+
+        Parameters
+        ----------
+        values : mapping or sequence of float
+            Parameter values.
+
+        Returns
+        -------
+        str
+            The reasons, empty if the variant passes.
+        """
         return self._shop.verdict(self._values(values), True)
 
     def _slopes(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether what was written holds, and the page that proves it."""
+"""The dialog with the result of a certificate, and a button that opens its page."""
 
 import json
 from html import escape
@@ -14,7 +14,7 @@ SHOWN = 12
 
 
 def show(folder: str) -> None:
-    """Shows what the certificate in a folder says; Open Page shows all of it in the browser."""
+    """Show the certificate in a folder; Open Page shows all of it in the browser."""
     certificate = json.loads((Path(folder) / "certificate.json").read_text("utf-8"))
     dialog = QtWidgets.QDialog(Gui.getMainWindow())
     dialog.setObjectName("SheetMorphCertificate")
@@ -38,7 +38,7 @@ def show(folder: str) -> None:
 
 
 def summary(certificate: dict, folder: str) -> str:
-    """What holds and what does not, as rich text."""
+    """Return the result and the failed criteria as rich text."""
     passed, failures = certificate["passed"], certificate["failures"]
     word = (
         translate("SheetMorph_panels", "Certified")

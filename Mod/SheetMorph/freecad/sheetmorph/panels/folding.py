@@ -6,10 +6,10 @@ from freecad.sheetmorph.qt import QtCore, QtWidgets, connect
 
 
 class Folds:
-    """Lets groups fold; the preferences remember which are open."""
+    """Foldable groups; the preferences store which are open."""
 
     def __init__(self, entries: dict):
-        """``entries``: QGroupBox -> entry of the preferences."""
+        """Make groups foldable; `entries` maps QGroupBox to preference entries."""
         self._buttons = {entry: foldable(group) for group, entry in entries.items()}
         for entry, button in self._buttons.items():
             button.setChecked(preferences.get(entry))
@@ -17,9 +17,9 @@ class Folds:
 
 
 def foldable(group):
-    """Puts what is in a QGroupBox below a button with its title; returns the button, off."""
+    """Put the content of a QGroupBox below a button with its title; return the button, off."""
     inside = QtWidgets.QWidget(group)
-    inside.setLayout(group.layout())  # which takes it from the group
+    inside.setLayout(group.layout())  # this takes the layout from the group
     inside.layout().setContentsMargins(9, 0, 9, 6)
     button = QtWidgets.QToolButton(group)
     button.setObjectName(f"fold_{group.objectName()}")
@@ -31,7 +31,8 @@ def foldable(group):
     button.setCheckable(True)
     group.setTitle("")
     group.setFlat(True)
-    group.setStyleSheet("QGroupBox { border: 0; margin: 0; padding: 0; }")  # its title has no room
+    # the empty title takes no space
+    group.setStyleSheet("QGroupBox { border: 0; margin: 0; padding: 0; }")
     column = QtWidgets.QVBoxLayout(group)
     column.setContentsMargins(0, 0, 0, 0)
     column.setSpacing(2)
@@ -44,5 +45,5 @@ def foldable(group):
 
 
 def point(button, is_open: bool) -> None:
-    """An arrow down while a group is open, else to the right; the style draws it, as its text."""
+    """Show a down arrow for an open group, else a right arrow, drawn by the style."""
     button.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the mouse does in the 3D view, as the Move Handle panel lets the user choose it."""
+"""The options of the mouse in the Move Handle panel."""
 
 from freecad.sheetmorph import preferences
 from freecad.sheetmorph.qt import connect
 
 
 class MouseFields:
-    """Connects the widgets with the drag; choices are remembered."""
+    """The link from the widgets to the drag; the preferences store the choices."""
 
     def __init__(self, form, drag):
         self._form, self._drag = form, drag

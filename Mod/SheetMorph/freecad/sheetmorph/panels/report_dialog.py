@@ -9,7 +9,7 @@ from freecad.sheetmorph.scene import drawing
 
 
 def show() -> None:
-    """Shows the report; Copy puts it on the clipboard."""
+    """Show the report; Copy puts it on the clipboard."""
     dialog = QtWidgets.QDialog(Gui.getMainWindow())
     dialog.setObjectName("SheetMorphReport")
     dialog.setWindowTitle(translate("SheetMorph_CheckInstallation", "Check Installation"))
