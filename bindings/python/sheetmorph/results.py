@@ -13,11 +13,11 @@ from .arrays import Floats
 class FeatureResult:
     """How a form feature moved: p = centre + translation + rotation (p_hat - centre).
 
-    rotation: (3, 3); translation, centre: (3,), mm; edge_error: worst |p_i - p_j - R (p_hat_i -
-    p_hat_j)| over its edges, mm (2.4); rotation_type: "free", "interpolated" or "prescribed";
-    motion: its type; size: mm, None unless it is set, then kind is "hole" (diameter), "slot"
-    (length) or "cylinder" (radius), p_hat has that size, and outline_error is the worst distance of
-    its rim from the exact outline, mm.
+    rotation is (3, 3); translation and centre are (3,), mm. edge_error is the worst change of an
+    edge against the rigid motion, mm (2.4). rotation_type is "free", "interpolated" or
+    "prescribed"; motion is its type. If a size is set (mm, else None), p_hat has it: kind is "hole"
+    (diameter), "slot" (length) or "cylinder" (radius), and outline_error is the worst distance of
+    the rim from the exact outline, mm.
     """
 
     name: str
