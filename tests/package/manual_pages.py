@@ -11,7 +11,9 @@ from urllib.parse import unquote, urlsplit
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = ROOT / "resources" / "docs"
-FENCE = re.compile(r"^(`{3,})(\S+)(?: (\w+))?\n((?::\w+:.*\n)*)\n?(.*?)^\1$", re.DOTALL | re.MULTILINE)
+FENCE = re.compile(
+    r"^(`{3,})(\S+)(?: (\w+))?\n((?::\w+:[^\n]*\n)*)\n?(.*?)^\1$", re.DOTALL | re.MULTILINE
+)
 CAPTION = re.compile(r"^:caption: (.+)$", re.MULTILINE)
 
 

@@ -78,7 +78,8 @@ def test_blocks_are_read_from_a_page(tmp_path):
         "```{code-block} json\n:caption: a.json\n\n{}\n```\n\n"
         "````{admonition} B\nc\n````\n\n```sh\nsheetmorph --version\n```\n"
     )
-    assert code_blocks(page) == [Block("json", "{}\n", "a.json"), Block("sh", "sheetmorph --version\n", "")]
+    recipe, command = Block("json", "{}\n", "a.json"), Block("sh", "sheetmorph --version\n", "")
+    assert code_blocks(page) == [recipe, command]
 
 
 @pytest.mark.parametrize("line", ["rm -rf x", "./sheetmorph fly", "sheetmorph run none.json -o x"])
