@@ -91,6 +91,19 @@ def test_the_page_of_the_command_line_lists_every_option(manual: Path):
     assert [name for name in [*commands.choices, *options] if name not in text] == []
 
 
+def test_the_page_of_commands_lists_every_command_of_the_workbench(manual: Path):
+    text = words_of(manual / "reference" / "commands.html")
+    sources = (ROOT / "Mod/SheetMorph/freecad/sheetmorph/commands").glob("*.py")
+    named = re.findall(r'^    name = "(SheetMorph_\w+)"$', "\n".join(map(read, sources)), re.M)
+    assert len(named) > 30
+    assert [name for name in named if name not in text] == []
+
+
+def read(path: Path) -> str:
+    """The text of a file."""
+    return path.read_text("utf-8")
+
+
 @pytest.mark.parametrize(
     ("name", "of"),
     [("recipe-keys", schema), ("study-keys", study_schema), ("report", report_schema)],

@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
+import workbench
+
 PACKAGE = Path(__file__).resolve().parents[3] / "bindings" / "python" / "sheetmorph"
 LIMITS = {
     "minimum": "at least {:g}",
@@ -159,6 +161,7 @@ def _sentence(text: str) -> str:
 
 PAGES: dict[str, Callable[[], str]] = {
     "command line": command_line,
+    "commands": workbench.commands,
     "recipe": partial(schema_page, "recipe", "The recipe"),
     "study": partial(schema_page, "study", "The study"),
     "report": partial(schema_page, "report", "The report"),
