@@ -19,11 +19,9 @@ language = "en"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "generated_pages"]
 myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 4
-nitpicky = False  # types in signatures are those of numpy and of the package's own modules
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
-autodoc_type_aliases = {"Selector": "Selector"}
 add_module_names = False
 python_use_unqualified_type_names = True
 
