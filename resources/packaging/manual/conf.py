@@ -30,4 +30,32 @@ html_title = f"SheetMorph {version}"
 html_logo = html_favicon = str(ROOT / "resources" / "icons" / "SheetMorph.svg")
 html_copy_source = html_show_sourcelink = False
 html_show_copyright = False
-html_theme_options = {"navigation_with_keys": True}
+html_static_path = ["static"]
+html_css_files = ["manual.css"]
+html_js_files = ["manual.js"]
+smartquotes = False  # options begin with two hyphens
+
+# Furo's own dark colours; that of Debian 12 has them only for readers who press its button.
+_DARK = {
+    "color-problematic": "#ee5151",
+    "color-foreground-primary": "#ffffffcc",
+    "color-foreground-secondary": "#9ca0a5",
+    "color-foreground-muted": "#81868d",
+    "color-foreground-border": "#666666",
+    "color-background-primary": "#131416",
+    "color-background-secondary": "#1a1c1e",
+    "color-background-hover": "#1e2124ff",
+    "color-background-hover--transparent": "#1e212400",
+    "color-background-border": "#303335",
+    "color-background-item": "#444",
+    "color-brand-primary": "#2b8cee",
+    "color-brand-content": "#368ce2",
+    "color-highlighted-background": "#083563",
+    "color-highlight-on-target": "#333300",
+    "color-api-keyword": "var(--color-foreground-secondary)",
+    "color-admonition-background": "#18181a",
+    "color-card-border": "var(--color-background-secondary)",
+    "color-card-background": "#18181a",
+    "color-card-marginals-background": "var(--color-background-hover)",
+}
+html_theme_options = {"navigation_with_keys": True, "dark_css_variables": _DARK}
