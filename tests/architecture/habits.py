@@ -13,8 +13,8 @@ CPP_TEST = re.compile(r"^(?:TYPED_)?TEST(?:_[FP])?\((\w+),\s*(\w+)\)\n\{\n(.*?)^
 CPP_CLAIM = re.compile(r"\b(EXPECT|ASSERT|FAIL|ADD_FAILURE|expect|check|assert)\w*\s*\(")
 QT_SIGNALS = set(
     "activated canceled cellDoubleClicked cellEntered clicked currentIndexChanged"
-    " currentTextChanged editingFinished itemChanged itemSelectionChanged rejected returnPressed textChanged"
-    " textEdited timeout toggled triggered valueChanged".split()
+    " currentTextChanged editingFinished itemChanged itemSelectionChanged rejected"
+    " returnPressed textChanged textEdited timeout toggled triggered valueChanged".split()
 )
 PYTHON_CLAIM = re.compile(r"^(assert|expect|check|raises|warns|fail)", re.IGNORECASE)
 
