@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Guess the unit of a mesh file from the usual sizes of sheet-metal parts."""
+"""The unit of a mesh file, guessed from the usual sizes of sheet-metal parts."""
 
 from __future__ import annotations
 

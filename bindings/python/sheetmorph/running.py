@@ -370,7 +370,7 @@ def _fail(found: dict[str, Any], report: Path | None, files: FileSet) -> None:
 
 @dataclass(frozen=True)
 class Writer:
-    """Writes the parts of a certified result and the report; all files or none."""
+    """The output of a certified result: its parts and the report, all files or none."""
 
     result: Result
     sources: list[Source]

@@ -107,7 +107,7 @@ class Inputs:
 
 
 class Certifier:
-    """Certifies runs of one recipe; measures the rest state once.
+    """The certification of runs of one recipe, whose rest state is measured once.
 
     Every region of the model has a vertex list.
     """

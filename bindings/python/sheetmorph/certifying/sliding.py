@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Nodes slide in their sheet until its elements meet limits; the connectivity stays the same.
+"""Sliding of nodes in their sheet until its elements meet limits; the connectivity stays.
 
 Every free node tries a few positions around it in its tangent plane. It moves to the one where the
 adjacent elements exceed the limits least, projected to the sheet. Nodes without a common element

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files packed by gzip: read unpacked, and written unpacked."""
+"""Files packed by gzip, which are read and written in unpacked form."""
 
 from __future__ import annotations
 

@@ -97,7 +97,7 @@ class _Base:
 
 
 class Workshop:
-    """Computes variants of one study and shares their pre-processing phase.
+    """The computation of variants of one study with a shared pre-processing phase.
 
     preprocessed counts the pre-processing phases.
     """

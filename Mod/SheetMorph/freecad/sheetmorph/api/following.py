@@ -120,7 +120,7 @@ def name_of(owner, side: str) -> str:
 
 
 class Follower:
-    """Finds the picked regions of a part on its changed mesh."""
+    """The search for the picked regions of a part on its changed mesh."""
 
     def __init__(self, part, change: Change):
         self.change = change

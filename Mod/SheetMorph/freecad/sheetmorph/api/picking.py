@@ -122,8 +122,8 @@ def hole_rim(part, vertex: int, rings: int = 0) -> list[int]:
 def hole_rims(part) -> list[list[int]]:
     """Return the rims of all holes of a part, each sorted.
 
-    A hole is a closed open edge. The longest one of each connected component is its outline if it
-    encloses more than half of the component.
+    A hole is a closed boundary. The longest boundary of each connected component is its outline if
+    it encloses more than half of the component.
     """
     return [rim.tolist() for rim in mesh_at_rest(part).hole_rims(0)]
 

@@ -19,8 +19,9 @@ from freecad.sheetmorph.objects.properties import number_of
 def set_thin(part, thin: str | bool | float) -> None:
     """Set whether a part is solved as a thin solid: False, "auto", or its thickness in mm.
 
-    With "auto" it is one if it is recognised. With a thickness the recompute reports why it is not
-    one. A thin solid bends as one sheet and keeps its thickness. Raises ValueError.
+    With "auto", the part counts as one if it is recognised. With a thickness, the recompute reports
+    why the part is not one. A thin solid bends as one sheet and keeps its thickness.
+    Raises ValueError for an invalid value.
     """
     require_kind(part, model.PART, "part")
     if thin is False:

@@ -95,7 +95,7 @@ class Reached:
 
 
 class LiveSession:
-    """Computes the positions of the parts of one assembly for given poses."""
+    """The computation of the positions of an assembly's parts for given poses."""
 
     def __init__(self, assembly, morph: Morph | None = None, cache: SessionCache | None = None):
         """Build or find the session of `assembly`. Raises MorphError with one sentence.

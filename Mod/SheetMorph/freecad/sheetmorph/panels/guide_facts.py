@@ -39,7 +39,7 @@ def read():
 
 
 def edited_in(owner) -> tuple[str, str]:
-    """Return the labels of the first part's shape that was edited, and of that part."""
+    """Return the labels of the first edited source shape and of its part."""
     parts = model.parts(owner)
     changed = (part for part in parts if part.SourceChanged and part.ShapeSource)
     return next(((part.ShapeSource.Label, part.Label) for part in changed), ("", ""))

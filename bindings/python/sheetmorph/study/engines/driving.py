@@ -51,7 +51,7 @@ class Forgotten(RuntimeError):
 
 
 class Driver:
-    """Submits tasks to pools that may break; every task ends exactly once."""
+    """The submission of tasks to pools that may break; every task ends exactly once."""
 
     def __init__(
         self,
